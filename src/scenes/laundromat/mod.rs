@@ -1,0 +1,38 @@
+//! The unbalanced washing machine: a drum with a load on one side, turned at constant angular velocity
+//! about a vertical shaft that a spring and a damper hold near a fixed point.
+//!
+//! The chapter *Physics in the laundromat* derives every formula; its labels are cited here. Positions
+//! are complex numbers in the frame of the laboratory, z = x + iy, in metres from the fixed point O;
+//! the load is at azimuth φ = Ωt, counter-clockwise for positive Ω. The equation of motion,
+//! `eq:cartesian-motion`, is
+//!
+//! ```text
+//! z̈ + Γ ż + ω₀² z = b Ω² e^{iΩt}
+//! ```
+//!
+//! | to find | call |
+//! |---|---|
+//! | the three constants ω₀, b, Γ | [`Machine::natural_frequency`], [`Machine::offset`], [`Machine::damping_rate`] |
+//! | the motion that remains in the end | [`Machine::steady`] |
+//! | whether and how disturbances die out | [`Machine::modes`], [`Machine::stability_matrix`] |
+//! | the whole motion from any start, at any time | [`Machine::transient`] |
+//! | rates for an integrator | [`Machine::cartesian_rates`], [`Machine::polar_rates`] |
+//! | what the motor must do | [`Machine::motor_torque`], [`SteadyMotion::motor_torque`] |
+
+mod energy;
+mod locked;
+mod machine;
+mod modes;
+mod motion;
+mod oscillator;
+mod shaft;
+mod steady;
+mod transient;
+
+pub use locked::{LockedError, LockedMotion};
+pub use machine::{InvalidMachine, Machine, Parameters};
+pub use modes::Mode;
+pub use oscillator::InvalidTime;
+pub use shaft::{InvalidStart, Shaft};
+pub use steady::{NoSteadyMotion, Peak, SteadyMotion};
+pub use transient::{InvalidFrames, Transient};

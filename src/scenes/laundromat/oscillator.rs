@@ -1,0 +1,131 @@
+//! The free motion of a damped oscillator, exact from no damping through critical to very heavy damping, for a spring
+//! that pulls or pushes.
+
+use super::machine::Shown;
+use crate::two_part::TwoPart;
+use nalgebra::Complex;
+use std::error::Error;
+use std::fmt;
+
+/// ẍ + Γẋ + κx = 0 with Γ ≥ 0 and κ of any sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Oscillator {
+    damping: f64,
+    stiffness: f64,
+    roots: Roots,
+}
+
+/// The solutions e^{λt}.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Roots {
+    /// λ = −Γ/2 ± iω₁ with ω₁ > 0.
+    Turning { frequency: TwoPart },
+    /// λ = −slow and −fast, and their difference `gap` = fast − slow ≥ 0. A pushing spring has slow < 0.
+    Real { slow: f64, fast: f64, gap: f64 },
+}
+
+/// A displacement and its rate, both still to be multiplied by e^{exponent}.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scaled {
+    pub(super) position: Complex<f64>,
+    pub(super) velocity: Complex<f64>,
+    pub(super) exponent: f64,
+}
+
+impl Oscillator {
+    pub(super) fn new(damping: TwoPart, stiffness: TwoPart) -> Self {
+        // ω₁² to 32 digits, so that it has 16 left when Γ is within rounding of 2ω₀.
+        let frequency_squared = stiffness - damping * damping * 0.25;
+        let roots = if frequency_squared.rounded() > 0.0 {
+            Roots::Turning { frequency: frequency_squared.sqrt() }
+        } else {
+            let half_gap = (-frequency_squared).sqrt();
+            let fast = damping * 0.5 + half_gap;
+            let slow = if fast.rounded() == 0.0 { fast } else { stiffness / fast }; // eq:slow-root
+            Roots::Real { slow: slow.rounded(), fast: fast.rounded(), gap: 2.0 * half_gap.rounded() }
+        };
+        Self { damping: damping.rounded(), stiffness: stiffness.rounded(), roots }
+    }
+
+    pub(super) fn roots(&self) -> Roots {
+        self.roots
+    }
+
+    /// The two ω of the solutions e^{iωt}: ±ω₁ + iΓ/2, or i times the fast and the slow rate.
+    pub(super) fn frequencies(&self) -> [Complex<f64>; 2] {
+        match self.roots {
+            Roots::Turning { frequency } => {
+                let decay = 0.5 * self.damping;
+                [Complex::new(frequency.rounded(), decay), Complex::new(-frequency.rounded(), decay)]
+            }
+            Roots::Real { slow, fast, .. } => [Complex::new(0.0, fast), Complex::new(0.0, slow)],
+        }
+    }
+
+    /// The motion that passes through `position` with `velocity` at time zero, at time `t` before or after.
+    pub(super) fn at(&self, position: Complex<f64>, velocity: Complex<f64>, t: f64) -> Scaled {
+        match self.roots {
+            Roots::Turning { frequency } => {
+                let (sin, cos) = (frequency * t).sin_cos();
+                let quotient = sin / frequency.rounded(); // t sinc(ω₁t), down to the smallest ω₁
+                let half = 0.5 * self.damping;
+                Scaled {
+                    position: position * cos + (velocity + position * half) * quotient,
+                    velocity: velocity * cos - (position * self.stiffness + velocity * half) * quotient,
+                    exponent: -half * t,
+                }
+            }
+            Roots::Real { slow, fast, gap } => {
+                // Take out the exponential that dominates; what is left is between 0 and 1 in size.
+                let (rate, gap) = if t >= 0.0 { (slow, gap) } else { (fast, -gap) };
+                let left = (-gap * t).exp();
+                let passed = if gap == 0.0 { t } else { -(-gap * t).exp_m1() / gap }; // ∫ of `left` over time
+                let kick = velocity + position * rate;
+                let inner = position + kick * passed;
+                Scaled { position: inner, velocity: kick * left - inner * rate, exponent: -rate * t }
+            }
+        }
+    }
+}
+
+impl Scaled {
+    /// Position and velocity multiplied out. Infinite where they overflow, and never NaN for finite contents.
+    pub(super) fn multiplied(self) -> (Complex<f64>, Complex<f64>) {
+        let factor = self.exponent.exp();
+        if factor.is_finite() {
+            return (self.position * factor, self.velocity * factor);
+        }
+        // In two halves, neither of them infinite: zero stays zero, and what is representable is found.
+        let half = (0.5 * self.exponent).exp().min(f64::MAX);
+        (self.position * half * half, self.velocity * half * half)
+    }
+}
+
+/// The closed forms answer for times up to this far from the start, s.
+const LONGEST_TIME: f64 = 1e150;
+
+/// Refuses times that are not finite or beyond reach of the closed forms.
+pub(super) fn check_time(time: f64) -> Result<(), InvalidTime> {
+    if time.abs() <= LONGEST_TIME { Ok(()) } else { Err(InvalidTime { time }) }
+}
+
+/// A time for which a motion has no answer: not finite, further than 1e150 s from the start, or where the motion itself is
+/// beyond the largest number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InvalidTime {
+    /// The time as it was given, s.
+    pub time: f64,
+}
+
+impl fmt::Display for InvalidTime {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let time = Shown(self.time);
+        if check_time(self.time).is_err() {
+            write!(out, "time {time} s must be finite and within {LONGEST_TIME:e} s of the start")
+        } else {
+            write!(out, "at time {time} s the motion is beyond the largest number, {:e} m or m/s", f64::MAX)
+        }
+    }
+}
+
+impl Error for InvalidTime {}

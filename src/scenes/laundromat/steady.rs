@@ -1,0 +1,175 @@
+//! Steady motion: the circle that remains when everything else has died out.
+
+use super::machine::{Machine, Shown};
+use crate::two_part::TwoPart;
+use nalgebra::Complex;
+use std::error::Error;
+use std::f64::consts::SQRT_2;
+use std::fmt;
+
+/// The steady motion z = Z e<sup>iΩt</sup>: the shaft goes round O once for each turn of the drum.
+///
+/// From [`Machine::steady`]. All quantities are accurate to a few units in the last place at any spin, near
+/// resonance too.
+///
+/// ```
+/// use mechanics::scenes::laundromat::{Machine, Parameters};
+/// let machine = Machine::new(Parameters {
+///     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25,
+///     stiffness: 3000.0, damping: 90.0, spin: 30.0,
+/// })?;
+/// // The suspension alone holds the centre of mass on its circle: (m + M) Ω² r_cm = r₀ |k + iγΩ|.
+/// let steady = machine.steady()?;
+/// let needed = 30.0 * 30.0_f64.powi(2) * steady.centre_of_mass_radius();
+/// let given = steady.radius() * 3000.0_f64.hypot(90.0 * 30.0);
+/// assert!((needed / given - 1.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SteadyMotion {
+    amplitude: Complex<f64>,
+    centre_of_mass_amplitude: Complex<f64>,
+    radius: f64,
+    phase: f64,
+    centre_of_mass_radius: f64,
+    motor_torque: f64,
+    motor_power: f64,
+}
+
+/// The spin at which the steady circle is largest, and its radius there (`eq:peak`).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    /// The spin Ω at the peak, rad/s, taken as positive.
+    pub spin: f64,
+    /// r₀ there, m.
+    pub radius: f64,
+}
+
+impl Machine {
+    /// The steady motion at this machine's spin.
+    ///
+    /// # Errors
+    /// [`NoSteadyMotion`] if there is no damping and the spin is exactly the natural frequency
+    /// √(k/(m+M)) of the parameters, compared to 32 digits: then the motion grows without end.
+    pub fn steady(&self) -> Result<SteadyMotion, NoSteadyMotion> {
+        let spin = self.spin();
+        if self.detuning() == 0.0 && self.damping_rate() == 0.0 {
+            return Err(NoSteadyMotion { spin });
+        }
+        Ok(self.steady_circle())
+    }
+
+    /// As [`Machine::steady`], for a machine that is known to have a steady motion.
+    pub(super) fn steady_circle(&self) -> SteadyMotion {
+        let [spin, offset, damping] = [self.spin(), self.offset(), self.damping_rate()];
+        if spin == 0.0 {
+            return SteadyMotion::at_rest(offset);
+        }
+        // Everything over Ω²: κ/Ω², formed without loss near resonance and at high spin, ω₀²/Ω² and Γ/Ω.
+        let spin_squared = TwoPart::product(spin, spin);
+        let detuning = (self.precise_detuning() / spin_squared).rounded();
+        let stiffness = (self.stiffness_rate() / spin_squared).rounded();
+        let drag = damping / spin;
+        let denominator = detuning.hypot(drag); // D/Ω²
+        let direction = Complex::new(detuning / denominator, -drag / denominator);
+        let radius = offset / denominator; // eq:steady-radius
+        let motor_torque = self.parameters().damping * radius * radius * spin; // eq:steady-torque
+        SteadyMotion {
+            amplitude: radius * direction, // eq:steady-amplitude
+            centre_of_mass_amplitude: offset
+                * (Complex::new(stiffness / denominator, drag / denominator) * direction),
+            radius,
+            phase: drag.atan2(detuning), // eq:steady-phase
+            centre_of_mass_radius: offset * (stiffness.hypot(drag) / denominator), // eq:centre-of-mass-radius
+            motor_torque,
+            motor_power: motor_torque * spin,
+        }
+    }
+
+    /// The spin with the largest steady circle, and that circle's radius (`eq:peak`).
+    ///
+    /// `None` if there is no such spin: with Γ ≥ √2 ω₀ the radius grows with the spin towards b, and without damping
+    /// it has no bound. The machine's own spin does not matter. Accurate to a few units in the last place, except
+    /// that the peak moves off to infinite spin as Γ approaches √2 ω₀, which costs digits of `spin` there.
+    pub fn peak(&self) -> Option<Peak> {
+        let [natural, damping] = [self.natural_frequency(), self.damping_rate()];
+        let ratio = damping / natural;
+        if damping == 0.0 || ratio >= SQRT_2 {
+            return None;
+        }
+        let spin = natural / ((1.0 - ratio / SQRT_2) * (1.0 + ratio / SQRT_2)).sqrt();
+        let radius = self.offset() * (natural / damping) / ((1.0 - ratio / 2.0) * (1.0 + ratio / 2.0)).sqrt();
+        Some(Peak { spin, radius })
+    }
+}
+
+impl SteadyMotion {
+    /// A drum that does not turn: the shaft at O, the centre of mass where the load holds it.
+    fn at_rest(offset: f64) -> Self {
+        Self {
+            amplitude: Complex::new(0.0, 0.0),
+            centre_of_mass_amplitude: offset.into(),
+            radius: 0.0,
+            phase: 0.0,
+            centre_of_mass_radius: offset,
+            motor_torque: 0.0,
+            motor_power: 0.0,
+        }
+    }
+
+    /// Complex amplitude Z = r₀ e<sup>−iφ₀</sup> of the shaft, m (`eq:steady-amplitude`).
+    pub fn amplitude(&self) -> Complex<f64> {
+        self.amplitude
+    }
+
+    /// Complex amplitude Z + b of the centre of mass, m, computed without forming that sum.
+    pub fn centre_of_mass_amplitude(&self) -> Complex<f64> {
+        self.centre_of_mass_amplitude
+    }
+
+    /// Radius r₀ of the shaft's circle, m (`eq:steady-radius`).
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+
+    /// Angle φ₀ by which the load leads the shaft, rad (`eq:steady-phase`): from 0 to π for positive spin, from −π to
+    /// 0 for negative spin, of which everything is the mirror image.
+    pub fn phase(&self) -> f64 {
+        self.phase
+    }
+
+    /// Radius of the circle of the centre of mass, m (`eq:centre-of-mass-radius`), with full relative accuracy at
+    /// high spin, where it tends to bΓ/Ω (`eq:high-spin`).
+    pub fn centre_of_mass_radius(&self) -> f64 {
+        self.centre_of_mass_radius
+    }
+
+    /// Torque that the motor must give, N m (`eq:steady-torque`): constant, and in the sense of the spin.
+    pub fn motor_torque(&self) -> f64 {
+        self.motor_torque
+    }
+
+    /// Power that the motor gives and the dampers turn into heat, W.
+    pub fn motor_power(&self) -> f64 {
+        self.motor_power
+    }
+}
+
+/// There is no steady motion: no damping, and a spin that equals the natural frequency. The motion grows without end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NoSteadyMotion {
+    /// The spin, rad/s.
+    pub spin: f64,
+}
+
+impl fmt::Display for NoSteadyMotion {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let spin = Shown(self.spin);
+        write!(
+            out,
+            "spin {spin} rad/s is the natural frequency and the damping is 0 kg/s: the motion grows without end"
+        )
+    }
+}
+
+impl Error for NoSteadyMotion {}
