@@ -1,0 +1,322 @@
+//! Every input that is not of this world gives the documented error, whose message holds the value, the unit and the rule broken.
+
+use mechanics::integrate::{Direction, Dop853, Failure, InvalidTolerance, rk4};
+use mechanics::scenes::laundromat::{
+    InvalidFrames, InvalidMachine, LockedError, Machine, NoSteadyMotion, Parameters, Shaft,
+};
+use std::error::Error;
+
+const WASHER: Parameters = Parameters {
+    drum_mass: 28.0,
+    load_mass: 2.0,
+    load_radius: 0.25,
+    stiffness: 3000.0,
+    damping: 90.0,
+    spin: 30.0,
+};
+
+fn washer() -> Machine {
+    Machine::new(WASHER).expect("the chapter's machine is valid")
+}
+
+fn resonant() -> Machine {
+    Machine::new(Parameters { damping: 0.0, spin: 10.0, ..WASHER }).expect("a valid machine")
+}
+
+fn refusal(parameters: Parameters) -> (InvalidMachine, String) {
+    let error = Machine::new(parameters).expect_err("the machine should be refused");
+    (error, error.to_string())
+}
+
+/// What a parameter is set by, called and measured in.
+type Setter = (fn(&mut Parameters) -> &mut f64, &'static str, &'static str);
+
+const SETTERS: [Setter; 6] = [
+    (|p| &mut p.drum_mass, "drum mass", "kg"),
+    (|p| &mut p.load_mass, "load mass", "kg"),
+    (|p| &mut p.load_radius, "load radius", "m"),
+    (|p| &mut p.stiffness, "stiffness", "N/m"),
+    (|p| &mut p.damping, "damping", "kg/s"),
+    (|p| &mut p.spin, "spin", "rad/s"),
+];
+
+#[test]
+fn parameters_must_be_finite() {
+    for (set, name, unit_name) in SETTERS {
+        for (bad, shown) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")] {
+            let mut parameters = WASHER;
+            *set(&mut parameters) = bad;
+            let (error, message) = refusal(parameters);
+            assert!(
+                matches!(error, InvalidMachine::NotFinite { quantity, unit, .. } if quantity == name && unit == unit_name)
+            );
+            assert_eq!(message, format!("{name} {shown} {unit_name} is not a finite number"));
+        }
+    }
+}
+
+#[test]
+fn parameters_other_than_the_spin_must_not_be_negative() {
+    for (set, name, unit_name) in SETTERS {
+        let mut parameters = WASHER;
+        *set(&mut parameters) = -2.5;
+        if name == "spin" {
+            assert!(Machine::new(parameters).is_ok());
+            continue;
+        }
+        let (error, message) = refusal(parameters);
+        assert_eq!(error, InvalidMachine::Negative { quantity: name, value: -2.5, unit: unit_name });
+        assert_eq!(message, format!("{name} -2.5 {unit_name} is negative; it must be zero or more"));
+    }
+}
+
+#[test]
+fn a_machine_has_mass_and_a_spring() {
+    let (error, message) = refusal(Parameters { drum_mass: 0.0, load_mass: 0.0, ..WASHER });
+    assert_eq!(error, InvalidMachine::NoMass);
+    assert_eq!(message, "drum mass 0 kg and load mass 0 kg: a machine has mass");
+    let (error, message) = refusal(Parameters { stiffness: 0.0, ..WASHER });
+    assert_eq!(error, InvalidMachine::NoStiffness);
+    assert_eq!(message, "stiffness 0 N/m: without a spring nothing holds the machine in place");
+}
+
+#[test]
+fn zero_is_allowed_where_it_makes_sense() {
+    let zeros: [fn(&mut Parameters); 5] = [
+        |p| p.drum_mass = 0.0,
+        |p| p.load_mass = 0.0,
+        |p| p.load_radius = 0.0,
+        |p| p.damping = 0.0,
+        |p| p.spin = 0.0,
+    ];
+    for zero in zeros {
+        let mut parameters = WASHER;
+        zero(&mut parameters);
+        let machine = Machine::new(parameters).expect("a machine of this world");
+        assert!(machine.transient(Shaft::AT_REST).unwrap().at(1.0).is_ok());
+        assert!(machine.steady().is_ok());
+    }
+}
+
+#[test]
+fn derived_quantities_must_stay_in_range() {
+    let cases = [
+        (Parameters { drum_mass: 1e60, ..WASHER }, "drum mass 1e60 kg"),
+        (Parameters { load_mass: 1e-310, ..WASHER }, "load mass 1e-310 kg"),
+        (Parameters { stiffness: 1e300, ..WASHER }, "natural frequency ω₀"),
+        (Parameters { stiffness: 1e-300, ..WASHER }, "natural frequency ω₀"),
+        (
+            Parameters { drum_mass: 1e-40, load_mass: 0.0, stiffness: 1e300, ..WASHER },
+            "natural frequency ω₀ inf rad/s",
+        ),
+        (Parameters { load_radius: 1e90, ..WASHER }, "load radius 1e90 m"),
+        (Parameters { load_radius: 1e-45, load_mass: 1e-10, ..WASHER }, "offset b of the centre of mass"),
+        (Parameters { damping: 1e200, ..WASHER }, "damping rate Γ"),
+        (Parameters { damping: 1e-200, ..WASHER }, "damping rate Γ"),
+        (Parameters { spin: 1e60, ..WASHER }, "spin 1e60 rad/s"),
+        (Parameters { spin: -1e-60, ..WASHER }, "spin -1e-60 rad/s"),
+    ];
+    for (parameters, start) in cases {
+        let (error, message) = refusal(parameters);
+        assert!(matches!(error, InvalidMachine::OutOfRange { .. }), "{message}");
+        assert!(message.starts_with(start), "{message}");
+        assert!(message.contains("is outside the range from 1e-50 to 1e50"), "{message}");
+    }
+}
+
+#[test]
+fn changed_copies_are_checked_too() {
+    assert_eq!(washer().with_spin(-12.0).unwrap().spin(), -12.0);
+    assert!(matches!(washer().with_spin(f64::NAN), Err(InvalidMachine::NotFinite { quantity: "spin", .. })));
+    assert!(matches!(washer().with_damping(-1.0), Err(InvalidMachine::Negative { quantity: "damping", .. })));
+}
+
+#[test]
+fn undamped_resonance_has_no_steady_motion() {
+    let error = resonant().steady().unwrap_err();
+    assert_eq!(error, NoSteadyMotion { spin: 10.0 });
+    assert_eq!(
+        error.to_string(),
+        "spin 10 rad/s is the natural frequency and the damping is 0 kg/s: the motion grows without end"
+    );
+    let locked = resonant().locked(0.1, 0.0).unwrap_err();
+    assert_eq!(locked, LockedError::Steady(error));
+    assert!(locked.to_string().starts_with("no phase to lock to: spin 10 rad/s"));
+    assert_eq!(locked.source().map(ToString::to_string), Some(error.to_string()));
+    assert!(resonant().locked_rates(&[0.1, 0.0]).is_err());
+    assert!(resonant().with_spin(-10.0).unwrap().steady().is_err());
+    // One unit in the last place away there is one, a huge one.
+    assert!(resonant().with_spin(10.0_f64.next_up()).unwrap().steady().unwrap().radius() > 1e13);
+}
+
+#[test]
+fn a_start_must_be_finite_and_within_reach() {
+    let names = [("x", "m"), ("y", "m"), ("velocity along x", "m/s"), ("velocity along y", "m/s")];
+    for (component, (name, unit)) in names.into_iter().enumerate() {
+        for (bad, shown) in [(f64::NAN, "NaN"), (f64::NEG_INFINITY, "-inf"), (2e50, "2e50")] {
+            let mut state = [0.0; 4];
+            state[component] = bad;
+            let error = washer().transient(Shaft::from_array(state)).unwrap_err();
+            assert_eq!((error.quantity, error.unit), (name, unit));
+            assert_eq!(
+                error.to_string(),
+                format!(
+                    "start with {name} = {shown} {unit}: it must be finite and at most 1e50 {unit} in size"
+                )
+            );
+        }
+    }
+    let error = washer().locked(f64::NAN, 0.0).unwrap_err();
+    assert!(error.to_string().starts_with("no locked motion: start with x = NaN m"), "{error}");
+}
+
+#[test]
+fn a_time_must_be_finite_and_within_reach() {
+    let motion = washer().transient(Shaft::AT_REST).unwrap();
+    for (bad, shown) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf"), (-1e151, "-1e151")] {
+        let error = motion.at(bad).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            format!("time {shown} s must be finite and within 1e150 s of the start")
+        );
+        assert!(motion.centre_of_mass(bad).is_err());
+    }
+    // Nine minutes before the start, the motion that leads to it was beyond the largest number.
+    let before = motion.at(-530.0).unwrap_err();
+    assert_eq!(
+        before.to_string(),
+        "at time -530 s the motion is beyond the largest number, 1.7976931348623157e308 m or m/s"
+    );
+    assert!(motion.at(-400.0).is_ok());
+    let running_away = washer().locked(0.1, 0.0).unwrap();
+    assert!(
+        running_away.at(10.0).is_ok()
+            && running_away.at(100.0).is_err()
+            && running_away.at(f64::NAN).is_err()
+    );
+}
+
+#[test]
+fn frames_must_match_times() {
+    let motion = washer().transient(Shaft::AT_REST).unwrap();
+    let mut frames = [Shaft::AT_REST; 3];
+    let error = motion.fill(&[1.0, 2.0], &mut frames).unwrap_err();
+    assert_eq!(error, InvalidFrames::Length { times: 2, frames: 3 });
+    assert_eq!(error.to_string(), "2 times but room for 3 frames; there must be one frame for each time");
+    assert_eq!(frames, [Shaft::AT_REST; 3]);
+    let error = motion.fill(&[1.0, f64::NAN, 2.0], &mut frames).unwrap_err();
+    assert!(matches!(error, InvalidFrames::Time { index: 1, .. }));
+    assert_eq!(error.to_string(), "time number 1: time NaN s must be finite and within 1e150 s of the start");
+    assert!(error.source().is_some());
+}
+
+#[test]
+fn tolerances_below_rounding_are_refused_with_the_reason() {
+    let error = Dop853::new(1e-16).unwrap_err();
+    assert_eq!(error, InvalidTolerance::BelowRounding { value: 1e-16 });
+    let message = error.to_string();
+    assert!(
+        message.contains("1e-16") && message.contains("below 1e-15") && message.contains("rounding"),
+        "{message}"
+    );
+    assert!(Dop853::new(1e-15).is_ok());
+    for bad in [0.0, -1e-6, f64::NAN, f64::INFINITY] {
+        assert!(matches!(Dop853::new(bad), Err(InvalidTolerance::NotPositive { .. })), "{bad}");
+    }
+    assert_eq!(
+        Dop853::new(-1e-6).unwrap_err().to_string(),
+        "tolerance -0.000001 must be positive and finite"
+    );
+    assert!(Dop853::with_tolerances(1e-9, 0.0).is_ok());
+    assert!(Dop853::with_tolerances(1e-9, -1.0).is_err() && Dop853::with_tolerances(1e-9, f64::NAN).is_err());
+}
+
+fn still(_: f64, _: &[f64; 1]) -> [f64; 1] {
+    [0.0]
+}
+
+#[test]
+fn integrations_refuse_intervals_and_states_that_are_not_finite() {
+    let solver = Dop853::new(1e-9).unwrap();
+    for (start, end) in [(0.0, f64::NAN), (f64::NEG_INFINITY, 0.0), (0.0, f64::INFINITY)] {
+        let failures = [
+            solver.solve(still, start, [1.0], end).unwrap_err(),
+            rk4(still, start, [1.0], end, 5).unwrap_err(),
+        ];
+        for failure in failures {
+            assert!(matches!(failure, Failure::Interval { .. }));
+            assert_eq!(
+                failure.to_string(),
+                format!("the interval from {start} to {end} must have finite ends")
+            );
+        }
+    }
+    let failures = [
+        solver.solve(still, 0.0, [f64::NAN], 1.0).unwrap_err(),
+        rk4(still, 0.0, [f64::NAN], 1.0, 5).unwrap_err(),
+    ];
+    for failure in failures {
+        assert!(matches!(failure, Failure::InitialState { .. }));
+        assert_eq!(failure.to_string(), "the initial state [NaN] must be finite");
+    }
+    let failure = rk4(still, 0.0, [1.0], 1.0, 0).unwrap_err();
+    assert_eq!(
+        (failure, failure.to_string().as_str()),
+        (Failure::NoSteps, "0 steps: a fixed-step method needs at least one")
+    );
+}
+
+#[test]
+fn an_interval_of_no_length_is_no_work() {
+    let end = Dop853::new(1e-9).unwrap().solve(still, 2.0, [7.0], 2.0).unwrap();
+    assert_eq!((end.time, end.state, end.work.evaluations), (2.0, [7.0], 0));
+}
+
+#[test]
+fn sample_times_must_be_in_order() {
+    let solver = Dop853::new(1e-9).unwrap();
+    for (times, culprit) in [
+        (vec![0.5, 0.4, 1.0], 1),
+        (vec![-0.5, 1.0], 0),
+        (vec![0.5, f64::NAN, 1.0], 1),
+        (vec![0.5, f64::INFINITY], 0),
+        (vec![0.5, 0.0], 0),
+    ] {
+        let failure = solver.sample(still, 0.0, [1.0], &times).unwrap_err();
+        let Failure::SampleTime { index, time } = failure else { panic!("{times:?}: {failure}") };
+        assert!(index >= culprit && (time.is_nan() || time == times[index]), "{times:?}: {failure}");
+        assert!(failure.to_string().contains("must lie in the interval and not before its predecessor"));
+    }
+}
+
+#[test]
+fn an_event_that_is_not_a_number_is_a_failure() {
+    let solver = Dop853::new(1e-9).unwrap();
+    let at_once = solver.solve_until(still, 0.0, [1.0], 1.0, |_, _| f64::NAN, Direction::Either).unwrap_err();
+    assert!(matches!(at_once, Failure::NotFinite { .. }));
+    let later = |t: f64, _: &[f64; 1]| (0.5 - t).sqrt();
+    let failure = solver.solve_until(still, 0.0, [1.0], 1.0, later, Direction::Either).unwrap_err();
+    assert!(matches!(failure, Failure::NotFinite { time, .. } if time < 0.5));
+    // Finite at both ends of a step, and not in between.
+    let within = |t: f64, _: &[f64; 1]| {
+        if t == 0.0 || t == 1.0 { t - 0.5 } else { f64::NAN }
+    };
+    let one_step = solver.with_first_step(1.0);
+    let failure = one_step.solve_until(still, 0.0, [1.0], 1.0, within, Direction::Rising).unwrap_err();
+    assert!(matches!(failure, Failure::NotFinite { time: 0.0, .. }));
+}
+
+#[test]
+fn settings_that_mean_nothing_are_left_aside() {
+    // A first step or a longest step of zero or NaN sets nothing: the integration is the same as without.
+    let swing = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
+    let plain = Dop853::new(1e-9).unwrap();
+    let expected = plain.solve(swing, 0.0, [1.0, 0.0], 5.0).unwrap();
+    for odd in [0.0, f64::NAN] {
+        for solver in [plain.with_first_step(odd), plain.with_max_step(odd)] {
+            assert_eq!(solver.solve(swing, 0.0, [1.0, 0.0], 5.0).unwrap(), expected);
+        }
+    }
+    let failure = plain.with_max_evaluations(0).solve(swing, 0.0, [1.0, 0.0], 5.0).unwrap_err();
+    assert!(matches!(failure, Failure::TooMuchWork { time: 0.0, .. }));
+}

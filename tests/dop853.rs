@@ -1,0 +1,254 @@
+//! The adaptive integrator against another implementation of the same method, against exact solutions, and in its limits.
+
+use ivp::prelude::{FirstOrderSystem, Ivp};
+use mechanics::integrate::{Direction, Dop853, Failure, Outcome};
+use mechanics::measure::{Counter, max_error};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::ControlFlow;
+
+/// Kepler's ellipse.
+fn ellipse(_t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
+    let cube = x.hypot(y).powi(3);
+    [vx, vy, -x / cube, -y / cube]
+}
+
+/// Eccentricity 0.6, semi-axis 1.
+const PERICENTRE: [f64; 4] = [0.4, 0.0, 0.0, 2.0];
+
+/// Van der Pol's oscillator with a push: nonlinear, driven, and hard enough for steps to be rejected.
+fn van_der_pol(t: f64, &[x, v]: &[f64; 2]) -> [f64; 2] {
+    [v, 8.0 * (1.0 - x * x) * v - x + 0.5 * (1.3 * t).cos()]
+}
+
+struct Theirs<const N: usize>(fn(f64, &[f64; N]) -> [f64; N]);
+
+impl<const N: usize> FirstOrderSystem for Theirs<N> {
+    fn derivative(&self, t: f64, y: &[f64], rate: &mut [f64]) {
+        let state: [f64; N] = std::array::from_fn(|i| y[i]);
+        rate.copy_from_slice(&(self.0)(t, &state));
+    }
+}
+
+/// Two orders of the same sums differ by rounding, carried along for some hundred steps.
+const SAME: f64 = 1e-10;
+
+/// Compares a solution with that of the crate `ivp`, which also evaluates the dense output, three times a step, whether asked or not.
+fn assert_same_as_ivp<const N: usize>(
+    rates: fn(f64, &[f64; N]) -> [f64; N],
+    start: [f64; N],
+    end: f64,
+    tolerance: f64,
+) -> usize {
+    // The first step is given to both: the estimate in `ivp` 0.6.0 lacks a factor of 100 (`h.min(100 h)`).
+    let first = 1e-3;
+    let ours = Dop853::new(tolerance).unwrap().with_first_step(first).solve(rates, 0.0, start, end).unwrap();
+    let system = Theirs(rates);
+    let theirs = Ivp::first_order(&system, 0.0, end, &start)
+        .method(ivp::Method::DOP853)
+        .rtol(tolerance)
+        .atol(tolerance)
+        .first_step(first)
+        .solve()
+        .expect("ivp solves it");
+    let last = theirs.y.last().expect("a final state");
+    let size = ours.state.iter().fold(0.0_f64, |size, y| size.max(y.abs()));
+    let difference = (0..N).map(|i| (ours.state[i] - last[i]).abs()).fold(0.0, f64::max);
+    println!(
+        "{tolerance:e}: {:?}, ivp {} {} {}, difference {difference:e}",
+        ours.work, theirs.nfev, theirs.naccpt, theirs.nrejct
+    );
+    assert_eq!(ours.work.accepted, theirs.naccpt, "accepted steps at {tolerance:e}");
+    assert_eq!(ours.work.evaluations + 3 * ours.work.accepted, theirs.nfev, "evaluations at {tolerance:e}");
+    assert!(difference < SAME * size, "states differ by {difference:e} at {tolerance:e}");
+    ours.work.rejected
+}
+
+#[test]
+fn dop853_takes_the_same_steps_as_the_crate_ivp() {
+    let mut rejected = 0;
+    for exponent in 3..=10 {
+        let tolerance = 10.0_f64.powi(-exponent);
+        rejected += assert_same_as_ivp(ellipse, PERICENTRE, 20.0, tolerance);
+        rejected += assert_same_as_ivp(van_der_pol, [1.0, 0.0], 12.0, tolerance);
+    }
+    assert!(rejected > 10, "the problems should make both reject steps; {rejected} is no test of it");
+}
+
+#[test]
+fn first_step_is_found_without_help() {
+    // Half a swing takes some fifteen steps, whether it lasts a nanosecond or thirty years.
+    for exponent in -9..=9 {
+        let scale = 10.0_f64.powi(exponent);
+        let swing = |_t: f64, &[x, v]: &[f64; 2]| [v / scale, -x / scale];
+        let solver = Dop853::new(1e-10).unwrap();
+        let end = solver.solve(swing, 0.0, [1.0, 0.0], scale * PI).unwrap();
+        assert!((end.state[0] + 1.0).abs() < 1e-9, "scale {scale:e}: {:?}", end.state);
+        assert!(end.work.evaluations < 260, "scale {scale:e}: {:?}", end.work);
+    }
+}
+
+#[test]
+fn first_step_follows_the_rule_of_the_book() {
+    // Hairer, Nørsett & Wanner, section II.4. ẏ = 1 from 1: a hundredth of |y|/|ẏ| is 0.01, and a first step is at
+    // most a hundred times that. With a tolerance so loose the rule by the order, (0.01 · 2000)^(1/8), would allow 1.45.
+    let mut first = None;
+    let solver = Dop853::new(1e3).unwrap();
+    let end = solver.solve_with(
+        |_, _: &[f64; 1]| [1.0],
+        0.0,
+        [1.0],
+        50.0,
+        |step| {
+            first.get_or_insert(step.end() - step.start());
+            ControlFlow::Continue(())
+        },
+    );
+    assert!((end.unwrap().state[0] - 51.0).abs() < 1e-12);
+    assert_eq!(first, Some(1.0));
+}
+
+#[test]
+fn component_that_stays_zero_needs_no_absolute_tolerance() {
+    let solver = Dop853::with_tolerances(1e-10, 0.0).unwrap();
+    let end = solver.solve(|_, &[x, y]: &[f64; 2]| [-x, 3.0 * y], 0.0, [1.0, 0.0], 2.0).unwrap();
+    assert!((end.state[0] - (-2.0_f64).exp()).abs() < 1e-10 && end.state[1] == 0.0);
+}
+
+#[test]
+fn integration_backwards_undoes_integration_forwards() {
+    let solver = Dop853::new(1e-12).unwrap();
+    let there = solver.solve(van_der_pol, 0.0, [1.0, 0.0], 2.0).unwrap();
+    let back = solver.solve(van_der_pol, 2.0, there.state, 0.0).unwrap();
+    assert!(max_error(&[back.state], &[[1.0, 0.0]]) < 1e-6); // backwards this oscillator is unstable: e^{16}
+    let circle = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
+    let back = solver.solve(circle, 3.0, [3.0_f64.cos(), -(3.0_f64.sin())], 0.0).unwrap();
+    assert!(max_error(&[back.state], &[[1.0, 0.0]]) < 1e-11);
+}
+
+#[test]
+fn samples_agree_with_separate_solutions_in_both_directions() {
+    let solver = Dop853::new(1e-11).unwrap();
+    for sign in [1.0, -1.0] {
+        let times = [0.0, 0.3, 0.3, 1.7, 4.0, 4.000_001, 9.0].map(|t| sign * t);
+        let (samples, work) = solver.sample(ellipse, 0.0, PERICENTRE, &times).unwrap();
+        assert_eq!(samples.len(), times.len());
+        assert_eq!((samples[0], samples[1]), (PERICENTRE, samples[2]));
+        for (t, sample) in times.iter().zip(&samples).skip(1) {
+            let separate = solver.solve(ellipse, 0.0, PERICENTRE, *t).unwrap();
+            assert!(max_error(&[*sample], &[separate.state]) < 1e-9, "t = {t}");
+        }
+        // Five steps at most are looked into, and cost three evaluations each.
+        let plain = solver.solve(ellipse, 0.0, PERICENTRE, sign * 9.0).unwrap().work;
+        assert!(work.evaluations > plain.evaluations && work.evaluations <= plain.evaluations + 15);
+    }
+    assert_eq!(solver.sample(ellipse, 1.0, PERICENTRE, &[]).unwrap().0, Vec::<[f64; 4]>::new());
+}
+
+#[test]
+fn work_is_counted_as_it_is_done() {
+    let counter = Counter::new();
+    let end = Dop853::new(1e-8).unwrap().solve(counter.count(van_der_pol), 0.0, [1.0, 0.0], 12.0).unwrap();
+    let work = end.work;
+    assert_eq!(work.evaluations, counter.evaluations());
+    // Two to begin with, twelve for a step taken, eleven for a step given up.
+    assert_eq!(work.evaluations, 2 + 12 * work.accepted + 11 * work.rejected);
+    assert!(work.rejected > 0);
+}
+
+#[test]
+fn event_is_found_to_the_accuracy_of_the_integration() {
+    // ẋ = v, v̇ = −x from (0, 1): x = sin t. x falls through zero at π, rises at 2π; v falls at π/2.
+    let circle = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
+    let solver = Dop853::new(1e-13).unwrap();
+    let expected = [
+        (Direction::Falling, 0, PI),
+        (Direction::Rising, 0, 2.0 * PI),
+        (Direction::Either, 0, PI),
+        (Direction::Falling, 1, FRAC_PI_2),
+        (Direction::Rising, 1, 3.0 * FRAC_PI_2),
+    ];
+    for (direction, component, time) in expected {
+        let event = |_t: f64, y: &[f64; 2]| y[component];
+        let outcome = solver.solve_until(circle, 0.0, [0.0, 1.0], 20.0, event, direction).unwrap();
+        let Outcome::Event(found) = outcome else { panic!("no event for {direction:?}") };
+        assert!((found.time - time).abs() < 2e-12, "{direction:?}: {} for {time}", found.time);
+        assert!(found.state[component].abs() < 1e-14);
+        assert!((found.state[0] - found.time.sin()).abs() < 2e-12);
+    }
+    // Backwards in time "falling" is meant along the way: sin t falls from 0 as t falls from 0, and comes up through zero at −π.
+    let event = |_t: f64, y: &[f64; 2]| y[0];
+    let outcome = solver.solve_until(circle, 0.0, [0.0, 1.0], -20.0, event, Direction::Rising).unwrap();
+    let Outcome::Event(found) = outcome else { panic!("no event backwards") };
+    assert!((found.time + PI).abs() < 2e-12);
+    // None in reach.
+    let outcome = solver.solve_until(circle, 0.0, [0.0, 1.0], 3.0, event, Direction::Falling).unwrap();
+    assert!(matches!(outcome, Outcome::NoEvent(end) if end.time == 3.0));
+}
+
+#[test]
+fn steep_events_are_found_too() {
+    // A function of the state that is flat, then very steep: false position alone would creep.
+    let drift = |_t: f64, _: &[f64; 1]| [1.0];
+    for root in [1e-6, 0.123, 5.0, 9.999_999] {
+        let mut looks = 0;
+        let event = |_t: f64, &[x]: &[f64; 1]| {
+            looks += 1;
+            (30.0 * (x - root)).exp() - 1.0
+        };
+        let solver = Dop853::new(1e-12).unwrap().with_first_step(10.0);
+        let outcome = solver.solve_until(drift, 0.0, [0.0], 10.0, event, Direction::Rising).unwrap();
+        let Outcome::Event(found) = outcome else { panic!("no event at {root}") };
+        println!("{looks} looks");
+        assert!(looks < 20, "{looks} looks at the event for {root}");
+        assert!((found.time - root).abs() < 1e-14 * root.max(1.0), "{} for {root}", found.time);
+    }
+}
+
+#[test]
+fn observer_stops_the_integration_where_it_says() {
+    let mut seen = 0;
+    let end = Dop853::new(1e-10)
+        .unwrap()
+        .solve_with(ellipse, 0.0, PERICENTRE, 100.0, |step| {
+            seen += 1;
+            assert_eq!(step.at(step.start()), *step.initial_state());
+            assert!(max_error(&[step.at(step.end())], &[*step.final_state()]) < 1e-14);
+            if seen == 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
+        .unwrap();
+    assert_eq!((seen, end.work.accepted), (5, 5));
+    assert!(end.time < 100.0);
+}
+
+#[test]
+fn running_into_a_singularity_says_when_and_where() {
+    // ẏ = y² from 1 reaches infinity at t = 1.
+    let failure =
+        Dop853::new(1e-10).unwrap().solve(|_, &[y]: &[f64; 1]| [y * y], 0.0, [1.0], 2.0).unwrap_err();
+    let (time, state) = match failure {
+        Failure::StepUnderflow { time, state, .. } | Failure::NotFinite { time, state, .. } => (time, state),
+        other => panic!("{other}"),
+    };
+    assert!((time - 1.0).abs() < 1e-9 && state[0] > 1e9, "stopped at t = {time}, y = {state:?}");
+    assert!(failure.to_string().contains(&format!("time {time}")), "{failure}");
+}
+
+#[test]
+fn rates_that_cease_to_be_finite_say_when_and_where() {
+    // ẏ = √(1 − t) ends at t = 1; beyond, the rates are NaN.
+    let rates = |t: f64, _: &[f64; 1]| [(1.0 - t).sqrt()];
+    let failure = Dop853::new(1e-8).unwrap().solve(rates, 0.0, [0.0], 2.0).unwrap_err();
+    let Failure::NotFinite { time, state, .. } = failure else { panic!("{failure}") };
+    assert!((time - 1.0).abs() < 1e-6 && (state[0] - 2.0 / 3.0).abs() < 1e-6);
+}
+
+#[test]
+fn too_much_work_says_how_far_it_got() {
+    let solver = Dop853::new(1e-12).unwrap().with_max_evaluations(1000);
+    let counter = Counter::new();
+    let failure = solver.solve(counter.count(ellipse), 0.0, PERICENTRE, 1e6).unwrap_err();
+    let Failure::TooMuchWork { time, evaluations, .. } = failure else { panic!("{failure}") };
+    assert!(time > 0.0 && time < 1e6);
+    assert_eq!(evaluations, counter.evaluations());
+    assert!((1000..1012).contains(&evaluations), "{evaluations}");
+}

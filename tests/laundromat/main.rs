@@ -1,0 +1,54 @@
+//! The laundromat chapter: one test for every numbered equation, (6) to (33), by a route that shares no code with it.
+//!
+//! Where the source is wrong the same test shows that the printed form fails.
+
+mod motion;
+mod orbit;
+mod stability;
+mod steady;
+
+use mechanics::scenes::laundromat::{Machine, Parameters};
+
+/// The machine of the chapter: ω₀ = 10 rad/s, Γ = 3 s⁻¹, b = 1/60 m, Ω = 30 rad/s.
+const WASHER: Parameters = Parameters {
+    drum_mass: 28.0,
+    load_mass: 2.0,
+    load_radius: 0.25,
+    stiffness: 3000.0,
+    damping: 90.0,
+    spin: 30.0,
+};
+
+/// What a few dozen operations in `f64` may cost, relative to the largest term.
+const ROUNDING: f64 = 1e-13;
+
+fn washer() -> Machine {
+    Machine::new(WASHER).expect("the chapter's machine is valid")
+}
+
+/// A seeded stream of machines of every kind: slow and fast, light and heavy damping, either sense of spin.
+fn machines(seed: u64, count: usize) -> impl Iterator<Item = Machine> {
+    let mut random = fastrand::Rng::with_seed(seed);
+    let mut between = move |low: f64, high: f64| low * (high / low).powf(random.f64());
+    (0..count).map(move |n| {
+        let drum_mass = between(1.0, 100.0);
+        let load_mass = between(0.01, 10.0);
+        let stiffness = between(10.0, 1e5);
+        let natural = (stiffness / (drum_mass + load_mass)).sqrt();
+        let sense = if n % 3 == 0 { -1.0 } else { 1.0 };
+        Machine::new(Parameters {
+            drum_mass,
+            load_mass,
+            load_radius: between(0.05, 1.0),
+            stiffness,
+            damping: between(1e-3, 10.0) * natural * (drum_mass + load_mass),
+            spin: sense * between(0.03, 30.0) * natural,
+        })
+        .expect("random machines are valid")
+    })
+}
+
+/// The constants of a machine by their letters on the page: ω₀, b, Γ, Ω.
+fn letters(machine: &Machine) -> (f64, f64, f64, f64) {
+    (machine.natural_frequency(), machine.offset(), machine.damping_rate(), machine.spin())
+}

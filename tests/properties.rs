@@ -1,0 +1,266 @@
+//! Properties that hold for every machine, tried on seeded random ones, the extreme among them: `fastrand`, because the cases are
+//! numbers over a hundred decades and a failing one is printed whole; there is nothing to shrink.
+
+use mechanics::integrate::Dop853;
+use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use nalgebra::Complex;
+
+/// A few dozen roundings, relative to the largest number that took part.
+const ROUNDING: f64 = 1e-13;
+
+/// A number of any size and sign that `f64` has, zero and the ends of the range more often than fair.
+fn any(random: &mut fastrand::Rng) -> f64 {
+    let size = match random.u8(0..12) {
+        0 => 0.0,
+        1 => f64::MIN_POSITIVE * random.f64(),
+        2 => f64::MAX,
+        3 => 1e50,
+        4 => 1e-50,
+        5..8 => 10.0_f64.powf(600.0 * random.f64() - 300.0),
+        _ => 10.0_f64.powf(12.0 * random.f64() - 6.0),
+    };
+    if random.bool() { size } else { -size }
+}
+
+/// A number between `low` and `high`, even on a logarithmic scale.
+fn between(random: &mut fastrand::Rng, low: f64, high: f64) -> f64 {
+    low * (high / low).powf(random.f64())
+}
+
+/// A machine with every frequency and rate within `decades` of one another, in either sense of spin, one in ten without damping.
+fn machine(random: &mut fastrand::Rng, decades: f64) -> Machine {
+    let [low, high] = [10.0_f64.powf(-decades), 10.0_f64.powf(decades)];
+    let (drum_mass, load_mass) = (between(random, 1e-2, 1e2), between(random, 1e-2, 1e2));
+    let natural = between(random, low, high);
+    let damping = if random.u8(0..10) == 0 { 0.0 } else { between(random, low, high) * natural };
+    let spin = between(random, low, high) * natural * if random.bool() { 1.0 } else { -1.0 };
+    Machine::new(Parameters {
+        drum_mass,
+        load_mass,
+        load_radius: between(random, 1e-2, 1e2),
+        stiffness: natural * natural * (drum_mass + load_mass),
+        damping: damping * (drum_mass + load_mass),
+        spin,
+    })
+    .expect("a valid machine")
+}
+
+fn start(random: &mut fastrand::Rng) -> Shaft {
+    let mut number = || between(random, 1e-3, 1e3);
+    let state = [number(), number(), number(), number()];
+    Shaft::from_array(state.map(|value| if random.bool() { value } else { -value }))
+}
+
+#[test]
+fn no_finite_parameters_panic_or_give_what_is_not_a_number() {
+    let mut random = fastrand::Rng::with_seed(1988);
+    let (mut accepted, mut refused) = (0, 0);
+    for _ in 0..200_000 {
+        let mut positive = || any(&mut random).abs();
+        let [drum_mass, load_mass, load_radius, stiffness, damping] = std::array::from_fn(|_| positive());
+        let parameters =
+            Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin: any(&mut random) };
+        let Ok(machine) = Machine::new(parameters) else {
+            refused += 1;
+            continue;
+        };
+        accepted += 1;
+        let mut numbers = vec![
+            machine.total_mass(),
+            machine.natural_frequency(),
+            machine.offset(),
+            machine.damping_rate(),
+            machine.spin(),
+        ];
+        if let Ok(steady) = machine.steady() {
+            numbers.extend([steady.radius(), steady.phase(), steady.centre_of_mass_radius()]);
+            numbers.extend([steady.amplitude().re, steady.amplitude().im]);
+            numbers.extend([steady.centre_of_mass_amplitude().re, steady.centre_of_mass_amplitude().im]);
+            // Torque and power are powers of these and may overflow; that is infinite, and still a number.
+            assert!(!steady.motor_torque().is_nan() && !steady.motor_power().is_nan(), "{parameters:?}");
+        }
+        if let Some(peak) = machine.peak() {
+            numbers.extend([peak.spin, peak.radius]);
+        }
+        numbers.extend(
+            machine.modes().iter().flat_map(|m| [m.frequency.re, m.frequency.im, m.shape.re, m.shape.im]),
+        );
+        numbers.extend(machine.stability_matrix().iter());
+        numbers.extend(machine.radial_damping_matrix().iter());
+        assert!(numbers.iter().all(|number| number.is_finite()), "{parameters:?}: {numbers:?}");
+    }
+    assert!(accepted > 1000 && refused > 1000, "{accepted} accepted, {refused} refused");
+}
+
+#[test]
+fn no_finite_start_or_time_panics_or_gives_what_is_not_a_number() {
+    let mut random = fastrand::Rng::with_seed(2);
+    let (mut answered, mut refused) = (0, 0);
+    for round in 0..100_000 {
+        let machine = machine(&mut random, if round % 2 == 0 { 2.0 } else { 20.0 });
+        let start = Shaft::from_array(std::array::from_fn(|_| any(&mut random)));
+        let Ok(motion) = machine.transient(start) else {
+            refused += 1;
+            continue;
+        };
+        let t = any(&mut random);
+        match motion.at(t) {
+            Ok(shaft) => {
+                answered += 1;
+                assert!(
+                    shaft.to_array().iter().all(|value| value.is_finite()),
+                    "{machine:?} {start:?} t = {t:e}: {shaft:?}"
+                );
+                assert!(
+                    motion.centre_of_mass(t).is_ok_and(Complex::is_finite),
+                    "{machine:?} {start:?} t = {t:e}"
+                );
+            }
+            // Refused only for the two documented reasons: out of reach, or long before the start of a damped machine.
+            Err(_) => {
+                refused += 1;
+                assert!(
+                    t.abs() > 1e150 || (t < 0.0 && machine.damping_rate() > 0.0),
+                    "{machine:?} {start:?} t = {t:e}"
+                );
+            }
+        }
+        if let Ok(locked) = machine.locked(start.position.re, start.velocity.re) {
+            assert!(locked.at(t).is_err() || locked.at(t).is_ok_and(|y| y.iter().all(|v| v.is_finite())));
+        }
+    }
+    assert!(answered > 10_000 && refused > 1000, "{answered} answered, {refused} refused");
+}
+
+#[test]
+fn polar_and_cartesian_states_are_the_same_state() {
+    let mut random = fastrand::Rng::with_seed(3);
+    for _ in 0..10_000 {
+        let shaft = start(&mut random);
+        let back = Shaft::from_polar(shaft.to_polar());
+        assert!((back.position - shaft.position).norm() <= ROUNDING * shaft.position.norm());
+        assert!((back.velocity - shaft.velocity).norm() <= ROUNDING * shaft.velocity.norm());
+    }
+    // At O itself the direction is that of the velocity.
+    let shaft = Shaft { position: Complex::new(0.0, 0.0), velocity: Complex::new(0.0, -2.0) };
+    assert_eq!(shaft.to_polar(), [0.0, -std::f64::consts::FRAC_PI_2, 2.0, 0.0]);
+    assert_eq!(Shaft::AT_REST.to_polar(), [0.0; 4]);
+}
+
+#[test]
+fn motion_starts_where_it_is_told() {
+    let mut random = fastrand::Rng::with_seed(4);
+    for _ in 0..10_000 {
+        let (machine, start) = (machine(&mut random, 6.0), start(&mut random));
+        let shaft = machine.transient(start).unwrap().at(0.0).unwrap();
+        let steady = machine.steady().map_or(0.0, |steady| steady.radius().min(machine.offset() * 10.0));
+        let speed = start.velocity.norm()
+            + machine.natural_frequency() * start.position.norm() // the speed that it soon takes up
+            + (machine.spin().abs() + machine.natural_frequency()) * (steady + machine.offset());
+        assert!(
+            (shaft.position - start.position).norm() <= ROUNDING * (start.position.norm() + steady),
+            "{machine:?}"
+        );
+        assert!(
+            (shaft.velocity - start.velocity).norm() <= ROUNDING * speed,
+            "{machine:?} {start:?} {shaft:?}"
+        );
+    }
+}
+
+#[test]
+fn difference_of_two_motions_does_not_know_the_spin() {
+    // The equation is linear: take two motions of one machine, and the same two starts without a load and without spin.
+    let mut random = fastrand::Rng::with_seed(5);
+    for _ in 0..5_000 {
+        let machine = machine(&mut random, 1.5);
+        let (a, b) = (start(&mut random), start(&mut random));
+        let Parameters { drum_mass, load_mass, .. } = machine.parameters();
+        let bare = Parameters {
+            drum_mass: drum_mass + load_mass,
+            load_mass: 0.0,
+            spin: 0.0,
+            ..machine.parameters()
+        };
+        let free = Machine::new(bare).unwrap();
+        let difference = Shaft { position: a.position - b.position, velocity: a.velocity - b.velocity };
+        let t = between(&mut random, 1e-2, 1e2) / machine.natural_frequency();
+        let at = |machine: &Machine, start: Shaft| machine.transient(start).unwrap().at(t).unwrap();
+        let (a, b, alone) = (at(&machine, a), at(&machine, b), at(&free, difference));
+        let natural = machine.natural_frequency();
+        let size = |s: &Shaft| s.position.norm() + s.velocity.norm() / natural;
+        let scale = size(&a) + size(&b) + size(&alone) + size(&difference) + machine.offset();
+        assert!((a.position - b.position - alone.position).norm() <= ROUNDING * scale, "{machine:?} t = {t}");
+        let speed = natural * scale + machine.spin().abs() * (size(&a) + size(&b));
+        assert!((a.velocity - b.velocity - alone.velocity).norm() <= ROUNDING * speed, "{machine:?} t = {t}");
+    }
+}
+
+#[test]
+fn motion_obeys_its_equation() {
+    // By DOP853 over a short while at random times of random machines, restarted there with the load where it is by then.
+    let mut random = fastrand::Rng::with_seed(6);
+    for _ in 0..300 {
+        let (machine, start) = (machine(&mut random, 1.0), start(&mut random));
+        let motion = machine.transient(start).unwrap();
+        let from = between(&mut random, 1e-2, 3.0) / machine.natural_frequency();
+        let to = from + 0.5 / machine.natural_frequency();
+        let begin = motion.at(from).unwrap();
+        let rates = |t: f64, y: &[f64; 4]| machine.cartesian_rates(t, y);
+        let end =
+            Dop853::with_tolerances(1e-13, 0.0).unwrap().solve(rates, from, begin.to_array(), to).unwrap();
+        let (judge, ours) = (Shaft::from_array(end.state), motion.at(to).unwrap());
+        let scale = begin.position.norm().max(judge.position.norm()).max(machine.offset())
+            + begin.velocity.norm().max(judge.velocity.norm()) / machine.natural_frequency();
+        assert!((judge.position - ours.position).norm() < 1e-11 * scale, "{machine:?} from {from} to {to}");
+        let speed = scale * machine.natural_frequency().max(machine.spin().abs());
+        assert!((judge.velocity - ours.velocity).norm() < 1e-11 * speed, "{machine:?} from {from} to {to}");
+    }
+}
+
+#[test]
+fn energy_supplied_is_energy_kept_or_turned_into_heat() {
+    // The power balance at an instant, from the exact motion by a central difference of the fourth order.
+    let mut random = fastrand::Rng::with_seed(7);
+    for _ in 0..1_000 {
+        let (machine, start) = (machine(&mut random, 0.5), start(&mut random));
+        let motion = machine.transient(start).unwrap();
+        let t = between(&mut random, 0.1, 10.0) / machine.natural_frequency();
+        let rate = machine.natural_frequency() + machine.spin().abs() + machine.damping_rate();
+        let h = 1e-3 / rate;
+        let energy = |t: f64| machine.energy(t, &motion.at(t).unwrap());
+        let growth = (8.0 * (energy(t + h) - energy(t - h)) - (energy(t + 2.0 * h) - energy(t - 2.0 * h)))
+            / (12.0 * h);
+        let now = motion.at(t).unwrap();
+        let balance = machine.motor_torque(t, &now) * machine.spin() - machine.dissipation(&now);
+        let scale = rate * (energy(t) + machine.total_mass() * (machine.offset() * rate).powi(2));
+        assert!((growth - balance).abs() < 1e-9 * scale, "{machine:?} t = {t}: {growth} for {balance}");
+    }
+}
+
+#[test]
+fn steady_motion_is_a_motion_and_all_others_end_in_it() {
+    let mut random = fastrand::Rng::with_seed(8);
+    for _ in 0..5_000 {
+        let machine = machine(&mut random, 1.0);
+        let Ok(steady) = machine.steady() else {
+            continue;
+        };
+        if machine.damping_rate() == 0.0 {
+            continue;
+        }
+        // Slowest decay: Γ/2 or, with heavy damping, about ω₀²/Γ. Wait for eighty times that.
+        let slowest = machine.modes().map(|mode| mode.frequency.im).into_iter().fold(f64::MAX, f64::min);
+        let t = 80.0 / slowest;
+        let late = machine.transient(start(&mut random)).unwrap().at(t).unwrap();
+        let circle = steady.amplitude() * machine.load_direction(t);
+        assert!((late.position - circle).norm() <= ROUNDING * steady.radius(), "{machine:?}");
+        let turning = Complex::i() * machine.spin() * circle;
+        assert!((late.velocity - turning).norm() <= ROUNDING * turning.norm(), "{machine:?}");
+        let torque = machine.motor_torque(t, &late);
+        // From the acceleration across the load, which may be the small part of it.
+        let scale = machine.total_mass() * machine.offset() * steady.radius() * machine.spin().powi(2)
+            + machine.total_mass() * machine.offset().powi(2) * machine.spin().powi(2);
+        assert!((torque - steady.motor_torque()).abs() <= ROUNDING * scale, "{machine:?}");
+    }
+}
