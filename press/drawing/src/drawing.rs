@@ -1,0 +1,228 @@
+//! The display list.
+
+use crate::label::{Label, LabelError, Side};
+use crate::point::{Point, Rect, at};
+use crate::role::{Fill, Hue, Role, Stroke};
+use crate::simplify::{TOLERANCE, simplify};
+
+/// The type size of a label, px, and its distance from its point, px, unless told otherwise.
+const SIZE: f64 = 14.0;
+const GAP: f64 = 6.0;
+
+/// A shape, in pixels.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// Straight lines from point to point.
+    Polyline(Vec<Point>),
+    /// Straight lines from point to point and back to the first.
+    Polygon(Vec<Point>),
+    /// A circle.
+    Circle {
+        /// Its centre.
+        centre: Point,
+        /// Its radius, px.
+        radius: f64,
+    },
+    /// A part of a circle.
+    Arc {
+        /// The centre of the circle.
+        centre: Point,
+        /// Its radius, px.
+        radius: f64,
+        /// The direction in which the arc begins, rad, counter-clockwise on the page from the right.
+        from: f64,
+        /// How far it turns from there, rad, positive if counter-clockwise on the page; less than a full turn.
+        sweep: f64,
+    },
+    /// A label.
+    Label(Label),
+}
+
+/// A shape with its role.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Item {
+    /// What it is.
+    pub role: Role,
+    /// Its form.
+    pub shape: Shape,
+    /// Its name, unique in the drawing; becomes an id of the SVG, after the figure's.
+    pub name: Option<String>,
+}
+
+/// A figure: shapes with roles, in the order in which they are painted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Drawing {
+    id: String,
+    width: f64,
+    height: f64,
+    title: String,
+    description: String,
+    items: Vec<Item>,
+}
+
+impl Drawing {
+    /// An empty figure with its id (`fig:orbit`) and its full size, px.
+    pub fn new(id: &str, width: f64, height: f64) -> Self {
+        let [title, description] = [String::new(), String::new()];
+        Self { id: id.into(), width, height, title, description, items: Vec::new() }
+    }
+
+    /// The figure with the words for readers who cannot see it: a short title, and what it shows.
+    #[must_use]
+    pub fn titled(mut self, title: &str, description: &str) -> Self {
+        self.title = title.into();
+        self.description = description.into();
+        self
+    }
+
+    /// Its id.
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// Its full width, px.
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
+    /// Its full height, px.
+    pub fn height(&self) -> f64 {
+        self.height
+    }
+
+    /// Its title.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// What it shows, in words.
+    pub fn description(&self) -> &str {
+        &self.description
+    }
+
+    /// The shapes, in the order in which they are painted.
+    pub fn items(&self) -> &[Item] {
+        &self.items
+    }
+
+    /// The rectangle of the whole figure.
+    pub fn frame(&self) -> Rect {
+        Rect::new(0.0, 0.0, self.width, self.height)
+    }
+
+    /// Adds a shape.
+    pub fn push(&mut self, role: Role, shape: Shape) {
+        self.items.push(Item { role, shape, name: None });
+    }
+
+    /// Names the shape that was added last.
+    pub fn name_last(&mut self, name: &str) {
+        if let Some(item) = self.items.last_mut() {
+            item.name = Some(name.into());
+        }
+    }
+
+    /// A straight line.
+    pub fn line(&mut self, from: Point, to: Point, stroke: Stroke, hue: Hue) {
+        self.push(Role::Line(stroke, hue), Shape::Polyline(vec![from, to]));
+    }
+
+    /// A polyline, thinned to what can be seen.
+    pub fn polyline(&mut self, points: &[Point], stroke: Stroke, hue: Hue) {
+        self.push(Role::Line(stroke, hue), Shape::Polyline(simplify(points, TOLERANCE)));
+    }
+
+    /// A filled polygon.
+    pub fn polygon(&mut self, points: Vec<Point>, fill: Fill, hue: Hue) {
+        self.push(Role::Area(fill, hue), Shape::Polygon(points));
+    }
+
+    /// A circle, drawn as a line or filled as its role says.
+    pub fn circle(&mut self, centre: Point, radius: f64, role: Role) {
+        self.push(role, Shape::Circle { centre, radius });
+    }
+
+    /// A circular body: it hides what lies behind, its face is tinted, its edge is an outline.
+    pub fn disc(&mut self, centre: Point, radius: f64, hue: Hue) {
+        for role in
+            [Role::Area(Fill::Page, hue), Role::Area(Fill::Face, hue), Role::Line(Stroke::Outline, hue)]
+        {
+            self.circle(centre, radius, role);
+        }
+    }
+
+    /// A small filled circle that marks a point.
+    pub fn dot(&mut self, centre: Point, radius: f64, hue: Hue) {
+        self.circle(centre, radius, Role::Area(Fill::Solid, hue));
+    }
+
+    /// A part of a circle; angles in rad, counter-clockwise on the page.
+    pub fn arc(&mut self, centre: Point, radius: f64, from: f64, sweep: f64, stroke: Stroke, hue: Hue) {
+        self.push(Role::Line(stroke, hue), Shape::Arc { centre, radius, from, sweep });
+    }
+
+    /// A label of 14 px beside a point, with a rim in the colour of the page.
+    ///
+    /// # Errors
+    /// [`LabelError`] if the label cannot be set.
+    pub fn label(&mut self, point: Point, side: Side, text: &str, hue: Hue) -> Result<(), LabelError> {
+        self.label_set(point, side, GAP, SIZE, text, Role::Text(hue))
+    }
+
+    /// A label of 14 px beside a point, without rim: for filled faces, and where it may touch nothing.
+    ///
+    /// # Errors
+    /// [`LabelError`] if the label cannot be set.
+    pub fn label_on_face(
+        &mut self,
+        point: Point,
+        side: Side,
+        text: &str,
+        hue: Hue,
+    ) -> Result<(), LabelError> {
+        self.label_set(point, side, GAP, SIZE, text, Role::PlainText(hue))
+    }
+
+    /// A label with its distance from the point, px, its type size, px, and its role.
+    ///
+    /// # Errors
+    /// [`LabelError`] if the label cannot be set.
+    pub fn label_set(
+        &mut self,
+        point: Point,
+        side: Side,
+        gap: f64,
+        size: f64,
+        text: &str,
+        role: Role,
+    ) -> Result<(), LabelError> {
+        let label = Label::new(text, size)?.placed(point, side, gap);
+        self.push(role, Shape::Label(label));
+        Ok(())
+    }
+}
+
+impl Shape {
+    /// The shape's lines as points, circles and arcs divided finely; a label's are the corners of its ink.
+    pub fn points(&self) -> Vec<Point> {
+        match self {
+            Self::Polyline(points) => points.clone(),
+            Self::Polygon(points) => points.iter().chain(points.first()).copied().collect(),
+            Self::Circle { centre, radius } => arc_points(*centre, *radius, 0.0, std::f64::consts::TAU),
+            Self::Arc { centre, radius, from, sweep } => arc_points(*centre, *radius, *from, *sweep),
+            Self::Label(Label { bounds, .. }) => vec![
+                at(bounds.left, bounds.top),
+                at(bounds.right, bounds.top),
+                at(bounds.right, bounds.bottom),
+                at(bounds.left, bounds.bottom),
+            ],
+        }
+    }
+}
+
+fn arc_points(centre: Point, radius: f64, from: f64, sweep: f64) -> Vec<Point> {
+    let steps = 120;
+    (0..=steps)
+        .map(|step| centre + Point::polar(radius, from + sweep * f64::from(step) / f64::from(steps)))
+        .collect()
+}

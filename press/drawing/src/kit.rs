@@ -1,0 +1,11 @@
+//! The parts that schematics are made of.
+//!
+//! Angles are in radians, counter-clockwise on the page from the direction to the right; lengths are in pixels.
+
+mod arrow;
+mod device;
+mod marker;
+
+pub use arrow::{Heads, angle, arrow, dimension, head};
+pub use device::{damper, ground, spring};
+pub use marker::{Marker, marker};

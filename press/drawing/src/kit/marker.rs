@@ -1,0 +1,58 @@
+//! Markers of points.
+
+use crate::drawing::Drawing;
+use crate::point::{Point, at};
+use crate::role::{Fill, Hue, Role, Stroke};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// The form of a marker. Markers are about 7 px across and of about equal weight.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// A filled disc.
+    Disc,
+    /// A filled square.
+    Square,
+    /// A filled triangle, tip up.
+    Triangle,
+    /// A filled square on its corner.
+    Diamond,
+    /// A ring, empty inside.
+    Ring,
+    /// The mark of a centre of mass: a ring with two opposite quarters filled.
+    Mass,
+}
+
+/// Marks a point.
+pub fn marker(drawing: &mut Drawing, point: Point, marker: Marker, hue: Hue) {
+    let regular = |corners: u32, radius: f64, first: f64| -> Vec<Point> {
+        (0..corners)
+            .map(|k| point + Point::polar(radius, first + TAU * f64::from(k) / f64::from(corners)))
+            .collect()
+    };
+    match marker {
+        Marker::Disc => drawing.dot(point, 3.4, hue),
+        Marker::Square => {
+            let half = 3.1;
+            let corners = [(-half, -half), (half, -half), (half, half), (-half, half)];
+            drawing.polygon(corners.map(|(x, y)| point + at(x, y)).to_vec(), Fill::Solid, hue);
+        }
+        Marker::Triangle => drawing.polygon(regular(3, 4.4, FRAC_PI_2), Fill::Solid, hue),
+        Marker::Diamond => drawing.polygon(regular(4, 4.4, 0.0), Fill::Solid, hue),
+        Marker::Ring => {
+            drawing.circle(point, 3.2, Role::Area(Fill::Page, hue));
+            drawing.circle(point, 3.2, Role::Line(Stroke::Curve, hue));
+        }
+        Marker::Mass => {
+            let radius = 6.0;
+            drawing.circle(point, radius, Role::Area(Fill::Page, hue));
+            for first in [0.0, PI] {
+                let mut quarter = vec![point];
+                quarter.extend(
+                    (0..=16).map(|k| point + Point::polar(radius, first + FRAC_PI_2 * f64::from(k) / 16.0)),
+                );
+                drawing.polygon(quarter, Fill::Solid, hue);
+            }
+            drawing.circle(point, radius, Role::Line(Stroke::Outline, hue));
+        }
+    }
+}

@@ -1,0 +1,363 @@
+//! The TeX subset of the labels, read into a tree.
+
+use super::error::LabelError;
+
+/// What TeX knows a symbol as, which decides the space around it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Class {
+    Ordinary,
+    Operator,
+    Binary,
+    Relation,
+    Open,
+    Close,
+    Punctuation,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Node {
+    Symbol(Class, char),
+    /// Upright letters: `\sin`, `\text{…}`.
+    Word(Class, String),
+    Row(Vec<Node>),
+    Script {
+        base: Box<Node>,
+        below: Option<Box<Node>>,
+        above: Option<Box<Node>>,
+    },
+    /// A combining accent over its base.
+    Accent(char, Box<Node>),
+    Root(Box<Node>),
+    Fraction(Box<Node>, Box<Node>),
+    /// A space in eighteenths of an em.
+    Space(i8),
+}
+
+/// How letters are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Alphabet {
+    Italic,
+    Upright,
+    Bold,
+    BoldItalic,
+}
+
+use Class::{Binary, Close, Open, Operator, Ordinary, Punctuation, Relation};
+
+/// Commands that stand for one character.
+const SYMBOLS: [(&str, Class, char); 62] = [
+    ("alpha", Ordinary, 'α'),
+    ("beta", Ordinary, 'β'),
+    ("gamma", Ordinary, 'γ'),
+    ("delta", Ordinary, 'δ'),
+    ("epsilon", Ordinary, 'ϵ'),
+    ("varepsilon", Ordinary, 'ε'),
+    ("zeta", Ordinary, 'ζ'),
+    ("eta", Ordinary, 'η'),
+    ("theta", Ordinary, 'θ'),
+    ("kappa", Ordinary, 'κ'),
+    ("lambda", Ordinary, 'λ'),
+    ("mu", Ordinary, 'μ'),
+    ("nu", Ordinary, 'ν'),
+    ("xi", Ordinary, 'ξ'),
+    ("pi", Ordinary, 'π'),
+    ("rho", Ordinary, 'ρ'),
+    ("sigma", Ordinary, 'σ'),
+    ("tau", Ordinary, 'τ'),
+    ("phi", Ordinary, 'ϕ'),
+    ("varphi", Ordinary, 'φ'),
+    ("chi", Ordinary, 'χ'),
+    ("psi", Ordinary, 'ψ'),
+    ("omega", Ordinary, 'ω'),
+    ("imath", Ordinary, 'ı'),
+    ("Gamma", Ordinary, 'Γ'),
+    ("Delta", Ordinary, 'Δ'),
+    ("Theta", Ordinary, 'Θ'),
+    ("Lambda", Ordinary, 'Λ'),
+    ("Pi", Ordinary, 'Π'),
+    ("Sigma", Ordinary, 'Σ'),
+    ("Phi", Ordinary, 'Φ'),
+    ("Psi", Ordinary, 'Ψ'),
+    ("Omega", Ordinary, 'Ω'),
+    ("infty", Ordinary, '∞'),
+    ("partial", Ordinary, '∂'),
+    ("ldots", Ordinary, '…'),
+    ("cdots", Ordinary, '⋯'),
+    ("circ", Ordinary, '°'),
+    ("angle", Ordinary, '∠'),
+    ("prime", Ordinary, '′'),
+    ("pm", Binary, '±'),
+    ("mp", Binary, '∓'),
+    ("times", Binary, '×'),
+    ("cdot", Binary, '·'),
+    ("ll", Relation, '≪'),
+    ("gg", Relation, '≫'),
+    ("le", Relation, '≤'),
+    ("ge", Relation, '≥'),
+    ("ne", Relation, '≠'),
+    ("approx", Relation, '≈'),
+    ("sim", Relation, '∼'),
+    ("simeq", Relation, '≃'),
+    ("equiv", Relation, '≡'),
+    ("propto", Relation, '∝'),
+    ("to", Relation, '→'),
+    ("perp", Relation, '⊥'),
+    ("parallel", Relation, '∥'),
+    ("lvert", Open, '|'),
+    ("rvert", Close, '|'),
+    ("langle", Open, '⟨'),
+    ("rangle", Close, '⟩'),
+    ("lbrace", Open, '{'),
+];
+
+const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "log", "ln", "exp", "max", "min"];
+
+const ACCENTS: [(&str, char); 6] = [
+    ("hat", '\u{302}'),
+    ("tilde", '\u{303}'),
+    ("bar", '\u{304}'),
+    ("dot", '\u{307}'),
+    ("ddot", '\u{308}'),
+    ("vec", '\u{20d7}'),
+];
+
+const SPACES: [(&str, i8); 5] = [(",", 3), (":", 4), (";", 5), ("!", -3), ("quad", 18)];
+
+const ALPHABETS: [(&str, Alphabet); 3] =
+    [("mathrm", Alphabet::Upright), ("mathbf", Alphabet::Bold), ("boldsymbol", Alphabet::BoldItalic)];
+
+/// The commands of the TeX subset, without their backslashes, beside `\sqrt{}`, `\tfrac{}{}`, `\text{}`, `\Re` and `\Im`.
+pub const TEX_COMMANDS: [&str;
+    SYMBOLS.len() + FUNCTIONS.len() + ACCENTS.len() + SPACES.len() + ALPHABETS.len()] = {
+    let mut all = [""; SYMBOLS.len() + FUNCTIONS.len() + ACCENTS.len() + SPACES.len() + ALPHABETS.len()];
+    let mut count = 0;
+    let mut index = 0;
+    while index < SYMBOLS.len() {
+        all[count] = SYMBOLS[index].0;
+        count += 1;
+        index += 1;
+    }
+    index = 0;
+    while index < FUNCTIONS.len() {
+        all[count] = FUNCTIONS[index];
+        count += 1;
+        index += 1;
+    }
+    index = 0;
+    while index < ACCENTS.len() {
+        all[count] = ACCENTS[index].0;
+        count += 1;
+        index += 1;
+    }
+    index = 0;
+    while index < SPACES.len() {
+        all[count] = SPACES[index].0;
+        count += 1;
+        index += 1;
+    }
+    index = 0;
+    while index < ALPHABETS.len() {
+        all[count] = ALPHABETS[index].0;
+        count += 1;
+        index += 1;
+    }
+    all
+};
+
+/// Reads mathematics (what stands between two `$`). `label` is the whole label, for messages.
+pub(super) fn parse(mathematics: &str, label: &str) -> Result<Node, LabelError> {
+    let mut reader = Reader { rest: mathematics, label };
+    let row = reader.row(Alphabet::Italic)?;
+    if reader.rest.is_empty() { Ok(row) } else { Err(reader.unbalanced('}')) }
+}
+
+struct Reader<'a> {
+    rest: &'a str,
+    label: &'a str,
+}
+
+impl<'a> Reader<'a> {
+    fn unbalanced(&self, delimiter: char) -> LabelError {
+        LabelError::Unbalanced { label: self.label.into(), delimiter }
+    }
+
+    fn incomplete(&self, command: impl Into<String>) -> LabelError {
+        LabelError::Incomplete { label: self.label.into(), command: command.into() }
+    }
+
+    fn peek(&self) -> Option<char> {
+        self.rest.chars().next()
+    }
+
+    fn take(&mut self) -> Option<char> {
+        let next = self.peek()?;
+        self.rest = &self.rest[next.len_utf8()..];
+        Some(next)
+    }
+
+    /// Everything up to the end or to a closing brace, which stays.
+    fn row(&mut self, alphabet: Alphabet) -> Result<Node, LabelError> {
+        let mut nodes: Vec<Node> = Vec::new();
+        while let Some(next) = self.peek() {
+            match next {
+                '}' => break,
+                ' ' => {
+                    self.take();
+                }
+                '^' | '_' | '\'' => {
+                    let base = nodes.pop().ok_or_else(|| self.incomplete(next))?;
+                    nodes.push(self.scripts(base, alphabet)?);
+                }
+                _ => {
+                    let node = self.item(alphabet)?;
+                    nodes.push(node);
+                }
+            }
+        }
+        Ok(match <[Node; 1]>::try_from(nodes) {
+            Ok([single]) => single,
+            Err(nodes) => Node::Row(nodes),
+        })
+    }
+
+    fn scripts(&mut self, base: Node, alphabet: Alphabet) -> Result<Node, LabelError> {
+        let (mut below, mut above, mut primes) = (None, None, 0);
+        while let Some(sign @ ('^' | '_' | '\'')) = self.peek() {
+            self.take();
+            let slot = match sign {
+                '\'' => {
+                    primes += 1;
+                    continue;
+                }
+                '^' => &mut above,
+                _ => &mut below,
+            };
+            if slot.is_some() {
+                return Err(self.incomplete(sign));
+            }
+            *slot = Some(Box::new(self.argument(&sign.to_string(), alphabet)?));
+        }
+        if primes > 0 {
+            let mut nodes = vec![Node::Symbol(Ordinary, '′'); primes];
+            nodes.extend(above.take().map(|node| *node));
+            above = Some(Box::new(Node::Row(nodes)));
+        }
+        Ok(Node::Script { base: Box::new(base), below, above })
+    }
+
+    /// What a command or sign applies to: a group in braces or one item.
+    fn argument(&mut self, command: &str, alphabet: Alphabet) -> Result<Node, LabelError> {
+        while self.peek() == Some(' ') {
+            self.take();
+        }
+        match self.peek() {
+            None | Some('}' | '^' | '_') => Err(self.incomplete(command)),
+            Some(_) => self.item(alphabet),
+        }
+    }
+
+    fn item(&mut self, alphabet: Alphabet) -> Result<Node, LabelError> {
+        let Some(next) = self.take() else { return Err(self.incomplete("")) };
+        Ok(match next {
+            '{' => {
+                let row = self.row(alphabet)?;
+                match self.take() {
+                    // In braces a sign is no operation: `{-}` takes no room around it.
+                    Some('}') if matches!(row, Node::Symbol(class, _) if class != Ordinary) => {
+                        Node::Row(vec![row])
+                    }
+                    Some('}') => row,
+                    _ => return Err(self.unbalanced('{')),
+                }
+            }
+            '\\' => return self.command(alphabet),
+            'a'..='z' | 'A'..='Z' => Node::Symbol(Ordinary, letter(next, alphabet)),
+            '0'..='9' => Node::Symbol(Ordinary, digit(next, alphabet)),
+            '+' => Node::Symbol(Binary, '+'),
+            '-' | '−' => Node::Symbol(Binary, '−'),
+            '=' | '<' | '>' => Node::Symbol(Relation, next),
+            '(' | '[' => Node::Symbol(Open, next),
+            ')' | ']' => Node::Symbol(Close, next),
+            ',' | ';' => Node::Symbol(Punctuation, next),
+            '/' | '|' | '.' | '!' | '°' => Node::Symbol(Ordinary, next),
+            ':' => Node::Symbol(Relation, next),
+            character => return Err(LabelError::UnknownCharacter { label: self.label.into(), character }),
+        })
+    }
+
+    fn command(&mut self, alphabet: Alphabet) -> Result<Node, LabelError> {
+        let letters = self.rest.chars().take_while(char::is_ascii_alphabetic).count();
+        let length = if letters > 0 { letters } else { self.peek().map_or(0, char::len_utf8) };
+        let (name, rest) = self.rest.split_at(length);
+        self.rest = rest;
+        let full = format!("\\{name}");
+        if let Some(&(_, class, character)) = SYMBOLS.iter().find(|symbol| symbol.0 == name) {
+            return Ok(Node::Symbol(class, letter(character, alphabet)));
+        }
+        if FUNCTIONS.contains(&name) {
+            return Ok(Node::Word(Operator, name.into()));
+        }
+        if let Some(&(_, accent)) = ACCENTS.iter().find(|accent| accent.0 == name) {
+            return Ok(Node::Accent(accent, Box::new(self.argument(&full, alphabet)?)));
+        }
+        if let Some(&(_, width)) = SPACES.iter().find(|space| space.0 == name) {
+            return Ok(Node::Space(width));
+        }
+        if let Some(&(_, other)) = ALPHABETS.iter().find(|entry| entry.0 == name) {
+            return self.argument(&full, other);
+        }
+        match name {
+            "Re" | "Im" => Ok(Node::Word(Operator, name.into())),
+            "sqrt" => Ok(Node::Root(Box::new(self.argument(&full, alphabet)?))),
+            "tfrac" => {
+                let above = self.argument(&full, alphabet)?;
+                Ok(Node::Fraction(Box::new(above), Box::new(self.argument(&full, alphabet)?)))
+            }
+            "text" => self.words(&full),
+            _ => Err(LabelError::UnknownCommand { label: self.label.into(), command: full }),
+        }
+    }
+
+    /// `\text{…}`: upright letters as they stand.
+    fn words(&mut self, command: &str) -> Result<Node, LabelError> {
+        let inner: &'a str = self.rest.strip_prefix('{').ok_or_else(|| self.incomplete(command))?;
+        let (words, rest) = inner.split_once('}').ok_or_else(|| self.unbalanced('{'))?;
+        self.rest = rest;
+        Ok(Node::Word(Ordinary, words.into()))
+    }
+}
+
+/// The character that shows a letter in an alphabet. Greek capitals are upright unless bold, as TeX has them.
+fn letter(plain: char, alphabet: Alphabet) -> char {
+    let shifted = |start: u32, first: char| {
+        char::from_u32(start + (u32::from(plain) - u32::from(first))).unwrap_or(plain)
+    };
+    match (alphabet, plain) {
+        (Alphabet::Italic, 'h') => 'ℎ',
+        (Alphabet::Italic, 'A'..='Z') => shifted(0x1d434, 'A'),
+        (Alphabet::Italic, 'a'..='z') => shifted(0x1d44e, 'a'),
+        (Alphabet::Italic, 'α'..='ω') => shifted(0x1d6fc, 'α'),
+        (Alphabet::Italic, 'ϵ') => '\u{1d716}',
+        (Alphabet::Italic, 'ϕ') => '\u{1d719}',
+        (Alphabet::Italic, 'ı') => '\u{1d6a4}',
+        (Alphabet::Italic, '∂') => '\u{1d715}',
+        (Alphabet::Bold, 'A'..='Z') => shifted(0x1d400, 'A'),
+        (Alphabet::Bold, 'a'..='z') => shifted(0x1d41a, 'a'),
+        (Alphabet::Bold | Alphabet::BoldItalic, 'Α'..='Ω') => shifted(0x1d6a8, 'Α'),
+        (Alphabet::BoldItalic, 'A'..='Z') => shifted(0x1d468, 'A'),
+        (Alphabet::BoldItalic, 'a'..='z') => shifted(0x1d482, 'a'),
+        (Alphabet::Bold | Alphabet::BoldItalic, 'α'..='ω') => shifted(0x1d736, 'α'),
+        (Alphabet::Bold | Alphabet::BoldItalic, 'ϵ') => '\u{1d750}',
+        (Alphabet::Bold | Alphabet::BoldItalic, 'ϕ') => '\u{1d753}',
+        _ => plain,
+    }
+}
+
+fn digit(plain: char, alphabet: Alphabet) -> char {
+    match alphabet {
+        Alphabet::Bold | Alphabet::BoldItalic => {
+            char::from_u32(0x1d7ce + (u32::from(plain) - u32::from('0'))).unwrap_or(plain)
+        }
+        Alphabet::Italic | Alphabet::Upright => plain,
+    }
+}

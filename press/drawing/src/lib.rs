@@ -1,0 +1,48 @@
+//! Shapes and labels with roles instead of colours, written as SVG.
+//!
+//! A [`Drawing`] is a display list: polylines, polygons, circles, arcs and labels in the order in which they are painted,
+//! each with a [`Role`] (an axis, a curve in the hue of the body, a face, …). Nothing in it is a colour. The page's style
+//! sheet, `book/theme/figures.css`, says what each role looks like in light and dark themes and on paper.
+//!
+//! Coordinates are pixels of a figure at its full size, x to the right and y **downwards**. Angles are in radians and
+//! counter-clockwise **as seen on the page**, from the direction to the right, so that drawn angles turn like those of the
+//! text.
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`point`](Point) | points and rectangles |
+//! | `role` | what a shape means |
+//! | `drawing` | the display list |
+//! | `label` | words and mathematics, measured and set without any font on the reader's machine |
+//! | [`kit`] | arrows, angles, dimensions, springs, dampers, fixed points |
+//! | `clip`, `simplify` | polylines cut at a frame and thinned below what can be seen |
+//! | `svg`, `style` | the writer, and the style sheet of figures that stand alone |
+//!
+//! Solids, a camera and hidden lines will live in a module of their own, `space`, on top of the same display list.
+//!
+//! ```
+//! use drawing::{Drawing, Hue, Role, Side, Stroke, at};
+//! let mut drawing = Drawing::new("fig:orbit", 200.0, 120.0).titled("An orbit", "A circle about a fixed point.");
+//! drawing.circle(at(100.0, 60.0), 40.0, Role::Line(Stroke::Orbit, Hue::Blue));
+//! drawing.label(at(100.0, 60.0), Side::Below, r"radius $r_0 = b\,\Omega^2/D$", Hue::Ink)?;
+//! assert!(drawing.to_svg().starts_with("<svg"));
+//! assert!(drawing.label(at(0.0, 0.0), Side::Below, r"$\unheard$", Hue::Ink).is_err());
+//! # Ok::<(), drawing::LabelError>(())
+//! ```
+
+mod clip;
+mod drawing;
+pub mod kit;
+mod label;
+mod point;
+mod role;
+mod simplify;
+mod style;
+mod svg;
+
+pub use clip::clip;
+pub use drawing::{Drawing, Item, Shape};
+pub use label::{Label, LabelError, Piece, Segment, Side, TEX_COMMANDS};
+pub use point::{Point, Rect, at};
+pub use role::{Fill, Hue, Role, Stroke};
+pub use simplify::{TOLERANCE, simplify};

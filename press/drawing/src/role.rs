@@ -1,0 +1,159 @@
+//! What a shape means. The style sheet says what that looks like.
+
+/// What a colour stands for, the same on every page of the book.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Hue {
+    /// The colour of the text: axes, outlines, names.
+    Ink,
+    /// A quieter ink, for what stands behind: references, bounds, remarks.
+    Muted,
+    /// The body; in plots the first curve.
+    Blue,
+    /// Angular velocity; the second curve.
+    Orange,
+    /// Angular momentum; the third curve.
+    Green,
+    /// Points of contact and impulses; the fourth curve.
+    Pink,
+    /// Forces and torques; the fifth curve.
+    Purple,
+}
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Stroke {
+    /// An axis of a plot or a major tick, 1 px.
+    Axis,
+    /// A minor tick, 0.75 px.
+    Tick,
+    /// A curve of a plot, 2 px.
+    Curve,
+    /// A curve that is shown as wrong or as an approximation, 2 px, dashed.
+    DashedCurve,
+    /// A path of many turns, 1 px.
+    Orbit,
+    /// An arrow's shaft, 1.75 px.
+    Vector,
+    /// The outline of a body, an angle's arc, a dimension, 1 px.
+    Outline,
+    /// A construction or reference line, 1 px, dashed.
+    Reference,
+    /// A quieter reference line, dotted.
+    Dotted,
+    /// An edge behind a body, dashed and pale.
+    Hidden,
+    /// Hatching, 0.75 px.
+    Hatch,
+}
+
+/// How an area is filled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Fill {
+    /// With the hue itself: markers, arrowheads.
+    Solid,
+    /// The lit face of a body: a tint of the hue.
+    Face,
+    /// The side of a body: a stronger tint.
+    Side,
+    /// A region of the plane that means something: the palest tint.
+    Ground,
+    /// The colour of the page, to hide what lies behind.
+    Page,
+}
+
+/// What a shape is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// A line.
+    Line(Stroke, Hue),
+    /// A filled area without outline.
+    Area(Fill, Hue),
+    /// A label, with a rim in the colour of the page.
+    Text(Hue),
+    /// A label on a filled area, without rim.
+    PlainText(Hue),
+}
+
+/// The class of a label's rim where it is drawn by itself.
+pub(crate) const RIM: &str = "f-rim";
+
+impl Hue {
+    /// All of them.
+    pub const ALL: [Self; 7] =
+        [Self::Ink, Self::Muted, Self::Blue, Self::Orange, Self::Green, Self::Pink, Self::Purple];
+
+    /// The class of the style sheet.
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::Ink => "f-ink",
+            Self::Muted => "f-muted",
+            Self::Blue => "f-blue",
+            Self::Orange => "f-orange",
+            Self::Green => "f-green",
+            Self::Pink => "f-pink",
+            Self::Purple => "f-purple",
+        }
+    }
+}
+
+impl Stroke {
+    /// All of them.
+    pub const ALL: [Self; 11] = [
+        Self::Axis,
+        Self::Tick,
+        Self::Curve,
+        Self::DashedCurve,
+        Self::Orbit,
+        Self::Vector,
+        Self::Outline,
+        Self::Reference,
+        Self::Dotted,
+        Self::Hidden,
+        Self::Hatch,
+    ];
+
+    /// The class of the style sheet.
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::Axis => "f-axis",
+            Self::Tick => "f-tick",
+            Self::Curve => "f-curve",
+            Self::DashedCurve => "f-dashed-curve",
+            Self::Orbit => "f-orbit",
+            Self::Vector => "f-vector",
+            Self::Outline => "f-outline",
+            Self::Reference => "f-reference",
+            Self::Dotted => "f-dotted",
+            Self::Hidden => "f-hidden",
+            Self::Hatch => "f-hatch",
+        }
+    }
+}
+
+impl Fill {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Solid, Self::Face, Self::Side, Self::Ground, Self::Page];
+
+    /// The class of the style sheet.
+    pub const fn class(self) -> &'static str {
+        match self {
+            Self::Solid => "f-solid",
+            Self::Face => "f-face",
+            Self::Side => "f-side",
+            Self::Ground => "f-ground",
+            Self::Page => "f-page",
+        }
+    }
+}
+
+impl Role {
+    /// The classes of the style sheet, as an SVG element carries them.
+    pub fn classes(self) -> String {
+        match self {
+            Self::Line(stroke, hue) => format!("f-line {} {}", stroke.class(), hue.class()),
+            Self::Area(fill, hue) => format!("{} {}", fill.class(), hue.class()),
+            Self::Text(hue) => format!("f-text {}", hue.class()),
+            Self::PlainText(hue) => format!("f-plain {}", hue.class()),
+        }
+    }
+}

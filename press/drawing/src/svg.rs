@@ -1,0 +1,148 @@
+//! Drawings as SVG.
+
+use crate::drawing::{Drawing, Item, Shape};
+use crate::label::{Label, Piece, Segment};
+use crate::point::Point;
+use crate::role::{RIM, Role};
+use crate::style;
+use std::fmt::Write as _;
+
+/// On narrow screens a figure shrinks until its 13 px type is 11 px tall, and then scrolls.
+const SMALLEST: f64 = 11.0 / 13.0;
+
+impl Drawing {
+    /// The drawing as SVG to be put into a page: no colours, no blank lines; the page's style sheet gives roles their looks.
+    pub fn to_svg(&self) -> String {
+        let (width, height) = (number(self.width()), number(self.height()));
+        let style = format!("max-width:{width}px;min-width:{}px", number((self.width() * SMALLEST).floor()));
+        self.write(&format!("viewBox=\"0 0 {width} {height}\" style=\"{style}\""), "")
+    }
+
+    /// The drawing as an SVG file of its own, in full size, with its style sheet for light and dark inside.
+    pub fn to_standalone_svg(&self) -> String {
+        let (width, height) = (number(self.width()), number(self.height()));
+        let size = format!(
+            "xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\""
+        );
+        let style = format!("<style>\n{}</style>\n", style::standalone());
+        format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", self.write(&size, &style))
+    }
+
+    fn write(&self, size: &str, style: &str) -> String {
+        let id = self.id().replace(':', "-");
+        let mut out = format!(
+            "<svg class=\"drawn\" {size} role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n\
+             <title id=\"{id}-title\">{}</title>\n<desc id=\"{id}-desc\">{}</desc>\n{style}",
+            escaped(self.title()),
+            escaped(self.description())
+        );
+        for item in self.items() {
+            write_item(&mut out, &id, item);
+        }
+        out.push_str("</svg>");
+        out
+    }
+}
+
+fn write_item(out: &mut String, id: &str, item: &Item) {
+    let name = item.name.as_ref().map_or(String::new(), |name| format!(" id=\"{id}-{}\"", escaped(name)));
+    let class = item.role.classes();
+    let element = match &item.shape {
+        Shape::Label(label) => return write_label(out, &name, item.role, label),
+        Shape::Circle { centre, radius } => {
+            let [x, y, r] = [centre.x, centre.y, *radius].map(number);
+            format!("<circle{name} class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>")
+        }
+        Shape::Polyline(points) => format!("<path{name} class=\"{class}\" d=\"{}\"/>", path(points)),
+        Shape::Polygon(points) => format!("<path{name} class=\"{class}\" d=\"{}Z\"/>", path(points)),
+        Shape::Arc { centre, radius, from, sweep } => {
+            let [start, end] =
+                [*from, from + sweep].map(|angle| pair(*centre + Point::polar(*radius, angle)));
+            let (large, clockwise) = (u8::from(sweep.abs() > std::f64::consts::PI), u8::from(*sweep < 0.0));
+            let r = number(*radius);
+            format!("<path{name} class=\"{class}\" d=\"M{start}A{r},{r} 0 {large} {clockwise} {end}\"/>")
+        }
+    };
+    out.push_str(&element);
+    out.push('\n');
+}
+
+/// A label of one piece carries its own rim. Where several pieces stand side by side all rims come first, or the rim of
+/// one would eat into its neighbour.
+fn write_label(out: &mut String, name: &str, role: Role, label: &Label) {
+    let classes = match role {
+        Role::Text(hue) if label.pieces.len() > 1 => vec![RIM.to_owned(), Role::PlainText(hue).classes()],
+        _ => vec![role.classes()],
+    };
+    if let ([piece], [class]) = (&label.pieces[..], &classes[..]) {
+        write_piece(out, name, class, piece);
+    } else {
+        let _ = write!(out, "<g{name}>");
+        for class in &classes {
+            label.pieces.iter().for_each(|piece| write_piece(out, "", class, piece));
+        }
+        out.push_str("</g>");
+    }
+    out.push('\n');
+}
+
+fn write_piece(out: &mut String, name: &str, class: &str, piece: &Piece) {
+    let _ = match piece {
+        Piece::Outline(segments) => {
+            write!(out, "<path{name} class=\"{class}\" d=\"{}\"/>", outline(segments))
+        }
+        Piece::Words { text, start, width, size } => {
+            let [x, y, width, size] = [start.x, start.y, *width, *size].map(number);
+            write!(
+                out,
+                "<text{name} class=\"{class}\" x=\"{x}\" y=\"{y}\" font-size=\"{size}\" textLength=\"{width}\" \
+                 lengthAdjust=\"spacingAndGlyphs\">{}</text>",
+                escaped(text)
+            )
+        }
+    };
+}
+
+fn path(points: &[Point]) -> String {
+    let mut out = String::new();
+    for (index, &point) in points.iter().enumerate() {
+        out.push(match index {
+            0 => 'M',
+            1 => 'L',
+            _ => ' ',
+        });
+        out.push_str(&pair(point));
+    }
+    out
+}
+
+fn outline(segments: &[Segment]) -> String {
+    let mut out = String::new();
+    for segment in segments {
+        let (letter, points): (char, Vec<Point>) = match *segment {
+            Segment::Move(end) => ('M', vec![end]),
+            Segment::Line(end) => ('L', vec![end]),
+            Segment::Quadratic(control, end) => ('Q', vec![control, end]),
+            Segment::Cubic(first, second, end) => ('C', vec![first, second, end]),
+            Segment::Close => ('Z', Vec::new()),
+        };
+        out.push(letter);
+        out.push_str(&points.into_iter().map(pair).collect::<Vec<_>>().join(" "));
+    }
+    out
+}
+
+fn pair(point: Point) -> String {
+    format!("{},{}", number(point.x), number(point.y))
+}
+
+/// A number with two digits after the point, without trailing zeros; one hundredth of a pixel cannot be seen.
+fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let short = text.trim_end_matches('0').trim_end_matches('.');
+    if short == "-0" { "0".into() } else { short.into() }
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,153 @@
+//! Polylines, and the SVG that drawings become.
+
+use drawing::kit::{self, Heads, Marker};
+use drawing::{Drawing, Hue, Point, Rect, Role, Shape, Side, Stroke, TOLERANCE, at, clip, simplify};
+use roxmltree::Document;
+
+/// The least distance of a point from a polyline, px.
+fn distance(polyline: &[Point], point: Point) -> f64 {
+    let segment = |start: Point, end: Point| {
+        let (chord, step) = (end - start, point - start);
+        let square = chord.x * chord.x + chord.y * chord.y;
+        let part =
+            if square > 0.0 { ((step.x * chord.x + step.y * chord.y) / square).clamp(0.0, 1.0) } else { 0.0 };
+        (step - chord * part).length()
+    };
+    polyline.windows(2).map(|pair| segment(pair[0], pair[1])).fold(f64::INFINITY, f64::min)
+}
+
+/// A resonance curve with 4000 points.
+fn resonance() -> Vec<Point> {
+    let value = |x: f64| 300.0 - 6.0 / ((1.0 - x * x).powi(2) + 0.001 * x * x).sqrt();
+    (0..4000).map(|k| f64::from(k) / 1333.0).map(|x| at(200.0 * x, value(x))).collect()
+}
+
+#[test]
+fn thinned_curves_stay_within_their_tolerance_with_far_fewer_points() {
+    let curve = resonance();
+    let thin = simplify(&curve, TOLERANCE);
+    let worst = curve.iter().map(|&point| distance(&thin, point)).fold(0.0, f64::max);
+    assert!(worst <= TOLERANCE && worst > 0.2 * TOLERANCE, "{worst}");
+    assert!(thin.len() * 20 < curve.len(), "{} points left", thin.len());
+    assert_eq!((thin.first(), thin.last()), (curve.first(), curve.last()));
+    // A closed curve does not collapse though it ends where it began.
+    let circle: Vec<Point> = (0..=360).map(|k| Point::polar(100.0, f64::from(k).to_radians())).collect();
+    assert!(simplify(&circle, TOLERANCE).len() > 60);
+}
+
+#[test]
+fn clipped_curves_end_on_the_edge_and_miss_nothing_inside() {
+    let (curve, frame) = (resonance(), Rect::new(20.0, 200.0, 500.0, 99.5));
+    let pieces = clip(&curve, &frame);
+    assert_eq!(pieces.len(), 2, "the peak leaves through the upper edge");
+    for piece in &pieces {
+        for &point in piece {
+            assert!(frame.grown(1e-9).contains(point), "{point:?}");
+            assert!(distance(&curve, point) < 1e-9);
+        }
+    }
+    let inside: Vec<&Point> = curve.iter().filter(|&&point| frame.contains(point)).collect();
+    assert!(inside.len() > 1000);
+    for &point in inside {
+        assert!(pieces.iter().any(|piece| distance(piece, point) < 1e-9), "{point:?} was lost");
+    }
+    let cut = pieces[0].last().expect("a point");
+    assert!((cut.y - 200.0).abs() < 1e-9, "cut at the edge, not before");
+}
+
+#[test]
+fn clipping_breaks_at_points_that_are_no_numbers() {
+    let frame = Rect::new(0.0, 0.0, 100.0, 100.0);
+    let broken = [
+        at(10.0, 10.0),
+        at(20.0, 20.0),
+        at(f64::NAN, 0.0),
+        at(30.0, 30.0),
+        at(40.0, f64::INFINITY),
+        at(50.0, 50.0),
+    ];
+    assert_eq!(clip(&broken, &frame), vec![vec![at(10.0, 10.0), at(20.0, 20.0)]]);
+    let beside = [at(-10.0, 10.0), at(-10.0, 90.0), at(-5.0, 200.0)];
+    assert!(clip(&beside, &frame).is_empty());
+    let across = [at(-50.0, 50.0), at(150.0, 50.0)];
+    assert_eq!(clip(&across, &frame), vec![vec![at(0.0, 50.0), at(100.0, 50.0)]]);
+}
+
+/// A drawing with everything that the kit has.
+fn everything() -> Drawing {
+    let mut drawing =
+        Drawing::new("fig:all", 300.0, 200.0).titled("All & <more>", "Every \"part\" of the kit.");
+    let (left, right) = (at(20.0, 100.0), at(180.0, 60.0));
+    kit::spring(&mut drawing, left, right, 8, 12.0, 10.0, Hue::Ink);
+    kit::damper(&mut drawing, left, right, 40.0, 14.0, Hue::Ink);
+    kit::ground(&mut drawing, left, 3.0, 40.0, Hue::Ink);
+    kit::arrow(&mut drawing, left, right, Hue::Orange);
+    kit::angle(&mut drawing, right, 30.0, 0.2, 4.0, Heads::Both, Hue::Ink);
+    kit::angle(&mut drawing, right, 40.0, 0.2, -1.0, Heads::End, Hue::Ink);
+    kit::dimension(&mut drawing, left, right, Heads::Both, Hue::Ink);
+    for marker in
+        [Marker::Disc, Marker::Square, Marker::Triangle, Marker::Diamond, Marker::Ring, Marker::Mass]
+    {
+        kit::marker(&mut drawing, at(250.0, 150.0), marker, Hue::Green);
+    }
+    drawing.disc(at(100.0, 150.0), 20.0, Hue::Blue);
+    drawing.name_last("edge");
+    drawing.label(at(100.0, 180.0), Side::Below, r"$\omega_0 < 1$ & more", Hue::Blue).expect("a label");
+    drawing
+}
+
+#[test]
+fn drawings_become_valid_svg_with_classes_in_place_of_colours() {
+    let drawing = everything();
+    let svg = drawing.to_svg();
+    let document = Document::parse(&svg).expect("valid XML");
+    let root = document.root_element();
+    assert_eq!((root.attribute("viewBox"), root.attribute("role")), (Some("0 0 300 200"), Some("img")));
+    assert!(root.attribute("width").is_none(), "the page decides how wide it is");
+    let text =
+        |name: &str| document.descendants().find(|node| node.has_tag_name(name)).and_then(|node| node.text());
+    assert_eq!((text("title"), text("desc")), (Some("All & <more>"), Some("Every \"part\" of the kit.")));
+    assert_eq!(text("text"), Some("& more"));
+    let edge = document.descendants().find(|node| node.attribute("id") == Some("fig-all-edge"));
+    assert_eq!(edge.and_then(|node| node.attribute("class")), Some("f-line f-outline f-blue"));
+    // Rims of all pieces of a label come before the ink of the first, or they would eat into it.
+    let (last_rim, first_ink) = (svg.rfind("f-rim"), svg.find("f-plain f-blue"));
+    assert!(last_rim.is_some() && last_rim < first_ink);
+    assert_eq!(svg, everything().to_svg(), "the same bytes every time");
+    assert!(!svg.contains('#') && !svg.contains("NaN") && !svg.contains("inf"));
+
+    let alone = drawing.to_standalone_svg();
+    let document = Document::parse(&alone).expect("valid XML");
+    let root = document.root_element();
+    assert_eq!((root.attribute("width"), root.attribute("height")), (Some("300"), Some("200")));
+    assert_eq!(root.tag_name().namespace(), Some("http://www.w3.org/2000/svg"));
+    assert!(alone.contains("prefers-color-scheme: dark"));
+}
+
+#[test]
+fn arcs_turn_counter_clockwise_on_the_page() {
+    let mut drawing = Drawing::new("fig:arc", 100.0, 100.0);
+    let quarter = std::f64::consts::FRAC_PI_2;
+    drawing.arc(at(50.0, 50.0), 20.0, 0.0, quarter, Stroke::Outline, Hue::Ink);
+    drawing.arc(at(50.0, 50.0), 20.0, 0.0, -3.0 * quarter, Stroke::Outline, Hue::Ink);
+    let svg = drawing.to_svg();
+    // From the right to the top (y is downwards): the short way with sweep flag 0, the long way round with 1.
+    assert!(svg.contains("M70,50A20,20 0 0 0 50,30\""), "{svg}");
+    assert!(svg.contains("M70,50A20,20 0 1 1 50,30\""), "{svg}");
+    let Shape::Arc { .. } = drawing.items()[0].shape else { panic!("an arc") };
+    let end = drawing.items()[0].shape.points().pop().expect("points");
+    assert!((end - at(50.0, 30.0)).length() < 1e-12);
+}
+
+#[test]
+fn arrows_end_at_their_points() {
+    for (from, to) in [(at(10.0, 90.0), at(80.0, 20.0)), (at(10.0, 10.0), at(14.0, 10.0))] {
+        let mut drawing = Drawing::new("fig:arrow", 100.0, 100.0);
+        kit::arrow(&mut drawing, from, to, Hue::Ink);
+        let [shaft, head] = drawing.items() else { panic!("a shaft and a head") };
+        assert_eq!(shaft.role, Role::Line(Stroke::Vector, Hue::Ink));
+        assert_eq!((shaft.shape.points()[0], head.shape.points()[0]), (from, to));
+        let length = (to - from).length();
+        assert!(head.shape.points().iter().all(|&point| (point - to).length() < length.min(11.0)));
+    }
+}

@@ -1,0 +1,152 @@
+//! Labels: what is set where, and what is refused.
+
+use drawing::{Label, LabelError, Piece, Segment, Side, TEX_COMMANDS, at};
+
+fn label(source: &str) -> Label {
+    Label::new(source, 14.0).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn every_command_of_the_subset_sets_ink() {
+    assert!(TEX_COMMANDS.len() > 60);
+    for command in TEX_COMMANDS {
+        let spaces = [",", ":", ";", "!", "quad"];
+        let set = label(&format!(r"$a\{command}{{x}}b$"));
+        let without = label(r"$a{x}b$");
+        if spaces.contains(&command) {
+            let narrower = command == "!";
+            assert_eq!(set.width() < without.width(), narrower, r"\{command}");
+        } else {
+            assert_ne!(set.pieces, without.pieces, r"\{command} draws nothing of its own");
+        }
+    }
+    for source in
+        [r"$\sqrt{2}$", r"$\tfrac12$", r"$\text{cm}$", r"$\Re z$", r"$\Im z$", r"$\hat{\boldsymbol{r}}$"]
+    {
+        assert!(label(source).bounds.width() > 5.0, "{source}");
+    }
+}
+
+#[test]
+fn what_is_not_understood_is_refused_with_its_name() {
+    let error = |source: &str| Label::new(source, 14.0).expect_err(source);
+    let unknown = LabelError::UnknownCommand { label: r"$\omga$".into(), command: r"\omga".into() };
+    assert_eq!(error(r"$\omga$"), unknown);
+    assert!(matches!(error("naïve"), LabelError::UnknownCharacter { character: 'ï', .. }));
+    assert!(matches!(error("$ω$"), LabelError::UnknownCharacter { character: 'ω', .. }));
+    for (source, delimiter) in [("$x", '$'), ("$x^{2$", '{'), ("$x}$", '}'), ("10^{2", '{'), ("a}b", '}')] {
+        assert_eq!(error(source), LabelError::Unbalanced { label: source.into(), delimiter });
+    }
+    for (source, command) in
+        [("$^2$", "^"), ("$x_$", "_"), ("$x^2^3$", "^"), (r"$\sqrt$", r"\sqrt"), (r"$\tfrac1$", r"\tfrac")]
+    {
+        assert_eq!(error(source), LabelError::Incomplete { label: source.into(), command: command.into() });
+    }
+    assert_eq!(error(r"$\omga$").to_string(), r"label `$\omga$`: unknown command `\omga`");
+}
+
+#[test]
+fn scripts_are_smaller_and_stand_above_and_below() {
+    let plain = label("$x$").bounds;
+    let squared = label("$x^2$").bounds;
+    let indexed = label("$x_0$").bounds;
+    assert!(squared.top < plain.top - 3.0 && (squared.bottom - plain.bottom).abs() < 0.5);
+    assert!(indexed.bottom > plain.bottom + 1.5 && (indexed.top - plain.top).abs() < 1.0);
+    // Both scripts stand over each other, and take the room of the wider one.
+    assert!(label("$x_0^2$").width() < label("$x_0{}^2$").width());
+    // A script of a script is smaller again.
+    let height = |source: &str| label(source).bounds.height();
+    assert!(height("$1$") > height("$x^{1}$") - height("$x$"));
+    // The order in which they are written does not matter.
+    assert_eq!(label("$x_0^2$"), label("$x^2_0$"));
+}
+
+#[test]
+fn signs_take_room_as_operations_but_not_as_signs() {
+    let width = |source: &str| label(source).width();
+    assert!(width("$a-b$") > width("${-}ab$") + 3.0, "an operation has room around it");
+    assert!((width("$-ab$") - width("${-}ab$")).abs() < 1e-9, "a sign at the beginning has none");
+    assert!(width("$a=b$") > width("$a{=}b$") + 3.0);
+    assert!((width("$x^{a=b}$") - width("$x^{a{=}b}$")).abs() < 1e-9, "scripts are set tight");
+}
+
+#[test]
+fn a_root_covers_what_is_under_it() {
+    for inner in ["2", r"\omega_0^2", r"\tfrac{a}{b}"] {
+        let [root, under] = [label(&format!(r"$\sqrt{{{inner}}}$")), label(&format!("${inner}$"))];
+        assert!(root.bounds.top < under.bounds.top - 1.0, "{inner}");
+        assert!(root.width() > under.width() + 5.0, "{inner}");
+    }
+}
+
+#[test]
+fn words_keep_the_widths_of_the_pages_sans() {
+    // Advance widths of Open Sans, font units of 1/2048 em: s 977, p 1255, i 518, n 1257.
+    let expected = (977 + 1255 + 518 + 1257) as f64 / 2048.0 * 14.0;
+    let spin = label("spin");
+    assert!((spin.width() - expected).abs() < 1e-9);
+    let [Piece::Words { text, width, size, .. }] = &spin.pieces[..] else { panic!("one piece of words") };
+    assert_eq!((text.as_str(), *size), ("spin", 14.0));
+    assert!((width - expected).abs() < 1e-9);
+    // A space before mathematics becomes distance.
+    let joined = label("spin $x$");
+    let space = 532.0 / 2048.0 * 14.0;
+    assert!((joined.width() - expected - space - label("$x$").width()).abs() < 1e-9);
+    // And the mathematics stands where the words and the space end, then the next words after it.
+    let mixed = label("spin $x$ in");
+    let [Piece::Words { .. }, Piece::Outline(outline), Piece::Words { start, .. }] = &mixed.pieces[..] else {
+        panic!("words, mathematics, words")
+    };
+    let Some(Segment::Move(first)) = outline.first() else { panic!("an outline") };
+    assert!(first.x > expected + space - 1.0 && first.x < start.x - space + 1.0, "{first:?}");
+    assert!((start.x - joined.width() - space).abs() < 1e-9);
+}
+
+#[test]
+fn powers_of_ten_are_raised_words() {
+    let power = label("10^{−4}");
+    let [Piece::Words { start: ten, size: large, .. }, Piece::Words { start: four, size: small, text, .. }] =
+        &power.pieces[..]
+    else {
+        panic!("two pieces")
+    };
+    assert!(four.y < ten.y - 4.0 && small < large && text == "−4");
+}
+
+#[test]
+fn labels_stand_on_their_side_of_the_point() {
+    let point = at(100.0, 50.0);
+    for source in ["spin", "$r_0/b$", r"$\hat{\imath}_3$"] {
+        let bounds = |side| label(source).placed(point, side, 6.0).bounds;
+        assert!(
+            (bounds(Side::Right).left - 106.0).abs() < 1e-9 && (bounds(Side::Left).right - 94.0).abs() < 1e-9
+        );
+        assert!(
+            (bounds(Side::Above).bottom - 44.0).abs() < 1e-9 && (bounds(Side::Below).top - 56.0).abs() < 1e-9
+        );
+        let corner = bounds(Side::AboveLeft);
+        assert!(corner.right < 100.0 && corner.bottom < 50.0);
+        assert!((bounds(Side::Over).centre().x - 100.0).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn outlines_are_closed_and_lie_inside_their_bounds() {
+    let label = label(r"$\sqrt{2}\,\omega_0^2 = \boldsymbol{L}\cdot\hat{r}''$");
+    let mut segments = 0;
+    for piece in &label.pieces {
+        let Piece::Outline(outline) = piece else { panic!("mathematics only") };
+        assert!(matches!(outline.first(), Some(Segment::Move(_))) && outline.last() == Some(&Segment::Close));
+        for segment in outline {
+            if let Segment::Move(end)
+            | Segment::Line(end)
+            | Segment::Quadratic(_, end)
+            | Segment::Cubic(_, _, end) = segment
+            {
+                assert!(label.bounds.grown(0.02).contains(*end), "{end:?} outside {:?}", label.bounds);
+                segments += 1;
+            }
+        }
+    }
+    assert!(segments > 100);
+}
