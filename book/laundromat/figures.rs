@@ -1,0 +1,710 @@
+//! The figures of the chapter "Physics in the laundromat".
+//!
+//! Each function draws one claim from what the library computes. Captions stand on the page. One file a chapter, however
+//! long: a reader can save it from the site and have everything.
+
+use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use drawing::kit::{self, Heads, Marker};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use mechanics::integrate::rk4;
+use mechanics::scenes::laundromat::{InvalidMachine, Machine, Mode, NoSteadyMotion, Parameters, Shaft};
+use nalgebra::{Complex, Matrix4};
+use std::f64::consts::{PI, SQRT_2, TAU};
+
+pub(crate) const FIGURES: &[Entry] = &[
+    Entry { id: "fig:start", draw: start },
+    Entry { id: "fig:machine", draw: machine },
+    Entry { id: "fig:phases", draw: phases },
+    Entry { id: "fig:steady", draw: steady },
+    Entry { id: "fig:centring", draw: centring },
+    Entry { id: "fig:torque", draw: torque },
+    Entry { id: "fig:locked", draw: locked },
+    Entry { id: "fig:eigenvalues", draw: eigenvalues },
+    Entry { id: "fig:annulus", draw: annulus },
+    Entry { id: "fig:displaced", draw: displaced },
+    Entry { id: "fig:polar-fault", draw: polar_fault },
+    Entry { id: "fig:speed", draw: speed },
+];
+
+/// The dampings Γ/ω₀ that the plots compare, each with its hue.
+const DAMPINGS: [(f64, Hue); 4] = [(0.2, Hue::Blue), (0.4, Hue::Orange), (0.7, Hue::Green), (1.4, Hue::Pink)];
+
+/// Points of a curve, (x, y).
+type Values = Vec<(f64, f64)>;
+/// The matrix of the small motions of a machine.
+type MatrixOf = fn(&Machine) -> Matrix4<f64>;
+/// What a measurement cost.
+type WorkOf = fn(&Measurement) -> f64;
+
+/// The natural frequency of the chapter's machine, rad/s.
+const NATURAL: f64 = 10.0;
+
+/// The chapter's machine, with other damping and spin, both in natural frequencies.
+fn washing_machine(damping: f64, spin: f64) -> Result<Machine, InvalidMachine> {
+    let (drum_mass, load_mass) = (28.0, 2.0);
+    Machine::new(Parameters {
+        drum_mass,
+        load_mass,
+        load_radius: 0.25,
+        stiffness: 3000.0,
+        damping: damping * NATURAL * (drum_mass + load_mass),
+        spin: spin * NATURAL,
+    })
+}
+
+/// The machine from above: what r, θ, φ, a and b are.
+fn machine(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 520.0, 372.0).titled(
+        "The unbalanced drum, seen from above",
+        "A spring k and a damper gamma, side by side, tie the shaft of the drum to the fixed point O. The vector r leads from O \
+         to the shaft, at the angle theta to the x axis. The load m sits on the drum at distance a from the shaft, at the \
+         angle phi to the x direction. The centre of mass of drum and load lies on the same line, at the smaller distance b \
+         from the shaft. The load leads the shaft by the angle phi zero, which is phi minus theta. The drum turns \
+         counter-clockwise with the angular velocity Omega.",
+    );
+    let (theta, phi) = (32_f64.to_radians(), 84_f64.to_radians());
+    let origin = at(50.0, 330.0);
+    let along = Point::polar(1.0, theta);
+    let shaft = origin + along * 250.0;
+    let outward = Point::polar(1.0, phi);
+    let load = shaft + outward * 132.0;
+    let mass = shaft + outward * 79.0;
+
+    drawing.disc(shaft, 150.0, Hue::Blue);
+    drawing.label_on_face(shaft + Point::polar(112.0, -0.9), Side::Over, "drum, $M$", Hue::Ink)?;
+
+    // Directions: the x axis, its parallel through the shaft, and the radius carried on beyond the shaft.
+    let axis_end = at(492.0, origin.y);
+    kit::dimension(&mut drawing, origin, axis_end, Heads::End, Hue::Ink);
+    drawing.label(axis_end, Side::Right, "$x$", Hue::Ink)?;
+    drawing.line(shaft, shaft + at(176.0, 0.0), Stroke::Reference, Hue::Muted);
+    drawing.line(shaft, shaft + along * 176.0, Stroke::Reference, Hue::Muted);
+
+    // Spring and damper between a wall at O and a bar on the shaft.
+    let aside = along.quarter_turned() * 25.0;
+    let bar = shaft - along * 22.0;
+    kit::ground(&mut drawing, origin, theta + PI, 76.0, Hue::Ink);
+    kit::spring(&mut drawing, origin + aside, bar + aside, 13, 15.0, 18.0, Hue::Ink);
+    kit::damper(&mut drawing, origin - aside, bar - aside, 52.0, 15.0, Hue::Ink);
+    drawing.line(bar + aside, bar - aside, Stroke::Vector, Hue::Ink);
+    drawing.label(origin + aside * 1.3 + along * 62.0, Side::AboveLeft, "$k$", Hue::Ink)?;
+    drawing.label_on_face(origin - aside * 1.35 + along * 122.0, Side::BelowRight, r"$\gamma$", Hue::Ink)?;
+    kit::arrow(&mut drawing, origin, shaft - along * 5.0, Hue::Ink);
+    drawing.label_on_face(origin + along * 158.0, Side::AboveLeft, r"$\boldsymbol{r}$", Hue::Ink)?;
+
+    // The line from the shaft to the load, and what is measured along it.
+    let left = outward.quarter_turned();
+    for (end, reach) in [(shaft, 44.0), (mass, 24.0), (load, 44.0)] {
+        drawing.line(end, end + left * reach, Stroke::Hatch, Hue::Muted);
+    }
+    drawing.line(shaft, load, Stroke::Vector, Hue::Blue);
+    kit::dimension(&mut drawing, shaft + left * 20.0, mass + left * 20.0, Heads::Both, Hue::Ink);
+    kit::dimension(&mut drawing, shaft + left * 40.0, load + left * 40.0, Heads::Both, Hue::Ink);
+    for (end, offset, name) in [(mass, 20.0, "$b$"), (load, 40.0, "$a$")] {
+        let middle = shaft.towards(end, 0.62) + left * offset;
+        drawing.label_on_face(middle, Side::Left, name, Hue::Ink)?;
+    }
+    drawing.dot(load, 11.0, Hue::Blue);
+    drawing.label(shaft + outward * 150.0, Side::Above, "load, $m$", Hue::Blue)?;
+    kit::marker(&mut drawing, mass, Marker::Mass, Hue::Ink);
+    drawing.label_on_face(mass + at(4.0, -3.0), Side::Right, "centre of mass", Hue::Ink)?;
+    kit::marker(&mut drawing, shaft, Marker::Ring, Hue::Ink);
+
+    // Angles.
+    kit::angle(&mut drawing, origin, 68.0, 0.0, theta, Heads::End, Hue::Ink);
+    drawing.label(origin + Point::polar(68.0, 0.12), Side::Right, r"$\theta$", Hue::Ink)?;
+    kit::angle(&mut drawing, shaft, 34.0, 0.0, phi, Heads::End, Hue::Ink);
+    let phi_label = shaft + Point::polar(47.0, 0.5 * theta);
+    drawing.label_on_face(phi_label, Side::Over, r"$\phi$", Hue::Ink)?;
+    kit::angle(&mut drawing, shaft, 56.0, theta, phi - theta, Heads::End, Hue::Ink);
+    let lead_label = shaft + Point::polar(64.0, 0.5 * (theta + phi) - 0.1);
+    drawing.label_on_face(lead_label, Side::AboveRight, r"$\phi_0$", Hue::Ink)?;
+    kit::angle(&mut drawing, shaft, 164.0, 1.95, 0.5, Heads::End, Hue::Orange);
+    drawing.label(shaft + Point::polar(164.0, 2.2), Side::AboveLeft, r"$\Omega$", Hue::Orange)?;
+
+    drawing.dot(origin, 3.4, Hue::Ink);
+    drawing.label(origin + Point::polar(19.0, theta + PI), Side::Over, "$O$", Hue::Ink)?;
+    Ok(drawing)
+}
+
+/// The steady motion well below, at, and well above the natural frequency, to scale.
+fn phases(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 282.0).titled(
+        "Three phases of the steady motion",
+        "Three pictures of one machine, to scale, at half, at once and at three times the natural frequency. Each shows the \
+         fixed point O, the circle on which the shaft goes round it, and the drum with its load. At low spin the load points \
+         outwards, nearly along the line from O to the shaft, and the centre of mass lies beyond the shaft. At the natural \
+         frequency the circle is largest and the load leads the shaft by a quarter turn. At high spin the load points inwards, \
+         and the centre of mass is almost at O.",
+    );
+    // A load of nine kilograms, so that the circles can be seen beside the drum.
+    let base = Parameters {
+        drum_mass: 21.0,
+        load_mass: 9.0,
+        load_radius: 0.25,
+        stiffness: 3000.0,
+        damping: 90.0,
+        spin: 0.0,
+    };
+    let scale = 80.0 / base.load_radius;
+    let theta = 0.32; // one direction of the shaft in all three
+    let columns = [
+        (94.0, 0.5, r"$\Omega = \tfrac12\,\omega_0$"),
+        (308.0, 1.0, r"$\Omega = \omega_0$"),
+        (564.0, 3.0, r"$\Omega = 3\,\omega_0$"),
+    ];
+    for (x, ratio, name) in columns {
+        let machine = Machine::new(Parameters { spin: ratio * NATURAL, ..base })?;
+        let steady = machine.steady()?;
+        let origin = at(x, 132.0);
+        let shaft = origin + Point::polar(steady.radius() * scale, theta);
+        let outward = Point::polar(1.0, theta + steady.phase());
+        let load = shaft + outward * (base.load_radius * scale);
+        let mass = shaft + outward * (machine.offset() * scale);
+
+        drawing.disc(shaft, base.load_radius * scale + 9.0, Hue::Blue);
+        drawing.circle(origin, steady.radius() * scale, Role::Line(Stroke::Reference, Hue::Ink));
+        drawing.line(
+            origin,
+            origin + Point::polar(steady.radius() * scale + 70.0, theta),
+            Stroke::Hatch,
+            Hue::Ink,
+        );
+        drawing.line(shaft, load, Stroke::Vector, Hue::Blue);
+        let radius = if steady.phase() < 0.5 { 62.0 } else { 27.0 };
+        kit::angle(&mut drawing, shaft, radius, theta, steady.phase(), Heads::None, Hue::Ink);
+        drawing.dot(load, 9.0, Hue::Blue);
+        kit::marker(&mut drawing, mass, Marker::Mass, Hue::Ink);
+        kit::marker(&mut drawing, shaft, Marker::Ring, Hue::Ink);
+        cross(&mut drawing, origin, 8.0);
+        if ratio == 1.0 {
+            drawing.label_on_face(origin + at(0.0, 2.0), Side::BelowRight, "$O$", Hue::Ink)?;
+            drawing.label_on_face(shaft, Side::BelowRight, "shaft", Hue::Ink)?;
+            drawing.label(load + at(-12.0, -8.0), Side::Left, "load", Hue::Blue)?;
+            let lead = shaft + Point::polar(27.0, theta + 0.5 * steady.phase());
+            drawing.label_on_face(lead, Side::AboveRight, r"$\phi_0$", Hue::Ink)?;
+        }
+
+        let (reach, circle) = (base.load_radius * scale + 9.0, steady.radius() * scale);
+        let middle = 0.5 * ((x - circle).min(shaft.x - reach) + (x + circle).max(shaft.x + reach));
+        let degrees = steady.phase().to_degrees();
+        drawing.label(at(middle, 246.0), Side::Over, name, Hue::Ink)?;
+        let lead = format!(r"$\phi_0 = {degrees:.0}°$");
+        drawing.label(at(middle, 268.0), Side::Over, &lead, Hue::Ink)?;
+    }
+    Ok(drawing)
+}
+
+/// A fixed point seen from above.
+fn cross(drawing: &mut Drawing, centre: Point, reach: f64) {
+    for arm in [at(reach, 0.0), at(0.0, reach)] {
+        drawing.line(centre - arm, centre + arm, Stroke::Axis, Hue::Ink);
+    }
+}
+
+/// Radius of the shaft's circle and lead of the load against spin.
+fn steady(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 560.0).titled(
+        "Steady motion against spin",
+        "Two plots against the spin in natural frequencies, from 0 to 3, for four dampings Gamma over omega zero: 0.2, 0.4, 0.7 and \
+         1.4. Above, the radius of the shaft's circle over b: it begins at zero, has a peak near the natural \
+         frequency, of height \
+         5 for the smallest damping and none for the largest, and tends to one for all. Below, the angle by which the \
+         load leads: \
+         it rises from 0 to 180 degrees, steeply for small damping, and all four curves pass 90 degrees at the natural \
+         frequency.",
+    );
+    let spin = || Axis::linear(0.0, 3.0, 0.5).map(|axis| axis.minor(0.1));
+    let upper = Rect::new(58.0, 34.0, 600.0, 262.0);
+    let lower = Rect::new(58.0, 356.0, 600.0, 152.0);
+
+    let radius = Axis::linear(0.0, 5.5, 1.0)?.minor(0.5).titled(r"radius of the shaft's circle $r_0/b$");
+    let mut plot = Plot::new(&mut drawing, upper, spin()?.unlabelled(), radius)?;
+    plot.upright(1.0, Stroke::Dotted);
+    plot.level(1.0, Stroke::Reference);
+    for (damping, hue) in DAMPINGS {
+        let values =
+            over_spin(damping, 0.0, 3.0, |machine| Ok(machine.steady()?.radius() / machine.offset()))?;
+        plot.curve(&format!("radius-{damping}"), values, Stroke::Curve, hue);
+    }
+    plot.label((1.06, 4.9), Side::Right, r"$\Gamma/\omega_0 = 0.2$", Hue::Blue)?;
+    plot.label((1.125, 2.76), Side::Over, "0.4", Hue::Orange)?;
+    plot.label((1.2, 1.53), Side::Above, "0.7", Hue::Green)?;
+    plot.label((1.75, 0.9), Side::Below, "1.4", Hue::Pink)?;
+    plot.label((0.03, 1.0), Side::AboveRight, "$r_0 = b$", Hue::Muted)?;
+
+    let lead =
+        Axis::linear(0.0, 180.0, 90.0)?.minor(30.0).marked(&[(0.0, "0°"), (90.0, "90°"), (180.0, "180°")]);
+    let lead = lead.titled(r"lead of the load $\phi_0$");
+    let mut plot = Plot::new(&mut drawing, lower, spin()?.titled(r"spin $\Omega/\omega_0$"), lead)?;
+    plot.upright(1.0, Stroke::Dotted);
+    plot.level(90.0, Stroke::Dotted);
+    for (damping, hue) in DAMPINGS {
+        let values = over_spin(damping, 0.0, 3.0, |machine| Ok(machine.steady()?.phase().to_degrees()))?;
+        plot.curve(&format!("lead-{damping}"), values, Stroke::Curve, hue);
+    }
+    plot.label((1.2, 160.0), Side::AboveLeft, "0.2", Hue::Blue)?;
+    plot.label((2.0, 137.0), Side::BelowRight, "1.4", Hue::Pink)?;
+    Ok(drawing)
+}
+
+/// A quantity of the chapter's machine against Ω/ω₀, for one damping Γ/ω₀.
+fn over_spin(
+    damping: f64,
+    from: f64,
+    to: f64,
+    quantity: impl Fn(&Machine) -> Result<f64, NoSteadyMotion>,
+) -> Result<Values, Cause> {
+    linear_steps(from, to, 1200)
+        .map(|ratio| Ok((ratio, quantity(&washing_machine(damping, ratio)?)?)))
+        .collect()
+}
+
+/// Radius of the centre of mass: the common point, and the true rate of self-centring.
+fn centring(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 592.0).titled(
+        "Radius of the centre of mass against spin",
+        "Two plots. Above, the radius of the centre of mass over b for spins up to three natural frequencies and four dampings. \
+         All curves begin at one and cross in a single point, at the square root of two times the natural frequency, where the \
+         radius is b; beyond it a larger damping gives a larger radius. Dashed, the source's formula for the dampings 0.4 and \
+         1.4, which lies below the true curve and misses the point. Below, both scales logarithmic, up to a thousand natural \
+         frequencies: the true radius falls as one over the spin, the source's formula as one over its square.",
+    );
+    let printed = |machine: &Machine| -> Result<f64, NoSteadyMotion> {
+        // b ω₀²/D, the source's (20), is the shaft's radius times ω₀²/Ω².
+        let ratio = machine.natural_frequency() / machine.spin();
+        Ok(machine.steady()?.radius() * ratio * ratio / machine.offset())
+    };
+    let true_radius = |machine: &Machine| -> Result<f64, NoSteadyMotion> {
+        Ok(machine.steady()?.centre_of_mass_radius() / machine.offset())
+    };
+
+    let spin = Axis::linear(0.0, 3.0, 0.5)?.minor(0.1).titled(r"spin $\Omega/\omega_0$");
+    let radius =
+        Axis::linear(0.0, 3.4, 1.0)?.minor(0.5).titled(r"radius of the centre of mass $r_\text{cm}/b$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 600.0, 230.0), spin, radius)?;
+    plot.upright(SQRT_2, Stroke::Dotted);
+    for (damping, hue) in [DAMPINGS[1], DAMPINGS[3]] {
+        plot.curve(
+            &format!("printed-{damping}"),
+            over_spin(damping, 0.01, 3.0, printed)?,
+            Stroke::DashedCurve,
+            hue,
+        );
+    }
+    for (damping, hue) in DAMPINGS {
+        plot.curve(
+            &format!("radius-{damping}"),
+            over_spin(damping, 0.0, 3.0, true_radius)?,
+            Stroke::Curve,
+            hue,
+        );
+    }
+    let common = plot.at((SQRT_2, 1.0));
+    plot.drawing().circle(common, 4.5, Role::Area(Fill::Solid, Hue::Ink));
+    plot.label((SQRT_2, 1.05), Side::AboveRight, r"$(\sqrt{2},\,1)$ for every damping", Hue::Ink)?;
+    plot.label((0.78, 2.6), Side::Left, r"$\Gamma/\omega_0 = 0.2$", Hue::Blue)?;
+    plot.label((0.96, 2.74), Side::Above, "0.4", Hue::Orange)?;
+    plot.label((0.91, 1.8), Side::Above, "0.7", Hue::Green)?;
+    plot.label((2.6, 0.56), Side::Above, "1.4", Hue::Pink)?;
+
+    let spin = Axis::log(1.0, 1000.0, 1)?.titled(r"spin $\Omega/\omega_0$");
+    let radius = Axis::log(1e-6, 10.0, 2)?.titled(r"$r_\text{cm}/b$ at high spin");
+    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 336.0, 600.0, 204.0), spin, radius)?;
+    let high = |damping: f64, quantity: &dyn Fn(&Machine) -> Result<f64, NoSteadyMotion>| {
+        log_steps(1.0, 1000.0, 900)
+            .map(|ratio| Ok((ratio, quantity(&washing_machine(damping, ratio)?)?)))
+            .collect::<Result<Vec<_>, Cause>>()
+    };
+    plot.curve("printed-high", high(0.4, &printed)?, Stroke::DashedCurve, Hue::Orange);
+    for (damping, hue) in DAMPINGS {
+        plot.curve(&format!("high-{damping}"), high(damping, &true_radius)?, Stroke::Curve, hue);
+    }
+    plot.label((60.0, 1.4 / 60.0), Side::AboveRight, r"true: $\Gamma/\Omega$", Hue::Ink)?;
+    plot.label((60.0, 1.0 / 3600.0), Side::BelowLeft, r"source: $\omega_0^2/\Omega^2$", Hue::Orange)?;
+    Ok(drawing)
+}
+
+/// What the motor must give to keep the spin constant.
+fn torque(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 330.0).titled(
+        "Torque of the motor against spin",
+        "The torque, in newton metres, that keeps the spin of the chapter's machine constant, for spins up to three natural \
+         frequencies and four dampings. For the damping 0.2 it has a narrow peak of 4.3 near the natural frequency \
+         and falls below 0.6 beyond it. For larger dampings the peak is lower and broader, and for the largest there \
+         is none: the torque keeps \
+         growing with the spin.",
+    );
+    let spin = Axis::linear(0.0, 3.0, 0.5)?.minor(0.1).titled(r"spin $\Omega/\omega_0$");
+    let torque = Axis::linear(0.0, 4.5, 1.0)?.minor(0.5).titled(r"torque of the motor $\tau$, N m");
+    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 600.0, 244.0), spin, torque)?;
+    for (damping, hue) in DAMPINGS {
+        let values = over_spin(damping, 0.0, 3.0, |machine| Ok(machine.steady()?.motor_torque()))?;
+        plot.curve(&format!("torque-{damping}"), values, Stroke::Curve, hue);
+    }
+    plot.label((1.1, 3.9), Side::Right, r"$\Gamma/\omega_0 = 0.2$", Hue::Blue)?;
+    plot.label((1.3, 1.9), Side::AboveRight, "0.4", Hue::Orange)?;
+    plot.label((2.0, 1.5), Side::Below, "0.7", Hue::Green)?;
+    plot.label((2.4, 2.9), Side::AboveLeft, "1.4", Hue::Pink)?;
+    Ok(drawing)
+}
+
+/// With its angle locked the machine runs away; free, it returns.
+fn locked(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 320.0).titled(
+        "Locked and free motion after the same disturbance",
+        "The distance of the shaft from O, over b, against time, at one and a half natural frequencies. Both motions start at rest \
+         in the turning frame, three tenths beyond the steady radius of 1.7 b. With the angle locked the distance \
+         grows exponentially \
+         and leaves the plot after a quarter of a second. The free motion swings about the steady radius and comes \
+         back to it within two seconds.",
+    );
+    let machine = washing_machine(0.3, 1.5)?;
+    let (b, steady) = (machine.offset(), machine.steady()?);
+    let r = 1.3 * steady.radius();
+    let runaway = machine.locked(r, 0.0)?;
+    let free = machine.transient(Shaft::from_polar([r, -steady.phase(), 0.0, machine.spin()]))?;
+
+    let time = Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled("time, s");
+    let radius = Axis::linear(0.0, 5.0, 1.0)?.minor(0.5).titled("distance of the shaft from $O$, $r/b$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 600.0, 234.0), time, radius)?;
+    plot.level(steady.radius() / b, Stroke::Reference);
+    let times = || linear_steps(0.0, 2.5, 1500);
+    let returning =
+        times().map(|t| Ok((t, free.at(t)?.position.norm() / b))).collect::<Result<Vec<_>, Cause>>()?;
+    let leaving = times().map(|t| Ok((t, runaway.at(t)?[0] / b))).collect::<Result<Vec<_>, Cause>>()?;
+    plot.curve("locked", leaving, Stroke::Curve, Hue::Orange);
+    plot.curve("free", returning, Stroke::Curve, Hue::Blue);
+    plot.label((0.24, 3.8), Side::Right, "angle locked", Hue::Orange)?;
+    plot.label((0.55, 2.0), Side::AboveRight, "free", Hue::Blue)?;
+    plot.label((2.48, steady.radius() / b), Side::BelowLeft, "steady radius $r_0$", Hue::Muted)?;
+    Ok(drawing)
+}
+
+/// Four eigenvalues as the spin grows: a damper on the whole velocity, and one on ṙ only.
+fn eigenvalues(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 420.0).titled(
+        "Eigenvalues as the spin grows",
+        "Two pictures of the complex plane with the paths of the four eigenvalues while the spin grows from zero to three natural \
+         frequencies, for the damping 0.3. Left, the damper resists the whole velocity: all four paths run along the \
+         vertical line \
+         at minus one half Gamma, in the half where motions decay. Right, the damper resists the radial velocity only: two paths \
+         stay on the left, and two pass through zero when the spin equals the natural frequency and go on in the shaded right \
+         half, where motions grow.",
+    );
+    let panels: [(f64, &str, MatrixOf); 2] = [
+        (58.0, r"damping $-\gamma\dot{\boldsymbol{r}}$", Machine::stability_matrix),
+        (398.0, r"damping $-\gamma\dot{r}\,\hat{\boldsymbol{r}}$", Machine::radial_damping_matrix),
+    ];
+    for (left, name, matrix) in panels {
+        let real = Axis::linear(-0.4, 0.2, 0.2)?.minor(0.1).titled(r"$\text{Re}\,s/\omega_0$");
+        let imaginary = Axis::linear(-4.2, 4.2, 2.0)?.minor(1.0).titled(r"$\text{Im}\,s/\omega_0$");
+        let mut plot = Plot::new(&mut drawing, Rect::new(left, 34.0, 262.0, 334.0), real, imaginary)?;
+        plot.region((0.0, -4.2), (0.2, 4.2), Hue::Orange);
+        plot.reference((0.0, -4.2), (0.0, 4.2), Stroke::Outline);
+        plot.reference((-0.4, 0.0), (0.0, 0.0), Stroke::Dotted);
+        for (index, path) in eigenvalue_paths(0.3, 3.0, matrix)?.iter().enumerate() {
+            plot.curve(
+                &format!("path-{}-{index}", if left < 100.0 { "whole" } else { "radial" }),
+                path.iter().copied(),
+                Stroke::Curve,
+                Hue::Blue,
+            );
+            if let (Some(&first), Some(&last)) = (path.first(), path.last()) {
+                plot.markers(&[first], Marker::Ring, Hue::Blue);
+                plot.markers(&[last], Marker::Disc, Hue::Blue);
+                // Which way it goes as the spin grows.
+                let [before, after] = [path[2300], path[2310]].map(|value| plot.at(value));
+                kit::head(plot.drawing(), after, after - before, 0.8, Hue::Blue);
+            }
+        }
+        let grows = plot.at((0.1, -3.7));
+        plot.drawing().label_on_face(grows, Side::Over, "grows", Hue::Orange)?;
+        if name.contains("hat") {
+            let crossing = plot.at((0.03, 0.0));
+            plot.drawing().label_on_face(crossing, Side::Right, r"$\Omega = \omega_0$", Hue::Ink)?;
+        } else {
+            plot.label((-0.16, 1.0), Side::Left, r"$\Omega = 0$", Hue::Blue)?;
+            plot.label((-0.16, 1.99), Side::Left, r"$\Omega = 3\,\omega_0$", Hue::Blue)?;
+            plot.label((-0.16, 3.99), Side::Left, r"$\Omega = 3\,\omega_0$", Hue::Blue)?;
+        }
+        let top = at(plot.frame().right, plot.frame().top - 10.0);
+        plot.drawing().label(top, Side::Left, name, Hue::Ink)?;
+    }
+    Ok(drawing)
+}
+
+/// The paths of four eigenvalues over ω₀ while Ω/ω₀ grows from 0, each value joined to the nearest of the step before.
+fn eigenvalue_paths(damping: f64, to: f64, matrix: MatrixOf) -> Result<[Values; 4], InvalidMachine> {
+    let mut paths: [Values; 4] = Default::default();
+    for ratio in linear_steps(0.0, to, 3000) {
+        let machine = washing_machine(damping, ratio)?;
+        let found = matrix(&machine).complex_eigenvalues();
+        let mut free: Vec<Complex<f64>> = found.iter().map(|s| s / machine.natural_frequency()).collect();
+        for path in &mut paths {
+            // Straight on from the last two values, so that paths that cross do not swap.
+            let expected = match path.as_slice() {
+                [.., (x0, y0), (x1, y1)] => Complex::new(2.0 * x1 - x0, 2.0 * y1 - y0),
+                [(x, y)] => Complex::new(*x, *y),
+                [] => free[0],
+            };
+            let nearest = (0..free.len())
+                .min_by(|&i, &j| (free[i] - expected).norm().total_cmp(&(free[j] - expected).norm()));
+            if let Some(index) = nearest {
+                let s = free.swap_remove(index);
+                path.push((s.re, s.im));
+            }
+        }
+    }
+    Ok(paths)
+}
+
+/// Where the shaft starts when one mode of the steady motion is excited with the size ε₀, a part of the steady radius.
+fn disturbed(machine: &Machine, mode: Mode, size: f64) -> Result<Shaft, NoSteadyMotion> {
+    let amplitude = machine.steady()?.amplitude();
+    let spin = Complex::new(0.0, machine.spin());
+    let drift = Complex::new(0.0, -1.0) * mode.frequency.conj(); // ζ = ε + iδ = ε₀ e^{−iω*t}
+    Ok(Shaft {
+        position: amplitude * (1.0 + size),
+        velocity: amplitude * (spin * (1.0 + size) + drift * size),
+    })
+}
+
+/// The shaft's path and the path of the centre of its circle, m, at these times.
+fn path_and_centre(
+    machine: &Machine,
+    start: Shaft,
+    times: impl Iterator<Item = f64>,
+) -> Result<(Values, Values), Cause> {
+    let (motion, amplitude) = (machine.transient(start)?, machine.steady()?.amplitude());
+    let (mut path, mut centres) = (Vec::new(), Vec::new());
+    for time in times {
+        let shaft = motion.at(time)?.position;
+        let centre = shaft - amplitude * machine.load_direction(time);
+        path.push((shaft.re, shaft.im));
+        centres.push((centre.re, centre.im));
+    }
+    Ok((path, centres))
+}
+
+/// One mode at a time: the circle's centre goes backwards, or forwards.
+fn annulus(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
+        "The ring filled by one mode",
+        "Two pictures of the shaft's path over several turns of the drum. In both the path fills the ring between two dashed \
+         circles, of 0.7 and 1.3 times the steady radius, because the centre of its circle goes round a small dotted \
+         circle about \
+         O. On the left, for the mode of frequency Omega plus omega one, the centre goes round clockwise, against the \
+         drum; on the \
+         right, for Omega minus omega one, counter-clockwise, with the drum.",
+    );
+    let machine = washing_machine(0.0, 3.3)?;
+    let (radius, size) = (machine.steady()?.radius(), 0.3);
+    let scale = 112.0 / radius;
+    for (x, mode, sense, name) in [
+        (170.0, 0, -1.0, r"$\omega = \Omega + \omega_1$: backwards"),
+        (510.0, 1, 1.0, r"$\omega = \Omega - \omega_1$: forwards"),
+    ] {
+        let origin = at(x, 166.0);
+        let start = disturbed(&machine, machine.modes()[mode], size)?;
+        let turns = 7.0;
+        let times = linear_steps(0.0, turns * TAU / machine.spin(), 4000);
+        let (path, centres) = path_and_centre(&machine, start, times)?;
+        let mut plot = Plot::plane(&mut drawing, origin, scale, 1.4 * radius)?;
+        for bound in [1.0 - size, 1.0 + size] {
+            plot.drawing().circle(origin, bound * radius * scale, Role::Line(Stroke::Reference, Hue::Muted));
+        }
+        plot.curve(&format!("path-{mode}"), path.iter().copied(), Stroke::Orbit, Hue::Blue);
+        plot.drawing().circle(origin, size * radius * scale, Role::Line(Stroke::Dotted, Hue::Orange));
+        if let (Some(&shaft), Some(&centre)) = (path.last(), centres.last()) {
+            let [shaft, centre] = [plot.at(shaft), plot.at(centre)];
+            let drawing = plot.drawing();
+            let from = (centre - origin).angle() + sense * 0.35;
+            kit::angle(
+                drawing,
+                origin,
+                size * radius * scale + 9.0,
+                from,
+                sense * 1.5,
+                Heads::End,
+                Hue::Orange,
+            );
+            drawing.line(centre, shaft, Stroke::Outline, Hue::Ink);
+            drawing.dot(centre, 4.0, Hue::Orange);
+            kit::marker(drawing, shaft, Marker::Ring, Hue::Ink);
+            cross(drawing, origin, 5.0);
+        }
+        drawing.label(at(x, 350.0), Side::Over, name, Hue::Ink)?;
+    }
+    Ok(drawing)
+}
+
+/// At high spin the disturbed motion looks like a circle beside O.
+fn displaced(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 440.0, 330.0).titled(
+        "A displaced circle at high spin",
+        "The path of the disturbed shaft during two turns of the drum, at twenty natural frequencies: a circle of radius r zero, \
+         drawn twice and nearly in the same place, whose centre lies beside O, 0.4 r zero away. The centre moves along a short \
+         arc meanwhile. A dashed circle about O shows the steady motion.",
+    );
+    let machine = washing_machine(0.3, 20.0)?;
+    let (radius, size) = (machine.steady()?.radius(), 0.4);
+    let start = disturbed(&machine, machine.modes()[1], size)?;
+    let times = linear_steps(0.0, 2.0 * TAU / machine.spin(), 2000);
+    let (path, centres) = path_and_centre(&machine, start, times)?;
+    let origin = at(246.0, 166.0);
+    let mut plot = Plot::plane(&mut drawing, origin, 116.0 / radius, 1.6 * radius)?;
+    plot.drawing().circle(origin, 116.0, Role::Line(Stroke::Reference, Hue::Muted));
+    plot.curve("path", path, Stroke::Orbit, Hue::Blue);
+    plot.curve("centre", centres.iter().copied(), Stroke::Curve, Hue::Orange);
+    if let (Some(&first), Some(&last)) = (centres.first(), centres.last()) {
+        let [first, last] = [plot.at(first), plot.at(last)];
+        let drawing = plot.drawing();
+        drawing.line(origin, first, Stroke::Outline, Hue::Ink);
+        drawing.label(origin.towards(first, 0.5), Side::Below, r"$\epsilon_0 r_0$", Hue::Ink)?;
+        let rim = first + Point::polar(116.0, 2.5);
+        kit::dimension(drawing, first, rim, Heads::End, Hue::Ink);
+        drawing.label(first.towards(rim, 0.55), Side::AboveRight, "$r_0$", Hue::Ink)?;
+        drawing.dot(last, 3.4, Hue::Orange);
+    }
+    cross(&mut drawing, origin, 6.0);
+    drawing.label(origin, Side::BelowRight, "$O$", Hue::Ink)?;
+    Ok(drawing)
+}
+
+/// From rest: violent at first, then a small circle.
+fn start(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 620.0, 330.0).titled(
+        "The path of the shaft from rest",
+        "The path of the drum's centre, starting from rest at O, while the drum spins at three times the natural frequency. In the \
+         first seconds it makes a knot of large loops on both sides of O, out to almost four times b, each smaller \
+         than the one before. \
+         In the end it goes round O on a small circle of radius 1.12 b, drawn heavily. A bar shows two centimetres.",
+    );
+    let machine = washing_machine(0.3, 3.0)?;
+    let (motion, b) = (machine.transient(Shaft::AT_REST)?, machine.offset());
+    // Seen from the side where the long way of the knot lies across the page.
+    let view = Complex::new(0.0, -1.0);
+    let path = |from: f64, to: f64, count: u32| -> Result<Values, Cause> {
+        linear_steps(from, to, count)
+            .map(|t| Ok(motion.at(t)?.position * view))
+            .map(|position| position.map(|z| (z.re, z.im)))
+            .collect()
+    };
+    let origin = at(266.0, 162.0);
+    let scale = 78.0 / b;
+    let mut plot = Plot::plane(&mut drawing, origin, scale, 4.3 * b)?;
+    plot.curve("loops", path(0.0, 4.0, 8000)?, Stroke::Orbit, Hue::Blue);
+    let turn = TAU / machine.spin();
+    plot.curve("steady", path(8.0, 8.0 + turn, 800)?, Stroke::Curve, Hue::Ink);
+    let bar = [at(30.0, 298.0), at(30.0 + 0.02 * scale, 298.0)];
+    kit::dimension(&mut drawing, bar[0], bar[1], Heads::Both, Hue::Muted);
+    drawing.label(bar[0].towards(bar[1], 0.5), Side::Below, "2 cm", Hue::Muted)?;
+    cross(&mut drawing, origin, 6.0);
+    Ok(drawing)
+}
+
+/// The naive program near O, in polar and in Cartesian coordinates.
+fn polar_fault(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 360.0).titled(
+        "Error of the polar and the Cartesian program after one pass near O",
+        "Both scales are logarithmic. Along x the distance at which the shaft passes O, from ten micrometres to ten centimetres; along \
+         y the error of the position after the pass, in metres, by the Runge-Kutta method with steps of a millisecond. In polar \
+         coordinates the error grows from below 1e-9 at ten centimetres to almost 1e-2 at half a millimetre; nearer to O the \
+         program returned no number. In x and y it is 3e-11 at every distance.",
+    );
+    let machine = washing_machine(0.3, 3.0)?;
+    let (speed, steps) = (1.0, 100);
+    let step = 1e-3;
+    // Pass O in the middle of a step: nothing is special about the instant.
+    let (before, after) = (-50.3 * step, 49.7 * step);
+    let (mut polar, mut cartesian) = (Vec::new(), Vec::new());
+    for distance in log_steps(1e-5, 1e-1, 40) {
+        let pass = Shaft { position: Complex::new(0.0, distance), velocity: Complex::new(speed, 0.0) };
+        let motion = machine.transient(pass)?;
+        let [start, exact] = [motion.at(before)?, motion.at(after)?];
+        let error = |end: Shaft| (end.position - exact.position).norm();
+        if let Ok(end) =
+            rk4(|t, y: &[f64; 4]| machine.polar_rates(t, y), before, start.to_polar(), after, steps)
+        {
+            polar.push((distance, error(Shaft::from_polar(end))));
+        }
+        let end =
+            rk4(|t, y: &[f64; 4]| machine.cartesian_rates(t, y), before, start.to_array(), after, steps)?;
+        cartesian.push((distance, error(Shaft::from_array(end))));
+    }
+    let distance = Axis::log(1e-5, 1e-1, 1)?.titled("distance of the pass from $O$, m");
+    let error = Axis::log(1e-12, 1.0, 2)?.titled("error of the position after the pass, m");
+    let mut plot = Plot::new(&mut drawing, Rect::new(66.0, 34.0, 592.0, 274.0), distance, error)?;
+    plot.upright(speed * step, Stroke::Dotted);
+    plot.series("polar", &polar, Marker::Disc, Hue::Orange);
+    plot.series("cartesian", &cartesian, Marker::Square, Hue::Blue);
+    plot.label((1e-3, 1e-1), Side::Right, "distance covered in one step", Hue::Muted)?;
+    plot.label((5e-3, 1e-6), Side::AboveRight, r"in $r$ and $\theta$", Hue::Orange)?;
+    plot.label((1e-4, 3e-11), Side::Above, r"in $x$ and $y$", Hue::Blue)?;
+    Ok(drawing)
+}
+
+/// One line of the committed measurements: method, error, seconds, evaluations of the rates.
+struct Measurement {
+    method: &'static str,
+    error: f64,
+    seconds: f64,
+    evaluations: f64,
+}
+
+/// The measurements that the library's benchmark wrote; lines with `#` describe the machine, the first other line the columns.
+fn measurements() -> Result<Vec<Measurement>, Cause> {
+    let lines = include_str!("speed.csv").lines().filter(|line| !line.starts_with('#'));
+    lines
+        .skip(1)
+        .map(|line| {
+            let [method, _, error, seconds, evaluations] = line.split(',').collect::<Vec<_>>()[..] else {
+                return Err(format!("speed.csv: five columns expected in `{line}`").into());
+            };
+            let [error, seconds, evaluations] = [error.parse()?, seconds.parse()?, evaluations.parse()?];
+            Ok(Measurement { method, error, seconds, evaluations })
+        })
+        .collect()
+}
+
+/// Error against work: evaluations of the rates, and time.
+fn speed(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
+        "Error against work",
+        "Two plots with logarithmic scales and the error along x, for 200 turns of a lightly damped machine with a frame for each \
+         turn. Left, the evaluations of the rates: the Runge-Kutta method of order four needs ten times as many for \
+         four more digits, \
+         DOP853 about three times as many. Right, the time in milliseconds: both integrators take longer for more digits, \
+         and the closed form is a single point far down on the left, below both and more accurate than either.",
+    );
+    let all = measurements()?;
+    let methods = [
+        ("RK4", Marker::Square, Hue::Orange),
+        ("DOP853", Marker::Disc, Hue::Blue),
+        ("closed form", Marker::Diamond, Hue::Green),
+    ];
+    let error = || Axis::log(1e-16, 1.0, 4).map(|axis| axis.titled("largest error, in units of $b$"));
+    let evaluations = Axis::log(1e3, 1e7, 1)?.titled("evaluations of the rates");
+    let time = Axis::log(1e-3, 1e3, 1)?.titled("time, ms");
+    let panels: [(&str, f64, Axis, WorkOf); 2] = [
+        ("evaluations", 58.0, evaluations, |row| row.evaluations),
+        ("time", 398.0, time, |row| 1e3 * row.seconds),
+    ];
+    for (panel, left, axis, work) in panels {
+        let mut plot = Plot::new(&mut drawing, Rect::new(left, 34.0, 262.0, 284.0), error()?, axis)?;
+        for (method, marker, hue) in methods {
+            let rows = all.iter().filter(|row| row.method == method);
+            let values: Vec<_> =
+                rows.map(|row| (row.error, work(row))).filter(|value| value.1 > 0.0).collect();
+            plot.series(&format!("{panel}-{}", method.replace(' ', "-")), &values, marker, hue);
+            let Some(&most_exact) = values.iter().min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+            let side = if method == "closed form" { Side::Right } else { Side::Above };
+            plot.label(most_exact, side, method, hue)?;
+        }
+        if panel == "evaluations" {
+            plot.label((2e-16, 2e3), Side::Right, "closed form: none", Hue::Green)?;
+        }
+    }
+    Ok(drawing)
+}

@@ -1,0 +1,88 @@
+//! Every figure of the book: the house plot style, and the collection of `book/*/figures.rs`.
+//!
+//! A figure is a function that takes what the library computes and returns a [`Drawing`]. Each chapter keeps its figures in
+//! its own folder, in `figures.rs`; this crate compiles those files and gives them the plot style ([`Plot`], [`Axis`]) and
+//! the drawing kit. The press calls [`all`] while it is built, so Cargo renders again exactly what has changed.
+
+mod axis;
+mod failure;
+mod plot;
+mod sample;
+
+#[path = "../../../book/laundromat/figures.rs"]
+mod laundromat;
+
+pub use axis::Axis;
+pub use drawing::Drawing;
+pub use failure::{Failure, InvalidAxis};
+pub use plot::Plot;
+pub use sample::{linear_steps, log_steps};
+
+use std::error::Error;
+
+/// Why a figure could not be drawn: whatever the library or the kit says.
+pub type Cause = Box<dyn Error + Send + Sync>;
+
+/// What a figure function returns: a drawing, or why there is none.
+pub type Outcome = Result<Drawing, Cause>;
+
+/// A figure to be drawn: its id on the page and the function that draws it.
+pub(crate) struct Entry {
+    pub(crate) id: &'static str,
+    pub(crate) draw: fn(&str) -> Outcome,
+}
+
+/// A figure of the book, rendered.
+#[derive(Debug, Clone)]
+pub struct Figure {
+    /// Its label on the page, as in `fig:machine`.
+    pub id: String,
+    /// A short title, for readers who cannot see it.
+    pub title: String,
+    /// What it shows, in words, for readers who cannot see it.
+    pub description: String,
+    /// SVG to be put into a page; roles are classes of `book/theme/figures.css`.
+    pub svg: String,
+    /// An SVG file that stands alone, with its own style sheet for light and dark.
+    pub standalone: String,
+    /// What it was rendered from.
+    pub drawing: Drawing,
+}
+
+/// Draws every figure of the book, chapter by chapter.
+///
+/// # Errors
+/// [`Failure`] names the first figure that could not be drawn, and why.
+pub fn all() -> Result<Vec<Figure>, Failure> {
+    laundromat::FIGURES.iter().map(render).collect()
+}
+
+fn render(entry: &Entry) -> Result<Figure, Failure> {
+    let drawing = (entry.draw)(entry.id).map_err(|cause| Failure::new(entry.id, cause))?;
+    Ok(Figure {
+        id: entry.id.into(),
+        title: drawing.title().into(),
+        description: drawing.description().into(),
+        svg: drawing.to_svg(),
+        standalone: drawing.to_standalone_svg(),
+        drawing,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Drawing, Entry, render};
+    use drawing::{Hue, Side, at};
+
+    #[test]
+    fn a_figure_that_fails_is_named() {
+        let draw = |id: &str| {
+            let mut drawing = Drawing::new(id, 100.0, 100.0);
+            drawing.label(at(50.0, 50.0), Side::Over, r"$\omga$", Hue::Ink)?;
+            Ok(drawing)
+        };
+        let failure = render(&Entry { id: "fig:typo", draw }).expect_err("the label is wrong");
+        assert_eq!(failure.figure(), "fig:typo");
+        assert_eq!(failure.to_string(), r"fig:typo: label `$\omga$`: unknown command `\omga`");
+    }
+}

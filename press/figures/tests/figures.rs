@@ -1,0 +1,154 @@
+//! What holds for every figure of the book.
+
+use drawing::{Fill, Point, Rect, Role, Shape};
+use figures::{Figure, all};
+use roxmltree::{Document, Node};
+use std::collections::BTreeSet;
+
+fn every_figure() -> Vec<Figure> {
+    let figures = all().expect("every figure can be drawn");
+    assert!(figures.len() >= 12, "only {} figures were found", figures.len());
+    figures
+}
+
+fn parsed(figure: &Figure) -> Document<'_> {
+    Document::parse(&figure.svg).unwrap_or_else(|error| panic!("{}: {error}", figure.id))
+}
+
+fn child<'a>(root: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
+    root.children().find(|node| node.has_tag_name(name))
+}
+
+#[test]
+fn every_figure_is_xml_with_title_and_description() {
+    for figure in every_figure() {
+        let document = parsed(&figure);
+        let root = document.root_element();
+        assert_eq!(root.attribute("role"), Some("img"), "{}", figure.id);
+        let named =
+            root.attribute("aria-labelledby").expect("the figure is named for those who cannot see it");
+        for (element, least) in [("title", 10), ("desc", 80)] {
+            let node = child(root, element).unwrap_or_else(|| panic!("{} has no {element}", figure.id));
+            assert!(
+                node.text().is_some_and(|text| text.len() >= least),
+                "{}: the {element} is too short",
+                figure.id
+            );
+            assert!(
+                named.split(' ').any(|id| Some(id) == node.attribute("id")),
+                "{}: {element} is not named",
+                figure.id
+            );
+        }
+        assert!(
+            !figure.svg.contains("<?xml") && !figure.svg.lines().any(|line| line.trim().is_empty()),
+            "{}",
+            figure.id
+        );
+        Document::parse(&figure.standalone).unwrap_or_else(|error| panic!("{} alone: {error}", figure.id));
+        assert!(figure.standalone.starts_with("<?xml"));
+    }
+}
+
+#[test]
+fn no_figure_holds_a_colour() {
+    for figure in every_figure() {
+        let text = figure.svg.to_lowercase();
+        for word in ["rgb", "hsl", "fill=", "stroke=", "fill:", "stroke:", "color"] {
+            assert!(!text.contains(word), "{} contains `{word}`", figure.id);
+        }
+        let document = parsed(&figure);
+        let attributes = document.descendants().flat_map(|node| node.attributes());
+        assert!(attributes.into_iter().all(|attribute| !attribute.value().contains('#')), "{}", figure.id);
+    }
+}
+
+#[test]
+fn ids_are_unique_in_the_whole_book() {
+    let mut seen = BTreeSet::new();
+    for figure in every_figure() {
+        let prefix = figure.id.replace(':', "-");
+        for node in parsed(&figure).descendants() {
+            let Some(id) = node.attribute("id") else { continue };
+            assert!(id.starts_with(&prefix), "{}: the id `{id}` does not begin with the figure's", figure.id);
+            assert!(seen.insert(id.to_owned()), "the id `{id}` occurs twice");
+        }
+    }
+    assert!(seen.len() > 24);
+}
+
+#[test]
+fn every_figure_fits_the_page_and_its_frame() {
+    for figure in every_figure() {
+        assert!(figure.drawing.width() <= 700.0, "{} is {} px wide", figure.id, figure.drawing.width());
+        let frame = figure.drawing.frame().grown(-1.0);
+        for item in figure.drawing.items() {
+            let outside = item.shape.points().into_iter().find(|&point| !frame.contains(point));
+            assert!(outside.is_none(), "{}: {item:?} leaves the frame at {outside:?}", figure.id);
+        }
+    }
+}
+
+/// Whether a segment has a point in common with a rectangle.
+fn crosses(rect: &Rect, start: Point, end: Point) -> bool {
+    rect.contains(start) || rect.contains(end) || !drawing::clip(&[start, end], rect).is_empty()
+}
+
+/// Whether a shape with this role paints ink that a label must keep clear of.
+fn is_ink(role: Role) -> bool {
+    matches!(role, Role::Line(..) | Role::Area(Fill::Solid, _))
+}
+
+#[test]
+fn labels_touch_no_label_and_no_line() {
+    let mut clashes = Vec::new();
+    for figure in every_figure() {
+        let items = figure.drawing.items();
+        let labels: Vec<_> = items
+            .iter()
+            .filter_map(|item| match &item.shape {
+                Shape::Label(label) => Some(label),
+                _ => None,
+            })
+            .collect();
+        assert!(!labels.is_empty(), "{} has no label", figure.id);
+        for (index, label) in labels.iter().enumerate() {
+            for other in &labels[..index] {
+                if label.bounds.overlaps(&other.bounds) {
+                    clashes.push(format!("{}: {:?} touches {:?}", figure.id, words(label), words(other)));
+                }
+            }
+            for item in items.iter().filter(|item| is_ink(item.role)) {
+                let points = item.shape.points();
+                if points.windows(2).any(|pair| crosses(&label.bounds, pair[0], pair[1])) {
+                    let name = item.name.as_deref().unwrap_or("a line without a name");
+                    let (role, at) = (item.role.classes(), label.bounds.centre());
+                    clashes.push(format!(
+                        "{}: {:?} at {at:?} touches {name}, {role}",
+                        figure.id,
+                        words(label)
+                    ));
+                }
+            }
+        }
+    }
+    assert!(clashes.is_empty(), "{} clashes:\n{}", clashes.len(), clashes.join("\n"));
+}
+
+/// The words of a label, or that it is mathematics only.
+fn words(label: &drawing::Label) -> String {
+    let words = label.pieces.iter().filter_map(|piece| match piece {
+        drawing::Piece::Words { text, .. } => Some(text.as_str()),
+        drawing::Piece::Outline(_) => None,
+    });
+    let words: Vec<&str> = words.collect();
+    if words.is_empty() { "mathematics".into() } else { words.join(" ") }
+}
+
+#[test]
+fn two_renderings_are_equal_byte_for_byte() {
+    for (first, second) in every_figure().iter().zip(every_figure()) {
+        assert_eq!(first.svg, second.svg, "{}", first.id);
+        assert_eq!(first.standalone, second.standalone, "{}", first.id);
+    }
+}
