@@ -1,0 +1,177 @@
+//! The library items that a snippet uses, and where rustdoc documents them.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::{env, fs, io};
+
+/// The folder of the site that holds rustdoc's pages.
+pub(crate) const FOLDER: &str = "api";
+
+/// The kinds of items that have a page of their own, as the language and as rustdoc name them.
+const KINDS: [(&str, &str); 5] =
+    [("struct", "struct"), ("enum", "enum"), ("fn", "fn"), ("trait", "trait"), ("const", "constant")];
+
+/// Which items the library makes public: name → rustdoc's word for its kind.
+#[derive(Debug, Default)]
+pub(crate) struct Items {
+    kinds: BTreeMap<String, &'static str>,
+}
+
+impl Items {
+    /// Reads the sources of the library under `root/src`.
+    pub(crate) fn read(root: &Path) -> Self {
+        let mut items = Self::default();
+        items.collect(&root.join("src"));
+        items
+    }
+
+    fn collect(&mut self, folder: &Path) {
+        for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+            let path = entry.path();
+            if path.is_dir() {
+                self.collect(&path);
+            } else if let Ok(text) = fs::read_to_string(&path) {
+                for line in text.lines().filter_map(|line| line.strip_prefix("pub ")) {
+                    for (keyword, kind) in KINDS {
+                        if let Some(rest) = line.strip_prefix(keyword).and_then(|rest| rest.strip_prefix(' '))
+                        {
+                            let end =
+                                rest.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(rest.len());
+                            self.kinds.insert(rest[..end].to_owned(), kind);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// The items that `code` imports from the library, in the order of the imports: (name, page below [`FOLDER`]).
+    pub(crate) fn used(&self, code: &str) -> Vec<(String, String)> {
+        let plain: String = code
+            .lines()
+            .map(|line| line.strip_prefix("# ").unwrap_or(line).trim())
+            .collect::<Vec<_>>()
+            .join(" ");
+        let mut used = Vec::new();
+        for (at, _) in plain.match_indices("use mechanics::") {
+            let tree = plain[at + 4..].split(';').next().unwrap_or_default();
+            for path in expanded(tree) {
+                let Some((module, name)) = path.rsplit_once("::") else {
+                    continue;
+                };
+                if let Some(kind) = self.kinds.get(name) {
+                    let page = format!("{}/{kind}.{name}.html", module.replace("::", "/"));
+                    if !used.iter().any(|(_, known)| *known == page) {
+                        used.push((name.to_owned(), page));
+                    }
+                }
+            }
+        }
+        used
+    }
+}
+
+/// All paths of an import: `a::{b, c::{d, e}}` → `a::b`, `a::c::d`, `a::c::e`.
+fn expanded(tree: &str) -> Vec<String> {
+    let tree = tree.trim();
+    let Some((prefix, rest)) = tree.split_once('{') else {
+        return if tree.is_empty() { Vec::new() } else { vec![tree.to_owned()] };
+    };
+    let inner = rest.trim_end().strip_suffix('}').unwrap_or(rest);
+    let mut parts = Vec::new();
+    let (mut depth, mut start) = (0, 0);
+    for (at, c) in inner.char_indices() {
+        match c {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            ',' if depth == 0 => {
+                parts.push(&inner[start..at]);
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    parts.push(&inner[start..]);
+    parts.into_iter().flat_map(expanded).map(|path| format!("{prefix}{path}")).collect()
+}
+
+/// Runs rustdoc on the library of the workspace around `root` and copies its pages into the site.
+pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
+    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let run = |arguments: &[&str]| {
+        Command::new(&cargo)
+            .args(arguments)
+            .current_dir(root)
+            .stdin(Stdio::null())
+            .stderr(Stdio::inherit())
+            .output()
+    };
+    let documented = run(&["doc", "--quiet", "--no-deps", "--package", "mechanics"])?;
+    if !documented.status.success() {
+        return Err(io::Error::other("`cargo doc --package mechanics` failed"));
+    }
+    let metadata = run(&["metadata", "--no-deps", "--format-version", "1"])?;
+    let metadata: serde_json::Value = serde_json::from_slice(&metadata.stdout)?;
+    let target = metadata["target_directory"]
+        .as_str()
+        .ok_or_else(|| io::Error::other("cargo names no target folder"))?;
+    let doc = Path::new(target).join("doc");
+    // The library's pages and what they share; other crates may have left theirs beside them.
+    for part in ["mechanics", "static.files", "search.index", "trait.impl", "type.impl"] {
+        copy(&doc.join(part), &site.join(FOLDER).join(part))?;
+    }
+    for entry in fs::read_dir(&doc)? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let is_shared = [".js", ".css"].iter().any(|ending| name.to_string_lossy().ends_with(ending))
+            || name == "help.html"
+            || name == "settings.html";
+        if is_shared && entry.path().is_file() {
+            fs::copy(entry.path(), site.join(FOLDER).join(name))?;
+        }
+    }
+    Ok(())
+}
+
+/// Copies a folder with all that is in it; one that does not exist is nothing to copy.
+fn copy(from: &Path, to: &Path) -> io::Result<()> {
+    if !from.is_dir() {
+        return Ok(());
+    }
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        let target = to.join(entry.file_name());
+        if entry.file_type()?.is_dir() {
+            copy(&entry.path(), &target)?;
+        } else {
+            fs::copy(entry.path(), target)?;
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn imports_are_expanded() {
+        assert_eq!(expanded("m::a::{B, c::{D, E}}"), ["m::a::B", "m::a::c::D", "m::a::c::E"]);
+        assert_eq!(expanded("m::a"), ["m::a"]);
+    }
+
+    #[test]
+    fn a_snippet_links_to_the_items_it_imports() {
+        let mut items = Items::default();
+        items.kinds.insert("Machine".to_owned(), "struct");
+        items.kinds.insert("rk4".to_owned(), "fn");
+        let code = "# use mechanics::integrate::rk4;\n# use mechanics::scenes::laundromat::{Machine,\n#     Unknown};\nrk4();";
+        let pages: Vec<String> = items.used(code).into_iter().map(|(_, page)| page).collect();
+        assert_eq!(
+            pages,
+            ["mechanics/integrate/fn.rk4.html", "mechanics/scenes/laundromat/struct.Machine.html"]
+        );
+    }
+}

@@ -1,0 +1,133 @@
+//! `cargo book`: what one can ask of the press by hand.
+
+use crate::fault::Faults;
+use crate::{check, figures, mdbook};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{env, fs};
+
+const HELP: &str = "\
+cargo book serve [--open] [-p PORT] …   the book in the browser, following your edits (http://localhost:3000)
+cargo book build [-d FOLDER]            the site, in target/book/html
+cargo book test                         the snippets of all pages
+cargo book check                        what is wrong with the pages, fast
+cargo book figures FOLDER               every figure as a standalone SVG file
+cargo book pdf [FILE]                   the book as a PDF (needs Chromium); by default target/book/things-that-spin.pdf";
+
+/// Runs one command; `Err` holds what to print before exiting with status 1.
+///
+/// # Errors
+/// A message for the reader, complete.
+pub fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
+    let (name, rest) =
+        arguments.split_first().map_or(("help", &[][..]), |(name, rest)| (name.as_str(), rest));
+    match name {
+        "serve" | "build" | "test" => with_mdbook(root, name, rest),
+        "check" => {
+            none_left(name, rest)?;
+            let pages = check::check(root).map_err(report)?;
+            say(&format!("{pages} pages, {} figures: nothing wrong", figures::ALL.len()));
+            Ok(())
+        }
+        "figures" => {
+            let [folder] = rest else {
+                return Err(format!("`cargo book figures` takes one folder\n\n{HELP}"));
+            };
+            let folder = PathBuf::from(folder);
+            let count = figures::write_all(&folder)
+                .map_err(|error| format!("error: {}: {error}", folder.display()))?;
+            say(&format!("{count} figures in {}", folder.display()));
+            Ok(())
+        }
+        "pdf" => pdf(root, rest),
+        "help" | "--help" | "-h" => {
+            say(HELP);
+            Ok(())
+        }
+        other => Err(format!("error: `cargo book {other}` does not exist\n\n{HELP}")),
+    }
+}
+
+/// All faults, a line each, and their number.
+pub fn report(faults: Faults) -> String {
+    let faults = faults.sorted();
+    let mut lines: Vec<String> = faults.iter().map(ToString::to_string).collect();
+    lines.push(match faults.len() {
+        1 => "1 fault".to_owned(),
+        count => format!("{count} faults"),
+    });
+    lines.join("\n")
+}
+
+/// Prints a line; a reader who has closed the pipe does not want it.
+fn say(line: &str) {
+    let _ = writeln!(io::stdout(), "{line}");
+}
+
+fn none_left(name: &str, rest: &[String]) -> Result<(), String> {
+    match rest.first() {
+        None => Ok(()),
+        Some(extra) => Err(format!("error: `cargo book {name}` takes no argument `{extra}`\n\n{HELP}")),
+    }
+}
+
+fn with_mdbook(root: &Path, name: &str, rest: &[String]) -> Result<(), String> {
+    let mdbook = mdbook::locate(root).map_err(|error| format!("error: {error}"))?;
+    let status = Command::new(mdbook)
+        .arg(name)
+        .args(rest)
+        .current_dir(root)
+        .status()
+        .map_err(|error| format!("error: mdBook cannot be run: {error}"))?;
+    if status.success() { Ok(()) } else { Err(format!("`mdbook {name}` failed")) }
+}
+
+fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
+    let target = match rest {
+        [] => root.join("target/book/things-that-spin.pdf"),
+        [file] => env::current_dir().map_err(|error| format!("error: {error}"))?.join(file),
+        _ => return Err(format!("`cargo book pdf` takes at most one file\n\n{HELP}")),
+    };
+    let browser = chromium().ok_or(
+        "error: `cargo book pdf` needs Chromium or Chrome, and neither is on PATH; \
+         or open print.html in any browser and print it",
+    )?;
+    with_mdbook(root, "build", &[])?;
+    let page = root.join("target/book/html/print.html");
+    let profile = root.join("target/press/chromium");
+    let output = Command::new(browser)
+        .args([
+            "--headless",
+            "--disable-gpu",
+            "--no-first-run",
+            "--disable-background-networking",
+            "--no-sandbox",
+        ])
+        .args(["--no-pdf-header-footer", "--generate-pdf-document-outline", "--virtual-time-budget=10000"])
+        .arg(format!("--user-data-dir={}", profile.display()))
+        .arg(format!("--print-to-pdf={}", target.display()))
+        .arg(format!("file://{}", page.display()))
+        .stdin(Stdio::null())
+        .output()
+        .map_err(|error| format!("error: Chromium cannot be run: {error}"))?;
+    let size = fs::metadata(&target).map(|data| data.len()).unwrap_or(0);
+    if output.status.success() && size > 0 {
+        say(&format!("{} ({} KB)", target.display(), size / 1024));
+        Ok(())
+    } else {
+        Err(format!("error: Chromium printed nothing:\n{}", String::from_utf8_lossy(&output.stderr)))
+    }
+}
+
+/// The first browser on PATH that can print.
+fn chromium() -> Option<PathBuf> {
+    let names = ["chromium", "chromium-browser", "google-chrome", "chrome", "msedge"];
+    names.into_iter().map(PathBuf::from).find(|name| {
+        Command::new(name)
+            .arg("--version")
+            .stdin(Stdio::null())
+            .output()
+            .is_ok_and(|output| output.status.success())
+    })
+}

@@ -1,0 +1,95 @@
+//! What is wrong with a page, and where.
+
+use std::fmt;
+
+/// One fault, at a line of a file.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Fault {
+    /// The file, relative to the project's root, with forward slashes.
+    pub file: String,
+    /// The line, counted from one; zero for a fault of the whole file.
+    pub line: usize,
+    /// What is wrong, and where possible what would be right.
+    pub message: String,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            0 => write!(out, "error: {}: {}", self.file, self.message),
+            line => write!(out, "error: {}:{line}: {}", self.file, self.message),
+        }
+    }
+}
+
+/// The faults of a run, in the order of files and lines.
+#[derive(Debug, Default)]
+pub struct Faults {
+    list: Vec<Fault>,
+}
+
+impl Faults {
+    /// Adds a fault.
+    pub fn add(&mut self, file: &str, line: usize, message: impl Into<String>) {
+        self.list.push(Fault { file: file.to_owned(), line, message: message.into() });
+    }
+
+    /// Adds the faults of another list.
+    pub fn append(&mut self, mut other: Self) {
+        self.list.append(&mut other.list);
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// The faults, sorted, each once.
+    pub fn sorted(mut self) -> Vec<Fault> {
+        self.list.sort();
+        self.list.dedup();
+        self.list
+    }
+}
+
+/// The number of the line that holds byte `offset` of `text`, counted from one.
+pub(crate) fn line_of(text: &str, offset: usize) -> usize {
+    text.as_bytes()[..offset.min(text.len())].iter().filter(|byte| **byte == b'\n').count() + 1
+}
+
+/// The candidate most like `name`, if any is like it: a hint for a misspelt label.
+pub(crate) fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    candidates
+        .map(|candidate| (edit_distance(name, candidate), candidate))
+        .filter(|(distance, candidate)| *distance <= candidate.len().max(name.len()) / 3)
+        .min()
+        .map(|(_, candidate)| candidate)
+}
+
+/// Levenshtein's distance between two words.
+fn edit_distance(a: &str, b: &str) -> usize {
+    let mut row: Vec<usize> = (0..=b.chars().count()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, y) in b.chars().enumerate() {
+            let replaced = diagonal + usize::from(x != y);
+            diagonal = row[j + 1];
+            row[j + 1] = replaced.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row[row.len() - 1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_misspelt_name_finds_its_neighbour() {
+        let known = ["steady-radius", "steady-phase", "newton"];
+        assert_eq!(nearest("steady-radus", known.into_iter()), Some("steady-radius"));
+        assert_eq!(nearest("entirely-different", known.into_iter()), None);
+        assert_eq!(line_of("a\nb\nc", 2), 2);
+    }
+}

@@ -1,0 +1,79 @@
+//! The mdBook renderer that runs after `html`: adds what mdBook does not know of, and checks the site.
+
+use crate::fault::{Faults, line_of};
+use crate::preprocess::Failed;
+use crate::{api, figures, font, site};
+use mdbook_renderer::RenderContext;
+use std::collections::BTreeSet;
+use std::io::Read;
+use std::path::Path;
+use std::{fs, io};
+
+/// Files of the project that belong into the site.
+const LICENCES: [&str; 1] = ["LICENSE-CC-BY-4.0"];
+
+/// Finishes and checks the site that mdBook has just rendered.
+///
+/// # Errors
+/// [`Failed`], for the caller to report.
+pub fn run(input: impl Read) -> Result<(), Failed> {
+    let context = RenderContext::from_json(input)
+        .map_err(|error| Failed::Other(format!("this is not a request of mdBook 0.5: {error:#}")))?;
+    let site_folder =
+        context.destination.parent().map(|folder| folder.join("html")).filter(|folder| folder.is_dir());
+    let Some(site_folder) = site_folder else {
+        return Err(Failed::Other(format!("there is no site beside {}", context.destination.display())));
+    };
+    let cannot = |error: io::Error| {
+        Failed::Other(format!("the site in {} cannot be finished: {error}", site_folder.display()))
+    };
+    add(&site_folder, &context.root).map_err(cannot)?;
+    let site::Report { faults: found, characters } = site::check(&site_folder).map_err(cannot)?;
+    add_font(&site_folder, &characters).map_err(cannot)?;
+    if found.is_empty() {
+        return Ok(());
+    }
+    let source = context.config.book.src.to_string_lossy().replace('\\', "/");
+    let mut faults = Faults::default();
+    for fault in found {
+        let (file, line) = locate(&context.root, &source, &fault.page, &fault.clue);
+        faults.add(&file, line, fault.message);
+    }
+    Err(Failed::Faults(faults))
+}
+
+/// Adds the font for the characters that formulas hold, and its licence.
+fn add_font(site_folder: &Path, characters: &BTreeSet<char>) -> io::Result<()> {
+    let fonts = site_folder.join("fonts");
+    fs::create_dir_all(&fonts)?;
+    let woff = font::woff(characters)
+        .ok_or_else(|| io::Error::other("the mathematics font has an unknown structure"))?;
+    fs::write(fonts.join("math.woff"), woff)?;
+    fs::write(fonts.join("math-LICENCE.txt"), font::LICENCE)
+}
+
+/// Adds figures, the library's documentation and licences.
+fn add(site_folder: &Path, root: &Path) -> io::Result<()> {
+    figures::write_all(&site_folder.join("figures"))?;
+    if root.join("src/lib.rs").is_file() {
+        api::add(site_folder, root)?;
+    }
+    for licence in LICENCES {
+        fs::copy(root.join(licence), site_folder.join(licence))?;
+    }
+    Ok(())
+}
+
+/// The Markdown file and the line that a fault of a built page comes from, as far as they can be told.
+fn locate(root: &Path, source: &str, page: &str, clue: &str) -> (String, usize) {
+    let markdown = format!("{source}/{}", page.replace(".html", ".md"));
+    match fs::read_to_string(root.join(&markdown)) {
+        Ok(text) if !clue.is_empty() => {
+            let written = clue.replace(".html", ".md");
+            let at = text.find(clue).or_else(|| text.find(&written));
+            (markdown, at.map_or(0, |at| line_of(&text, at)))
+        }
+        Ok(_) => (markdown, 0),
+        Err(_) => (page.to_owned(), 0),
+    }
+}

@@ -1,0 +1,249 @@
+//! All labels of the book: who defines them, and which number each one has.
+
+use crate::book::Page;
+use crate::fault::{Faults, line_of, nearest};
+use crate::figures::Figure;
+use crate::page::{Item, Kind, Label, Placed};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// A label with all that a reference to it needs.
+#[derive(Debug, Clone)]
+pub(crate) struct Entry {
+    /// Path of the page that defines it.
+    pub(crate) page: String,
+    /// Where it is defined, for messages: `book/page.md:80`.
+    place: String,
+    /// `1.9`; empty for sections and citations.
+    pub(crate) number: String,
+    /// The title of a section or an exercise, the short name of a citation.
+    pub(crate) title: String,
+}
+
+/// The labels of a book.
+#[derive(Debug, Default)]
+pub(crate) struct Registry {
+    entries: HashMap<Label, Entry>,
+    /// Number in the source → the label of our equation.
+    sources: BTreeMap<u32, Label>,
+    /// Path of a page → the ids on it that a link may lead to.
+    anchors: HashMap<String, BTreeSet<String>>,
+}
+
+impl Registry {
+    /// Collects and numbers the labels of all pages.
+    pub(crate) fn build(
+        pages: &[Page],
+        scans: &[Vec<Placed<'_>>],
+        figures: &[Figure],
+        faults: &mut Faults,
+    ) -> Self {
+        let mut registry = Self::default();
+        let mut counters: HashMap<(u32, Kind), u32> = HashMap::new();
+        for (page, items) in pages.iter().zip(scans) {
+            let mut slugs = Slugs::default();
+            for placed in items {
+                let line = line_of(&page.text, placed.range.start);
+                let (label, title) = match &placed.item {
+                    Item::DisplayMaths { label: Some(equation), .. } => (&equation.label, String::new()),
+                    Item::Figure { label, .. } => (label, String::new()),
+                    Item::Citation { label, short } => (label, (*short).to_owned()),
+                    Item::Heading { label, id, title, plain, .. } => {
+                        match (label, id) {
+                            (Some(label), _) => slugs.taken(label.id()),
+                            (None, Some(id)) => slugs.taken((*id).to_owned()),
+                            (None, None) => slugs.heading(plain),
+                        }
+                        match label {
+                            Some(label) => (label, (*title).to_owned()),
+                            None => continue,
+                        }
+                    }
+                    _ => continue,
+                };
+                slugs.taken(label.id());
+                let number = registry.number(label, page, line, &mut counters, faults);
+                let entry =
+                    Entry { page: page.path.clone(), place: format!("{}:{line}", page.file), number, title };
+                if let Some(first) = registry.entries.get(label) {
+                    let message =
+                        format!("the label {} is already defined at {}", label.written(), first.place);
+                    faults.add(&page.file, line, message);
+                    continue;
+                }
+                registry.entries.insert(label.clone(), entry);
+                if let Item::DisplayMaths { label: Some(equation), .. } = &placed.item {
+                    for &number in &equation.source {
+                        slugs.taken(format!("source-{number}"));
+                        if let Some(other) = registry.sources.insert(number, label.clone()) {
+                            let message = format!(
+                                "equation ({number}) of the source already belongs to {}",
+                                other.written()
+                            );
+                            faults.add(&page.file, line, message);
+                        }
+                    }
+                }
+            }
+            registry.anchors.insert(page.path.clone(), slugs.ids);
+        }
+        registry.check_figures(pages, scans, figures, faults);
+        registry.check_exercises(pages, scans, faults);
+        registry
+    }
+
+    /// The number of a newly met label. Solutions take that of their exercise when they are printed.
+    fn number(
+        &self,
+        label: &Label,
+        page: &Page,
+        line: usize,
+        counters: &mut HashMap<(u32, Kind), u32>,
+        faults: &mut Faults,
+    ) -> String {
+        if !matches!(label.kind, Kind::Equation | Kind::Figure | Kind::Exercise) {
+            return String::new();
+        }
+        let Some(chapter) = page.chapter else {
+            faults.add(
+                &page.file,
+                line,
+                format!("{} needs a number, but this page belongs to no numbered chapter", label.written()),
+            );
+            return String::new();
+        };
+        let counter = counters.entry((chapter, label.kind)).or_insert(0);
+        *counter += 1;
+        format!("{chapter}.{counter}")
+    }
+
+    fn check_figures(
+        &self,
+        pages: &[Page],
+        scans: &[Vec<Placed<'_>>],
+        figures: &[Figure],
+        faults: &mut Faults,
+    ) {
+        for (page, items) in pages.iter().zip(scans) {
+            for placed in items {
+                let Item::Figure { label, .. } = &placed.item else {
+                    continue;
+                };
+                if !figures.iter().any(|figure| figure.id == label.written()) {
+                    let ids = figures.iter().map(|figure| figure.id.trim_start_matches("fig:"));
+                    let message = format!(
+                        "there is no figure {}{}",
+                        label.written(),
+                        hint("fig", nearest(&label.name, ids))
+                    );
+                    faults.add(&page.file, line_of(&page.text, placed.range.start), message);
+                }
+            }
+        }
+        for figure in figures {
+            let name = figure.id.trim_start_matches("fig:").to_owned();
+            if !self.entries.contains_key(&Label { kind: Kind::Figure, name }) {
+                faults.add(
+                    "book/SUMMARY.md",
+                    0,
+                    format!("the figure {} is drawn, but no page shows it", figure.id),
+                );
+            }
+        }
+    }
+
+    fn check_exercises(&self, pages: &[Page], scans: &[Vec<Placed<'_>>], faults: &mut Faults) {
+        for (page, items) in pages.iter().zip(scans) {
+            for (n, placed) in items.iter().enumerate() {
+                let Item::Heading { label: Some(label), level, .. } = &placed.item else {
+                    continue;
+                };
+                let line = line_of(&page.text, placed.range.start);
+                let (partner, what) = match label.kind {
+                    Kind::Exercise => (Kind::Solution, "solution"),
+                    Kind::Solution => (Kind::Exercise, "exercise"),
+                    _ => continue,
+                };
+                let partner = Label { kind: partner, name: label.name.clone() };
+                if !self.entries.contains_key(&partner) {
+                    faults.add(
+                        &page.file,
+                        line,
+                        format!("{} has no {what} {}", label.written(), partner.written()),
+                    );
+                }
+                let until_next = items[n + 1..]
+                    .iter()
+                    .take_while(|next| !matches!(&next.item, Item::Heading { level: l, .. } if l <= level));
+                if label.kind == Kind::Exercise
+                    && !until_next.into_iter().any(|p| matches!(p.item, Item::Hint))
+                {
+                    let message =
+                        format!("{} has no hint: <details> with <summary>Hint</summary>", label.written());
+                    faults.add(&page.file, line, message);
+                }
+            }
+        }
+    }
+
+    /// The entry of a label, or what to say about its absence.
+    pub(crate) fn find(&self, label: &Label) -> Result<&Entry, String> {
+        self.entries.get(label).ok_or_else(|| {
+            let names =
+                self.entries.keys().filter(|known| known.kind == label.kind).map(|known| known.name.as_str());
+            let near = hint(label.kind.prefix(), nearest(&label.name, names));
+            format!("no page defines the label {}{near}", label.written())
+        })
+    }
+
+    /// The label and the entry of our equation that has this number in the source.
+    pub(crate) fn find_source(&self, number: u32) -> Result<&Entry, String> {
+        let label = self
+            .sources
+            .get(&number)
+            .ok_or_else(|| format!("no equation carries the source's number ({number})"))?;
+        self.find(label)
+    }
+
+    /// Whether `path` is a page of the book.
+    pub(crate) fn has_page(&self, path: &str) -> bool {
+        self.anchors.contains_key(path)
+    }
+
+    /// Whether the page at `path` has an element with this id.
+    pub(crate) fn has_anchor(&self, path: &str, id: &str) -> bool {
+        self.anchors.get(path).is_some_and(|ids| ids.contains(id))
+    }
+}
+
+fn hint(prefix: &str, near: Option<&str>) -> String {
+    near.map_or_else(String::new, |near| format!("; is {prefix}:{near} meant?"))
+}
+
+/// The ids of a page, formed as mdBook forms them.
+#[derive(Debug, Default)]
+struct Slugs {
+    ids: BTreeSet<String>,
+}
+
+impl Slugs {
+    fn taken(&mut self, id: String) {
+        self.ids.insert(id);
+    }
+
+    /// The id that mdBook gives to a heading: letters, digits, `_` and `-` in lower case, blanks as hyphens.
+    fn heading(&mut self, title: &str) {
+        let kept = title.trim().chars().filter_map(|c| match c {
+            c if c.is_alphanumeric() || c == '_' || c == '-' => Some(c.to_lowercase().to_string()),
+            c if c.is_whitespace() => Some("-".to_owned()),
+            _ => None,
+        });
+        let base: String = kept.collect();
+        let mut id = base.clone();
+        let mut count = 0;
+        while self.ids.contains(&id) {
+            count += 1;
+            id = format!("{base}-{count}");
+        }
+        self.ids.insert(id);
+    }
+}

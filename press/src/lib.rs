@@ -1,0 +1,51 @@
+//! The press: prints the book.
+//!
+//! It is an mdBook preprocessor (Markdown in our dialect → Markdown with MathML, numbers, figures), an mdBook renderer that
+//! finishes and checks the site, and the `cargo book` command.
+//!
+//! # The dialect of the pages
+//!
+//! | write | get |
+//! |---|---|
+//! | `$r_0$`, `$$…$$` in a paragraph of its own | mathematics, as MathML; `\$` is a dollar |
+//! | `$$…$$ {#eq:steady-radius}` | an equation with a number, chapter first: (1.9) |
+//! | `… {#eq:steady-radius source=19}` | the same, with the source's number and the anchor `#source-19` |
+//! | `… {#eq:r source="12 13" corrected}` | two numbers of the source; the equation corrects it |
+//! | `![Caption.](fig:machine)` in a paragraph of its own | the figure, with number and caption |
+//! | `## Title {#sec:motion}` | a section that can be referred to |
+//! | `## Title {#ex:peak}` | an exercise with a number; it holds a hint in `<details>` |
+//! | `## {#sol:peak}` | its solution, titled and linked both ways |
+//! | `- {#cite:key "Name 1999"} …` | an entry of the bibliography |
+//! | `@eq:steady-radius`, `@fig:machine`, `@ex:peak`, `@sol:peak`, `@sec:motion` | a link with number or title |
+//! | `@source:19` | a link to the equation that has this number in the source |
+//! | `@cite:key` | a link with the entry's short name |
+//!
+//! Labels are made of lower-case letters, digits and hyphens, and are unique in the whole book. Counters run through all pages
+//! of a numbered chapter; equations, figures and exercises can stand in numbered chapters only.
+//!
+//! # Faults
+//!
+//! All faults of a run are reported, each as `error: book/page.md:80: …`, and the build fails: a label that is unknown or
+//! defined twice (also one that a comment in `src/` or `tests/` cites), an unknown, doubled or unused figure, a citation without
+//! entry, LaTeX that is not understood, a blank line inside `$$`, a stray `$`, display mathematics that shares its
+//! paragraph, mathematics in a heading, a fence without language or one that is not tested, a snippet of more than 25
+//! visible lines, text indented into a code block, an exercise without hint or solution, a dead link or anchor.
+
+pub mod book;
+pub mod check;
+pub mod command;
+pub mod fault;
+pub mod figures;
+pub mod finish;
+pub mod mdbook;
+pub mod preprocess;
+
+mod api;
+mod font;
+mod labels;
+mod maths;
+mod page;
+mod render;
+mod scan;
+mod site;
+mod snippets;

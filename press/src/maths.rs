@@ -1,0 +1,105 @@
+//! LaTeX to MathML.
+
+use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+
+/// A converter, built once a run.
+pub(crate) struct Maths {
+    converter: LatexToMathML,
+}
+
+/// LaTeX that is not understood: where in it, and why.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct MathsFault {
+    /// Byte offset in the LaTeX.
+    pub(crate) offset: usize,
+    pub(crate) message: String,
+}
+
+impl Maths {
+    pub(crate) fn new() -> Self {
+        let config = MathCoreConfig { annotation: false, ..MathCoreConfig::default() };
+        // Only a macro can make this fail, and there is none.
+        Self {
+            converter: LatexToMathML::new(config).unwrap_or_else(|_| unreachable!("no macros to be wrong")),
+        }
+    }
+
+    /// Display mathematics, as one line of MathML.
+    pub(crate) fn display(&self, tex: &str) -> Result<String, MathsFault> {
+        self.convert(tex, MathDisplay::Block)
+    }
+
+    /// Inline mathematics, as MathML whose text no Markdown parser can misread.
+    pub(crate) fn inline(&self, tex: &str) -> Result<String, MathsFault> {
+        self.convert(tex, MathDisplay::Inline).map(|mathml| shielded(&mathml))
+    }
+
+    /// Inline mathematics for a place that is HTML already.
+    pub(crate) fn inline_html(&self, tex: &str) -> Result<String, MathsFault> {
+        self.convert(tex, MathDisplay::Inline)
+    }
+
+    fn convert(&self, tex: &str, display: MathDisplay) -> Result<String, MathsFault> {
+        if tex.trim().is_empty() {
+            return Err(MathsFault { offset: 0, message: "the formula is empty".to_owned() });
+        }
+        match self.converter.convert_with_local_state(tex, display) {
+            Ok(result) => Ok(result.mathml.replace('\n', " ")),
+            Err(error) => {
+                let offset = error.0.start.min(tex.len());
+                let context: String = tex[error.0.clone()].chars().take(40).collect();
+                let message = error.error_message();
+                let near = if context.trim().is_empty() {
+                    String::new()
+                } else {
+                    format!(" (at `{}`)", context.trim())
+                };
+                Err(MathsFault { offset, message: format!("in the formula: {message}{near}") })
+            }
+        }
+    }
+}
+
+/// MathML in which every character of text that Markdown could take for markup is a numeric entity.
+fn shielded(mathml: &str) -> String {
+    let mut out = String::with_capacity(mathml.len() * 2);
+    let (mut in_tag, mut in_entity) = (false, false);
+    for c in mathml.chars() {
+        match c {
+            '<' => in_tag = true,
+            '&' if !in_tag => in_entity = true,
+            _ => {}
+        }
+        if in_tag || in_entity || c.is_alphanumeric() || c == ' ' || !c.is_ascii() {
+            out.push(c);
+        } else {
+            out.push_str(&format!("&#{};", u32::from(c)));
+        }
+        match c {
+            '>' => in_tag = false,
+            ';' => in_entity = false,
+            _ => {}
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mathml_survives_markdown() {
+        let maths = Maths::new();
+        let mathml = maths.inline("a_1*b_2 - [c]'").unwrap();
+        let text: String = mathml.split('<').map(|part| part.rsplit('>').next().unwrap_or("")).collect();
+        assert!(!text.contains(['*', '_', '[', ']', '\'']), "{text}");
+    }
+
+    #[test]
+    fn an_unknown_command_is_a_fault_where_it_stands() {
+        let fault = Maths::new().display("a + \\fraction{1}{2}").unwrap_err();
+        assert_eq!(fault.offset, 4);
+        assert!(fault.message.contains("fraction"), "{}", fault.message);
+    }
+}

@@ -1,0 +1,117 @@
+//! What stands on a page that the press has to replace or check.
+
+use pulldown_cmark::Event;
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// The kinds of labels, as they are written before the colon.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) enum Kind {
+    Equation,
+    Figure,
+    Exercise,
+    Solution,
+    Section,
+    Citation,
+}
+
+impl Kind {
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Equation, Self::Figure, Self::Exercise, Self::Solution, Self::Section, Self::Citation];
+
+    pub(crate) fn prefix(self) -> &'static str {
+        match self {
+            Self::Equation => "eq",
+            Self::Figure => "fig",
+            Self::Exercise => "ex",
+            Self::Solution => "sol",
+            Self::Section => "sec",
+            Self::Citation => "cite",
+        }
+    }
+
+    pub(crate) fn from_prefix(prefix: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.prefix() == prefix)
+    }
+}
+
+/// A label as a page defines it.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub(crate) struct Label {
+    pub(crate) kind: Kind,
+    pub(crate) name: String,
+}
+
+impl Label {
+    /// As authors write it: `eq:steady-radius`.
+    pub(crate) fn written(&self) -> String {
+        format!("{}:{}", self.kind.prefix(), self.name)
+    }
+
+    /// As the page's id: `eq-steady-radius`.
+    pub(crate) fn id(&self) -> String {
+        format!("{}-{}", self.kind.prefix(), self.name)
+    }
+}
+
+/// What is said behind the closing dollars of a labelled equation.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct EquationLabel {
+    pub(crate) label: Label,
+    /// Numbers of the source.
+    pub(crate) source: Vec<u32>,
+    pub(crate) corrected: bool,
+}
+
+/// A mention: `@eq:steady-radius`, or `@source:19`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Mention {
+    Label(Label),
+    Source(u32),
+}
+
+/// One thing on a page that the press has to see to.
+#[derive(Debug)]
+pub(crate) enum Item<'a> {
+    InlineMaths {
+        tex: Cow<'a, str>,
+    },
+    DisplayMaths {
+        tex: Cow<'a, str>,
+        label: Option<EquationLabel>,
+    },
+    Figure {
+        label: Label,
+        caption: Vec<Event<'a>>,
+    },
+    Heading {
+        level: u8,
+        label: Option<Label>,
+        /// The id that the heading claims, `## Title {#id}`, if that is no label.
+        id: Option<&'a str>,
+        title: &'a str,
+        plain: String,
+    },
+    Mention(Mention),
+    /// A snippet in Rust, fences included.
+    Snippet {
+        code: &'a str,
+    },
+    /// A label in a comment of a snippet, where a reader sees the number.
+    CodeLabel(Label),
+    Citation {
+        label: Label,
+        short: &'a str,
+    },
+    Link {
+        target: &'a str,
+    },
+    Hint,
+}
+
+/// An item and the bytes of the page that it takes up.
+#[derive(Debug)]
+pub(crate) struct Placed<'a> {
+    pub(crate) range: Range<usize>,
+    pub(crate) item: Item<'a>,
+}

@@ -1,0 +1,127 @@
+//! The mdBook preprocessor.
+
+use crate::api::Items;
+use crate::book::{Page, from_mdbook};
+use crate::fault::Faults;
+use crate::{check, figures, render, snippets};
+use mdbook_preprocessor::book::{Book, BookItem};
+use std::io::{Read, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::{env, fs};
+
+/// Where the finished press waits for mdBook to call it as a renderer, relative to the project's root: a place that does
+/// not depend on Cargo's settings. book.toml names it.
+const FINISHER: &str = "target/press/press";
+
+/// Why there is no book.
+#[derive(Debug)]
+pub enum Failed {
+    /// Faults of the pages.
+    Faults(Faults),
+    /// Anything else, in words.
+    Other(String),
+}
+
+/// Reads mdBook's request from `input` and writes the answer to `output`.
+///
+/// For the renderer `html` every page is rendered; for `test` the snippets of all pages are tested and the fences
+/// relabelled, so that mdBook's own test run finds nothing more to do.
+///
+/// # Errors
+/// [`Failed`], for the caller to report.
+pub fn run(input: impl Read, mut output: impl Write) -> Result<(), Failed> {
+    let (context, mut book) = mdbook_preprocessor::parse_input(input).map_err(|error| {
+        Failed::Other(format!(
+            "this is not a request of mdBook 0.5 ({error:#}); `cargo book help` lists what else the press can do"
+        ))
+    })?;
+    let source = context.config.book.src.to_string_lossy().replace('\\', "/");
+    let pages = from_mdbook(&book, &source);
+    let texts = if context.renderer == "test" {
+        test_snippets(&context.root)?;
+        pages.iter().map(|page| snippets::relabelled(&page.text)).collect()
+    } else {
+        install_finisher(&context.root)
+            .map_err(|error| Failed::Other(format!("the press cannot be put at {FINISHER}: {error}")))?;
+        render_checked(&pages, &context.root)?
+    };
+    let mut texts = texts.into_iter();
+    replace(&mut book.items, &mut texts);
+    write_book(&mut output, &book)
+}
+
+fn write_book(output: &mut impl Write, book: &Book) -> Result<(), Failed> {
+    serde_json::to_writer(output, book)
+        .map_err(|error| Failed::Other(format!("mdBook does not take the answer: {error}")))
+}
+
+/// The rendered pages, if neither they nor the labels cited in the code have a fault.
+fn render_checked(pages: &[Page], root: &Path) -> Result<Vec<String>, Failed> {
+    let mut faults = Faults::default();
+    check::code_labels(pages, root, &mut faults);
+    match render::render(pages, figures::ALL, &Items::read(root)) {
+        Ok(texts) if faults.is_empty() => Ok(texts),
+        Ok(_) => Err(Failed::Faults(faults)),
+        Err(found) => {
+            faults.append(found);
+            Err(Failed::Faults(faults))
+        }
+    }
+}
+
+fn replace(items: &mut [BookItem], texts: &mut impl Iterator<Item = String>) {
+    for item in items {
+        let BookItem::Chapter(chapter) = item else {
+            continue;
+        };
+        if chapter.source_path.is_some()
+            && let Some(text) = texts.next()
+        {
+            chapter.content = text;
+        }
+        replace(&mut chapter.sub_items, texts);
+    }
+}
+
+/// Runs the snippets of all pages as documentation tests of the library.
+fn test_snippets(root: &Path) -> Result<(), Failed> {
+    eprintln!("Testing the snippets of all pages with `cargo test --doc --package mechanics`");
+    let run = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        .args(["test", "--doc", "--package", "mechanics"])
+        .current_dir(root)
+        .stdin(Stdio::null())
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| Failed::Other(format!("cargo cannot be run: {error}")))?;
+    // Standard output belongs to mdBook's protocol.
+    let report = String::from_utf8_lossy(&run.stdout);
+    if run.status.success() {
+        for line in report.lines().filter(|line| line.starts_with("test result")) {
+            eprintln!("{line}");
+        }
+        Ok(())
+    } else {
+        eprintln!("{report}");
+        Err(Failed::Other("a snippet fails: see above for its page and line".to_owned()))
+    }
+}
+
+/// Puts this program where book.toml expects the renderer.
+fn install_finisher(root: &Path) -> std::io::Result<()> {
+    let program = env::current_exe()?;
+    let place = root.join(FINISHER).with_extension(env::consts::EXE_EXTENSION);
+    let stamp = |path: &Path| fs::metadata(path).and_then(|data| Ok((data.len(), data.modified()?))).ok();
+    if place == program || (stamp(&program).is_some() && stamp(&place) == stamp(&program)) {
+        return Ok(());
+    }
+    if let Some(folder) = place.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    let fresh = place.with_extension("new");
+    let _ = fs::remove_file(&fresh);
+    if fs::hard_link(&program, &fresh).is_err() {
+        fs::copy(&program, &fresh)?;
+    }
+    fs::rename(fresh, place) // at once, for an mdBook that may be running the old one
+}

@@ -1,0 +1,386 @@
+//! A page in our dialect becomes a page that mdBook understands.
+
+use crate::api::{self, Items};
+use crate::book::{Page, relative, resolve};
+use crate::fault::{Faults, line_of};
+use crate::figures::Figure;
+use crate::labels::Registry;
+use crate::maths::Maths;
+use crate::page::{EquationLabel, Item, Kind, Label, Mention, Placed};
+use crate::scan::scan;
+use pulldown_cmark::{CowStr, Event, html::push_html};
+use std::fmt::Write as _;
+
+/// Renders all pages; the faults if there are any.
+///
+/// # Errors
+/// Every fault of every page.
+pub(crate) fn render(pages: &[Page], figures: &[Figure], items: &Items) -> Result<Vec<String>, Faults> {
+    let mut faults = Faults::default();
+    let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
+    let registry = Registry::build(pages, &scans, figures, &mut faults);
+    let maths = Maths::new();
+    let mut rendered = Vec::with_capacity(pages.len());
+    for (page, found) in pages.iter().zip(&scans) {
+        let mut printer = Printer {
+            page,
+            registry: &registry,
+            maths: &maths,
+            figures,
+            library: items,
+            faults: &mut faults,
+        };
+        rendered.push(printer.page(found));
+    }
+    if faults.is_empty() { Ok(rendered) } else { Err(faults) }
+}
+
+/// Whether a label that code cites is defined on some page: the faults of `text`, the file at `file`.
+pub(crate) fn check_citations_in_code(
+    pages: &[Page],
+    figures: &[Figure],
+    files: &[(String, String)],
+    faults: &mut Faults,
+) {
+    let mut silent = Faults::default(); // what is wrong with the pages is reported by `render`
+    let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut silent)).collect();
+    let registry = Registry::build(pages, &scans, figures, &mut silent);
+    for (file, text) in files {
+        for (n, line) in text.lines().enumerate() {
+            let Some(comment) = line.find("//").map(|at| &line[at..]) else {
+                continue;
+            };
+            for (kind, name) in cited(comment) {
+                if let Err(message) = registry.find(&Label { kind, name: name.to_owned() }) {
+                    faults.add(file, n + 1, message);
+                }
+            }
+        }
+    }
+}
+
+/// The labels that a comment names: `eq:…`, `fig:…`, `sec:…`, `ex:…` as words of their own.
+fn cited(comment: &str) -> Vec<(Kind, &str)> {
+    let mut found = Vec::new();
+    for kind in [Kind::Equation, Kind::Figure, Kind::Section, Kind::Exercise] {
+        let prefix = format!("{}:", kind.prefix());
+        for (at, _) in comment.match_indices(&prefix) {
+            let before = comment[..at].chars().next_back();
+            let rest = &comment[at + prefix.len()..];
+            let end = rest
+                .find(|c: char| !(c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-'))
+                .unwrap_or(rest.len());
+            let name = rest[..end].trim_end_matches('-');
+            if !before.is_some_and(|c| c.is_alphanumeric() || c == ':') && !name.is_empty() {
+                found.push((kind, name));
+            }
+        }
+    }
+    found
+}
+
+struct Printer<'a, 'f> {
+    page: &'a Page,
+    registry: &'a Registry,
+    maths: &'a Maths,
+    figures: &'a [Figure],
+    library: &'a Items,
+    faults: &'f mut Faults,
+}
+
+impl Printer<'_, '_> {
+    fn fault(&mut self, offset: usize, message: impl Into<String>) {
+        self.faults.add(&self.page.file, line_of(&self.page.text, offset), message);
+    }
+
+    /// The page with every item replaced; everything else stands as it was written.
+    fn page(&mut self, items: &[Placed<'_>]) -> String {
+        let text = &self.page.text;
+        let mut out = String::with_capacity(text.len() * 4);
+        let mut done = 0;
+        for placed in items {
+            let range = placed.range.clone();
+            if range.start < done {
+                continue; // inside something already replaced, such as a caption
+            }
+            let Some(replacement) = self.item(&placed.item, range.start) else {
+                continue;
+            };
+            out.push_str(&text[done..range.start]);
+            out.push_str(&replacement);
+            done = range.end;
+        }
+        out.push_str(&text[done..]);
+        out
+    }
+
+    fn item(&mut self, item: &Item<'_>, offset: usize) -> Option<String> {
+        match item {
+            Item::InlineMaths { tex } => self.inline(tex, offset + 1),
+            Item::DisplayMaths { tex, label } => self.display(tex, label.as_ref(), offset),
+            Item::Figure { label, caption } => self.figure(label, caption, offset),
+            Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
+            Item::Mention(mention) => {
+                self.mention(mention, offset).map(|(words, target)| format!("[{words}]({target})"))
+            }
+            Item::Snippet { code } => self.uses(code),
+            Item::CodeLabel(label) => match self.words(label) {
+                Ok((words, _)) => Some(words),
+                Err(message) => {
+                    self.fault(offset, message);
+                    None
+                }
+            },
+            Item::Citation { label, short } => Some(format!(
+                "<span class=\"cite\" id=\"{}\">&#91;{}&#93;</span>",
+                label.id(),
+                escaped(short)
+            )),
+            Item::Link { target } => {
+                self.check_link(target, offset);
+                None
+            }
+            Item::Heading { label: None, .. } | Item::Hint => None,
+        }
+    }
+
+    /// A line below a snippet that leads to the documentation of the library items that it imports.
+    fn uses(&self, code: &str) -> Option<String> {
+        let used = self.library.used(code);
+        if used.is_empty() {
+            return None;
+        }
+        let up = "../".repeat(self.page.path.matches('/').count());
+        let links = used
+            .iter()
+            .map(|(name, page)| format!("<a href=\"{up}{}/{page}\"><code>{name}</code></a>", api::FOLDER));
+        Some(format!("\n\n<p class=\"uses\">In the library: {}</p>\n", links.collect::<Vec<_>>().join(", ")))
+    }
+
+    fn inline(&mut self, tex: &str, offset: usize) -> Option<String> {
+        self.maths.inline(tex).map_err(|fault| self.fault(offset + fault.offset, fault.message)).ok()
+    }
+
+    fn display(&mut self, tex: &str, label: Option<&EquationLabel>, offset: usize) -> Option<String> {
+        let converted = self.maths.display(tex);
+        let mathml = converted.map_err(|fault| self.fault(offset + 2 + fault.offset, fault.message)).ok()?;
+        let Some(EquationLabel { label, source, corrected }) = label else {
+            return Some(format!("<div class=\"equation\"><div class=\"formula\">{mathml}</div></div>"));
+        };
+        let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
+        let id = label.id();
+        let mut marks = format!("<a class=\"number\" href=\"#{id}\">({number})</a>");
+        for n in source {
+            let (words, class, title) = if *corrected {
+                ("corrects", "source corrected", format!("corrects equation ({n}) of the source"))
+            } else {
+                ("source", "source", format!("equation ({n}) of the source"))
+            };
+            let _ = write!(
+                marks,
+                "<a class=\"{class}\" id=\"source-{n}\" href=\"#source-{n}\" title=\"{title}\">{words} {n}</a>"
+            );
+        }
+        Some(format!(
+            "<div class=\"equation numbered\" id=\"{id}\"><div class=\"formula\">{mathml}</div><div class=\"marks\">{marks}</div></div>"
+        ))
+    }
+
+    fn figure(&mut self, label: &Label, caption: &[Event<'_>], offset: usize) -> Option<String> {
+        let figure = *self.figures.iter().find(|figure| figure.id == label.written())?;
+        let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
+        let caption = self.caption(caption, offset);
+        let up = "../".repeat(self.page.path.matches('/').count());
+        Some(format!(
+            "<figure class=\"figure\" id=\"{}\">\n<div class=\"drawing\" tabindex=\"0\">\n{}\n</div>\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
+             <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
+            label.id(),
+            figure.svg.trim(),
+            figure.file_name(),
+        ))
+    }
+
+    /// A caption as HTML: Markdown's own handwriting, mathematics and references.
+    fn caption(&mut self, events: &[Event<'_>], offset: usize) -> String {
+        let mut out = String::new();
+        let mut printed: Vec<Event<'_>> = Vec::new();
+        for event in events {
+            printed.push(match event {
+                Event::InlineMath(tex) => match self.maths.inline_html(tex) {
+                    Ok(mathml) => Event::InlineHtml(CowStr::from(mathml)),
+                    Err(fault) => {
+                        self.fault(offset, format!("in the caption, {}", fault.message));
+                        continue;
+                    }
+                },
+                Event::Text(text) if text.contains('@') => {
+                    Event::InlineHtml(CowStr::from(self.mentions_in(text, offset)))
+                }
+                Event::SoftBreak => Event::Text(CowStr::from(" ")),
+                other => other.clone(),
+            });
+        }
+        push_html(&mut out, printed.into_iter());
+        out.trim().to_owned()
+    }
+
+    /// Text with its mentions as HTML links.
+    fn mentions_in(&mut self, text: &str, offset: usize) -> String {
+        let mut out = String::new();
+        let mut rest = text;
+        while let Some(at) = rest.find('@') {
+            out.push_str(&escaped(&rest[..at]));
+            let tail = &rest[at + 1..];
+            let end = tail
+                .find(|c: char| !(c.is_ascii_alphanumeric() || c == '-' || c == ':'))
+                .unwrap_or(tail.len());
+            let word = tail[..end].trim_end_matches([':', '-']);
+            let mention = word.split_once(':').and_then(|(prefix, name)| match prefix {
+                "source" => name.parse().ok().map(Mention::Source),
+                _ => Kind::ALL
+                    .into_iter()
+                    .find(|kind| kind.prefix() == prefix)
+                    .map(|kind| Mention::Label(Label { kind, name: name.to_owned() })),
+            });
+            match mention.and_then(|mention| self.mention(&mention, offset)) {
+                Some((words, target)) => {
+                    let _ = write!(out, "<a href=\"{target}\">{}</a>", escaped(&words));
+                }
+                None => out.push_str(&escaped(&rest[at..=at + word.len()])),
+            }
+            rest = &tail[word.len()..];
+        }
+        out.push_str(&escaped(rest));
+        out
+    }
+
+    /// The words of a reference and where it leads.
+    fn mention(&mut self, mention: &Mention, offset: usize) -> Option<(String, String)> {
+        let found = match mention {
+            Mention::Source(number) => self
+                .registry
+                .find_source(*number)
+                .map(|entry| (format!("source {number}"), entry.page.clone(), format!("source-{number}"))),
+            Mention::Label(label) => self.words(label).map(|(words, page)| (words, page, label.id())),
+        };
+        match found {
+            Ok((words, page, id)) => Some((words, format!("{}#{id}", relative(&self.page.path, &page)))),
+            Err(message) => {
+                self.fault(offset, message);
+                None
+            }
+        }
+    }
+
+    /// What a reference to `label` says, and on which page it is.
+    fn words(&self, label: &Label) -> Result<(String, String), String> {
+        let entry = self.registry.find(label)?;
+        let words = match label.kind {
+            Kind::Equation => format!("({})", entry.number),
+            Kind::Figure => format!("Figure {}", entry.number),
+            Kind::Exercise => format!("Exercise {}", entry.number),
+            Kind::Solution => {
+                let exercise =
+                    self.registry.find(&Label { kind: Kind::Exercise, name: label.name.clone() })?;
+                format!("Solution {}", exercise.number)
+            }
+            Kind::Section => format!("“{}”", entry.title),
+            Kind::Citation => entry.title.clone(),
+        };
+        Ok((words, entry.page.clone()))
+    }
+
+    fn heading(&self, level: u8, label: &Label, title: &str) -> Option<String> {
+        let marks = "#".repeat(usize::from(level));
+        let id = label.id();
+        let partner = match label.kind {
+            Kind::Exercise => Label { kind: Kind::Solution, name: label.name.clone() },
+            Kind::Solution => Label { kind: Kind::Exercise, name: label.name.clone() },
+            _ => return Some(format!("{marks} {title} {{#{id}}}")),
+        };
+        let exercise = if label.kind == Kind::Exercise { label } else { &partner };
+        let entry = self.registry.find(exercise).ok()?.clone();
+        let place = self.registry.find(&partner).ok()?; // its absence is reported with the labels
+        let target = format!("{}#{}", relative(&self.page.path, &place.page), partner.id());
+        let (kind, there) =
+            if label.kind == Kind::Exercise { ("Exercise", "Solution") } else { ("Solution", "Exercise") };
+        Some(format!(
+            "{marks} {kind} {}. {} {{#{id}}}\n\n<p class=\"turn\"><a href=\"{target}\">{there} {}</a></p>\n",
+            entry.number, entry.title, entry.number
+        ))
+    }
+
+    /// A link to another page or to an anchor must lead somewhere.
+    fn check_link(&mut self, target: &str, offset: usize) {
+        if target.starts_with("http://") || target.starts_with("https://") || target.starts_with("mailto:") {
+            return;
+        }
+        let (path, anchor) = target.split_once('#').unwrap_or((target, ""));
+        let page =
+            if path.is_empty() { Some(self.page.path.clone()) } else { resolve(&self.page.path, path) };
+        let Some(page) = page.filter(|page| self.registry.has_page(page)) else {
+            self.fault(offset, format!("the link to `{target}` leads to no page of the book"));
+            return;
+        };
+        if !anchor.is_empty() && !self.registry.has_anchor(&page, anchor) {
+            self.fault(
+                offset,
+                format!("the link to `{target}` leads to a page without the anchor `#{anchor}`"),
+            );
+        }
+    }
+}
+
+/// Text as HTML.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What becomes of one page, which is chapter 1.
+    fn printed(text: &str) -> String {
+        let page = Page {
+            path: "a.md".to_owned(),
+            file: "book/a.md".to_owned(),
+            chapter: Some(1),
+            text: text.to_owned(),
+        };
+        let printed = render(&[page], &[], &Items::default());
+        printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
+    }
+
+    #[test]
+    fn the_marks_of_a_quotation_are_no_part_of_its_formula() {
+        let quoted = printed("> [!NOTE]\n> So\n>\n> $$\n> a > b\n> = c\n> $$ {#eq:x}\n>\n> and $d\n> e$.\n");
+        let plain = printed("$$\na > b\n= c\n$$ {#eq:x}\n\nand $d\ne$.\n");
+        let maths = |text: &str| -> Vec<String> {
+            text.split("<math")
+                .skip(1)
+                .filter_map(|rest| rest.split("</math>").next())
+                .map(str::to_owned)
+                .collect()
+        };
+        assert_eq!(maths(&plain).len(), 2);
+        assert_eq!(maths(&quoted), maths(&plain));
+    }
+
+    #[test]
+    fn a_page_comes_out_as_expected() {
+        let page = "# A\n\n## Motion {#sec:motion}\n\n$$\na\n$$ {#eq:x source=19}\n\n$$\nb\n$$\n\n\
+                    $$\nc\n$$ {#eq:y source=\"20 21\" corrected}\n\nSee @eq:y, @source:19, @sec:motion and `@eq:z`.\n";
+        let expected = "# A\n\n## Motion {#sec-motion}\n\n\
+            <div class=\"equation numbered\" id=\"eq-x\"><div class=\"formula\"><math display=\"block\"><mi>a</mi></math></div>\
+            <div class=\"marks\"><a class=\"number\" href=\"#eq-x\">(1.1)</a>\
+            <a class=\"source\" id=\"source-19\" href=\"#source-19\" title=\"equation (19) of the source\">source 19</a></div></div>\n\n\
+            <div class=\"equation\"><div class=\"formula\"><math display=\"block\"><mi>b</mi></math></div></div>\n\n\
+            <div class=\"equation numbered\" id=\"eq-y\"><div class=\"formula\"><math display=\"block\"><mi>c</mi></math></div>\
+            <div class=\"marks\"><a class=\"number\" href=\"#eq-y\">(1.2)</a>\
+            <a class=\"source corrected\" id=\"source-20\" href=\"#source-20\" title=\"corrects equation (20) of the source\">corrects 20</a>\
+            <a class=\"source corrected\" id=\"source-21\" href=\"#source-21\" title=\"corrects equation (21) of the source\">corrects 21</a></div></div>\n\n\
+            See [(1.2)](a.md#eq-y), [source 19](a.md#source-19), [“Motion”](a.md#sec-motion) and `@eq:z`.\n";
+        assert_eq!(printed(page), expected);
+    }
+}

@@ -1,0 +1,128 @@
+//! The rules for code on pages.
+
+use crate::scan::options;
+use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
+use std::ops::Range;
+
+/// How many lines of a snippet a reader may be asked to take in.
+const MAX_VISIBLE_LINES: usize = 25;
+/// How many characters of a line fit on the page before it has to be scrolled.
+const MAX_WIDTH: usize = 86;
+
+/// Reports what is wrong with a code block of `text` as (offset, message).
+pub(crate) fn check(
+    text: &str,
+    kind: &CodeBlockKind<'_>,
+    range: &Range<usize>,
+    mut fault: impl FnMut(usize, String),
+) {
+    let CodeBlockKind::Fenced(info) = kind else {
+        return;
+    };
+    let mut words = info.split([',', ' ', '\t']).map(str::trim).filter(|word| !word.is_empty());
+    let Some(language) = words.next() else {
+        fault(
+            range.start,
+            "a fence needs a language (`rust`, `text`, `console`, …): untagged it would run as Rust"
+                .to_owned(),
+        );
+        return;
+    };
+    if language != "rust" {
+        return;
+    }
+    for word in words {
+        if matches!(word, "ignore" | "no_run") || word.starts_with("ignore-") {
+            fault(
+                range.start,
+                format!("`{word}`: every snippet runs; show what fails with should_panic or compile_fail"),
+            );
+        }
+    }
+    let mut count = 0;
+    let mut offset = range.start;
+    for (n, line) in text[range.clone()].split_inclusive('\n').enumerate() {
+        let code = line.trim_end();
+        let is_fence = n == 0 || code.trim_start().starts_with("```");
+        if !is_fence && code.trim() != "#" && !code.trim_start().starts_with("# ") {
+            count += 1;
+            let width = width(code);
+            if width > MAX_WIDTH {
+                fault(
+                    offset,
+                    format!(
+                        "this line of code has {width} characters; more than {MAX_WIDTH} do not fit on the page"
+                    ),
+                );
+            }
+        }
+        offset += line.len();
+    }
+    if count > MAX_VISIBLE_LINES {
+        fault(
+            range.start,
+            format!(
+                "the snippet shows {count} lines; {MAX_VISIBLE_LINES} are the most that a reader can be asked to take in"
+            ),
+        );
+    }
+}
+
+/// How wide a line is on the page: accents take no room, and a label becomes a number such as (1.28).
+fn width(line: &str) -> usize {
+    let characters = line.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count();
+    let labels = cited_labels(line, &(0..line.len()));
+    characters - labels.iter().map(|(_, label)| label.len().saturating_sub("(1.28)".len())).sum::<usize>()
+}
+
+/// The labels that comments of a Rust snippet cite, as (place, label as written): `// eq:newton` → `eq:newton`.
+pub(crate) fn cited_labels<'a>(text: &'a str, range: &Range<usize>) -> Vec<(Range<usize>, &'a str)> {
+    let mut found = Vec::new();
+    let mut offset = range.start;
+    for line in text[range.clone()].split_inclusive('\n') {
+        if let Some(comment) = line.find("//") {
+            for (at, _) in line[comment..].match_indices("eq:") {
+                let start = comment + at;
+                let rest = &line[start + 3..];
+                let end = rest
+                    .find(|c: char| !(c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-'))
+                    .unwrap_or(rest.len());
+                found.push((offset + start..offset + start + 3 + end, &line[start..start + 3 + end]));
+            }
+        }
+        offset += line.len();
+    }
+    found
+}
+
+/// The page with every Rust fence relabelled, so that rustdoc has nothing left to test.
+pub(crate) fn relabelled(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut done = 0;
+    for (event, range) in Parser::new_ext(text, options()).into_offset_iter() {
+        let Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) = event else {
+            continue;
+        };
+        if let Some(at) = text[range.clone()].find(info.as_ref()).filter(|_| info.starts_with("rust")) {
+            out.push_str(&text[done..range.start + at]);
+            out.push_str("text");
+            done = range.start + at + info.len();
+        }
+    }
+    out + &text[done..]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_rust_is_left_wherever_its_fence_stands() {
+        let text = "```rust,should_panic\na();\n```\n\n- item\n\n  ```rust\n  b();\n  ```\n\n> ~~~rust\n> c();\n> ~~~\n\n```console\nrust\n```\n";
+        let relabelled = relabelled(text);
+        assert_eq!(
+            relabelled,
+            "```text\na();\n```\n\n- item\n\n  ```text\n  b();\n  ```\n\n> ~~~text\n> c();\n> ~~~\n\n```console\nrust\n```\n"
+        );
+    }
+}
