@@ -1,0 +1,278 @@
+//! The built book: what mdBook and the press make of the pages, checked from outside.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// mdBook, found or installed; its progress goes to standard error, where a waiting reader sees it.
+fn mdbook(folder: &Path, arguments: &[&str]) -> Output {
+    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
+    let program =
+        PROGRAM.get_or_init(|| press::mdbook::locate(root()).expect("mdBook can be found or installed"));
+    Command::new(program)
+        .args(arguments)
+        .current_dir(folder)
+        .stdin(Stdio::null())
+        .output()
+        .expect("mdBook runs")
+}
+
+/// A folder for one test, emptied; inside the workspace, so that Cargo finds the press from there.
+fn folder(name: &str) -> PathBuf {
+    let folder = root().join("target/tests").join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// The site, built once for all tests that read it.
+fn site() -> &'static Path {
+    static SITE: OnceLock<PathBuf> = OnceLock::new();
+    SITE.get_or_init(|| {
+        let folder = folder("site");
+        let built = mdbook(root(), &["build", "-d", folder.to_str().unwrap()]);
+        assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+        folder.join("html")
+    })
+}
+
+/// Every file below `folder` with the given ending, and its text.
+fn files(folder: &Path, ending: &str) -> Vec<(PathBuf, String)> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.append(&mut files(&path, ending));
+        } else if path.to_str().unwrap().ends_with(ending) {
+            let text = fs::read_to_string(&path).unwrap();
+            found.push((path, text));
+        }
+    }
+    found
+}
+
+/// The pages of the site, without what rustdoc wrote.
+fn pages() -> Vec<(PathBuf, String)> {
+    let pages: Vec<_> = files(site(), ".html")
+        .into_iter()
+        .filter(|(path, _)| !path.starts_with(site().join("api")))
+        .collect();
+    assert!(pages.len() >= 7, "only {} pages", pages.len());
+    pages
+}
+
+/// The values of an attribute in a page, wherever it stands.
+fn attributes<'a>(html: &'a str, name: &str) -> Vec<&'a str> {
+    let mark = format!(" {name}=\"");
+    html.match_indices(&mark).filter_map(|(at, _)| html[at + mark.len()..].split('"').next()).collect()
+}
+
+#[test]
+fn no_label_is_left_unresolved() {
+    for (path, html) in pages() {
+        let prose = without(&without(&html, "<pre", "</pre>"), "<code", "</code>");
+        for mark in ["{#", "@eq:", "@fig:", "@ex:", "@sec:", "@sol:", "@cite:", "@source:", "$$"] {
+            assert!(!prose.contains(mark), "{} still holds {mark}", path.display());
+        }
+    }
+}
+
+fn without(html: &str, start: &str, end: &str) -> String {
+    let mut out = String::new();
+    let mut rest = html;
+    while let Some(at) = rest.find(start) {
+        out.push_str(&rest[..at]);
+        rest = rest[at..].find(end).map_or("", |stop| &rest[at + stop + end.len()..]);
+    }
+    out + rest
+}
+
+#[test]
+fn nothing_is_loaded_from_a_network() {
+    for (path, html) in pages() {
+        for tag in ["<link", "<script", "<img", "<iframe", "<use", "<image"] {
+            for (at, _) in html.match_indices(tag) {
+                let element = html[at..].split('>').next().unwrap();
+                assert!(
+                    !element.contains("=\"http") && !element.contains("=\"//"),
+                    "{}: {element}",
+                    path.display()
+                );
+            }
+        }
+    }
+    let sheets = files(site(), ".css");
+    assert!(sheets.len() > 3);
+    for (path, css) in sheets {
+        assert!(
+            !css.contains("url(http") && !css.contains("url(\"http") && !css.contains("@import"),
+            "{}",
+            path.display()
+        );
+    }
+}
+
+#[test]
+fn every_figure_has_a_title_a_description_and_a_number() {
+    let mut shown = BTreeSet::new();
+    for (path, html) in pages() {
+        for figure in html.split("<figure").skip(1) {
+            let figure = figure.split("</figure>").next().unwrap();
+            let text = |tag: &str| {
+                let inside = figure
+                    .split(&format!("<{tag}"))
+                    .nth(1)
+                    .and_then(|rest| rest.split_once('>'))
+                    .map(|(_, rest)| rest);
+                inside
+                    .and_then(|rest| rest.split(&format!("</{tag}>")).next())
+                    .map_or(0, |text| text.trim().len())
+            };
+            assert!(
+                text("title") > 5 && text("desc") > 40,
+                "a figure of {} does not say what it shows",
+                path.display()
+            );
+            assert!(figure.contains("role=\"img\"") && figure.contains("Figure 1."), "{}", path.display());
+            shown.insert(attributes(figure, "id").first().copied().unwrap_or_default().to_owned());
+        }
+    }
+    assert_eq!(shown.len(), press::figures::ALL.len());
+}
+
+#[test]
+fn every_internal_link_and_anchor_is_alive() {
+    let mut followed = 0;
+    for (path, html) in pages() {
+        if path.ends_with("404.html") {
+            continue; // its links are relative to the site's address
+        }
+        for target in attributes(&html, "href") {
+            if target.starts_with("http") || target.starts_with("data:") || target.is_empty() {
+                continue;
+            }
+            let (file, anchor) = target.split_once('#').unwrap_or((target, ""));
+            let there = if file.is_empty() { path.clone() } else { path.parent().unwrap().join(file) };
+            assert!(there.is_file(), "{}: {target} leads nowhere", path.display());
+            if !anchor.is_empty() {
+                let text = fs::read_to_string(&there).unwrap();
+                assert!(
+                    text.contains(&format!("id=\"{anchor}\"")),
+                    "{}: {target} has no anchor",
+                    path.display()
+                );
+            }
+            followed += 1;
+        }
+    }
+    assert!(followed > 300, "only {followed} links");
+}
+
+#[test]
+fn no_id_stands_twice_on_a_page() {
+    for (path, html) in pages() {
+        let ids = attributes(&html, "id");
+        let distinct: BTreeSet<_> = ids.iter().collect();
+        assert_eq!(ids.len(), distinct.len(), "{}", path.display());
+    }
+}
+
+#[test]
+fn each_equation_of_the_source_has_its_anchor_and_its_test() {
+    let page = fs::read_to_string(site().join("laundromat/index.html")).unwrap();
+    let tests: String = files(&root().join("tests"), ".rs").into_iter().map(|(_, text)| text).collect();
+    for number in 6..=33 {
+        assert!(page.contains(&format!("id=\"source-{number}\"")), "no anchor for ({number})");
+        assert!(tests.contains(&format!("fn eq{number:02}_")), "no test for ({number})");
+    }
+}
+
+#[test]
+fn the_site_holds_the_font_and_the_licences() {
+    let font = fs::metadata(site().join("fonts/math.woff")).unwrap().len();
+    assert!((20_000..600_000).contains(&font), "the font has {font} bytes");
+    assert!(site().join("fonts/math-LICENCE.txt").is_file() && site().join("LICENSE-CC-BY-4.0").is_file());
+    let sheets: String = files(site(), ".css").into_iter().map(|(_, css)| css).collect();
+    assert!(sheets.contains("fonts/math.woff"));
+}
+
+#[test]
+fn the_snippets_of_all_pages_run_in_plain_mdbook_test() {
+    let tested = mdbook(root(), &["test"]);
+    let said = String::from_utf8_lossy(&tested.stderr);
+    assert!(tested.status.success(), "{said}");
+    let passed = said
+        .split("test result: ok. ")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next())
+        .and_then(|n| n.parse().ok());
+    assert!(passed.unwrap_or(0) >= 20, "{said}");
+}
+
+#[test]
+fn the_list_of_tested_pages_is_that_of_the_summary() {
+    let library = fs::read_to_string(root().join("src/lib.rs")).unwrap();
+    let tested: Vec<&str> =
+        library.split("include_str!(\"../book/").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    let summary = fs::read_to_string(root().join("book/SUMMARY.md")).unwrap();
+    let listed: Vec<&str> = summary.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    assert!(!listed.is_empty());
+    assert_eq!(tested.iter().collect::<BTreeSet<_>>(), listed.iter().collect::<BTreeSet<_>>());
+}
+
+/// A small book in the workspace, printed by the real press and the real mdBook.
+fn small_book(name: &str, page: &str) -> Output {
+    let folder = folder(name);
+    fs::create_dir_all(folder.join("book/theme")).unwrap();
+    fs::write(folder.join("LICENSE-CC-BY-4.0"), "licence").unwrap();
+    fs::copy(root().join("book.toml"), folder.join("book.toml")).unwrap();
+    for sheet in ["press.css", "figures.css"] {
+        fs::copy(root().join("book/theme").join(sheet), folder.join("book/theme").join(sheet)).unwrap();
+    }
+    // Every figure has to be shown somewhere.
+    let figures: String =
+        press::figures::ALL.iter().map(|figure| format!("\n![A caption.]({})\n", figure.id)).collect();
+    fs::write(folder.join("book/SUMMARY.md"), "- [A](a.md)\n- [Figures](figures.md)\n").unwrap();
+    fs::write(folder.join("book/a.md"), page).unwrap();
+    fs::write(folder.join("book/figures.md"), format!("# Figures\n{figures}")).unwrap();
+    mdbook(&folder, &["build"])
+}
+
+#[test]
+fn a_small_book_without_faults_builds() {
+    let built = small_book(
+        "good",
+        "# A\n\n$$\nE = mc^2\n$$ {#eq:rest}\n\nSo @eq:rest says; see [figures](figures.md).\n",
+    );
+    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+}
+
+#[test]
+fn a_fault_in_a_page_fails_the_build_with_file_and_line() {
+    for (name, page, said) in [
+        (
+            "bad-label",
+            "# A\n\nSee @eq:nothing.\n",
+            "error: book/a.md:3: no page defines the label eq:nothing",
+        ),
+        ("bad-maths", "# A\n\n$$\n\\fraction{1}{2}\n$$\n", "error: book/a.md:4: "),
+        ("bad-link", "# A\n\nSee [there](b.md).\n", "error: book/a.md:3: the link to `b.md`"),
+        (
+            "bad-html-link",
+            "# A\n\n<p><a href=\"b.html\">there</a></p>\n",
+            "error: book/a.md:3: the link to `b.html`",
+        ),
+    ] {
+        let built = small_book(name, page);
+        let all =
+            String::from_utf8_lossy(&built.stderr).into_owned() + &String::from_utf8_lossy(&built.stdout);
+        assert!(!built.status.success(), "{name} should not build");
+        assert!(all.contains(said), "{name} should say {said:?}, but says {all}");
+    }
+}
