@@ -4,8 +4,11 @@ use std::cell::Cell;
 
 /// The largest absolute difference between two lists of states, over all times and components; NaN if any is NaN.
 ///
-/// The unit is that of the state. Of lists of different length only the common part is compared.
+/// The unit is that of the state. Lists that are empty or differ in length give NaN: then nothing has been judged.
 pub fn max_error<const N: usize>(computed: &[[f64; N]], reference: &[[f64; N]]) -> f64 {
+    if computed.len() != reference.len() || computed.is_empty() {
+        return f64::NAN;
+    }
     let differences =
         computed.iter().zip(reference).flat_map(|(a, b)| a.iter().zip(b)).map(|(a, b)| (a - b).abs());
     differences.fold(0.0, max_or_nan)
@@ -13,7 +16,7 @@ pub fn max_error<const N: usize>(computed: &[[f64; N]], reference: &[[f64; N]]) 
 
 /// The largest departure of a quantity from its first value, relative to `scale`: how well a constant is kept.
 ///
-/// Returns 0 for an empty list and NaN if any value is NaN.
+/// Returns 0 for an empty list, NaN if any value is NaN, and infinity or NaN for a scale of zero.
 pub fn drift(values: &[f64], scale: f64) -> f64 {
     let first = values.first().copied().unwrap_or(0.0);
     values.iter().map(|value| (value - first).abs()).fold(0.0, max_or_nan) / scale
@@ -33,9 +36,9 @@ pub struct ObservedOrder {
 }
 
 /// Fits the order of a method to pairs of step and error, leaving out errors at or below `plateau`, where
-/// rounding rules, and errors of one or more, where no order shows yet.
+/// rounding rules, and errors of one or more, where no order shows yet: give errors relative to the size of the solution.
 ///
-/// `None` with fewer than three usable points: that is no evidence.
+/// `None` with fewer than three usable points, or if an error or a step is not a number: that is no evidence.
 ///
 /// ```
 /// let steps = [0.1, 0.05, 0.025, 0.0125];
@@ -44,6 +47,9 @@ pub struct ObservedOrder {
 /// assert!((order.slope - 4.0).abs() < 1e-12 && order.points == 4);
 /// ```
 pub fn observed_order(steps_and_errors: &[(f64, f64)], plateau: f64) -> Option<ObservedOrder> {
+    if steps_and_errors.iter().any(|(step, error)| step.is_nan() || error.is_nan()) {
+        return None;
+    }
     let points: Vec<(f64, f64)> = steps_and_errors
         .iter()
         .filter(|(step, error)| *step > 0.0 && *error > plateau && *error < 1.0)

@@ -142,7 +142,10 @@ impl Dop853 {
         let end = times.last().copied().unwrap_or(start);
         let mut before = start;
         for (index, &time) in times.iter().enumerate() {
-            if !time.is_finite() || (time - before) * (end - start) < 0.0 || (end == start && time != start) {
+            if !time.is_finite()
+                || (time != before && (time > before) != (end > start))
+                || (end == start && time != start)
+            {
                 return Err(Failure::SampleTime { index, time });
             }
             before = time;

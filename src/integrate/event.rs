@@ -46,7 +46,7 @@ impl Dop853 {
     /// [`Dop853::with_max_step`] is the cure. A zero exactly at the start is not an event.
     ///
     /// # Errors
-    /// As [`Dop853::solve`]; also [`Failure::NotFinite`] if the event function is not finite.
+    /// As [`Dop853::solve`]; also [`Failure::EventNotANumber`] if the event function is NaN.
     ///
     /// ```
     /// use mechanics::integrate::{Direction, Dop853, Outcome};
@@ -71,26 +71,26 @@ impl Dop853 {
         let mut fault = None;
         let mut before = event(start, &state);
         if before.is_nan() {
-            return Err(Failure::NotFinite { time: start, state, step: 0.0 });
+            return Err(Failure::EventNotANumber { time: start, state });
         }
         let last = self.solve_with(rates, start, state, end, |step| {
             let after = event(step.end(), step.final_state());
             if after.is_nan() {
-                fault = Some((step.start(), *step.initial_state(), step.end() - step.start()));
+                fault = Some((step.start(), *step.initial_state()));
                 return ControlFlow::Break(());
             }
             if direction.counts(before, after) {
                 found = locate(step, &mut event, before, after);
                 if found.is_none() {
-                    fault = Some((step.start(), *step.initial_state(), step.end() - step.start()));
+                    fault = Some((step.start(), *step.initial_state()));
                 }
                 return ControlFlow::Break(());
             }
             before = after;
             ControlFlow::Continue(())
         })?;
-        if let Some((time, state, step)) = fault {
-            return Err(Failure::NotFinite { time, state, step });
+        if let Some((time, state)) = fault {
+            return Err(Failure::EventNotANumber { time, state });
         }
         Ok(match found {
             Some((time, state)) => Outcome::Event(End { time, state, ..last }),

@@ -4,6 +4,7 @@ use std::{error::Error, fmt};
 
 /// An integration that did not reach its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Failure<const N: usize> {
     /// The start or the end of the interval is not a finite number.
     Interval {
@@ -34,6 +35,13 @@ pub enum Failure<const N: usize> {
         state: [f64; N],
         /// The step that was tried from there.
         step: f64,
+    },
+    /// The function whose zero is sought is not a number within a step.
+    EventNotANumber {
+        /// The last time that was reached.
+        time: f64,
+        /// The state there.
+        state: [f64; N],
     },
     /// The tolerance asks for a step below the spacing of floating-point numbers.
     StepUnderflow {
@@ -73,6 +81,9 @@ impl<const N: usize> fmt::Display for Failure<N> {
                 out,
                 "the rates are not finite within a step of {step} from time {time}, state {state:?}"
             ),
+            Self::EventNotANumber { time, state } => {
+                write!(out, "the event is not a number within the step from time {time}, state {state:?}")
+            }
             Self::StepUnderflow { time, state, step } => write!(
                 out,
                 "at time {time}, state {state:?} the tolerance asks for a step of {step}, too small to change the time"
@@ -89,6 +100,7 @@ impl<const N: usize> Error for Failure<N> {}
 
 /// A tolerance that no computation in `f64` can keep.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum InvalidTolerance {
     /// Not a positive finite number.
     NotPositive {

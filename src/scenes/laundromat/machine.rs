@@ -1,5 +1,6 @@
 //! The machine: six numbers, checked once, and the constants that follow from them.
 
+use crate::quantity::Shown;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 use std::error::Error;
@@ -65,18 +66,18 @@ impl Machine {
     /// no stiffness, or if a mass, the radius, ω₀, b, Γ or |Ω| is outside 1e-50 to 1e50 in SI units without being zero.
     pub fn new(parameters: Parameters) -> Result<Self, InvalidMachine> {
         let Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin } = parameters;
-        for (quantity, value, unit) in [
-            ("drum mass", drum_mass, "kg"),
-            ("load mass", load_mass, "kg"),
-            ("load radius", load_radius, "m"),
-            ("stiffness", stiffness, "N/m"),
-            ("damping", damping, "kg/s"),
-            ("spin", spin, "rad/s"),
+        for (quantity, value, unit, either_sign) in [
+            ("drum mass", drum_mass, "kg", false),
+            ("load mass", load_mass, "kg", false),
+            ("load radius", load_radius, "m", false),
+            ("stiffness", stiffness, "N/m", false),
+            ("damping", damping, "kg/s", false),
+            ("spin", spin, "rad/s", true),
         ] {
             if !value.is_finite() {
                 return Err(InvalidMachine::NotFinite { quantity, value, unit });
             }
-            if value < 0.0 && quantity != "spin" {
+            if value < 0.0 && !either_sign {
                 return Err(InvalidMachine::Negative { quantity, value, unit });
             }
         }
@@ -165,7 +166,8 @@ impl Machine {
 
     /// The direction e<sup>iΩt</sup> from the shaft to the load at time `t` in seconds.
     ///
-    /// Sixteen digits at any time: the product Ωt is formed without rounding before whole turns are taken off.
+    /// Sixteen digits at any time up to 1e150 s in size: the product Ωt is formed without rounding before whole turns are taken
+    /// off. NaN for a time that is not finite, or so large that the product overflows.
     pub fn load_direction(&self, t: f64) -> Complex<f64> {
         let (sin, cos) = TwoPart::product(self.parameters.spin, t).sin_cos();
         Complex::new(cos, sin)
@@ -261,17 +263,3 @@ impl fmt::Display for InvalidMachine {
 }
 
 impl Error for InvalidMachine {}
-
-/// A number in plain digits if that is short, else with an exponent.
-pub(super) struct Shown(pub(super) f64);
-
-impl fmt::Display for Shown {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(value) = *self;
-        if value == 0.0 || !value.is_finite() || (1e-4..1e7).contains(&value.abs()) {
-            write!(out, "{value}")
-        } else {
-            write!(out, "{value:e}")
-        }
-    }
-}

@@ -10,6 +10,9 @@
 //! z̈ + Γ ż + ω₀² z = b Ω² e^{iΩt}
 //! ```
 //!
+//! Functions of a time that return plain numbers let a time that is not finite through, as NaN; those that return a `Result`
+//! refuse it.
+//!
 //! | to find | call |
 //! |---|---|
 //! | the three constants ω₀, b, Γ | [`Machine::natural_frequency`], [`Machine::offset`], [`Machine::damping_rate`] |

@@ -1,7 +1,7 @@
 //! The free motion of a damped oscillator, exact from no damping through critical to very heavy damping, for a spring
 //! that pulls or pushes.
 
-use super::machine::Shown;
+use crate::quantity::Shown;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 use std::error::Error;

@@ -1,6 +1,6 @@
 //! Where the shaft is and how it moves.
 
-use super::machine::Shown;
+use crate::quantity::Shown;
 use nalgebra::Complex;
 use std::error::Error;
 use std::fmt;

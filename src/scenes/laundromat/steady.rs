@@ -1,6 +1,7 @@
 //! Steady motion: the circle that remains when everything else has died out.
 
-use super::machine::{Machine, Shown};
+use super::machine::Machine;
+use crate::quantity::Shown;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 use std::error::Error;
@@ -10,7 +11,7 @@ use std::fmt;
 /// The steady motion z = Z e<sup>iΩt</sup>: the shaft goes round O once for each turn of the drum.
 ///
 /// From [`Machine::steady`]. All quantities are accurate to a few units in the last place at any spin, near
-/// resonance too.
+/// resonance too; a torque or power beyond the largest `f64` is infinite.
 ///
 /// ```
 /// use mechanics::scenes::laundromat::{Machine, Parameters};

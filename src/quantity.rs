@@ -1,0 +1,160 @@
+//! Numbers with a name, a unit and a rule: what every scene checks before it computes.
+
+use std::error::Error;
+use std::fmt;
+use std::ops::RangeInclusive;
+
+/// Sizes that the library computes with, in SI units. Squares, fourth powers and products of such numbers neither
+/// overflow nor underflow.
+const RANGE: RangeInclusive<f64> = 1e-50..=1e50;
+
+/// A quantity that breaks a rule of this world or of the computation.
+///
+/// Its message holds the name, the value, the unit and the rule.
+///
+/// ```
+/// use mechanics::inertia::Body;
+/// let refusal = Body::hoop(-2.0, 0.3).unwrap_err();
+/// assert_eq!(refusal.to_string(), "mass -2 kg is not positive; it must be more than zero");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InvalidQuantity {
+    /// What the number is.
+    pub quantity: &'static str,
+    /// The number.
+    pub value: f64,
+    /// Its unit; empty for a pure number.
+    pub unit: &'static str,
+    /// The rule that it breaks.
+    pub rule: Rule,
+}
+
+/// What is asked of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Rule {
+    /// It is a finite number.
+    Finite,
+    /// It is more than zero.
+    Positive,
+    /// It is zero or more.
+    NotNegative,
+    /// It is not zero.
+    NotZero,
+    /// Its size, if it is not zero, is from 1e-50 to 1e50 in its unit.
+    InRange,
+    /// It is at least so much.
+    AtLeast(f64),
+    /// It is less than so much.
+    LessThan(f64),
+}
+
+impl InvalidQuantity {
+    /// Checks that a number is finite and, if it is not zero, of a size that can be computed with.
+    pub(crate) fn check(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Self> {
+        let rule = if !value.is_finite() {
+            Rule::Finite
+        } else if value != 0.0 && !RANGE.contains(&value.abs()) {
+            Rule::InRange
+        } else {
+            return Ok(value);
+        };
+        Err(Self { quantity, value, unit, rule })
+    }
+
+    /// The same, and that it is more than zero.
+    pub(crate) fn check_positive(
+        quantity: &'static str,
+        value: f64,
+        unit: &'static str,
+    ) -> Result<f64, Self> {
+        if value <= 0.0 && value.is_finite() {
+            return Err(Self { quantity, value, unit, rule: Rule::Positive });
+        }
+        Self::check(quantity, value, unit)
+    }
+
+    /// The same, and that it is zero or more.
+    pub(crate) fn check_not_negative(
+        quantity: &'static str,
+        value: f64,
+        unit: &'static str,
+    ) -> Result<f64, Self> {
+        if value < 0.0 && value.is_finite() {
+            return Err(Self { quantity, value, unit, rule: Rule::NotNegative });
+        }
+        Self::check(quantity, value, unit)
+    }
+
+    /// Checks that a number is finite, whatever its size.
+    pub(crate) fn require_finite(
+        quantity: &'static str,
+        value: f64,
+        unit: &'static str,
+    ) -> Result<f64, Self> {
+        Self::require(value.is_finite(), quantity, value, unit, Rule::Finite)
+    }
+
+    /// Checks a time, s: finite, and not too large to compute with.
+    pub(crate) fn check_time(time: f64) -> Result<f64, Self> {
+        if time.abs() < *RANGE.start() { Ok(time) } else { Self::check("time", time, "s") }
+    }
+
+    /// The number if a condition on it holds, else the rule.
+    pub(crate) fn require(
+        holds: bool,
+        quantity: &'static str,
+        value: f64,
+        unit: &'static str,
+        rule: Rule,
+    ) -> Result<f64, Self> {
+        if holds { Ok(value) } else { Err(Self { quantity, value, unit, rule }) }
+    }
+}
+
+impl fmt::Display for InvalidQuantity {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { quantity, value, unit, rule } = *self;
+        let unit = WithSpace(unit);
+        write!(out, "{quantity} {}{unit} ", Shown(value))?;
+        match rule {
+            Rule::Finite => write!(out, "is not a finite number"),
+            Rule::Positive => write!(out, "is not positive; it must be more than zero"),
+            Rule::NotNegative => write!(out, "is negative; it must be zero or more"),
+            Rule::NotZero => write!(out, "must not be zero"),
+            Rule::InRange => write!(
+                out,
+                "is outside the range from {:e} to {:e}{unit} in size that is computed with",
+                RANGE.start(),
+                RANGE.end()
+            ),
+            Rule::AtLeast(least) => write!(out, "is too small; it must be at least {}{unit}", Shown(least)),
+            Rule::LessThan(limit) => write!(out, "is too large; it must be less than {}{unit}", Shown(limit)),
+        }
+    }
+}
+
+impl Error for InvalidQuantity {}
+
+/// A unit after its number: nothing for a pure number.
+struct WithSpace(&'static str);
+
+impl fmt::Display for WithSpace {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.is_empty() { Ok(()) } else { write!(out, " {}", self.0) }
+    }
+}
+
+/// A number in plain digits if that is short, else with an exponent.
+pub(crate) struct Shown(pub(crate) f64);
+
+impl fmt::Display for Shown {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(value) = *self;
+        if value == 0.0 || !value.is_finite() || (1e-4..1e7).contains(&value.abs()) {
+            write!(out, "{value}")
+        } else {
+            write!(out, "{value:e}")
+        }
+    }
+}
