@@ -34,6 +34,26 @@ pub enum Shape {
         /// How far it turns from there, rad, positive if counter-clockwise on the page; less than a full turn.
         sweep: f64,
     },
+    /// An ellipse.
+    Ellipse {
+        /// Its centre.
+        centre: Point,
+        /// Its semi-axes, px.
+        radii: (f64, f64),
+        /// The direction of the first semi-axis, rad, counter-clockwise on the page from the right.
+        turn: f64,
+    },
+    /// The image of a rounded body: an ellipse, shaded from its brightest point to its outline.
+    Rounded {
+        /// Its centre.
+        centre: Point,
+        /// Its semi-axes, px.
+        radii: (f64, f64),
+        /// The direction of the first semi-axis, rad, counter-clockwise on the page from the right.
+        turn: f64,
+        /// The point where it is brightest, inside.
+        light: Point,
+    },
     /// A label.
     Label(Label),
 }
@@ -203,13 +223,16 @@ impl Drawing {
 }
 
 impl Shape {
-    /// The shape's lines as points, circles and arcs divided finely; a label's are the corners of its ink.
+    /// The shape's lines as points, circles, arcs and ellipses divided finely; a label's are the corners of its ink.
     pub fn points(&self) -> Vec<Point> {
         match self {
             Self::Polyline(points) => points.clone(),
             Self::Polygon(points) => points.iter().chain(points.first()).copied().collect(),
             Self::Circle { centre, radius } => arc_points(*centre, *radius, 0.0, std::f64::consts::TAU),
             Self::Arc { centre, radius, from, sweep } => arc_points(*centre, *radius, *from, *sweep),
+            Self::Ellipse { centre, radii, turn } | Self::Rounded { centre, radii, turn, .. } => {
+                ellipse_points(*centre, *radii, *turn)
+            }
             Self::Label(Label { bounds, .. }) => vec![
                 at(bounds.left, bounds.top),
                 at(bounds.right, bounds.top),
@@ -224,5 +247,16 @@ fn arc_points(centre: Point, radius: f64, from: f64, sweep: f64) -> Vec<Point> {
     let steps = 120;
     (0..=steps)
         .map(|step| centre + Point::polar(radius, from + sweep * f64::from(step) / f64::from(steps)))
+        .collect()
+}
+
+fn ellipse_points(centre: Point, radii: (f64, f64), turn: f64) -> Vec<Point> {
+    let (first, second) = (Point::polar(radii.0, turn), Point::polar(radii.1, turn).quarter_turned());
+    let steps = 120;
+    (0..=steps)
+        .map(|step| {
+            let (sin, cos) = (std::f64::consts::TAU * f64::from(step) / f64::from(steps)).sin_cos();
+            centre + first * cos + second * sin
+        })
         .collect()
 }

@@ -6,6 +6,7 @@ mod arrow;
 mod device;
 mod marker;
 
+pub(crate) use arrow::{HEAD, SMALL};
 pub use arrow::{Heads, angle, arrow, dimension, head};
 pub use device::{damper, ground, spring};
 pub use marker::{Marker, marker};

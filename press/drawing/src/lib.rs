@@ -18,7 +18,7 @@
 //! | `clip`, `simplify` | polylines cut at a frame and thinned below what can be seen |
 //! | `svg`, `style` | the writer, and the style sheet of figures that stand alone |
 //!
-//! Solids, a camera and hidden lines will live in a module of their own, `space`, on top of the same display list.
+//! Solids, a camera and hidden lines live in a module of their own, [`space`], on top of the same display list.
 //!
 //! ```
 //! use drawing::{Drawing, Hue, Role, Side, Stroke, at};
@@ -37,6 +37,7 @@ mod label;
 mod point;
 mod role;
 mod simplify;
+pub mod space;
 mod style;
 mod svg;
 

@@ -44,6 +44,8 @@ pub enum Stroke {
     Hidden,
     /// Hatching, 0.75 px.
     Hatch,
+    /// A line of a grid on the ground, a pale hairline.
+    Grid,
 }
 
 /// How an area is filled.
@@ -57,6 +59,10 @@ pub enum Fill {
     Side,
     /// A region of the plane that means something: the palest tint.
     Ground,
+    /// The shading of a rounded body, given by its shape, [`Shape::Rounded`](crate::Shape::Rounded).
+    Round,
+    /// The ground that bodies stand on: barely a tint.
+    Floor,
     /// The colour of the page, to hide what lies behind.
     Page,
 }
@@ -73,6 +79,9 @@ pub enum Role {
     /// A label on a filled area, without rim.
     PlainText(Hue),
 }
+
+/// The classes of the three stops of a rounded body's shading, from where it is brightest to its outline.
+pub(crate) const STOPS: [&str; 3] = ["f-lit", "f-half-lit", "f-unlit"];
 
 /// The class of a label's rim where it is drawn by itself.
 pub(crate) const RIM: &str = "f-rim";
@@ -98,7 +107,7 @@ impl Hue {
 
 impl Stroke {
     /// All of them.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Axis,
         Self::Tick,
         Self::Curve,
@@ -110,6 +119,7 @@ impl Stroke {
         Self::Dotted,
         Self::Hidden,
         Self::Hatch,
+        Self::Grid,
     ];
 
     /// The class of the style sheet.
@@ -126,13 +136,15 @@ impl Stroke {
             Self::Dotted => "f-dotted",
             Self::Hidden => "f-hidden",
             Self::Hatch => "f-hatch",
+            Self::Grid => "f-grid",
         }
     }
 }
 
 impl Fill {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Solid, Self::Face, Self::Side, Self::Ground, Self::Page];
+    pub const ALL: [Self; 7] =
+        [Self::Solid, Self::Face, Self::Side, Self::Ground, Self::Round, Self::Floor, Self::Page];
 
     /// The class of the style sheet.
     pub const fn class(self) -> &'static str {
@@ -141,6 +153,8 @@ impl Fill {
             Self::Face => "f-face",
             Self::Side => "f-side",
             Self::Ground => "f-ground",
+            Self::Round => "f-round",
+            Self::Floor => "f-floor",
             Self::Page => "f-page",
         }
     }

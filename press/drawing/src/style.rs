@@ -47,7 +47,8 @@ fn resolved(rule: &str, side: Side) -> String {
     if let Some((before, rest)) = rule.split_once(TINT.0)
         && let Some((percent, after)) = rest.split_once(TINT.1)
     {
-        rule = format!("{before}currentColor; fill-opacity: {percent}%{after}");
+        let opacity = if before.ends_with("stop-color: ") { "stop-opacity" } else { "fill-opacity" };
+        rule = format!("{before}currentColor; {opacity}: {percent}%{after}");
     }
     rule
 }
@@ -94,7 +95,7 @@ fn halves(arguments: &str) -> (&str, &str) {
 #[cfg(test)]
 mod tests {
     use super::{PAGE, standalone};
-    use crate::role::{Fill, Hue, Role, Stroke};
+    use crate::role::{Fill, Hue, Role, STOPS, Stroke};
 
     #[test]
     fn every_role_has_a_rule_in_the_style_sheet() {
@@ -103,6 +104,7 @@ mod tests {
             .into_iter()
             .chain(Stroke::ALL.map(Stroke::class))
             .chain(Fill::ALL.map(Fill::class))
+            .chain(STOPS)
             .chain(["f-line", "f-text", "f-plain", "f-rim"]);
         for class in classes {
             let rule = format!(".{class} {{");
@@ -123,6 +125,7 @@ mod tests {
             (".f-ink { color: ", "#1a1a1a; }", "#c9cad6; }"),
             (".f-page { fill: ", "#ffffff; }", "#161923; }"),
             (".f-face { fill: currentColor; fill-opacity: ", "22%; }", "42%; }"),
+            (".f-unlit { stop-color: currentColor; stop-opacity: ", "42%; }", "18%; }"),
         ] {
             assert!(light.contains(&format!("{rule}{in_light}\n")), "{light}");
             assert!(dark.contains(&format!("{rule}{in_dark}\n")), "{dark}");

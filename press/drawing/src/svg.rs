@@ -3,7 +3,7 @@
 use crate::drawing::{Drawing, Item, Shape};
 use crate::label::{Label, Piece, Segment};
 use crate::point::Point;
-use crate::role::{RIM, Role};
+use crate::role::{RIM, Role, STOPS};
 use crate::style;
 use std::fmt::Write as _;
 
@@ -36,15 +36,15 @@ impl Drawing {
             escaped(self.title()),
             escaped(self.description())
         );
-        for item in self.items() {
-            write_item(&mut out, &id, item);
+        for (index, item) in self.items().iter().enumerate() {
+            write_item(&mut out, &id, index, item);
         }
         out.push_str("</svg>");
         out
     }
 }
 
-fn write_item(out: &mut String, id: &str, item: &Item) {
+fn write_item(out: &mut String, id: &str, index: usize, item: &Item) {
     let name = item.name.as_ref().map_or(String::new(), |name| format!(" id=\"{id}-{}\"", escaped(name)));
     let class = item.role.classes();
     let element = match &item.shape {
@@ -62,9 +62,45 @@ fn write_item(out: &mut String, id: &str, item: &Item) {
             let r = number(*radius);
             format!("<path{name} class=\"{class}\" d=\"M{start}A{r},{r} 0 {large} {clockwise} {end}\"/>")
         }
+        Shape::Ellipse { centre, radii, turn } => {
+            format!("<path{name} class=\"{class}\" d=\"{}\"/>", ellipse(*centre, *radii, *turn))
+        }
+        Shape::Rounded { centre, radii, turn, light } => {
+            let shade = format!("{id}-shade-{index}");
+            let gradient = gradient(&shade, &class, *centre, *radii, *turn, *light);
+            let path = ellipse(*centre, *radii, *turn);
+            format!("{gradient}\n<path{name} class=\"{class}\" fill=\"url(#{shade})\" d=\"{path}\"/>")
+        }
     };
     out.push_str(&element);
     out.push('\n');
+}
+
+/// Two halves of an ellipse.
+fn ellipse(centre: Point, radii: (f64, f64), turn: f64) -> String {
+    let [start, end] = [1.0, -1.0].map(|end| pair(centre + Point::polar(radii.0 * end, turn)));
+    let [first, second, slope] = [radii.0, radii.1, -turn.to_degrees()].map(number);
+    let half = format!("A{first},{second} {slope} 0 0");
+    format!("M{start}{half} {end}{half} {start}Z")
+}
+
+/// The shading of an ellipse: a gradient in coordinates in which it is the unit circle.
+fn gradient(id: &str, class: &str, centre: Point, radii: (f64, f64), turn: f64, light: Point) -> String {
+    let (first, second) = (Point::polar(1.0, turn), Point::polar(1.0, turn).quarter_turned());
+    let step = light - centre;
+    let dot = |axis: Point| step.x * axis.x + step.y * axis.y;
+    let [x, y] = [dot(first) / radii.0, dot(second) / radii.1].map(number);
+    let (first, second) = (first * radii.0, second * radii.1);
+    let matrix = [first.x, first.y, second.x, second.y, centre.x, centre.y].map(number).join(" ");
+    let stops: String = STOPS
+        .iter()
+        .zip(["0", ".5", "1"])
+        .map(|(stop, offset)| format!("<stop class=\"{stop} {class}\" offset=\"{offset}\"/>"))
+        .collect();
+    format!(
+        "<radialGradient id=\"{id}\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" r=\"1\" fx=\"{x}\" fy=\"{y}\" \
+         gradientTransform=\"matrix({matrix})\">{stops}</radialGradient>"
+    )
 }
 
 /// A label of one piece carries its own rim. Where several pieces stand side by side all rims come first, or the rim of

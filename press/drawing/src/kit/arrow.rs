@@ -5,9 +5,9 @@ use crate::point::Point;
 use crate::role::{Fill, Hue, Role, Stroke};
 
 /// The arrowhead: its length, its width and the depth of the notch at its back, px.
-const HEAD: (f64, f64, f64) = (10.0, 7.2, 2.2);
+pub(crate) const HEAD: (f64, f64, f64) = (10.0, 7.2, 2.2);
 /// Arrowheads on arcs and dimension lines are this much smaller.
-const SMALL: f64 = 0.8;
+pub(crate) const SMALL: f64 = 0.8;
 
 /// Which ends of an arc or line carry an arrowhead.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,0 +1,159 @@
+//! Where the eye is, and where the world lands on the page.
+
+use super::error::{SpaceError, finite, positive};
+use super::ray::Ray;
+use super::vector::Vec3;
+use crate::point::{Point, at};
+use std::f64::consts::FRAC_PI_2;
+
+/// A point must be further from the eye's plane than this part of the distance between eye and target.
+const NEAREST: f64 = 0.02;
+
+/// How a scene is looked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct View {
+    /// The point that the eye looks at, in the world.
+    pub target: [f64; 3],
+    /// The direction from the target to the eye, seen from above: rad from the x axis, towards the y axis.
+    pub azimuth: f64,
+    /// How high the eye stands over the horizontal plane through the target, rad, from −π/2 to π/2.
+    pub elevation: f64,
+    /// From the target to the eye, units of the world; infinite for parallel lines of sight.
+    pub distance: f64,
+    /// Where the target lands on the page.
+    pub centre: Point,
+    /// The length of a unit of the world that lies across the line of sight at the target, px.
+    pub scale: f64,
+}
+
+/// An eye with its page: a [`View`] that has been checked.
+///
+/// The world is right-handed and z points up. On the page x runs to the right and y downwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera {
+    target: Vec3,
+    /// Unit vectors of the world: to the right and up on the page, and towards the eye.
+    right: Vec3,
+    up: Vec3,
+    back: Vec3,
+    /// 1/distance; 0 for an eye at infinity.
+    nearness: f64,
+    centre: Point,
+    scale: f64,
+}
+
+impl Camera {
+    /// Checks a view.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite (the distance may be infinite), for a distance or scale that is not
+    /// positive, and for an elevation beyond ±π/2.
+    ///
+    /// ```
+    /// use drawing::{at, space::{Camera, SpaceError, View}};
+    /// let view = View {
+    ///     target: [0.0; 3], azimuth: 0.0, elevation: 0.0, distance: 4.0, centre: at(100.0, 100.0), scale: 30.0,
+    /// };
+    /// let camera = Camera::new(view)?; // on the x axis, 4 units from the origin
+    /// // One unit to the right (y) and one up, at the target's depth; then two units closer, where all is twice as large.
+    /// assert_eq!(camera.project([0.0, 1.0, 1.0]), Some(at(130.0, 70.0)));
+    /// assert_eq!(camera.project([2.0, 1.0, 1.0]), Some(at(160.0, 40.0)));
+    /// assert_eq!(camera.project([5.0, 0.0, 0.0]), None); // behind the eye
+    /// let parallel = Camera::new(View { distance: f64::INFINITY, ..view })?;
+    /// assert_eq!(parallel.project([2.0, 1.0, 1.0]), Some(at(130.0, 70.0)));
+    /// # Ok::<(), SpaceError>(())
+    /// ```
+    pub fn new(view: View) -> Result<Self, SpaceError> {
+        let target = finite("target", view.target)?;
+        finite("camera", [view.azimuth, view.elevation, 0.0])?;
+        finite("page centre", [view.centre.x, view.centre.y, 0.0])?;
+        let scale = positive("scale", view.scale)?;
+        let nearness =
+            if view.distance == f64::INFINITY { 0.0 } else { 1.0 / positive("distance", view.distance)? };
+        if view.elevation.abs() > FRAC_PI_2 {
+            return Err(SpaceError::Elevation { value: view.elevation });
+        }
+        let (sin_azimuth, cos_azimuth) = view.azimuth.sin_cos();
+        let (sin_elevation, cos_elevation) = view.elevation.sin_cos();
+        let right = Vec3([-sin_azimuth, cos_azimuth, 0.0]);
+        let back = Vec3([cos_elevation * cos_azimuth, cos_elevation * sin_azimuth, sin_elevation]);
+        let up = back.cross(right);
+        Ok(Self { target, right, up, back, nearness, centre: view.centre, scale })
+    }
+
+    /// Where a point of the world lands on the page; none if it lies behind the eye or too close to it.
+    pub fn project(&self, point: impl Into<[f64; 3]>) -> Option<Point> {
+        let point = Vec3(point.into());
+        let weight = self.weight(point);
+        (point.is_finite() && weight > NEAREST).then(|| self.land(point))
+    }
+
+    /// The unit vector from the target towards the eye, in the world.
+    pub fn towards_eye(&self) -> [f64; 3] {
+        self.back.0
+    }
+
+    /// The unit vector of the world that points to the right on the page.
+    pub fn right(&self) -> [f64; 3] {
+        self.right.0
+    }
+
+    /// The unit vector of the world that points upwards on the page.
+    pub fn up(&self) -> [f64; 3] {
+        self.up.0
+    }
+
+    /// Where the eye is; none for an eye at infinity.
+    pub(super) fn eye(&self) -> Option<Vec3> {
+        (self.nearness > 0.0).then(|| self.target + self.back * self.reach())
+    }
+
+    /// A point that must be seen.
+    pub(super) fn check(&self, point: Vec3) -> Result<(), SpaceError> {
+        match self.project(point.0) {
+            Some(_) => Ok(()),
+            None => Err(SpaceError::BehindTheEye { point: point.0 }),
+        }
+    }
+
+    /// The page point of a point that has been checked.
+    pub(super) fn land(&self, point: Vec3) -> Point {
+        let [x, y, weight] = self.homogeneous(point);
+        at(x / weight, y / weight)
+    }
+
+    /// Page coordinates times depth, and the depth in distances from eye to target: all linear in the point.
+    pub(super) fn homogeneous(&self, point: Vec3) -> [f64; 3] {
+        let (step, weight) = (point - self.target, self.weight(point));
+        let x = self.centre.x * weight + self.scale * step.dot(self.right);
+        let y = self.centre.y * weight - self.scale * step.dot(self.up);
+        [x, y, weight]
+    }
+
+    /// How far the point lies in front of the eye's plane, in distances from eye to target.
+    fn weight(&self, point: Vec3) -> f64 {
+        1.0 - self.nearness * (point - self.target).dot(self.back)
+    }
+
+    /// The direction from a point towards the eye, of the length by which the eye is reached at the step [`Self::reach`].
+    pub(super) fn sight(&self, point: Vec3) -> Vec3 {
+        self.back - (point - self.target) * self.nearness
+    }
+
+    /// 1/distance; the eye's coordinate in the formulas that also hold for an eye at infinity.
+    pub(super) fn nearness(&self) -> f64 {
+        self.nearness
+    }
+
+    /// How many steps of [`Self::sight`] lead from a point to the eye: the distance, infinite for parallel lines.
+    pub(super) fn reach(&self) -> f64 {
+        1.0 / self.nearness
+    }
+
+    /// The line of sight through a point of the page. It begins in the plane of the target and runs away from the eye.
+    pub(super) fn ray(&self, page: Point) -> Ray {
+        let step = (page - self.centre) * (1.0 / self.scale);
+        let origin = self.target + self.right * step.x - self.up * step.y;
+        Ray { origin, direction: -self.sight(origin) }
+    }
+}

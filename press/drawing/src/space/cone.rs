@@ -1,0 +1,159 @@
+//! Cones: open shells without thickness.
+
+use super::camera::Camera;
+use super::conic;
+use super::form::{Edge, Form, Part, Patch};
+use super::ray::{Ray, Span, roots};
+use super::rim;
+use super::track::Track;
+use super::tube::steps;
+use super::vector::Vec3;
+use crate::drawing::Shape;
+use crate::point::Point;
+use crate::role::Fill;
+use crate::simplify::{TOLERANCE, simplify};
+use std::f64::consts::TAU;
+
+/// The shell of a cone from its apex to its rim, open at the rim.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Cone {
+    pub(super) apex: Vec3,
+    pub(super) axis: Vec3,
+    pub(super) across: (Vec3, Vec3),
+    /// Sine and cosine of the half-angle.
+    pub(super) opening: (f64, f64),
+    /// From the apex to the rim along the side.
+    pub(super) length: f64,
+}
+
+impl Cone {
+    pub(super) fn new(apex: Vec3, axis: Vec3, half_angle: f64, length: f64) -> Self {
+        Self { apex, axis, across: axis.companions(), opening: half_angle.sin_cos(), length }
+    }
+
+    fn height(&self) -> f64 {
+        self.length * self.opening.1
+    }
+
+    fn radius(&self) -> f64 {
+        self.length * self.opening.0
+    }
+
+    fn rim_centre(&self) -> Vec3 {
+        self.apex + self.axis * self.height()
+    }
+
+    /// The point of the rim at an angle.
+    fn rim(&self, angle: f64) -> Vec3 {
+        let (sin, cos) = angle.sin_cos();
+        self.rim_centre() + (self.across.0 * cos + self.across.1 * sin) * self.radius()
+    }
+
+    /// The quadratic form of the cone as a bilinear one: zero for a vector along the side, taken twice.
+    fn form(&self, first: Vec3, second: Vec3) -> f64 {
+        self.axis.dot(first) * self.axis.dot(second) - self.opening.1.powi(2) * first.dot(second)
+    }
+
+    /// The arc of the rim whose generators are seen from outside: where it begins and how far it goes, rad; the rest is seen
+    /// from inside. A tangent plane holds the apex, so one sight decides.
+    fn outside(&self, camera: &Camera) -> (f64, f64) {
+        let sight = camera.sight(self.apex);
+        let level = sight.across(self.axis);
+        let (sin, cos) = self.opening;
+        let cosine = sin * sight.dot(self.axis) / (cos * level.length());
+        let half = cosine.clamp(-1.0, 1.0).acos();
+        let middle = level.dot(self.across.1).atan2(level.dot(self.across.0));
+        (middle - half, 2.0 * half)
+    }
+
+    /// Where a ray meets the shell, in order, and whether from outside.
+    fn meets(&self, ray: &Ray) -> Vec<(f64, bool)> {
+        let (step, direction) = (ray.origin - self.apex, ray.direction);
+        let (a, b, c) = (self.form(direction, direction), self.form(step, direction), self.form(step, step));
+        let mut meets: Vec<(f64, bool)> = roots(a, b, c)
+            .into_iter()
+            .filter(|&t| (0.0..=self.height()).contains(&(step + direction * t).dot(self.axis)))
+            // Inside the cone the form is positive, so a ray that comes from outside meets it where the form grows.
+            .map(|t| (t, b + a * t > 0.0))
+            .collect();
+        meets.sort_by(|first, second| first.0.total_cmp(&second.0));
+        meets
+    }
+}
+
+impl Form for Cone {
+    fn name(&self) -> &'static str {
+        "cone"
+    }
+
+    fn thinnest(&self) -> f64 {
+        self.height().min(self.radius())
+    }
+
+    fn corners(&self) -> Vec<Vec3> {
+        let (first, second) = (self.across.0 * self.radius(), self.across.1 * self.radius());
+        let half = self.axis * (0.5 * self.height());
+        rim::box_corners(self.apex + half, [first, second, half])
+    }
+
+    fn contains(&self, point: Vec3) -> bool {
+        let step = point - self.apex;
+        let height = step.dot(self.axis);
+        height > 0.0 && height < self.height() && self.form(step, step) > 0.0
+    }
+
+    fn spans(&self, ray: &Ray) -> Vec<Span> {
+        self.meets(ray).into_iter().map(|(t, _)| Span { enter: t, leave: t }).collect()
+    }
+
+    fn boundaries(&self, camera: &Camera, point: Vec3, values: &mut Vec<f64>) {
+        let (step, sight) = (point - self.apex, camera.sight(self.apex));
+        let (own, mixed, eye) = (self.form(step, step), self.form(step, sight), self.form(sight, sight));
+        let shadow = rim::shadow(camera, self.rim_centre(), self.axis, self.radius(), point);
+        values.extend([own, mixed * mixed - eye * own, step.dot(self.axis) - self.height(), shadow]);
+    }
+
+    fn edges(&self, camera: &Camera) -> Vec<Edge> {
+        let (first, second) = (self.across.0 * self.radius(), self.across.1 * self.radius());
+        let rim = Track::circle(self.rim_centre(), first, second);
+        let mut edges = vec![Edge { track: rim, outline: false }];
+        let (from, sweep) = self.outside(camera);
+        if sweep > 0.0 && sweep < TAU {
+            for angle in [from, from + sweep] {
+                edges.push(Edge { track: Track::segment(self.apex, self.rim(angle)), outline: true });
+            }
+        }
+        edges
+    }
+
+    fn parts(&self) -> Vec<Part> {
+        vec![Part::Inside, Part::Outside]
+    }
+
+    fn enters(&self, ray: &Ray, part: &Part) -> Option<f64> {
+        let wanted = *part == Part::Outside;
+        self.meets(ray).into_iter().find(|&(_, outside)| outside == wanted).map(|(t, _)| t)
+    }
+
+    fn patches(&self, camera: &Camera, part: &Part) -> Vec<Patch> {
+        let (from, sweep) = self.outside(camera);
+        let (fill, from, sweep) = match part {
+            Part::Inside => (Fill::Side, from + sweep, TAU - sweep),
+            _ => (Fill::Face, from, sweep),
+        };
+        if sweep <= 0.0 {
+            return Vec::new();
+        }
+        let shape = if sweep >= TAU {
+            let (first, second) = (self.across.0 * self.radius(), self.across.1 * self.radius());
+            conic::ellipse(camera, self.rim_centre(), first, second)
+        } else {
+            let rim: Vec<Point> =
+                steps(from, sweep).into_iter().map(|angle| camera.land(self.rim(angle))).collect();
+            let mut outline = vec![camera.land(self.apex)];
+            outline.extend(simplify(&rim, TOLERANCE));
+            Shape::Polygon(outline)
+        };
+        vec![Patch { fill, shape }]
+    }
+}

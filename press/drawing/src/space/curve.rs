@@ -1,0 +1,155 @@
+//! Curves and straight lines that are drawn by themselves.
+
+use super::error::{SpaceError, direction, finite, positive};
+use super::track::Track;
+use super::vector::Vec3;
+use std::f64::consts::TAU;
+
+/// How much of a curve is drawn where a solid hides it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Hiding {
+    /// All of it, dashed and pale.
+    #[default]
+    Dashed,
+    /// Nothing.
+    Omitted,
+    /// All of it, as if no solid were there: for what begins inside a body but is to be read in front of it.
+    Ignored,
+}
+
+/// A line in space. Units are those of the world, angles in rad.
+///
+/// Its points may lie on a solid's surface: what is not more than a thousandth of the solid's least thickness behind the
+/// surface counts as lying on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    pub(super) track: Track,
+    pub(super) hiding: Hiding,
+}
+
+impl Curve {
+    fn new(track: Track) -> Self {
+        Self { track, hiding: Hiding::default() }
+    }
+
+    fn joined(
+        points: impl IntoIterator<Item = impl Into<[f64; 3]>>,
+        smooth: bool,
+    ) -> Result<Self, SpaceError> {
+        let mut kept: Vec<Vec3> = Vec::new();
+        for point in points {
+            let point = finite("point of the curve", point)?;
+            if kept.last() != Some(&point) {
+                kept.push(point);
+            }
+        }
+        if kept.len() < 2 {
+            return Err(SpaceError::NoCurve);
+        }
+        Ok(Self::new(Track { points: kept, smooth }))
+    }
+
+    /// A straight line.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite and ends that coincide.
+    pub fn segment(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>) -> Result<Self, SpaceError> {
+        Self::joined([from.into(), to.into()], false)
+    }
+
+    /// Straight lines from point to point.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite and fewer than two points that differ.
+    pub fn polyline(points: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Result<Self, SpaceError> {
+        Self::joined(points, false)
+    }
+
+    /// A smooth curve through points that lie close enough for a cubic between neighbours: some hundred for a turn. It is
+    /// closed if the last point is the first. Such a curve may lie on the surface of a solid.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite and fewer than two points that differ.
+    pub fn smooth(points: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Result<Self, SpaceError> {
+        Self::joined(points, true)
+    }
+
+    /// A circle about an axis.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius that is not positive.
+    pub fn circle(
+        centre: impl Into<[f64; 3]>,
+        axis: impl Into<[f64; 3]>,
+        radius: f64,
+    ) -> Result<Self, SpaceError> {
+        let (centre, axis) = (finite("centre", centre)?, direction("axis", axis)?);
+        let (first, second) = axis.companions();
+        let radius = positive("radius", radius)?;
+        Ok(Self::new(Track::circle(centre, first * radius, second * radius)))
+    }
+
+    /// What the point `start` passes over when it turns by `sweep` (rad, right-handed if positive) about the axis through
+    /// `centre`.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite, an axis without length, a start on the axis, a sweep of zero.
+    pub fn arc(
+        centre: impl Into<[f64; 3]>,
+        axis: impl Into<[f64; 3]>,
+        start: impl Into<[f64; 3]>,
+        sweep: f64,
+    ) -> Result<Self, SpaceError> {
+        let (centre, axis) = (finite("centre", centre)?, direction("axis", axis)?);
+        let start = finite("start", start)? - centre;
+        if !(sweep.is_finite() && sweep.abs() < 1e3 * TAU) {
+            return Err(SpaceError::NotFinite { what: "sweep" });
+        }
+        direction("start of the arc, seen from the axis", start.across(axis).0)?;
+        if sweep == 0.0 {
+            return Err(SpaceError::NoCurve);
+        }
+        Ok(Self::new(Track::arc(centre, axis, start, sweep)))
+    }
+
+    /// The arc of an angle at `vertex`, from one direction to another, by the shorter way.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite, directions without length, parallel or opposite to each other, and a
+    /// radius that is not positive.
+    pub fn between(
+        vertex: impl Into<[f64; 3]>,
+        from: impl Into<[f64; 3]>,
+        to: impl Into<[f64; 3]>,
+        radius: f64,
+    ) -> Result<Self, SpaceError> {
+        let vertex = finite("vertex", vertex)?;
+        let (from, to) = (direction("side of the angle", from)?, direction("side of the angle", to)?);
+        let normal = from.cross(to);
+        let axis = normal.unit().filter(|_| normal.length() > 1e-9).ok_or(SpaceError::NoPlane)?;
+        let sweep = normal.length().atan2(from.dot(to));
+        let radius = positive("radius", radius)?;
+        Ok(Self::new(Track::arc(vertex, axis, from * radius, sweep)))
+    }
+
+    /// The curve drawn otherwise where a solid hides it.
+    #[must_use]
+    pub fn hiding(self, hiding: Hiding) -> Self {
+        Self { hiding, ..self }
+    }
+
+    /// Where it begins.
+    pub fn start(&self) -> [f64; 3] {
+        self.track.at(0.0).0
+    }
+
+    /// Its point half-way: of an arc, the middle.
+    pub fn middle(&self) -> [f64; 3] {
+        self.track.middle().0
+    }
+
+    /// Where it ends.
+    pub fn end(&self) -> [f64; 3] {
+        self.track.at(self.track.chords() as f64).0
+    }
+}

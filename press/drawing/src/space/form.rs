@@ -1,0 +1,106 @@
+//! What every solid can say of itself to those who draw it.
+
+use super::camera::Camera;
+use super::ray::{Ray, Span};
+use super::track::Track;
+use super::vector::Vec3;
+use crate::drawing::Shape;
+use crate::role::Fill;
+
+/// The geometry of a solid.
+pub(super) trait Form {
+    /// What it is, for messages.
+    fn name(&self) -> &'static str;
+
+    /// Its least thickness, units of the world: the measure of what counts as lying on its surface.
+    fn thinnest(&self) -> f64;
+
+    /// Points whose convex hull holds it.
+    fn corners(&self) -> Vec<Vec3>;
+
+    /// Whether it, or the room that it encloses, holds a point.
+    fn contains(&self, point: Vec3) -> bool;
+
+    /// Where a ray is inside, in order.
+    fn spans(&self, ray: &Ray) -> Vec<Span>;
+
+    /// The values, at a point, of polynomials of at most second degree in the point, whose zeros hold all boundaries
+    /// between what the solid hides and what it does not: its surfaces and the cones that the eye spans with its outline.
+    fn boundaries(&self, camera: &Camera, point: Vec3, values: &mut Vec<f64>);
+
+    /// Its edges and its outline.
+    fn edges(&self, camera: &Camera) -> Vec<Edge>;
+
+    /// The parts that are painted apart.
+    fn parts(&self) -> Vec<Part> {
+        vec![Part::Whole]
+    }
+
+    /// Smaller parts, for a solid that is behind another in one place and in front of it in another.
+    fn sectors(&self) -> Vec<Part> {
+        Vec::new()
+    }
+
+    /// Where a ray enters a part, if it does.
+    fn enters(&self, ray: &Ray, part: &Part) -> Option<f64>;
+
+    /// What is seen of a part, in the order in which it is painted.
+    fn patches(&self, camera: &Camera, part: &Part) -> Vec<Patch>;
+}
+
+/// A line of a solid.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Edge {
+    pub(super) track: Track,
+    /// Whether it is part of the outline, which the solid itself cannot hide.
+    pub(super) outline: bool,
+}
+
+/// A filled area on the page.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Patch {
+    pub(super) fill: Fill,
+    pub(super) shape: Shape,
+}
+
+/// A part of a solid.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Part {
+    /// All of it.
+    Whole,
+    /// What lies on the sunny side of planes.
+    Cut(Vec<Plane>),
+    /// From an angle about the axis, over an angle, rad.
+    Sector(f64, f64),
+    /// The part of a shell that is seen from outside.
+    Outside,
+    /// The part of a shell that is seen from inside.
+    Inside,
+}
+
+/// A plane; its sunny side is where normal·x ≥ offset.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Plane {
+    pub(super) normal: Vec3,
+    pub(super) offset: f64,
+}
+
+impl Plane {
+    /// How far a point lies on the sunny side.
+    pub(super) fn height(&self, point: Vec3) -> f64 {
+        self.normal.dot(point) - self.offset
+    }
+
+    /// The part of a ray on the sunny side.
+    pub(super) fn span(&self, ray: &Ray) -> Option<Span> {
+        let (height, slope) = (self.height(ray.origin), self.normal.dot(ray.direction));
+        let zero = -height / slope;
+        if slope > 0.0 {
+            Some(Span { enter: zero, ..Span::ALL })
+        } else if slope < 0.0 {
+            Some(Span { leave: zero, ..Span::ALL })
+        } else {
+            (height >= 0.0).then_some(Span::ALL)
+        }
+    }
+}

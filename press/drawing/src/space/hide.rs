@@ -1,0 +1,138 @@
+//! Lines divided into what is seen and what is hidden.
+//!
+//! Along a straight line the boundaries between the two are zeros of polynomials of second degree, which every solid names
+//! ([`Form::boundaries`]); between neighbouring zeros one ray from the middle to the eye decides. A smooth curve is treated
+//! chord by chord, with rays from the curve itself and not from the chord, which would lie inside the body that the curve runs on; the
+//! boundary is then found on the curve by bisection.
+
+use super::camera::Camera;
+use super::form::Form;
+use super::ray::{Ray, zeros};
+use super::track::Track;
+use super::vector::Vec3;
+use crate::point::Point;
+
+/// What lies this little behind a surface counts as lying on it, in least thicknesses of the solid.
+const SURFACE: f64 = 1e-3;
+/// Pieces shorter than this are joined to their neighbours, px: nobody sees them, and rounding makes some.
+const SHORTEST: f64 = 0.6;
+
+/// What hides a point from the eye.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sight {
+    Seen,
+    /// A solid other than the line's own.
+    BehindOther,
+    /// The solid to which the line belongs.
+    BehindSelf,
+}
+
+/// A piece of a line, all seen or all hidden; parameters count chords.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Run {
+    pub(super) sight: Sight,
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// Parameters inside, near the two ends, at which the sight was decided.
+    probes: (f64, f64),
+}
+
+/// Whether a solid stands between a point and the eye. A point on its surface, or just below, is not hidden by it.
+pub(super) fn hides(form: &dyn Form, camera: &Camera, point: Vec3) -> bool {
+    let direction = camera.sight(point);
+    let surface = SURFACE * form.thinnest() / direction.length();
+    let reach = camera.reach();
+    let spans = form.spans(&Ray { origin: point, direction });
+    spans.iter().any(|span| span.leave > surface && span.enter < reach)
+}
+
+/// The pieces of a line, given all solids, and what hides a point of the line.
+pub(super) fn runs(
+    track: &Track,
+    camera: &Camera,
+    forms: &[&dyn Form],
+    judge: impl Fn(Vec3) -> Sight,
+) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for chord in 0..track.chords() {
+        let ends = breaks(track.points[chord], track.points[chord + 1], camera, forms);
+        for pair in ends.windows(2) {
+            let middle = 0.5 * (pair[0] + pair[1]);
+            let sight = judge(track.on_chord(chord, middle));
+            let [from, to, probe] = [pair[0], pair[1], middle].map(|part| chord as f64 + part);
+            match runs.last_mut() {
+                Some(last) if last.sight == sight => (last.to, last.probes.1) = (to, probe),
+                _ => runs.push(Run { sight, from, to, probes: (probe, probe) }),
+            }
+        }
+    }
+    if track.smooth {
+        for index in 1..runs.len() {
+            let (before, after) = (runs[index - 1], runs[index]);
+            let boundary = bisect(before.probes.1, after.probes.0, |at| judge(track.at(at)) == before.sight);
+            (runs[index - 1].to, runs[index].from) = (boundary, boundary);
+        }
+    }
+    join_short(track, camera, &mut runs);
+    runs
+}
+
+/// The fractions of a chord at which what hides it may change, from 0 to 1, in order.
+fn breaks(start: Vec3, end: Vec3, camera: &Camera, forms: &[&dyn Form]) -> Vec<f64> {
+    let mut breaks = vec![0.0, 1.0];
+    let mut values: [Vec<f64>; 3] = Default::default();
+    for form in forms {
+        for (point, values) in [start, start.towards(end, 0.5), end].into_iter().zip(&mut values) {
+            values.clear();
+            form.boundaries(camera, point, values);
+        }
+        for index in 0..values[0].len() {
+            breaks.extend(zeros(values[0][index], values[1][index], values[2][index]));
+        }
+    }
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup_by(|later, earlier| *later - *earlier < 1e-12);
+    breaks
+}
+
+/// Where a condition that holds at `yes` and not at `no` ceases to hold.
+fn bisect(mut yes: f64, mut no: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..40 {
+        let middle = 0.5 * (yes + no);
+        *(if holds(middle) { &mut yes } else { &mut no }) = middle;
+    }
+    0.5 * (yes + no)
+}
+
+/// Joins what is too short to be seen to the longer of its neighbours.
+fn join_short(track: &Track, camera: &Camera, runs: &mut Vec<Run>) {
+    while runs.len() > 1 {
+        let lengths: Vec<f64> = runs.iter().map(|run| length(&landed(track, camera, run))).collect();
+        let shortest = (0..runs.len()).min_by(|&a, &b| lengths[a].total_cmp(&lengths[b]));
+        let Some(short) = shortest.filter(|&index| lengths[index] < SHORTEST) else { return };
+        let before = short.checked_sub(1).map_or(-1.0, |index| lengths[index]);
+        let after = lengths.get(short + 1).copied().unwrap_or(-1.0);
+        runs[short].sight = runs[if before > after { short - 1 } else { short + 1 }].sight;
+        runs.dedup_by(|later, earlier| {
+            let same = later.sight == earlier.sight;
+            if same {
+                (earlier.to, earlier.probes.1) = (later.to, later.probes.1);
+            }
+            same
+        });
+    }
+}
+
+/// The piece as points of the page.
+pub(super) fn landed(track: &Track, camera: &Camera, run: &Run) -> Vec<Point> {
+    let (first, last) = (run.from.floor() as usize + 1, run.to.ceil() as usize);
+    let mut points = vec![camera.land(track.at(run.from))];
+    points.extend(track.points.get(first..last).unwrap_or(&[]).iter().map(|&point| camera.land(point)));
+    points.push(camera.land(track.at(run.to)));
+    points
+}
+
+/// The length of a polyline, px.
+pub(super) fn length(points: &[Point]) -> f64 {
+    points.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum()
+}

@@ -1,0 +1,240 @@
+//! Points, labels, named arrows, angles and axes of a scene.
+
+use super::curve::Curve;
+use super::error::{SpaceError, direction, finite, perpendicular, positive};
+use super::stage::Stage;
+use super::vector::Vec3;
+use crate::drawing::Drawing;
+use crate::kit::{self, Heads, Marker};
+use crate::label::{Label, Side};
+use crate::point::{Point, at};
+use crate::role::{Hue, Role, Stroke};
+use std::f64::consts::TAU;
+
+/// The type size of a label, px; its gap from a point; its gap from the tip of an arrow or from an arc.
+const SIZE: f64 = 14.0;
+const GAP: f64 = 6.0;
+const TIP_GAP: f64 = 5.0;
+/// Where an arrow that turns begins and ends, rad behind and before the direction to the right.
+const OPENING: (f64, f64) = (0.45, 0.25);
+/// The radius of the hollow dot in place of a hidden marker, px.
+const HOLLOW: f64 = 3.4;
+
+/// A point that is marked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Dot {
+    Disc(f64),
+    /// A disc that is seen whatever stands before it.
+    InFront(f64),
+    Marker(Marker),
+}
+
+/// A label where it stands on the page.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Caption {
+    pub(super) label: Label,
+    pub(super) hue: Hue,
+}
+
+impl Dot {
+    pub(super) fn write(self, drawing: &mut Drawing, centre: Point, hidden: bool, hue: Hue) {
+        match self {
+            Self::Disc(radius) if hidden => drawing.circle(centre, radius, Role::Line(Stroke::Hidden, hue)),
+            Self::Marker(_) if hidden => drawing.circle(centre, HOLLOW, Role::Line(Stroke::Hidden, hue)),
+            Self::Disc(radius) | Self::InFront(radius) => drawing.dot(centre, radius, hue),
+            Self::Marker(marker) => kit::marker(drawing, centre, marker, hue),
+        }
+    }
+}
+
+impl Stage {
+    /// Adds a vector with its name beyond the tip.
+    ///
+    /// # Errors
+    /// [`SpaceError`] as for [`Stage::vector`], and for a name that cannot be set.
+    pub fn named_vector(
+        &mut self,
+        from: impl Into<[f64; 3]>,
+        to: impl Into<[f64; 3]>,
+        name: &str,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        self.named_arrow(Curve::segment(from, to)?, Stroke::Vector, name, hue)
+    }
+
+    /// Adds a straight or curved arrow with its name beyond the tip.
+    ///
+    /// # Errors
+    /// [`SpaceError`] if a part of it is behind the eye, and for a name that cannot be set.
+    pub fn named_arrow(
+        &mut self,
+        curve: Curve,
+        stroke: Stroke,
+        name: &str,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        let track = curve.track.clone();
+        self.arrow(curve, stroke, Heads::End, hue)?;
+        let [before, tip] = [track.points[track.chords() - 1], track.points[track.chords()]];
+        let along = self.camera.land(tip) - self.camera.land(before);
+        self.caption_beyond(tip, along, name, hue)
+    }
+
+    /// Adds an arrow that turns about an axis, right-handed: most of a circle seen in perspective, open towards the right on
+    /// the page. It shows the sense of a rotation.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius that is not positive, and what is
+    /// behind the eye.
+    pub fn turning(
+        &mut self,
+        centre: impl Into<[f64; 3]>,
+        axis: impl Into<[f64; 3]>,
+        radius: f64,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        let (centre, axis) = (finite("centre", centre)?, direction("axis", axis)?);
+        let radius = positive("radius", radius)?;
+        let right = Vec3(self.camera.right()).across(axis);
+        let right = right.unit().unwrap_or(axis.companions().0);
+        let (sin, cos) = OPENING.0.sin_cos();
+        let start = centre + (right * cos + axis.cross(right) * sin) * radius;
+        let curve = Curve::arc(centre.0, axis.0, start.0, TAU - OPENING.0 - OPENING.1)?;
+        self.arrow(curve, Stroke::Outline, Heads::End, hue)
+    }
+
+    /// Adds the arc of an angle between two directions at a vertex, by the shorter way, with its name outside the middle; an
+    /// empty name is left out.
+    ///
+    /// # Errors
+    /// [`SpaceError`] as for [`Curve::between`], for what is behind the eye, and for a name that cannot be set.
+    pub fn angle(
+        &mut self,
+        vertex: impl Into<[f64; 3]>,
+        from: impl Into<[f64; 3]>,
+        to: impl Into<[f64; 3]>,
+        radius: f64,
+        name: &str,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        let vertex = finite("vertex", vertex)?;
+        let curve = Curve::between(vertex.0, from, to, radius)?;
+        let middle = Vec3(curve.middle());
+        self.camera.check(vertex)?;
+        self.curve(curve, Stroke::Outline, hue)?;
+        if name.is_empty() {
+            return Ok(());
+        }
+        let outwards = self.camera.land(middle) - self.camera.land(vertex);
+        self.caption_beyond(middle, outwards, name, hue)
+    }
+
+    /// Adds a filled dot of a radius on the page, px; a hollow dashed one where a solid hides it.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite, a radius that is not positive, a point behind the eye.
+    pub fn dot(&mut self, point: impl Into<[f64; 3]>, radius: f64, hue: Hue) -> Result<(), SpaceError> {
+        let dot = Dot::Disc(positive("radius", radius)?);
+        self.point(point, dot, hue)
+    }
+
+    /// Adds a filled dot that is seen whatever stands before it, as a point of contact under a thick rim.
+    ///
+    /// # Errors
+    /// [`SpaceError`] as for [`Stage::dot`].
+    pub fn dot_in_front(
+        &mut self,
+        point: impl Into<[f64; 3]>,
+        radius: f64,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        let dot = Dot::InFront(positive("radius", radius)?);
+        self.point(point, dot, hue)
+    }
+
+    /// Adds a marker; a hollow dashed dot where a solid hides it.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for a point that is not finite or lies behind the eye.
+    pub fn marker(&mut self, point: impl Into<[f64; 3]>, marker: Marker, hue: Hue) -> Result<(), SpaceError> {
+        self.point(point, Dot::Marker(marker), hue)
+    }
+
+    fn point(&mut self, point: impl Into<[f64; 3]>, dot: Dot, hue: Hue) -> Result<(), SpaceError> {
+        let point = finite("point", point)?;
+        self.camera.check(point)?;
+        self.points.push((point, dot, hue));
+        Ok(())
+    }
+
+    /// Adds a label of 14 px beside a point. It has a rim in the colour of the page, unless it stands on an opaque solid.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for a point that is not finite or lies behind the eye, and for a label that cannot be set.
+    pub fn label(
+        &mut self,
+        point: impl Into<[f64; 3]>,
+        side: Side,
+        text: &str,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        self.label_shifted(point, at(0.0, 0.0), side, text, hue)
+    }
+
+    /// Adds a label beside the page's point that lies a step away from the point, px.
+    ///
+    /// # Errors
+    /// [`SpaceError`] as for [`Stage::label`].
+    pub fn label_shifted(
+        &mut self,
+        point: impl Into<[f64; 3]>,
+        step: Point,
+        side: Side,
+        text: &str,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        let point = finite("point", point)?;
+        finite("step on the page", [step.x, step.y, 0.0])?;
+        self.camera.check(point)?;
+        let label = Label::new(text, SIZE)?.placed(self.camera.land(point) + step, side, GAP);
+        self.captions.push(Caption { label, hue });
+        Ok(())
+    }
+
+    /// A label beyond a point in a direction of the page, centred on its ink.
+    fn caption_beyond(&mut self, point: Vec3, along: Point, text: &str, hue: Hue) -> Result<(), SpaceError> {
+        let label = Label::new(text, SIZE)?;
+        let (ink, way) = (label.bounds, along.unit());
+        // From its middle the ink reaches this far against the direction.
+        let reach = (0.5 * ink.width() / way.x.abs()).min(0.5 * ink.height() / way.y.abs());
+        let middle = self.camera.land(point) + way * (TIP_GAP + reach);
+        let label = label.from_baseline(middle - ink.centre());
+        self.captions.push(Caption { label, hue });
+        Ok(())
+    }
+
+    /// Adds three axes of equal length with their names.
+    ///
+    /// # Errors
+    /// [`SpaceError::LeftHanded`] and [`SpaceError::NotPerpendicular`] if they are no right-handed triad; otherwise as for
+    /// [`Stage::named_vector`].
+    pub fn triad(
+        &mut self,
+        origin: impl Into<[f64; 3]>,
+        axes: [impl Into<[f64; 3]>; 3],
+        length: f64,
+        names: [&str; 3],
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        let (origin, axes) = (finite("origin", origin)?, perpendicular(axes)?);
+        let length = positive("length", length)?;
+        if axes[0].cross(axes[1]).dot(axes[2]) < 0.0 {
+            return Err(SpaceError::LeftHanded);
+        }
+        for (axis, name) in axes.into_iter().zip(names) {
+            let curve = Curve::segment(origin.0, (origin + axis * length).0)?;
+            self.named_arrow(curve, Stroke::Axis, name, hue)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,151 @@
+//! In which order solids are painted.
+//!
+//! Which of two parts is in front is asked of lines of sight through points where both are seen. What answers both ways is
+//! divided: rods in the planes where they pierce something, rings into sectors. A divided solid is first painted whole, at
+//! the turn of its hindmost part, and then once more in every part that is in front of something painted since; the seams
+//! fall on the same colours and cannot be seen.
+
+use super::camera::Camera;
+use super::form::{Form, Part, Patch};
+use crate::point::{Point, Rect, at};
+use std::cmp::Ordering;
+
+/// How many lines of sight in each direction compare two parts.
+const GRID: u32 = 24;
+/// A pair answers both ways if the lesser answer is more than this part of the greater.
+const DOUBT: f64 = 0.02;
+
+/// A solid to be painted.
+pub(super) struct Body<'a> {
+    pub(super) form: &'a dyn Form,
+    pub(super) parts: Vec<Part>,
+}
+
+/// What is painted in one go.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Coat {
+    /// Which solid it belongs to.
+    pub(super) body: usize,
+    pub(super) patches: Vec<Patch>,
+}
+
+struct Piece {
+    body: usize,
+    part: Part,
+    patches: Vec<Patch>,
+    bounds: Rect,
+}
+
+/// What is painted, from back to front.
+pub(super) fn coats(bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    for (body, solid) in bodies.iter().enumerate() {
+        pieces.extend(solid.parts.iter().filter_map(|part| piece(body, solid.form, part, camera)));
+    }
+    let doubtful = in_doubt(&pieces, bodies, camera);
+    for (body, solid) in bodies.iter().enumerate().filter(|&(body, _)| doubtful[body]) {
+        let sectors = solid.form.sectors();
+        if !sectors.is_empty() {
+            pieces.retain(|piece| piece.body != body);
+            pieces.extend(sectors.iter().filter_map(|part| piece(body, solid.form, part, camera)));
+        }
+    }
+    arrange(pieces, bodies, camera)
+}
+
+fn piece(body: usize, form: &dyn Form, part: &Part, camera: &Camera) -> Option<Piece> {
+    let patches = form.patches(camera, part);
+    let mut points = patches.iter().flat_map(|patch| patch.shape.points());
+    let first = points.next()?;
+    let point = |point: Point| Rect { left: point.x, top: point.y, right: point.x, bottom: point.y };
+    let bounds = points.fold(point(first), |bounds, next| bounds.union(&point(next)));
+    Some(Piece { body, part: part.clone(), patches, bounds })
+}
+
+/// By how much the first part is in front of the second, and the second in front of the first, summed over lines of sight.
+fn in_front(first: &Piece, second: &Piece, bodies: &[Body<'_>], camera: &Camera) -> (f64, f64) {
+    let mut sums = (0.0, 0.0);
+    if !first.bounds.overlaps(&second.bounds) {
+        return sums;
+    }
+    let left = first.bounds.left.max(second.bounds.left);
+    let top = first.bounds.top.max(second.bounds.top);
+    let width = first.bounds.right.min(second.bounds.right) - left;
+    let height = first.bounds.bottom.min(second.bounds.bottom) - top;
+    let part = |index: u32| (f64::from(index) + 0.5) / f64::from(GRID);
+    for row in 0..GRID {
+        for column in 0..GRID {
+            let ray = camera.ray(at(left + width * part(column), top + height * part(row)));
+            let enters = |piece: &Piece| bodies[piece.body].form.enters(&ray, &piece.part);
+            if let (Some(near), Some(far)) = (enters(first), enters(second)) {
+                sums.0 += (far - near).max(0.0);
+                sums.1 += (near - far).max(0.0);
+            }
+        }
+    }
+    sums
+}
+
+/// The solids that are partly before and partly behind another.
+fn in_doubt(pieces: &[Piece], bodies: &[Body<'_>], camera: &Camera) -> Vec<bool> {
+    let mut doubtful = vec![false; bodies.len()];
+    for (index, first) in pieces.iter().enumerate() {
+        for second in pieces[..index].iter().filter(|second| second.body != first.body) {
+            let (before, behind) = in_front(first, second, bodies, camera);
+            if before.min(behind) > DOUBT * before.max(behind) {
+                doubtful[first.body] = true;
+                doubtful[second.body] = true;
+            }
+        }
+    }
+    doubtful
+}
+
+/// Paints first what nothing unpainted is behind, and among such pieces the furthest.
+fn arrange(pieces: Vec<Piece>, bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
+    let count = pieces.len();
+    let mut behind = vec![vec![false; count]; count];
+    for later in 0..count {
+        for earlier in 0..later {
+            let (before, after) = in_front(&pieces[later], &pieces[earlier], bodies, camera);
+            behind[later][earlier] = before > after;
+            behind[earlier][later] = after > before;
+        }
+    }
+    let depth = |piece: &Piece| {
+        let ray = camera.ray(piece.bounds.centre());
+        bodies[piece.body].form.enters(&ray, &piece.part).unwrap_or(0.0)
+    };
+    let depths: Vec<f64> = pieces.iter().map(depth).collect();
+    let mut waiting: Vec<usize> = (0..count).collect();
+    let mut order: Vec<usize> = Vec::new();
+    while !waiting.is_empty() {
+        let furthest =
+            |a: &&usize, b: &&usize| -> Ordering { depths[**a].total_cmp(&depths[**b]).then(b.cmp(a)) };
+        let free = waiting.iter().filter(|&&piece| !waiting.iter().any(|&other| behind[piece][other]));
+        // Parts that are each in front of the next in a ring have no right order: then the furthest comes first.
+        let Some(&next) = free.max_by(furthest).or_else(|| waiting.iter().max_by(furthest)) else { break };
+        waiting.retain(|&piece| piece != next);
+        order.push(next);
+    }
+    let mut coats: Vec<Coat> = Vec::new();
+    for (turn, &next) in order.iter().enumerate() {
+        let piece = &pieces[next];
+        let divided = matches!(piece.part, Part::Cut(_) | Part::Sector(..));
+        let begun = order[..turn].iter().position(|&other| pieces[other].body == piece.body);
+        let patches = match begun.filter(|_| divided) {
+            None if divided => bodies[piece.body].form.patches(camera, &Part::Whole),
+            Some(begun) => {
+                let since = &order[begun..turn];
+                let covers = |&other: &usize| pieces[other].body != piece.body && behind[next][other];
+                if !since.iter().any(covers) {
+                    continue;
+                }
+                piece.patches.clone()
+            }
+            None => piece.patches.clone(),
+        };
+        coats.push(Coat { body: piece.body, patches });
+    }
+    coats
+}

@@ -1,0 +1,158 @@
+//! A scene and how it comes onto the page.
+
+use super::camera::Camera;
+use super::curve::Curve;
+use super::error::SpaceError;
+use super::ground::Ground;
+use super::ink::{Ink, Stroked};
+use super::marks::{Caption, Dot};
+use super::order::{Body, coats};
+use super::pierce::{self, Junction};
+use super::solid::{Finish, Solid};
+use super::vector::Vec3;
+use crate::drawing::{Drawing, Shape};
+use crate::kit::Heads;
+use crate::role::{Fill, Hue, Role, Stroke};
+
+/// A scene: solids, lines and labels in space, seen by one camera.
+///
+/// Everything is checked when it is added. [`Stage::write`] paints it in the right order, whatever the order in which it was
+/// added: the ground, the solids from back to front, hidden lines, the lines that are seen, points, labels.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stage {
+    pub(super) camera: Camera,
+    pub(super) grounds: Vec<Ground>,
+    solids: Vec<(Solid, Hue)>,
+    lines: Vec<Stroked>,
+    pub(super) points: Vec<(Vec3, Dot, Hue)>,
+    pub(super) captions: Vec<Caption>,
+}
+
+impl Stage {
+    /// An empty scene.
+    pub fn new(camera: Camera) -> Self {
+        let (grounds, solids, lines) = (Vec::new(), Vec::new(), Vec::new());
+        Self { camera, grounds, solids, lines, points: Vec::new(), captions: Vec::new() }
+    }
+
+    /// The camera.
+    pub fn camera(&self) -> &Camera {
+        &self.camera
+    }
+
+    /// Adds a solid, in tints of a hue.
+    ///
+    /// # Errors
+    /// [`SpaceError`] if the eye is inside it, or a part of it behind the eye.
+    pub fn solid(&mut self, solid: Solid, hue: Hue) -> Result<(), SpaceError> {
+        let form = solid.form();
+        if self.camera.eye().is_some_and(|eye| form.contains(eye)) {
+            return Err(SpaceError::EyeInside { solid: form.name() });
+        }
+        form.corners().into_iter().try_for_each(|corner| self.camera.check(corner))?;
+        self.solids.push((solid, hue));
+        Ok(())
+    }
+
+    /// Adds a curve.
+    ///
+    /// # Errors
+    /// [`SpaceError`] if a part of it is behind the eye.
+    pub fn curve(&mut self, curve: Curve, stroke: Stroke, hue: Hue) -> Result<(), SpaceError> {
+        self.arrow(curve, stroke, Heads::None, hue)
+    }
+
+    /// Adds a curve with arrowheads of constant size on the page: in full for [`Stroke::Vector`], smaller for other lines. A
+    /// head whose tip is hidden is drawn as a pale outline.
+    ///
+    /// # Errors
+    /// [`SpaceError`] if a part of it is behind the eye.
+    pub fn arrow(&mut self, curve: Curve, stroke: Stroke, heads: Heads, hue: Hue) -> Result<(), SpaceError> {
+        curve.track.points.iter().try_for_each(|&point| self.camera.check(point))?;
+        self.lines.push(Stroked { curve, stroke, heads, hue });
+        Ok(())
+    }
+
+    /// Adds a vector: an arrow from a point to a point. Where a solid hides it, the shaft is dashed.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for points that are not finite, that coincide or lie behind the eye.
+    pub fn vector(
+        &mut self,
+        from: impl Into<[f64; 3]>,
+        to: impl Into<[f64; 3]>,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        self.arrow(Curve::segment(from, to)?, Stroke::Vector, Heads::End, hue)
+    }
+
+    /// Paints the scene into a drawing.
+    pub fn write(&self, drawing: &mut Drawing) {
+        for ground in &self.grounds {
+            ground.write(&self.camera, drawing);
+        }
+        let junctions: Vec<Vec<Vec<Junction>>> =
+            (0..self.solids.len()).map(|index| self.junctions(index)).collect();
+        self.paint(drawing, &junctions);
+        let mut ink = Ink::new(&self.camera, self.solids.iter().map(|(solid, _)| solid.form()).collect());
+        for (index, ((solid, hue), junctions)) in self.solids.iter().zip(&junctions).enumerate() {
+            ink.solid(index, solid, junctions, *hue);
+        }
+        for line in &self.lines {
+            ink.line(line);
+        }
+        let dots: Vec<_> =
+            self.points.iter().map(|&(point, dot, hue)| (point, ink.hidden(point), dot, hue)).collect();
+        ink.write(drawing);
+        for (point, hidden, dot, hue) in dots {
+            dot.write(drawing, self.camera.land(point), hidden, hue);
+        }
+        for Caption { label, hue } in &self.captions {
+            let ray = self.camera.ray(label.bounds.centre());
+            let covers = |(solid, _): &(Solid, Hue)| {
+                solid.finish == Finish::Opaque && !solid.form().spans(&ray).is_empty()
+            };
+            let on_solid = self.solids.iter().any(covers);
+            let role = if on_solid { Role::PlainText(*hue) } else { Role::Text(*hue) };
+            drawing.push(role, Shape::Label(label.clone()));
+        }
+    }
+
+    /// Where a solid, if it is a rod, pierces each of the others.
+    fn junctions(&self, index: usize) -> Vec<Vec<Junction>> {
+        let Some(rod) = self.solids[index].0.as_rod() else { return Vec::new() };
+        let others = self.solids.iter().enumerate().filter(|&(other, _)| other != index);
+        others.map(|(_, (solid, _))| pierce::junctions(rod, solid.form())).collect()
+    }
+
+    /// Paints the solids from back to front.
+    fn paint(&self, drawing: &mut Drawing, junctions: &[Vec<Vec<Junction>>]) {
+        let bodies: Vec<Body<'_>> = self
+            .solids
+            .iter()
+            .zip(junctions)
+            .map(|((solid, _), junctions)| {
+                let form = solid.form();
+                let cut = solid.as_rod().map(|rod| pierce::parts(rod, junctions));
+                Body { form, parts: cut.unwrap_or_else(|| form.parts()) }
+            })
+            .collect();
+        for coat in coats(&bodies, &self.camera) {
+            let (solid, hue) = &self.solids[coat.body];
+            for patch in coat.patches {
+                if solid.finish == Finish::Opaque {
+                    drawing.push(Role::Area(Fill::Page, *hue), unshaded(&patch.shape));
+                }
+                drawing.push(Role::Area(patch.fill, *hue), patch.shape);
+            }
+        }
+    }
+}
+
+/// The area of a shape, without its shading.
+fn unshaded(shape: &Shape) -> Shape {
+    match *shape {
+        Shape::Rounded { centre, radii, turn, .. } => Shape::Ellipse { centre, radii, turn },
+        _ => shape.clone(),
+    }
+}
