@@ -16,18 +16,22 @@ fn main() {
 
 fn render() -> Result<(), Box<dyn std::error::Error>> {
     let out = PathBuf::from(env::var_os("OUT_DIR").ok_or("Cargo sets OUT_DIR")?);
+    let figures = figures::all().map_err(|failures| {
+        let lines: Vec<String> = failures.iter().map(ToString::to_string).collect();
+        lines.join("\nerror: ")
+    })?;
     let mut list = String::from(
         "/// Every figure, in the order in which the chapters list them.\npub const ALL: &[Figure] = &[\n",
     );
-    for figure in figures::all()? {
+    for figure in figures {
         let name = figure.id.replace(':', "-");
         fs::write(out.join(format!("{name}.inline.svg")), &figure.svg)?;
         fs::write(out.join(format!("{name}.svg")), &figure.standalone)?;
         writeln!(
             list,
-            "    Figure {{ id: {:?}, title: {:?}, svg: include_str!(concat!(env!(\"OUT_DIR\"), \"/{name}.inline.svg\")), \
+            "    Figure {{ id: {:?}, chapter: {:?}, title: {:?}, svg: include_str!(concat!(env!(\"OUT_DIR\"), \"/{name}.inline.svg\")), \
              standalone: include_str!(concat!(env!(\"OUT_DIR\"), \"/{name}.svg\")) }},",
-            figure.id, figure.title
+            figure.id, figure.chapter, figure.title
         )?;
     }
     list.push_str("];\n");

@@ -3,6 +3,11 @@
 //! | chapter | module |
 //! |---|---|
 //! | Physics in the laundromat | [`scenes::laundromat`] |
+//! | How a body turns | [`inertia`], [`attitude`], [`euler`], [`free_rotation`] |
+//! | The wobble plate | [`scenes::wobble_plate`] |
+//! | The coin toss | [`scenes::coin_toss`] |
+//! | The struck space station | [`scenes::space_station`] |
+//! | Frisbee and pencil | [`scenes::air_drag`] |
 //!
 //! Each module of [`scenes`] models one problem with the smallest state that it needs, in closed form where there is
 //! one. [`integrate`] holds the stepping methods and [`measure`] the one definition of error that tests, benchmarks and
@@ -10,13 +15,21 @@
 //!
 //! SI units and radians throughout. Labels such as `eq:steady-radius` in comments are those of the book's equations.
 
+pub mod attitude;
+pub mod elliptic;
+pub mod euler;
+pub mod free_rotation;
+pub mod inertia;
 pub mod integrate;
 pub mod measure;
 pub mod scenes;
 
+mod quantity;
 mod two_part;
 
-/// Every page of the book, so that rustdoc tests its snippets. `tests/book.rs` holds this list equal to
+pub use quantity::{InvalidQuantity, Rule};
+
+/// Every page of the book, so that rustdoc tests its snippets. `press/tests/book.rs` holds this list equal to
 /// `book/SUMMARY.md`.
 #[cfg(doctest)]
 mod pages {
@@ -32,6 +45,36 @@ mod pages {
     mod laundromat_exercises {}
     #[doc = include_str!("../book/laundromat/solutions.md")]
     mod laundromat_solutions {}
+    #[doc = include_str!("../book/turning/index.md")]
+    mod turning {}
+    #[doc = include_str!("../book/turning/exercises.md")]
+    mod turning_exercises {}
+    #[doc = include_str!("../book/turning/solutions.md")]
+    mod turning_solutions {}
+    #[doc = include_str!("../book/wobble-plate/index.md")]
+    mod wobble_plate {}
+    #[doc = include_str!("../book/wobble-plate/exercises.md")]
+    mod wobble_plate_exercises {}
+    #[doc = include_str!("../book/wobble-plate/solutions.md")]
+    mod wobble_plate_solutions {}
+    #[doc = include_str!("../book/coin-toss/index.md")]
+    mod coin_toss {}
+    #[doc = include_str!("../book/coin-toss/exercises.md")]
+    mod coin_toss_exercises {}
+    #[doc = include_str!("../book/coin-toss/solutions.md")]
+    mod coin_toss_solutions {}
+    #[doc = include_str!("../book/space-station/index.md")]
+    mod space_station {}
+    #[doc = include_str!("../book/space-station/exercises.md")]
+    mod space_station_exercises {}
+    #[doc = include_str!("../book/space-station/solutions.md")]
+    mod space_station_solutions {}
+    #[doc = include_str!("../book/air-drag/index.md")]
+    mod air_drag {}
+    #[doc = include_str!("../book/air-drag/exercises.md")]
+    mod air_drag_exercises {}
+    #[doc = include_str!("../book/air-drag/solutions.md")]
+    mod air_drag_solutions {}
     #[doc = include_str!("../book/bibliography.md")]
     mod bibliography {}
 }

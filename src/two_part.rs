@@ -23,6 +23,9 @@ impl TwoPart {
         self.high
     }
 
+    /// π to 32 digits.
+    pub(crate) const PI: Self = Self { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 };
+
     /// The exact sum of two numbers.
     pub(crate) fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
@@ -188,9 +191,7 @@ mod tests {
 
     #[test]
     fn sine_and_cosine_see_the_second_part() {
-        // π is the double PI and 1.22e-16 more (first digits of its second part).
-        let pi = TwoPart { high: std::f64::consts::PI, low: 1.224_646_799_147_353_2e-16 };
-        let turns = pi * 2_000_000_006.0;
+        let turns = TwoPart::PI * 2_000_000_006.0;
         let (sin, cos) = turns.sin_cos();
         assert!(sin.abs() < 1e-15 && (cos - 1.0).abs() < 1e-15, "{sin} {cos}");
         assert!((2_000_000_006.0 * std::f64::consts::PI).sin().abs() > 1e-8);

@@ -24,7 +24,7 @@ pub fn check(root: &Path) -> Result<usize, Faults> {
 /// Adds a fault for each label that a comment of the library, its tests or the figures cites and no page defines.
 pub(crate) fn code_labels(pages: &[Page], root: &Path, faults: &mut Faults) {
     let mut files = Vec::new();
-    for folder in ["src", "tests", "benches", "book"] {
+    for folder in ["src", "tests", "benches", "book", "press/figures"] {
         collect(root, folder, &mut files);
     }
     files.sort();

@@ -8,6 +8,8 @@ use std::{fs, io};
 pub struct Figure {
     /// Its label: `fig:machine`.
     pub id: &'static str,
+    /// The folder of the chapter that draws it: `laundromat`.
+    pub chapter: &'static str,
     /// What it shows, in a few words.
     pub title: &'static str,
     /// SVG for a page, coloured by the page's style sheet.

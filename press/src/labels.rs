@@ -143,7 +143,7 @@ impl Registry {
             let name = figure.id.trim_start_matches("fig:").to_owned();
             if !self.entries.contains_key(&Label { kind: Kind::Figure, name }) {
                 faults.add(
-                    "book/SUMMARY.md",
+                    &format!("book/{}/figures.rs", figure.chapter),
                     0,
                     format!("the figure {} is drawn, but no page shows it", figure.id),
                 );

@@ -19,6 +19,9 @@ pub(crate) fn options() -> Options {
         | Options::ENABLE_MATH
 }
 
+/// How many equations the source numbers.
+const EQUATIONS_OF_THE_SOURCE: u32 = 98;
+
 /// Finds the items of a page, in the order in which they stand.
 pub(crate) fn scan<'a>(page: &'a Page, faults: &mut Faults) -> Vec<Placed<'a>> {
     let mut scan =
@@ -119,6 +122,12 @@ impl<'a> Scan<'a, '_> {
                                 self.stray_dollars(range.clone());
                             }
                         }
+                        if n + 1 >= end {
+                            self.fault(
+                                range.start,
+                                format!("the figure {dest_url} has no caption that says what it shows"),
+                            );
+                        }
                         let caption = events[n..end - 1].iter().map(|(event, _)| event.clone()).collect();
                         self.place(range.clone(), Item::Figure { label, caption });
                     } else {
@@ -163,10 +172,16 @@ impl<'a> Scan<'a, '_> {
                 Event::Text(_) => {
                     self.mentions(range.clone());
                     self.stray_dollars(range.clone());
+                    self.foreign_maths(range);
+                    if heading.is_none() && !self.behind_maths(range.start) {
+                        self.lost_labels(range);
+                    }
                 }
                 Event::Html(html) | Event::InlineHtml(html) => {
                     if html.contains("<summary>Hint") {
                         self.place(range.clone(), Item::Hint);
+                    } else if html.contains("<summary>") && html.to_lowercase().contains("<summary>hint") {
+                        self.fault(range.start, "the summary of a hint is the word `Hint`");
                     }
                     if ["<img", "<script", "<iframe", "<link", "src="].iter().any(|tag| html.contains(tag)) {
                         self.fault(range.start, "raw HTML must not load anything: use a figure");
@@ -184,9 +199,42 @@ impl<'a> Scan<'a, '_> {
         self.citations();
     }
 
+    /// `\(x\)` and `\[y\]`, which other tools read as mathematics and Markdown as brackets.
+    fn foreign_maths(&mut self, range: &Range<usize>) {
+        let before = self.text[..range.start].chars().next_back();
+        if before == Some('\\') && self.text[range.clone()].starts_with(['(', '[']) {
+            self.fault(range.start - 1, "`\\(` and `\\[` are not mathematics here: write $…$ or $$…$$");
+        }
+    }
+
+    /// Whether this place follows display mathematics in its paragraph: its label is read with it.
+    fn behind_maths(&self, offset: usize) -> bool {
+        self.text[..offset].trim_end().ends_with("$$")
+    }
+
+    /// A label that nothing has read, in a run of text.
+    fn lost_labels(&mut self, range: &Range<usize>) {
+        for (at, _) in self.text[range.clone()].match_indices("{#") {
+            let written = &self.text[range.start + at + 2..];
+            let kind = written.split_once(':').and_then(|(prefix, _)| Kind::from_prefix(prefix));
+            if kind.is_some_and(|kind| kind != Kind::Citation) {
+                self.fault(
+                    range.start + at,
+                    "a label stands behind the closing `$$` of an equation, or at the end of a heading `## …`",
+                );
+            }
+        }
+    }
+
     /// A heading, with the label in its braces.
     fn heading(&mut self, level: u8, range: Range<usize>) {
         let line = self.text[range.clone()].trim_end();
+        if line.contains('\n') {
+            self.fault(
+                range.start,
+                "write a heading with `#` on one line: an underlined one cannot carry a label",
+            );
+        }
         let body = line.trim_start_matches('#').trim();
         let (title, attributes) = match body.rfind("{#") {
             Some(at) if body.ends_with('}') => (body[..at].trim_end(), Some(&body[at + 2..body.len() - 1])),
@@ -222,7 +270,14 @@ impl<'a> Scan<'a, '_> {
             self.text[p.start..range.start].trim().is_empty()
                 && self.text[end.min(p.end)..p.end].trim().is_empty()
         });
-        if !alone {
+        let behind = paragraph.map_or("", |p| self.text[end.min(p.end)..p.end].trim());
+        if label.is_none() && behind.starts_with("{#") {
+            let place = end + self.text[end..].find('{').unwrap_or(0);
+            self.fault(
+                place,
+                "the label of an equation stands right behind the closing dollars, on their line",
+            );
+        } else if !alone {
             self.fault(
                 range.start,
                 "display mathematics must stand in a paragraph of its own, with blank lines around it",
@@ -260,7 +315,9 @@ impl<'a> Scan<'a, '_> {
         let Some(inner) = written.strip_prefix("{#").and_then(|rest| rest.strip_suffix('}')) else {
             self.fault(
                 offset,
-                format!("`{written}` is not a label: write {{#eq:name}}, perhaps with source=19 corrected"),
+                format!(
+                    "`{written}` is not a label: write {{#eq:name}}, perhaps with source=19 corrected, and nothing behind it"
+                ),
             );
             return None;
         };
@@ -286,12 +343,21 @@ impl<'a> Scan<'a, '_> {
                 self.fault(offset, format!("`{rest}` behind {name} is neither source=… nor corrected"));
                 return Some(found);
             };
+            if numbers.trim().is_empty() {
+                self.fault(offset, format!("source= behind {name} lacks a number"));
+            }
             for number in numbers.split_whitespace() {
                 match number.parse() {
-                    Ok(number) => found.source.push(number),
-                    Err(_) => {
-                        self.fault(offset, format!("`{number}` is not an equation number of the source"));
+                    Ok(number) if (1..=EQUATIONS_OF_THE_SOURCE).contains(&number) => {
+                        found.source.push(number);
                     }
+                    _ => self.fault(
+                        offset,
+                        format!(
+                            "`{number}` is not an equation number of the source, from 1 to {EQUATIONS_OF_THE_SOURCE}; \
+                             several are written source=\"12 13\""
+                        ),
+                    ),
                 }
             }
             rest = after.trim_start();
@@ -342,6 +408,11 @@ impl<'a> Scan<'a, '_> {
                 continue;
             };
             let prefix = &rest[..colon];
+            let lower = prefix.to_ascii_lowercase();
+            if lower != prefix && (lower == "source" || Kind::from_prefix(&lower).is_some()) {
+                self.fault(range.start + at, format!("`@{prefix}:` is written `@{lower}:`"));
+                continue;
+            }
             let name = &rest[colon + 1..];
             let name =
                 &name[..name.find(|c: char| !(c.is_ascii_alphanumeric() || c == '-')).unwrap_or(name.len())];
@@ -377,12 +448,12 @@ impl<'a> Scan<'a, '_> {
             let offset = range.start + at;
             if !self.text[..offset].ends_with(['\\', '$']) {
                 let message = if self.text[offset..].starts_with("$$") {
-                    "a stray `$$`: does the formula lack its end, hold a blank line, or a line that begins with `+`, `-` or `#` \
-                     and so starts a list or a heading?"
+                    "a stray `$$`: does the formula lack its end, hold a blank line, braces that do not balance, or a line \
+                     that begins with `+`, `-` or `#` and so starts a list or a heading?"
                 } else if self.surroundings.in_table {
                     "a stray `$`: in a table `|` ends the cell, so write \\lvert … \\rvert or \\mid; or `\\$` for a dollar"
                 } else {
-                    "a stray `$`: close the formula, or write `\\$` for a dollar"
+                    "a stray `$`: close the formula, balance its braces, or write `\\$` for a dollar"
                 };
                 self.fault(offset, message);
             }

@@ -1,3 +1,7 @@
 //! The scenes of the book, one module a problem. Each models only what its scene needs.
 
+pub mod air_drag;
+pub mod coin_toss;
 pub mod laundromat;
+pub mod space_station;
+pub mod wobble_plate;

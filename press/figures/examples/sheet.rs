@@ -18,7 +18,9 @@ fn main() -> Result<(), Box<dyn Error>> {
          body {{ background: var(--bg); color: var(--fg); font: 16px \"Open Sans\", sans-serif; max-width: 750px; margin: 0 auto; }}\n\
          figure {{ margin: 1.5em 0; overflow-x: auto; }}\n{STYLE}</style>\n"
     );
-    for figure in figures::all()? {
+    let figures = figures::all()
+        .map_err(|failures| failures.iter().map(|failure| format!("\n{failure}")).collect::<String>())?;
+    for figure in figures {
         fs::write(folder.join(format!("{}.svg", figure.id.replace(':', "-"))), &figure.standalone)?;
         page +=
             &format!("<h2>{}</h2>\n<figure id=\"{}\">\n{}\n</figure>\n", figure.id, figure.id, figure.svg);

@@ -59,10 +59,12 @@ impl Axis {
         Ok(Self { from, to, logarithmic, major, minor: None, marks: Vec::new(), labelled: true, title: None })
     }
 
-    /// The axis with minor ticks every `step` (linear axes; logarithmic ones have theirs by themselves).
+    /// The axis with minor ticks every `step` (linear axes; logarithmic ones have theirs by themselves). A step that is not
+    /// positive, or that would give more than a thousand ticks, gives none.
     #[must_use]
     pub fn minor(self, step: f64) -> Self {
-        Self { minor: Some(step), ..self }
+        let usable = step > 0.0 && (self.to - self.from) / step <= 1000.0;
+        Self { minor: usable.then_some(step), ..self }
     }
 
     /// The axis with its title. The title of an x axis stands below its right end, that of a y axis above its upper end.

@@ -6,13 +6,14 @@ use std::fmt;
 /// A figure that could not be drawn.
 #[derive(Debug)]
 pub struct Failure {
+    chapter: String,
     figure: String,
     cause: Box<dyn Error + Send + Sync>,
 }
 
 impl Failure {
-    pub(crate) fn new(figure: &str, cause: Box<dyn Error + Send + Sync>) -> Self {
-        Self { figure: figure.into(), cause }
+    pub(crate) fn new(chapter: &str, figure: &str, cause: Box<dyn Error + Send + Sync>) -> Self {
+        Self { chapter: chapter.into(), figure: figure.into(), cause }
     }
 
     /// The id of the figure, as in `fig:machine`.
@@ -23,7 +24,7 @@ impl Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "{}: {}", self.figure, self.cause)
+        write!(out, "book/{}/figures.rs: {}: {}", self.chapter, self.figure, self.cause)
     }
 }
 

@@ -9,8 +9,25 @@ mod failure;
 mod plot;
 mod sample;
 
-#[path = "../../../book/laundromat/figures.rs"]
-mod laundromat;
+/// The chapters with figures: a module for each `figures.rs`, and the list in the order of the book.
+macro_rules! chapters {
+    ($($name:ident in $folder:literal: $path:literal;)*) => {
+        $(
+            #[path = $path]
+            mod $name;
+        )*
+        const CHAPTERS: &[(&str, &[Entry])] = &[$(($folder, $name::FIGURES)),*];
+    };
+}
+
+chapters! {
+    laundromat in "laundromat": "../../../book/laundromat/figures.rs";
+    turning in "turning": "../../../book/turning/figures.rs";
+    wobble_plate in "wobble-plate": "../../../book/wobble-plate/figures.rs";
+    coin_toss in "coin-toss": "../../../book/coin-toss/figures.rs";
+    space_station in "space-station": "../../../book/space-station/figures.rs";
+    air_drag in "air-drag": "../../../book/air-drag/figures.rs";
+}
 
 pub use axis::Axis;
 pub use drawing::Drawing;
@@ -37,6 +54,8 @@ pub(crate) struct Entry {
 pub struct Figure {
     /// Its label on the page, as in `fig:machine`.
     pub id: String,
+    /// The folder of the chapter that draws it, as in `laundromat`.
+    pub chapter: String,
     /// A short title, for readers who cannot see it.
     pub title: String,
     /// What it shows, in words, for readers who cannot see it.
@@ -52,15 +71,32 @@ pub struct Figure {
 /// Draws every figure of the book, chapter by chapter.
 ///
 /// # Errors
-/// [`Failure`] names the first figure that could not be drawn, and why.
-pub fn all() -> Result<Vec<Figure>, Failure> {
-    laundromat::FIGURES.iter().map(render).collect()
+/// A [`Failure`] for each figure that could not be drawn, or whose id another figure has, with its file and the reason.
+pub fn all() -> Result<Vec<Figure>, Vec<Failure>> {
+    let (mut figures, mut failures) = (Vec::<Figure>::new(), Vec::new());
+    for (chapter, entries) in CHAPTERS {
+        for entry in *entries {
+            match render(chapter, entry) {
+                Ok(figure) => match figures.iter().find(|other| other.id == figure.id) {
+                    Some(other) => {
+                        let cause =
+                            format!("book/{}/figures.rs has a figure of this name too", other.chapter);
+                        failures.push(Failure::new(chapter, entry.id, cause.into()));
+                    }
+                    None => figures.push(figure),
+                },
+                Err(failure) => failures.push(failure),
+            }
+        }
+    }
+    if failures.is_empty() { Ok(figures) } else { Err(failures) }
 }
 
-fn render(entry: &Entry) -> Result<Figure, Failure> {
-    let drawing = (entry.draw)(entry.id).map_err(|cause| Failure::new(entry.id, cause))?;
+fn render(chapter: &str, entry: &Entry) -> Result<Figure, Failure> {
+    let drawing = (entry.draw)(entry.id).map_err(|cause| Failure::new(chapter, entry.id, cause))?;
     Ok(Figure {
         id: entry.id.into(),
+        chapter: chapter.into(),
         title: drawing.title().into(),
         description: drawing.description().into(),
         svg: drawing.to_svg(),
@@ -81,8 +117,11 @@ mod tests {
             drawing.label(at(50.0, 50.0), Side::Over, r"$\omga$", Hue::Ink)?;
             Ok(drawing)
         };
-        let failure = render(&Entry { id: "fig:typo", draw }).expect_err("the label is wrong");
+        let failure = render("nowhere", &Entry { id: "fig:typo", draw }).expect_err("the label is wrong");
         assert_eq!(failure.figure(), "fig:typo");
-        assert_eq!(failure.to_string(), r"fig:typo: label `$\omga$`: unknown command `\omga`");
+        assert_eq!(
+            failure.to_string(),
+            r"book/nowhere/figures.rs: fig:typo: label `$\omga$`: unknown command `\omga`"
+        );
     }
 }

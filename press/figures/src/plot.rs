@@ -37,13 +37,14 @@ impl<'a> Plot<'a> {
     /// A plot without axes: the same values along x and along y, one unit of them `scale` px, about the point `origin`.
     ///
     /// # Errors
-    /// [`crate::InvalidAxis`] if the scale is not a positive number.
+    /// [`crate::InvalidAxis`] if the reach or the scale is not a positive number.
     pub fn plane(
         drawing: &'a mut Drawing,
         origin: Point,
         scale: f64,
         reach: f64,
     ) -> Result<Self, crate::InvalidAxis> {
+        Axis::linear(0.0, scale, scale)?;
         let half = scale * reach;
         let axis = Axis::linear(-reach, reach, reach)?;
         let frame = Rect::new(origin.x - half, origin.y - half, 2.0 * half, 2.0 * half);

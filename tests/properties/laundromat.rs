@@ -1,31 +1,12 @@
-//! Properties that hold for every machine, tried on seeded random ones, the extreme among them: `fastrand`, because the cases are
-//! numbers over a hundred decades and a failing one is printed whole; there is nothing to shrink.
+//! The washing machine.
 
+use crate::{any, between};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 use nalgebra::Complex;
 
 /// A few dozen roundings, relative to the largest number that took part.
 const ROUNDING: f64 = 1e-13;
-
-/// A number of any size and sign that `f64` has, zero and the ends of the range more often than fair.
-fn any(random: &mut fastrand::Rng) -> f64 {
-    let size = match random.u8(0..12) {
-        0 => 0.0,
-        1 => f64::MIN_POSITIVE * random.f64(),
-        2 => f64::MAX,
-        3 => 1e50,
-        4 => 1e-50,
-        5..8 => 10.0_f64.powf(600.0 * random.f64() - 300.0),
-        _ => 10.0_f64.powf(12.0 * random.f64() - 6.0),
-    };
-    if random.bool() { size } else { -size }
-}
-
-/// A number between `low` and `high`, even on a logarithmic scale.
-fn between(random: &mut fastrand::Rng, low: f64, high: f64) -> f64 {
-    low * (high / low).powf(random.f64())
-}
 
 /// A machine with every frequency and rate within `decades` of one another, in either sense of spin, one in ten without damping.
 fn machine(random: &mut fastrand::Rng, decades: f64) -> Machine {

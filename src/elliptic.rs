@@ -1,0 +1,137 @@
+//! Elliptic functions and integrals, from the complementary modulus.
+//!
+//! All functions take the complementary parameter `k'² = 1 − k²` where the usual ones take `k²`: near the separatrix of a
+//! pendulum or of a spinning body `k²` is so near to one that the difference, which is all that matters there, would be lost in it.
+//!
+//! Methods: Landen's transformation and the arithmetic-geometric mean (R. Bulirsch, *Numerische Mathematik* **7** (1965)
+//! 78–90 and **13** (1969) 305–315); Carlson's duplication for `R_F` (B. C. Carlson, *Numerical Algorithms* **10** (1995) 13–26).
+
+use crate::two_part::TwoPart;
+
+/// Jacobi's sn, cn and dn of `u` for the complementary parameter `complement` = k'² between 0 and 1.
+///
+/// Good to a few units in the last place of one for `|u|` up to K; outside of that the rounding of `u` counts as for a sine.
+/// A complement outside 0 to 1 gives NaN.
+///
+/// ```
+/// use mechanics::elliptic::jacobi;
+/// // At k'² = 1 they are sine, cosine and one, at 0 the hyperbolic functions of the separatrix.
+/// assert!((jacobi(0.7, 1.0)[0] - 0.7_f64.sin()).abs() < 1e-15);
+/// assert!((jacobi(0.7, 0.0)[0] - 0.7_f64.tanh()).abs() < 1e-15);
+/// ```
+pub fn jacobi(u: f64, complement: f64) -> [f64; 3] {
+    if !(0.0..=1.0).contains(&complement) {
+        return [f64::NAN; 3];
+    }
+    if complement == 0.0 {
+        let sech = u.cosh().recip();
+        return [u.tanh(), sech, sech];
+    }
+    // Arithmetic and geometric means, until they agree to half of the digits: one more step would agree to all.
+    let (mut arithmetic, mut geometric) = ([0.0; MEANS], [0.0; MEANS]);
+    let (mut mean, mut square, mut last) = (1.0, complement, 0);
+    let mut next = 1.0;
+    for step in 0..MEANS {
+        let root = f64::sqrt(square);
+        arithmetic[step] = mean;
+        geometric[step] = root;
+        next = 0.5 * (mean + root);
+        last = step;
+        if (mean - root).abs() <= HALF_OF_THE_DIGITS * mean {
+            break;
+        }
+        square = root * mean;
+        mean = next;
+    }
+    let (sin, cos) = (next * u).sin_cos();
+    if sin == 0.0 {
+        return [sin, cos, 1.0];
+    }
+    // Back up: c is the cotangent of the amplitude times the mean.
+    let mut ratio = cos / sin;
+    let mut c = next * ratio;
+    let mut dn = 1.0;
+    for step in (0..=last).rev() {
+        ratio *= c;
+        c *= dn;
+        dn = (geometric[step] + ratio) / (arithmetic[step] + ratio);
+        ratio = c / arithmetic[step];
+    }
+    let sn = c.hypot(1.0).recip().copysign(sin);
+    [sn, c * sn, dn]
+}
+
+/// Steps of the means: enough for every complement that `f64` has.
+const MEANS: usize = 16;
+/// The square root of half a unit in the last place.
+const HALF_OF_THE_DIGITS: f64 = 1e-8;
+
+/// The quarter period `K` for the complementary parameter k'² between 0 and 1, to rounding; infinite at 0, NaN outside.
+///
+/// ```
+/// use mechanics::elliptic::quarter_period;
+/// assert_eq!(quarter_period(1.0), std::f64::consts::FRAC_PI_2);
+/// assert!((quarter_period(0.5) - 1.854_074_677_301_371_9).abs() < 1e-15);
+/// ```
+pub fn quarter_period(complement: f64) -> f64 {
+    if !(0.0..=1.0).contains(&complement) {
+        return f64::NAN;
+    }
+    if complement == 0.0 {
+        return f64::INFINITY;
+    }
+    let (mut a, mut g) = (1.0, complement.sqrt());
+    while (a - g).abs() > HALF_OF_THE_DIGITS * a {
+        (a, g) = (0.5 * (a + g), f64::sqrt(a * g));
+    }
+    std::f64::consts::PI / (a + g)
+}
+
+/// Carlson's symmetric integral `R_F(x, y, z)` for arguments of zero or more, at most one of them zero, to a few units in the last
+/// place. Infinite if two are zero, NaN for negative ones.
+pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
+    if !(x >= 0.0 && y >= 0.0 && z >= 0.0) {
+        return f64::NAN;
+    }
+    if [x, y, z].iter().filter(|&&value| value == 0.0).count() > 1 {
+        return f64::INFINITY;
+    }
+    let (mut x, mut y, mut z) = (x, y, z);
+    let mut mean = (x + y + z) / 3.0;
+    // The series below is exact to (spread/mean)^6/1000 or so.
+    let mut spread = (x - mean).abs().max((y - mean).abs()).max((z - mean).abs());
+    while spread > 2e-3 * mean {
+        let (rx, ry, rz) = (x.sqrt(), y.sqrt(), z.sqrt());
+        let shift = rx * ry + ry * rz + rz * rx;
+        (x, y, z) = (0.25 * (x + shift), 0.25 * (y + shift), 0.25 * (z + shift));
+        mean = 0.25 * (mean + shift);
+        spread *= 0.25;
+    }
+    let (dx, dy) = ((mean - x) / mean, (mean - y) / mean);
+    let dz = -(dx + dy);
+    let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
+    (1.0 + (-0.1 + e2 / 24.0 - 3.0 / 44.0 * e3) * e2 + e3 / 14.0) / mean.sqrt()
+}
+
+/// Bulirsch's complete integral `cel(k', p, a, b) = ∫₀^{π/2} (a cos² + b sin²)/((cos² + p sin²)√(cos² + k'² sin²)) dθ` for `p > 0` and
+/// `k' > 0`, to about 30 digits.
+pub(crate) fn complete_integral(root_complement: TwoPart, p: TwoPart, a: TwoPart, b: TwoPart) -> TwoPart {
+    let mut p = p.sqrt();
+    let (mut a, mut b) = (a, b / p);
+    let (mut qc, mut e, mut em) = (root_complement, root_complement, TwoPart::from(1.0));
+    for _ in 0..MEANS {
+        let f = a;
+        a = a + b / p;
+        let g = e / p;
+        b = (b + f * g) * 2.0;
+        p = p + g;
+        let before = em;
+        em = em + qc;
+        if (before - qc).rounded().abs() <= 1e-16 * before.rounded() {
+            break;
+        }
+        qc = e.sqrt() * 2.0;
+        e = qc * em;
+    }
+    TwoPart::PI * 0.5 * (b + a * em) / (em * (em + p))
+}

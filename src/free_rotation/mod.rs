@@ -1,0 +1,10 @@
+//! Rotation that nothing disturbs, in closed form.
+//!
+//! [`FreeSymmetricTop`] has an axis of symmetry and gives names to its two rates; [`FreeTop`] takes any body.
+
+mod asymmetric;
+mod symmetric;
+mod top;
+
+pub use symmetric::{FreeSymmetricTop, InvalidTop};
+pub use top::FreeTop;

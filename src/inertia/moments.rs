@@ -1,0 +1,123 @@
+//! Three moments that a body can have.
+
+use crate::quantity::{InvalidQuantity, Shown};
+use nalgebra::Vector3;
+use std::error::Error;
+use std::fmt;
+
+/// How much the largest moment of a flat body may exceed the sum of the others through rounding, relative.
+const FLAT: f64 = 4.0 * f64::EPSILON;
+
+/// The principal moments of inertia of a body, kg·m², about axes 1, 2 and 3 that are fixed in it.
+///
+/// All three are more than zero, and none exceeds the sum of the other two: `I₁ + I₂ = I₃ + 2∫z² dm` (`eq:triangle`).
+///
+/// ```
+/// use mechanics::inertia::PrincipalMoments;
+/// let refusal = PrincipalMoments::new(2.0, 3.0, 9.0).unwrap_err();
+/// assert_eq!(
+///     refusal.to_string(),
+///     "principal moment 9 kg·m² exceeds the sum of the other two, 5 kg·m²"
+/// );
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PrincipalMoments {
+    moments: [f64; 3],
+}
+
+impl PrincipalMoments {
+    /// Checks three moments about three perpendicular axes, kg·m².
+    ///
+    /// # Errors
+    /// [`InvalidMoments`] if one is not finite, is zero or less, is outside 1e-50 to 1e50, or exceeds the sum of the other
+    /// two by more than rounding.
+    pub fn new(about_1: f64, about_2: f64, about_3: f64) -> Result<Self, InvalidMoments> {
+        let moments = [about_1, about_2, about_3];
+        for moment in moments {
+            InvalidQuantity::check_positive("principal moment", moment, "kg·m²")?;
+        }
+        let mut sorted = moments;
+        sorted.sort_by(f64::total_cmp);
+        let [smallest, middle, largest] = sorted;
+        let others = smallest + middle;
+        if largest > others * (1.0 + FLAT) {
+            return Err(InvalidMoments::Triangle { moment: largest, others });
+        }
+        Ok(Self { moments })
+    }
+
+    /// The moments of a body with an axis of symmetry, along axis 3: `transverse` about every axis across it, `axial` about
+    /// it, kg·m².
+    ///
+    /// # Errors
+    /// As [`PrincipalMoments::new`].
+    pub fn symmetric(transverse: f64, axial: f64) -> Result<Self, InvalidMoments> {
+        Self::new(transverse, transverse, axial)
+    }
+
+    /// The three moments about axes 1, 2, 3, kg·m².
+    pub fn to_array(self) -> [f64; 3] {
+        self.moments
+    }
+
+    /// The transverse and the axial moment, kg·m², of a body that is symmetric about axis 3; `None` for any other.
+    pub fn as_symmetric(self) -> Option<(f64, f64)> {
+        let [first, second, axial] = self.moments;
+        (first == second).then_some((first, axial))
+    }
+
+    /// The angular momentum `L = Iω` about the centre of mass, kg·m²/s, along the body's axes, for an angular velocity
+    /// `omega_body` along the same axes, rad/s (`eq:spin-momentum`).
+    pub fn angular_momentum(self, omega_body: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::from(self.moments).component_mul(omega_body)
+    }
+
+    /// The kinetic energy of rotation `½ ω·Iω`, J, for an angular velocity `omega_body` along the body's axes, rad/s
+    /// (`eq:spin-energy`).
+    pub fn kinetic_energy(self, omega_body: &Vector3<f64>) -> f64 {
+        0.5 * omega_body.dot(&self.angular_momentum(omega_body))
+    }
+
+    /// The angular velocity along the body's axes, rad/s, that belongs to an angular momentum along the same axes,
+    /// kg·m²/s.
+    pub fn angular_velocity(self, momentum_body: &Vector3<f64>) -> Vector3<f64> {
+        momentum_body.component_div(&Vector3::from(self.moments))
+    }
+}
+
+/// Why three numbers are not the principal moments of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum InvalidMoments {
+    /// A moment, or a mass or length that it comes from, is not a positive number of this world.
+    Quantity(InvalidQuantity),
+    /// A moment exceeds the sum of the other two.
+    Triangle {
+        /// The largest moment, kg·m².
+        moment: f64,
+        /// The sum of the other two, kg·m².
+        others: f64,
+    },
+}
+
+impl From<InvalidQuantity> for InvalidMoments {
+    fn from(error: InvalidQuantity) -> Self {
+        Self::Quantity(error)
+    }
+}
+
+impl fmt::Display for InvalidMoments {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Quantity(error) => error.fmt(out),
+            Self::Triangle { moment, others } => write!(
+                out,
+                "principal moment {} kg·m² exceeds the sum of the other two, {} kg·m²",
+                Shown(moment),
+                Shown(others)
+            ),
+        }
+    }
+}
+
+impl Error for InvalidMoments {}

@@ -1,0 +1,73 @@
+//! Inertia about any point, along any axes.
+
+use super::moments::{InvalidMoments, PrincipalMoments};
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+/// The inertia tensor of a body about a point: a symmetric matrix, kg·m², along stated axes.
+///
+/// ```
+/// use mechanics::inertia::Body;
+/// use nalgebra::Vector3;
+/// // A hoop about a point of its rim: 3/2, 1/2 and 2 times ma² (tangent, diameter, normal).
+/// let about_rim = Body::hoop(1.0, 1.0)?.about(&Vector3::new(0.0, 1.0, 0.0))?;
+/// assert_eq!(about_rim.matrix().diagonal(), Vector3::new(1.5, 0.5, 2.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InertiaTensor {
+    matrix: Matrix3<f64>,
+}
+
+impl InertiaTensor {
+    /// The tensor along the principal axes.
+    pub fn principal(moments: PrincipalMoments) -> Self {
+        Self { matrix: Matrix3::from_diagonal(&moments.to_array().into()) }
+    }
+
+    /// The matrix, kg·m².
+    pub fn matrix(&self) -> &Matrix3<f64> {
+        &self.matrix
+    }
+
+    /// The angular momentum about the point, kg·m²/s, of a body that turns about that point with `omega`, rad/s.
+    pub fn angular_momentum(&self, omega: &Vector3<f64>) -> Vector3<f64> {
+        self.matrix * omega
+    }
+
+    /// The tensor along other axes, `R I Rᵀ`, where R takes components along the present axes to those along the others.
+    #[must_use]
+    pub fn rotated(&self, other_from_present: &Rotation3<f64>) -> Self {
+        let turn = other_from_present.matrix();
+        Self { matrix: symmetrised(turn * self.matrix * turn.transpose()) }
+    }
+
+    /// From the centre of mass of a body of mass `mass`, kg, to the point at `displacement` from it, m
+    /// (`eq:steiner`). Starting from any other point the result is meaningless.
+    #[must_use]
+    pub fn shifted(&self, mass: f64, displacement: &Vector3<f64>) -> Self {
+        let square = Matrix3::from_diagonal_element(displacement.norm_squared());
+        Self { matrix: self.matrix + (square - displacement * displacement.transpose()) * mass }
+    }
+
+    /// The principal moments, smallest first, and the rotation that takes components along the principal axes to those
+    /// along the axes of this tensor. Exact to rounding of the largest moment.
+    ///
+    /// # Errors
+    /// [`InvalidMoments`] if the matrix is not the inertia of a body with three positive moments.
+    pub fn principal_axes(&self) -> Result<(PrincipalMoments, Rotation3<f64>), InvalidMoments> {
+        if let Some(&bad) = self.matrix.iter().find(|entry| !entry.is_finite()) {
+            PrincipalMoments::new(bad, bad, bad)?;
+        }
+        let eigen = self.matrix.symmetric_eigen();
+        let mut order = [0, 1, 2];
+        order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
+        let [first, second, _] = order.map(|i| eigen.eigenvectors.column(i).into_owned());
+        let axes = Matrix3::from_columns(&[first, second, first.cross(&second)]); // right-handed
+        let [about_1, about_2, about_3] = order.map(|i| eigen.eigenvalues[i]);
+        Ok((PrincipalMoments::new(about_1, about_2, about_3)?, Rotation3::from_matrix_unchecked(axes)))
+    }
+}
+
+fn symmetrised(matrix: Matrix3<f64>) -> Matrix3<f64> {
+    (matrix + matrix.transpose()) * 0.5
+}

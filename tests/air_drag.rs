@@ -1,0 +1,290 @@
+//! Spinning down in air: equations (53) to (58), (3) and (4), and where the axis goes.
+
+use approx::assert_relative_eq;
+use mechanics::attitude::rotation_between;
+use mechanics::euler::{self, Turning};
+use mechanics::inertia::{Body, PrincipalMoments};
+use mechanics::integrate::Dop853;
+use mechanics::scenes::air_drag::{Drag, DraggedTop, Fate};
+use nalgebra::{UnitQuaternion, Vector3};
+use num_dual::{Dual64, DualNum};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+const ROUNDING: f64 = 1e-13;
+
+/// What a simulation to 1e-13 a step leaves after some ten turns.
+const SIMULATED: f64 = 1e-10;
+
+fn between(random: &mut fastrand::Rng, low: f64, high: f64) -> f64 {
+    low * (high / low).powf(random.f64())
+}
+
+/// Moments, drag and angular velocity of bodies from pencils to plates; `isotropic` gives one coefficient for all axes.
+fn body(random: &mut fastrand::Rng, isotropic: bool) -> (PrincipalMoments, Drag, Vector3<f64>) {
+    let transverse = between(random, 0.1, 10.0);
+    let moments = PrincipalMoments::symmetric(transverse, transverse * between(random, 0.05, 2.0)).unwrap();
+    let drag = Drag { transverse: between(random, 0.01, 0.3), axial: between(random, 0.01, 0.3) };
+    let drag = if isotropic { Drag::isotropic(drag.transverse) } else { drag };
+    (moments, drag, Vector3::from_fn(|_, _| 4.0 * random.f64() - 2.0))
+}
+
+/// Euler's equations written out with one drag coefficient an axis, as the source has them in (54) and (55); for any numbers.
+fn written_out<D: DualNum<Primitive = f64> + Copy>(
+    moments: PrincipalMoments,
+    drag: Drag,
+    [w1, w2, w3]: [D; 3],
+) -> [D; 3] {
+    let (i1, i3) = moments.as_symmetric().unwrap();
+    let Drag { transverse, axial } = drag;
+    [
+        (-w1 * transverse - w2 * w3 * (i3 - i1)) / i1,
+        (-w2 * transverse - w3 * w1 * (i1 - i3)) / i1,
+        -w3 * (axial / i3),
+    ]
+}
+
+fn simulated(moments: PrincipalMoments, drag: Drag, start: Vector3<f64>, time: f64) -> Vector3<f64> {
+    let rates = |_: f64, omega: &[f64; 3]| written_out(moments, drag, *omega);
+    Vector3::from(Dop853::new(1e-13).unwrap().solve(rates, 0.0, start.into(), time).unwrap().state)
+}
+
+#[test]
+fn eq53_drag_is_a_torque_against_the_angular_velocity() {
+    let mut random = fastrand::Rng::with_seed(53);
+    for _ in 0..100 {
+        let (moments, drag, omega) = body(&mut random, true);
+        let top = DraggedTop::new(moments, drag, omega).unwrap();
+        let torque = top.torque_body(&omega);
+        assert_relative_eq!(torque, -drag.axial * omega, max_relative = ROUNDING);
+        // eq03: it takes energy, and takes angular momentum in the room at the rate −Cω.
+        let at = |time: f64| top.sample(UnitQuaternion::identity(), &[time], 1e-13).unwrap()[0];
+        let (time, h) = (1.3, 1e-3);
+        let [before, now, after] = [time - h, time, time + h].map(at);
+        let change =
+            (after.angular_momentum_world(&moments) - before.angular_momentum_world(&moments)) / (2.0 * h);
+        assert_relative_eq!(change, -drag.axial * now.omega_world(), epsilon = 1e-5);
+        let energy = |turning: &Turning| moments.kinetic_energy(&turning.omega_body);
+        let loss = (energy(&after) - energy(&before)) / (2.0 * h);
+        assert_relative_eq!(loss, -drag.axial * now.omega_body.norm_squared(), epsilon = 1e-5);
+    }
+}
+
+#[test]
+fn eq03_a_drag_that_differs_along_and_across_takes_power_from_both() {
+    let mut random = fastrand::Rng::with_seed(3);
+    for _ in 0..100 {
+        let (moments, drag, omega) = body(&mut random, false);
+        let top = DraggedTop::new(moments, drag, omega).unwrap();
+        let power = top.torque_body(&omega).dot(&omega);
+        let across = omega.x * omega.x + omega.y * omega.y;
+        assert_relative_eq!(
+            power,
+            -drag.transverse * across - drag.axial * omega.z * omega.z,
+            max_relative = ROUNDING
+        );
+        assert!(power < 0.0);
+    }
+}
+
+#[test]
+fn eq54_the_spin_decays_as_simulated() {
+    let mut random = fastrand::Rng::with_seed(54);
+    for n in 0..100 {
+        let (moments, drag, start) = body(&mut random, n % 2 == 0);
+        let top = DraggedTop::new(moments, drag, start).unwrap();
+        let time = between(&mut random, 0.1, 10.0);
+        let found = top.omega_body(time).unwrap();
+        assert_relative_eq!(found.z, simulated(moments, drag, start, time).z, epsilon = SIMULATED);
+        let (_, axial) = moments.as_symmetric().unwrap();
+        assert_relative_eq!(found.z * (drag.axial * time / axial).exp(), start.z, max_relative = ROUNDING);
+    }
+}
+
+#[test]
+fn eq55_the_closed_form_satisfies_eulers_equations() {
+    // The derivative of the closed form, by central differences, against the equations of the library for any body.
+    let mut random = fastrand::Rng::with_seed(55);
+    for n in 0..200 {
+        let (moments, drag, start) = body(&mut random, n % 2 == 0);
+        let top = DraggedTop::new(moments, drag, start).unwrap();
+        let (time, h) = (between(&mut random, 0.1, 10.0), 1e-4);
+        let omega = top.omega_body(time).unwrap();
+        let slope = (top.omega_body(time + h).unwrap() - top.omega_body(time - h).unwrap()) / (2.0 * h);
+        assert_relative_eq!(slope, euler::rates(&moments, &omega, &top.torque_body(&omega)), epsilon = 1e-5);
+        assert_relative_eq!(slope, Vector3::from(written_out(moments, drag, omega.into())), epsilon = 1e-5);
+        assert_relative_eq!(omega, simulated(moments, drag, start, time), epsilon = SIMULATED);
+    }
+}
+
+#[test]
+fn eq56_the_cross_terms_cancel_in_the_sum_of_squares() {
+    let mut random = fastrand::Rng::with_seed(56);
+    for _ in 0..1000 {
+        let (moments, drag, omega) = body(&mut random, true);
+        let (i1, _) = moments.as_symmetric().unwrap();
+        // d/dt of ω₁² + ω₂² along the motion, by dual numbers: the state moves with its own rates.
+        let rates = written_out::<f64>(moments, drag, omega.into());
+        let moving: [Dual64; 3] = std::array::from_fn(|i| Dual64::new(omega[i], rates[i]));
+        let squares = moving[0] * moving[0] + moving[1] * moving[1];
+        assert_relative_eq!(
+            0.5 * i1 * squares.eps,
+            -drag.transverse * squares.re,
+            max_relative = 1e-12,
+            epsilon = 1e-14
+        );
+    }
+}
+
+#[test]
+fn eq57_the_wobble_decays_as_simulated() {
+    let mut random = fastrand::Rng::with_seed(57);
+    for n in 0..100 {
+        let (moments, drag, start) = body(&mut random, n % 2 == 0);
+        let time = between(&mut random, 0.1, 10.0);
+        let top = DraggedTop::new(moments, drag, start).unwrap();
+        let (found, judge) = (top.omega_body(time).unwrap(), simulated(moments, drag, start, time));
+        assert_relative_eq!(found.xy().norm(), judge.xy().norm(), epsilon = SIMULATED);
+        let (transverse, _) = moments.as_symmetric().unwrap();
+        let expected = start.xy().norm_squared() * (-2.0 * drag.transverse * time / transverse).exp();
+        assert_relative_eq!(found.xy().norm_squared(), expected, max_relative = ROUNDING);
+    }
+}
+
+#[test]
+fn eq58_the_tangent_of_the_angle_is_that_of_a_simulation() {
+    let mut random = fastrand::Rng::with_seed(58);
+    for n in 0..100 {
+        let (moments, drag, start) = body(&mut random, n % 2 == 0);
+        let time = between(&mut random, 0.1, 10.0);
+        let top = DraggedTop::new(moments, drag, start).unwrap();
+        let judge = simulated(moments, drag, start, time);
+        let expected = judge.xy().norm().atan2(judge.z);
+        assert_relative_eq!(top.axis_angle(time).unwrap(), expected, max_relative = 1e-8);
+    }
+}
+
+#[test]
+fn eq04_and_eq58_the_angle_follows_the_law_of_the_source_for_one_drag_coefficient() {
+    let mut random = fastrand::Rng::with_seed(4);
+    for _ in 0..200 {
+        let (moments, drag, start) = body(&mut random, true);
+        let (i1, i3) = moments.as_symmetric().unwrap();
+        let top = DraggedTop::new(moments, drag, start).unwrap();
+        let time = between(&mut random, 0.1, 10.0);
+        let exponent = -drag.axial * (i3 - i1) * time / (i1 * i3);
+        let tangent = start.xy().norm() / start.z * exponent.exp();
+        let angle = (start.xy().norm() * exponent.exp()).atan2(start.z);
+        assert_relative_eq!(top.axis_angle(time).unwrap(), angle, max_relative = 1e-13);
+        // The same law without the time: tan θ goes as a power of the spin that is left.
+        let left = (top.omega_body(time).unwrap().z / start.z).powf(i3 / i1 - 1.0);
+        assert_relative_eq!(tangent, start.xy().norm() / start.z * left, max_relative = 1e-12);
+        // The middle expression of (58) without the index 0 on its numerator counts the decay twice.
+        let decayed = top.omega_body(time).unwrap().xy().norm();
+        let printed = decayed * (-drag.axial * time / i1).exp() / (start.z * (-drag.axial * time / i3).exp());
+        assert!((printed / tangent - 1.0).abs() > 0.5 * (1.0 - (-drag.axial * time / i1).exp()));
+    }
+}
+
+#[test]
+fn the_axis_goes_where_the_decay_rates_send_it() {
+    let omega = Vector3::new(1.0, 0.0, 1.0);
+    let fate = |i1: f64, i3: f64, c1: f64, c3: f64| {
+        let moments = PrincipalMoments::symmetric(i1, i3).unwrap();
+        let top = DraggedTop::new(moments, Drag { transverse: c1, axial: c3 }, omega).unwrap();
+        // Late in the motion the angle has gone where the name says.
+        let late = 60.0 / top.alignment_rate().abs().max(1e-3);
+        let angle = top.axis_angle(late).unwrap();
+        match top.fate() {
+            Fate::AlongAxis => assert!(angle < 1e-25),
+            Fate::AcrossAxis => assert!(angle == FRAC_PI_2),
+            Fate::Unchanged => assert_relative_eq!(angle, 0.25 * std::f64::consts::PI, max_relative = 1e-15),
+        }
+        top.fate()
+    };
+    assert_eq!(fate(1.0, 2.0, 0.1, 0.1), Fate::AlongAxis); // a plate
+    assert_eq!(fate(2.0, 0.1, 0.1, 0.1), Fate::AcrossAxis); // a pencil
+    assert_eq!(fate(1.0, 1.0, 0.1, 0.1), Fate::Unchanged); // a ball
+    assert_eq!(fate(1.0, 2.0, 0.1, 0.3), Fate::AcrossAxis); // a plate with rough rim: the verdict turns round
+    assert_eq!(fate(2.0, 0.1, 0.1, 0.001), Fate::AlongAxis); // a pencil with a fin
+    assert_eq!(fate(1.0, 2.0, 0.1, 0.2), Fate::Unchanged);
+    // Equal decay rates that are not equal when rounded would decide by noise; C₁/I₁ = C₃/I₃ exactly decides nothing.
+    assert_eq!(fate(3.0, 1.5, 0.3, 0.15), Fate::Unchanged);
+}
+
+#[test]
+fn the_wobble_goes_round_a_finite_number_of_times() {
+    let mut random = fastrand::Rng::with_seed(9);
+    for _ in 0..30 {
+        let (moments, drag, start) = body(&mut random, true);
+        let (i1, i3) = moments.as_symmetric().unwrap();
+        let top = DraggedTop::new(moments, drag, start).unwrap();
+        // Turn of ω₁ + iω₂ in a simulation of the logarithm: its imaginary part has the rate σ(t).
+        let rates = |_: f64, &[w3, _]: &[f64; 2]| [-drag.axial / i3 * w3, w3 * (i3 - i1) / i1];
+        let late = 40.0 * i3 / drag.axial;
+        let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, [start.z, 0.0], late).unwrap();
+        assert_relative_eq!(
+            top.total_body_turns(),
+            (end.state[1] / TAU).abs(),
+            max_relative = 1e-10,
+            epsilon = 1e-12
+        );
+    }
+    let undamped = DraggedTop::new(
+        Body::thin_disk(1.0, 1.0).unwrap().moments(),
+        Drag { transverse: 0.1, axial: 0.0 },
+        Vector3::new(0.1, 0.0, 1.0),
+    )
+    .unwrap();
+    assert_eq!(undamped.total_body_turns(), f64::INFINITY);
+}
+
+#[test]
+fn weak_drag_keeps_the_phase_of_the_free_top() {
+    // 1 − e^{−x} by subtraction loses x's digits; at C = 1e-14 the phase after 1e4 rad must still be the free one.
+    let moments = PrincipalMoments::symmetric(1.0, 2.0).unwrap();
+    let start = Vector3::new(0.3, 0.0, 1.0);
+    let free = DraggedTop::new(moments, Drag::isotropic(0.0), start).unwrap();
+    let weak = DraggedTop::new(moments, Drag::isotropic(1e-20), start).unwrap();
+    let time = 1e4;
+    assert_relative_eq!(weak.omega_body(time).unwrap(), free.omega_body(time).unwrap(), epsilon = 1e-12);
+    let x: f64 = 1e-20 / 2.0 * time;
+    assert_eq!(1.0 - (-x).exp(), 0.0); // the naive phase: no turn at all
+    let (sin, cos) = time.sin_cos();
+    assert_relative_eq!(
+        free.omega_body(time).unwrap(),
+        Vector3::new(0.3 * cos, 0.3 * sin, 1.0),
+        epsilon = 1e-12
+    );
+}
+
+#[test]
+fn the_attitude_is_that_of_eulers_equations_with_seven_numbers() {
+    let mut random = fastrand::Rng::with_seed(11);
+    for n in 0..20 {
+        let (moments, drag, start) = body(&mut random, n % 2 == 0);
+        let top = DraggedTop::new(moments, drag, start).unwrap();
+        let world_from_body = UnitQuaternion::from_euler_angles(0.3, -0.8, 1.9);
+        let times = [0.0, 0.5, 0.5, 4.0, 15.0];
+        let samples = top.sample(world_from_body, &times, 1e-13).unwrap();
+        let rates = euler::turning_rates(moments, |_, turning| top.torque_body(&turning.omega_body));
+        let begin = Turning { world_from_body, omega_body: start };
+        let (states, _) = Dop853::new(1e-13).unwrap().sample(rates, 0.0, begin.to_array(), &times).unwrap();
+        for (sample, state) in samples.iter().zip(states) {
+            let judge = Turning::from_array(state);
+            assert!(rotation_between(&sample.world_from_body, &judge.world_from_body) < 1e-10);
+            assert_relative_eq!(sample.omega_body, judge.omega_body, epsilon = SIMULATED);
+        }
+        assert_eq!(samples[0].world_from_body, world_from_body);
+    }
+}
+
+#[test]
+fn the_angle_is_known_long_after_the_spin_has_left_the_numbers() {
+    let moments = PrincipalMoments::symmetric(2.0, 1.0).unwrap();
+    let top = DraggedTop::new(moments, Drag::isotropic(1.0), Vector3::new(1.0, 0.0, 1.0)).unwrap();
+    assert_eq!(top.omega_body(5000.0).unwrap(), Vector3::zeros()); // e^{−2500}
+    assert_eq!(top.axis_angle(5000.0).unwrap(), FRAC_PI_2);
+    let plate = PrincipalMoments::symmetric(1.0, 2.0).unwrap();
+    let top = DraggedTop::new(plate, Drag::isotropic(1.0), Vector3::new(1.0, 0.0, 1.0)).unwrap();
+    assert_relative_eq!(top.axis_angle(1200.0).unwrap(), (-600.0_f64).exp(), max_relative = 1e-13);
+}

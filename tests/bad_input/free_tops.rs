@@ -1,0 +1,207 @@
+//! Bodies, free tops and their scenes: coin, station, drag.
+
+use mechanics::euler::Turning;
+use mechanics::free_rotation::{FreeSymmetricTop, InvalidTop};
+use mechanics::inertia::{Body, InvalidMoments, PrincipalMoments};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, InvalidDragTop};
+use mechanics::scenes::coin_toss::{
+    Flight, InvalidToss, Toss, angle_for_probability, ratio_for_probability, steady_face_ratio,
+};
+use mechanics::scenes::space_station::{InvalidStation, Station};
+use mechanics::{InvalidQuantity, Rule};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::fmt::{Debug, Display};
+
+fn message<T: Debug, E: Display>(result: Result<T, E>) -> String {
+    result.map(|value| format!("{value:?}")).expect_err("this should be refused").to_string()
+}
+
+fn disc() -> PrincipalMoments {
+    Body::thin_disk(1.0, 1.0).expect("a disc").moments()
+}
+
+fn brick() -> PrincipalMoments {
+    PrincipalMoments::new(1.0, 1.5, 2.0).expect("a brick")
+}
+
+fn turning(omega_body: Vector3<f64>) -> Turning {
+    Turning { world_from_body: UnitQuaternion::identity(), omega_body }
+}
+
+#[test]
+fn moments_must_be_those_of_a_body() {
+    assert_eq!(
+        PrincipalMoments::new(2.0, 3.0, 9.0),
+        Err(InvalidMoments::Triangle { moment: 9.0, others: 5.0 })
+    );
+    assert_eq!(
+        message(PrincipalMoments::new(9.0, 3.0, 2.0)),
+        "principal moment 9 kg·m² exceeds the sum of the other two, 5 kg·m²"
+    );
+    assert_eq!(
+        message(PrincipalMoments::symmetric(1.0, 0.0)),
+        "principal moment 0 kg·m² is not positive; it must be more than zero"
+    );
+    assert_eq!(
+        message(PrincipalMoments::new(1.0, -1.0, 1.0)),
+        "principal moment -1 kg·m² is not positive; it must be more than zero"
+    );
+    assert_eq!(
+        message(PrincipalMoments::new(f64::NAN, 1.0, 1.0)),
+        "principal moment NaN kg·m² is not a finite number"
+    );
+    assert_eq!(
+        message(PrincipalMoments::symmetric(1e60, 1e60)),
+        "principal moment 1e60 kg·m² is outside the range from 1e-50 to 1e50 kg·m² in size that is computed with"
+    );
+}
+
+#[test]
+fn shapes_say_which_number_is_wrong() {
+    let cases = [
+        (message(Body::hoop(0.0, 1.0)), "mass 0 kg is not positive; it must be more than zero"),
+        (message(Body::hoop(1.0, -0.5)), "radius -0.5 m is not positive; it must be more than zero"),
+        (message(Body::ring(1.0, 1.0, 1.0, 0.0)), "inner radius 1 m is too large; it must be less than 1 m"),
+        (message(Body::ring(1.0, -1.0, 1.0, 0.0)), "inner radius -1 m is negative; it must be zero or more"),
+        (message(Body::ring(1.0, 0.5, 1.0, f64::INFINITY)), "height inf m is not a finite number"),
+        (message(Body::thick_disk(1.0, 1.0, -0.1)), "thickness -0.1 m is negative; it must be zero or more"),
+        (message(Body::sphere(1.0, 0.0)), "equatorial radius 0 m is not positive; it must be more than zero"),
+        (message(Body::shell(1.0, f64::NAN)), "radius NaN m is not a finite number"),
+        (message(Body::rod(1.0, 0.0, 0.1)), "length 0 m is not positive; it must be more than zero"),
+        (message(Body::rod(1.0, 1.0, 0.0)), "radius 0 m is not positive; it must be more than zero"),
+        (
+            message(Body::cuboid(1.0, [1.0, 1.0, -2.0])),
+            "edge -2 m is not positive; it must be more than zero",
+        ),
+        (
+            message(Body::spheroid(1.0, 1.0, 0.0)),
+            "polar radius 0 m is not positive; it must be more than zero",
+        ),
+        (message(Body::new(-3.0, disc())), "mass -3 kg is not positive; it must be more than zero"),
+    ];
+    for (found, expected) in cases {
+        assert_eq!(found, expected);
+    }
+    let far = Body::hoop(1.0, 1.0).unwrap().about(&Vector3::new(0.0, 1e60, 0.0)).unwrap_err();
+    assert_eq!((far.quantity, far.value, far.rule), ("displacement", 1e60, Rule::InRange));
+    let tensor = Body::hoop(1.0, 1.0).unwrap().about(&Vector3::new(1e20, 0.0, 0.0)).unwrap();
+    // So far away the moment about the displacement is lost in rounding, and what is left is not a body.
+    assert!(
+        tensor.principal_axes().is_ok_and(|(m, _)| m.to_array()[0] > 0.0) || tensor.principal_axes().is_err()
+    );
+}
+
+#[test]
+fn a_free_symmetric_top_needs_an_axis_and_numbers() {
+    let error = FreeSymmetricTop::new(brick(), turning(Vector3::z())).unwrap_err();
+    assert_eq!(error, InvalidTop::NotSymmetric { about_1: 1.0, about_2: 1.5 });
+    assert_eq!(
+        error.to_string(),
+        "the moments about axes 1 and 2, 1 kg·m² and 1.5 kg·m², differ; a symmetric top has axis 3 as its axis"
+    );
+    assert_eq!(
+        message(FreeSymmetricTop::new(disc(), turning(Vector3::new(0.0, f64::NAN, 1.0)))),
+        "angular velocity NaN rad/s is not a finite number"
+    );
+    assert_eq!(
+        message(FreeSymmetricTop::new(disc(), turning(Vector3::new(1e70, 0.0, 1.0)))),
+        "angular velocity 1e70 rad/s is outside the range from 1e-50 to 1e50 rad/s in size that is computed with"
+    );
+    let nowhere = UnitQuaternion::new_unchecked(Quaternion::new(f64::NAN, 0.0, 0.0, 0.0));
+    let start = Turning { world_from_body: nowhere, omega_body: Vector3::z() };
+    assert_eq!(
+        message(FreeSymmetricTop::new(disc(), start)),
+        "component of the attitude NaN is not a finite number"
+    );
+    let top = FreeSymmetricTop::new(disc(), turning(Vector3::z())).unwrap();
+    for time in [f64::NAN, f64::INFINITY, 1e60] {
+        assert!(matches!(top.at(time), Err(InvalidQuantity { quantity: "time", unit: "s", .. })));
+        assert!(top.axis_world(time).is_err());
+    }
+    assert!(top.at(1e-300).is_ok() && top.at(-1e50).is_ok());
+}
+
+#[test]
+fn a_toss_needs_a_coin_that_turns_and_a_catch_that_it_reaches() {
+    assert_eq!(Toss::new(disc(), 0.0, 0.0), Err(InvalidToss::NoSpin));
+    assert_eq!(
+        message(Toss::new(disc(), 0.0, 0.0)),
+        "angular velocities ω₁ = 0 rad/s and ω₃ = 0 rad/s: a tossed coin turns"
+    );
+    assert!(matches!(Toss::new(brick(), 1.0, 1.0), Err(InvalidToss::Top(InvalidTop::NotSymmetric { .. }))));
+    assert!(matches!(steady_face_ratio(brick()), Err(InvalidToss::Top(_))));
+    assert_eq!(
+        message(Toss::new(disc(), f64::INFINITY, 1.0)),
+        "angular velocity inf rad/s is not a finite number"
+    );
+    for probability in [0.499, 1.001, f64::NAN, -1.0] {
+        let found = angle_for_probability(probability);
+        assert!(matches!(found, Err(InvalidToss::Probability { .. })), "{found:?}");
+        assert!(ratio_for_probability(disc(), probability).is_err());
+    }
+    assert_eq!(
+        message(angle_for_probability(0.25)),
+        "probability 0.25 of the same face is outside the range from 0.5 to 1 that tosses have"
+    );
+    assert_eq!(message(Flight::new(-1.0, 9.81, 0.0)), "speed -1 m/s is negative; it must be zero or more");
+    assert_eq!(
+        message(Flight::new(1.0, 0.0, 0.0)),
+        "gravity 0 m/s² is not positive; it must be more than zero"
+    );
+    assert_eq!(message(Flight::new(1.0, 9.81, f64::NAN)), "catch height NaN m is not a finite number");
+    assert_eq!(
+        message(Flight::new(2.0, 10.0, 0.3)),
+        "catch height 0.3 m is above the highest point of the flight, 0.2 m"
+    );
+}
+
+#[test]
+fn a_station_turns_and_a_blow_is_finite() {
+    assert_eq!(message(Station::ring(1.0, 1.0, 0.0)), "spin 0 rad/s must not be zero");
+    assert_eq!(
+        message(Station::ring(-1.0, 1.0, 1.0)),
+        "mass -1 kg is not positive; it must be more than zero"
+    );
+    assert_eq!(message(Station::ring(1.0, 1.0, f64::NAN)), "spin NaN rad/s is not a finite number");
+    let brick = Body::cuboid(1.0, [1.0, 2.0, 3.0]).unwrap();
+    assert!(matches!(Station::new(brick, 1.0), Err(InvalidStation::Top(InvalidTop::NotSymmetric { .. }))));
+    let station = Station::ring(1.0, 1.0, 1.0).unwrap();
+    assert_eq!(
+        message(station.struck(-1.0, 1.0)),
+        "radius of the blow -1 m is negative; it must be zero or more"
+    );
+    assert_eq!(message(station.struck(1.0, f64::INFINITY)), "impulse inf N·s is not a finite number");
+    let strong = Station::ring(1e-10, 1.0, 1.0).unwrap().struck(1.0, 1e45);
+    assert!(message(strong).contains("e55 rad/s is outside the range"));
+    assert!(station.struck(1.0, 0.0).is_ok() && station.struck(0.0, 1.0).is_ok());
+}
+
+#[test]
+fn drag_is_not_negative_and_a_slowing_body_spins() {
+    let new = |transverse: f64, axial: f64, omega: Vector3<f64>| {
+        DraggedTop::new(disc(), Drag { transverse, axial }, omega)
+    };
+    assert_eq!(
+        message(new(-0.1, 0.1, Vector3::z())),
+        "transverse drag coefficient -0.1 N·m·s is negative; it must be zero or more"
+    );
+    assert_eq!(
+        message(new(0.1, f64::NAN, Vector3::z())),
+        "axial drag coefficient NaN N·m·s is not a finite number"
+    );
+    assert_eq!(new(0.1, 0.1, Vector3::zeros()), Err(InvalidDragTop::NoSpin));
+    assert_eq!(
+        message(new(0.1, 0.1, Vector3::zeros())),
+        "angular velocity 0 rad/s: a body that spins down must spin"
+    );
+    let uneven = DraggedTop::new(brick(), Drag::isotropic(0.1), Vector3::z());
+    assert!(matches!(uneven, Err(InvalidDragTop::Top(InvalidTop::NotSymmetric { .. }))));
+    let top = new(0.1, 0.1, Vector3::new(1.0, 0.0, 1.0)).unwrap();
+    assert_eq!(message(top.omega_body(-1.0)), "time -1 s is negative; it must be zero or more");
+    assert!(top.axis_angle(f64::NAN).is_err());
+    let sample = |times: &[f64], tolerance: f64| top.sample(UnitQuaternion::identity(), times, tolerance);
+    assert_eq!(message(sample(&[0.0, f64::NAN], 1e-9)), "time NaN s is not a finite number");
+    assert!(matches!(sample(&[2.0, 1.0], 1e-9), Err(InvalidDragTop::Integration(_))));
+    assert!(matches!(sample(&[1.0], 1e-30), Err(InvalidDragTop::Tolerance(_))));
+    assert_eq!(sample(&[], 1e-9).map(|states| states.len()), Ok(0));
+}

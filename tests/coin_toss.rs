@@ -1,0 +1,214 @@
+//! The coin toss: equations (46) and (47), which face shows when, and the bias of a tossed coin.
+
+use approx::assert_relative_eq;
+use mechanics::euler::{self, Turning};
+use mechanics::inertia::{Body, PrincipalMoments};
+use mechanics::integrate::Dop853;
+use mechanics::scenes::coin_toss::{
+    Face, Flight, Toss, angle_for_probability, ratio_for_probability, steady_face_ratio,
+};
+use nalgebra::{UnitQuaternion, Vector3};
+use serde_json::Value;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
+/// A thin coin; mass and radius drop out of everything.
+fn coin() -> PrincipalMoments {
+    Body::thin_disk(0.0075, 0.0122).expect("a coin").moments()
+}
+
+/// A body with I₃/I₁ from a pencil's to a plate's.
+fn moments(random: &mut fastrand::Rng) -> PrincipalMoments {
+    PrincipalMoments::symmetric(1.0, 0.05 + 1.95 * random.f64())
+        .expect("an axial moment up to twice the other")
+}
+
+/// The same toss by Euler's equations: heights of the normal at `times`, with no precession and no closed form.
+fn simulated(moments: PrincipalMoments, omega_1: f64, omega_3: f64, times: &[f64]) -> Vec<Vector3<f64>> {
+    let start = Turning {
+        world_from_body: UnitQuaternion::identity(),
+        omega_body: Vector3::new(omega_1, 0.0, omega_3),
+    };
+    let free = euler::turning_rates(moments, |_, _| Vector3::zeros());
+    let (states, _) = Dop853::new(1e-13).unwrap().sample(free, 0.0, start.to_array(), times).unwrap();
+    states.into_iter().map(|state| Turning::from_array(state).axis_3_world()).collect()
+}
+
+#[test]
+fn eq46_angular_momentum_stays_where_the_hand_left_it() {
+    let mut random = fastrand::Rng::with_seed(46);
+    for _ in 0..50 {
+        let (omega_1, omega_3) = (random.f64() * 200.0, random.f64() * 100.0);
+        // The momentum of the thin disc added up over its mass: twelve points of equal weight have the disc's moments.
+        let (mass, radius) = (0.0075, 0.0122_f64);
+        let omega = Vector3::new(omega_1, 0.0, omega_3);
+        let momentum: Vector3<f64> = (0..12)
+            .map(|n| {
+                let (sin, cos) = (TAU * f64::from(n) / 12.0).sin_cos();
+                let r = Vector3::new(cos, sin, 0.0) * (radius / 2_f64.sqrt());
+                r.cross(&omega.cross(&r)) * (mass / 12.0)
+            })
+            .sum();
+        let quarter = 0.25 * mass * radius * radius;
+        assert_relative_eq!(
+            momentum,
+            Vector3::new(omega_1, 0.0, 2.0 * omega_3) * quarter,
+            max_relative = 1e-13
+        );
+        let toss = Toss::new(coin(), omega_1, omega_3).unwrap();
+        assert_relative_eq!(toss.momentum_angle().tan(), omega_1 / (2.0 * omega_3), max_relative = 1e-13);
+        assert_relative_eq!(toss.momentum_angle(), momentum.x.atan2(momentum.z), max_relative = 1e-14);
+    }
+}
+
+#[test]
+fn eq46_the_normal_of_a_simulated_coin_goes_round_the_angular_momentum() {
+    let mut random = fastrand::Rng::with_seed(4646);
+    for _ in 0..30 {
+        let moments = moments(&mut random);
+        let [transverse, _, axial] = moments.to_array();
+        let (omega_1, omega_3) = (100.0 * random.f64() + 1.0, 100.0 * random.f64() - 50.0);
+        let times: Vec<f64> = (1..=40).map(|n| 0.01 * f64::from(n)).collect();
+        let toss = Toss::new(moments, omega_1, omega_3).unwrap();
+        let momentum = Vector3::new(transverse * omega_1, 0.0, axial * omega_3).normalize();
+        for (&time, normal) in times.iter().zip(simulated(moments, omega_1, omega_3, &times)) {
+            assert_relative_eq!(toss.normal(time).unwrap(), normal, epsilon = 2e-11);
+            assert_relative_eq!(normal.dot(&momentum), toss.momentum_angle().cos(), epsilon = 2e-11);
+            let (sin, cos) = toss.momentum_angle().sin_cos();
+            let height = cos * cos + sin * sin * (toss.precession_rate() * time).cos();
+            assert_relative_eq!(normal.z, height, epsilon = 2e-11);
+        }
+    }
+}
+
+#[test]
+fn eq47_a_simulated_coin_shows_its_other_face_below_the_threshold_only() {
+    let mut random = fastrand::Rng::with_seed(47);
+    for n in 0..40 {
+        // The coin of the source, then bodies of every kind, two hundredths to either side of the threshold.
+        let moments = if n == 0 { coin() } else { moments(&mut random) };
+        let threshold = steady_face_ratio(moments).unwrap();
+        if n == 0 {
+            assert_eq!(threshold, 0.5);
+        }
+        for factor in [0.98, 1.02] {
+            let toss = Toss::new(moments, 1.0, factor * threshold).unwrap();
+            let times: Vec<f64> = (0..=400).map(|n| 0.025 * f64::from(n)).collect();
+            let lowest = simulated(moments, 1.0, factor * threshold, &times)
+                .iter()
+                .map(|normal| normal.z)
+                .fold(1.0, f64::min);
+            assert_eq!(lowest < 0.0, factor < 1.0, "lowest normal {lowest} at {factor} of the threshold");
+            assert_eq!(toss.keeps_its_face(), factor > 1.0);
+            assert!(lowest >= toss.lowest_normal() - 1e-10 && lowest < toss.lowest_normal() + 1e-3);
+        }
+    }
+}
+
+#[test]
+fn eq47_at_the_threshold_the_angle_is_half_a_right_angle() {
+    let toss = Toss::new(coin(), 2.0, 1.0).unwrap();
+    assert_relative_eq!(toss.momentum_angle(), FRAC_PI_4, max_relative = 1e-15);
+    assert_eq!(toss.lowest_normal(), 0.0);
+    assert!(toss.keeps_its_face() && toss.first_edge().is_none());
+    assert_eq!(toss.same_face_probability(), 1.0);
+    // A hair below it shows the other face, for as short a time as the hair is thin.
+    for exponent in [-15, -10, -5] {
+        let hair = 10_f64.powi(exponent);
+        let toss = Toss::new(coin(), 2.0 * (1.0 + hair), 1.0).unwrap();
+        assert!(!toss.keeps_its_face());
+        let missing = 1.0 - toss.same_face_probability();
+        assert_relative_eq!(missing, 2.0 / PI * hair.sqrt(), max_relative = 0.12);
+    }
+}
+
+#[test]
+fn the_reference_toss_is_met_to_its_last_digits() {
+    let file: Value = serde_json::from_str(include_str!("data/coin-toss.json")).expect("a valid file");
+    assert_eq!(file["inputs"]["omega1"], "2 pi 38 rad/s");
+    let value = |name: &str| file["values"][name].as_str().unwrap().parse::<f64>().unwrap();
+    let toss = Toss::new(coin(), TAU * 38.0, TAU * 4.0).unwrap();
+    let normal = toss.normal(0.45).unwrap();
+    // The phase is 110 rad; TAU·38 and 0.45 are rounded before the library sees them, which turns it by up to 3e-14.
+    for (found, name) in [(normal.x, "n_x"), (normal.y, "n_y"), (normal.z, "n_z")] {
+        assert_relative_eq!(found, value(name), epsilon = 3e-14);
+    }
+    assert_relative_eq!(toss.momentum_angle(), value("psi"), max_relative = 4e-16);
+    assert_relative_eq!(toss.same_face_probability(), value("p_same"), max_relative = 4e-16);
+    assert_relative_eq!(
+        angle_for_probability(0.508).unwrap(),
+        value("psi_for_p_0p508"),
+        max_relative = 1e-15
+    );
+    let ratio = ratio_for_probability(coin(), 0.508).unwrap();
+    assert_relative_eq!(ratio, value("omega3_over_omega1_for_0p508"), max_relative = 1e-14);
+}
+
+#[test]
+fn the_same_face_is_up_for_that_part_of_a_simulated_precession() {
+    let mut random = fastrand::Rng::with_seed(7);
+    for _ in 0..20 {
+        let moments = moments(&mut random);
+        let threshold = steady_face_ratio(moments).unwrap();
+        let toss = Toss::new(moments, 50.0, 50.0 * threshold * random.f64()).unwrap();
+        let period = TAU / toss.precession_rate();
+        let times: Vec<f64> = (0..2000).map(|n| period * (f64::from(n) + 0.5) / 2000.0).collect();
+        let omega_3 = toss.at(0.0).unwrap().omega_body.z;
+        let up = simulated(moments, 50.0, omega_3, &times).iter().filter(|normal| normal.z > 0.0).count();
+        assert!((up as f64 / 2000.0 - toss.same_face_probability()).abs() < 1.01 / 2000.0);
+        // On edge at the time that the closed form names, and not before.
+        let edge = toss.first_edge().unwrap();
+        let around = simulated(moments, 50.0, omega_3, &[0.999 * edge, edge, 1.001 * edge]);
+        assert!(around[0].z > 0.0 && around[1].z.abs() < 1e-9 && around[2].z < 0.0);
+        assert_eq!(toss.face(0.9 * edge).unwrap(), Face::Same);
+        assert_eq!(toss.face(1.1 * edge).unwrap(), Face::Other);
+    }
+}
+
+#[test]
+fn probability_and_ratio_undo_each_other_at_both_ends() {
+    let mut random = fastrand::Rng::with_seed(8);
+    for n in 0..2000 {
+        let moments = moments(&mut random);
+        let small = 10_f64.powf(-14.0 * random.f64()) / 4.0;
+        let probability = if n % 2 == 0 { 0.5 + small } else { 1.0 - small };
+        let ratio = ratio_for_probability(moments, probability).unwrap();
+        let found = Toss::new(moments, 1.0, ratio).unwrap().same_face_probability();
+        // Near 1 the ratio is 1 − π²(1 − p)²/4: one ulp of it stands for so much of the probability.
+        let ulp = (f64::EPSILON / (1.0 - probability)).min(f64::EPSILON.sqrt());
+        assert_relative_eq!(found, probability, epsilon = 4.0 * ulp);
+        let angle = angle_for_probability(probability).unwrap();
+        assert!((FRAC_PI_4 - 1e-15..=FRAC_PI_2).contains(&angle));
+    }
+    assert_eq!(ratio_for_probability(coin(), 0.5).unwrap(), 0.0);
+    assert_eq!(angle_for_probability(0.5).unwrap(), FRAC_PI_2);
+    assert_relative_eq!(angle_for_probability(1.0).unwrap(), FRAC_PI_4, max_relative = 1e-15);
+}
+
+#[test]
+fn a_coin_without_spin_about_its_axis_is_fair_and_one_without_tumble_is_not_tossed() {
+    let tumbling = Toss::new(coin(), 200.0, 0.0).unwrap();
+    assert_eq!((tumbling.same_face_probability(), tumbling.lowest_normal()), (0.5, -1.0));
+    assert_relative_eq!(tumbling.first_edge().unwrap(), FRAC_PI_2 / 200.0, max_relative = 1e-15);
+    let spinning = Toss::new(coin(), 0.0, 200.0).unwrap();
+    assert_eq!((spinning.same_face_probability(), spinning.normal_height(3.3).unwrap()), (1.0, 1.0));
+    // The sense of either spin makes no difference to the height.
+    for (omega_1, omega_3) in [(-9.0, 2.0), (9.0, -2.0), (-9.0, -2.0)] {
+        let [a, b] = [(9.0, 2.0), (omega_1, omega_3)].map(|(p, q)| Toss::new(coin(), p, q).unwrap());
+        assert_relative_eq!(a.normal_height(0.7).unwrap(), b.normal_height(0.7).unwrap(), epsilon = 1e-15);
+        assert_eq!(a.lowest_normal(), b.lowest_normal());
+    }
+}
+
+#[test]
+fn a_coin_is_caught_when_it_comes_down() {
+    let mut random = fastrand::Rng::with_seed(9);
+    for _ in 0..1000 {
+        let (speed, gravity) = (5.0 * random.f64() + 0.1, 9.81);
+        let highest = 0.5 * speed * speed / gravity;
+        let catch_height = highest * (2.0 * random.f64() - 1.0);
+        let flight = Flight::new(speed, gravity, catch_height).unwrap();
+        assert_relative_eq!(flight.height(flight.duration()), catch_height, epsilon = 1e-13);
+        assert!(flight.duration() >= speed / gravity); // on the way down
+    }
+    assert!(Flight::new(1.0, 9.81, 0.06).is_err());
+}

@@ -1,0 +1,218 @@
+//! The struck space station: equations (48) to (52), the printed ones that fail, and what the station does afterwards.
+
+use approx::assert_relative_eq;
+use mechanics::attitude::angle_between;
+use mechanics::euler::{self, Turning};
+use mechanics::inertia::Body;
+use mechanics::integrate::Dop853;
+use mechanics::scenes::space_station::{Station, Struck};
+use nalgebra::{UnitQuaternion, Vector3};
+use std::f64::consts::TAU;
+use std::ops::AddAssign;
+
+/// A ring of 400 t, 50 m in radius, turning in fourteen seconds: mass, radius, spin.
+const RING: (f64, f64, f64) = (4e5, 50.0, 0.45);
+const ROUNDING: f64 = 1e-13;
+
+fn struck(impulse: f64) -> Struck {
+    let (mass, radius, spin) = RING;
+    Station::ring(mass, radius, spin).and_then(|station| station.struck(radius, impulse)).expect("a station")
+}
+
+/// The blow from first principles: a chain of point masses gets, besides its spin, the one rigid velocity `v + ω × r` whose
+/// momentum is P and whose angular momentum is r × P. Six equations for six numbers, solved by elimination.
+fn blow(mass: f64, radius: f64, impulse: f64) -> (Vector3<f64>, Vector3<f64>) {
+    let points: Vec<Vector3<f64>> = (0..360)
+        .map(|n| {
+            let (sin, cos) = (TAU * f64::from(n) / 360.0).sin_cos();
+            Vector3::new(radius * cos, radius * sin, 0.0)
+        })
+        .collect();
+    let share = mass / points.len() as f64;
+    let mut matrix = nalgebra::SMatrix::<f64, 6, 6>::zeros();
+    for column in 0..6 {
+        let mut unit = nalgebra::SVector::<f64, 6>::zeros();
+        unit[column] = 1.0;
+        let (v, omega) = (unit.fixed_rows::<3>(0).into_owned(), unit.fixed_rows::<3>(3).into_owned());
+        let mut response = nalgebra::SVector::<f64, 6>::zeros();
+        for r in &points {
+            let momentum = (v + omega.cross(r)) * share;
+            response.fixed_rows_mut::<3>(0).add_assign(&momentum);
+            response.fixed_rows_mut::<3>(3).add_assign(&r.cross(&momentum));
+        }
+        matrix.set_column(column, &response);
+    }
+    let push = Vector3::new(0.0, 0.0, impulse);
+    let twist = Vector3::new(0.0, radius, 0.0).cross(&push);
+    let given = nalgebra::SVector::<f64, 6>::from_iterator(push.iter().chain(&twist).copied());
+    let gained = matrix.lu().solve(&given).expect("a ring can be moved in every way");
+    (gained.fixed_rows::<3>(0).into_owned(), gained.fixed_rows::<3>(3).into_owned())
+}
+
+#[test]
+fn eq48_the_blow_adds_twice_the_impulse_over_mass_and_radius() {
+    let (mass, radius, _) = RING;
+    for impulse in [1.0, 1.8e6, -5e6] {
+        let (velocity, omega) = blow(mass, radius, impulse);
+        let struck = struck(impulse);
+        assert_relative_eq!(struck.added_rate(), omega.x, max_relative = ROUNDING);
+        assert_relative_eq!(struck.added_rate(), 2.0 * impulse / (mass * radius), max_relative = ROUNDING);
+        assert_relative_eq!(struck.centre_velocity(), velocity, max_relative = ROUNDING);
+        assert!(omega.y.abs() + omega.z.abs() < ROUNDING * omega.x.abs());
+        // The printed 2aP/m is too large by the square of the radius in metres, and not even a rate.
+        let printed = 2.0 * radius * impulse / mass;
+        assert_relative_eq!(printed / omega.x, radius * radius, max_relative = ROUNDING);
+    }
+}
+
+#[test]
+fn eq48_a_blow_along_the_axis_at_the_centre_only_pushes() {
+    // "at radius a ẑ", as printed, would be a point of the axis: no torque, no wobble.
+    let (mass, radius, spin) = RING;
+    let push = Vector3::new(0.0, 0.0, 1.8e6);
+    assert_eq!(Vector3::new(0.0, 0.0, radius).cross(&push), Vector3::zeros());
+    let pushed = Station::ring(mass, radius, spin).unwrap().struck(0.0, 1.8e6).unwrap();
+    assert_eq!((pushed.added_rate(), pushed.axis_angle()), (0.0, 0.0));
+    assert!(struck(1.8e6).added_rate() != 0.0);
+}
+
+#[test]
+fn eq49_the_new_axis_is_where_the_station_does_not_move() {
+    // Turning alone, without the drift, leaves only the points of the axis at rest: search for that direction.
+    let (mass, radius, spin) = RING;
+    for impulse in [2e5, 1.8e6, 6e6] {
+        let (_, gained) = blow(mass, radius, impulse);
+        let omega = gained + Vector3::new(0.0, 0.0, spin);
+        let speed = |angle: f64| omega.cross(&Vector3::new(angle.sin(), 0.0, angle.cos())).norm();
+        let (mut low, mut high) = (0.0, 1.57);
+        for _ in 0..200 {
+            let third = (high - low) / 3.0;
+            if speed(low + third) < speed(high - third) { high -= third } else { low += third }
+        }
+        assert_relative_eq!(struck(impulse).axis_angle(), low, max_relative = 1e-7);
+        let printed = (2.0 * radius * impulse / (spin * mass)).atan();
+        assert!((printed - low).abs() > 0.1, "the printed (49) is {printed} rad, the axis lies at {low} rad");
+    }
+}
+
+#[test]
+fn eq50_the_angular_momentum_gains_lever_arm_times_impulse() {
+    let (mass, radius, spin) = RING;
+    for impulse in [2e5, 1.8e6, -6e6] {
+        let struck = struck(impulse);
+        let before = Vector3::new(0.0, 0.0, mass * radius * radius * spin);
+        let gained = Vector3::new(0.0, radius, 0.0).cross(&Vector3::new(0.0, 0.0, impulse));
+        assert_relative_eq!(struck.angular_momentum_world(), before + gained, max_relative = ROUNDING);
+        assert_relative_eq!(
+            struck.momentum_angle(),
+            angle_between(&before, &(before + gained)),
+            max_relative = ROUNDING
+        );
+        assert_relative_eq!(
+            2.0 * struck.momentum_angle().tan(),
+            struck.axis_angle().tan(),
+            max_relative = ROUNDING
+        );
+        assert_eq!(struck.centre_velocity().z, impulse / mass);
+    }
+}
+
+/// The simulated motion at `times`, by Euler's equations and a quaternion.
+fn simulated(struck: &Struck, times: &[f64]) -> Vec<Turning> {
+    let (mass, radius, _) = RING;
+    let moments = Body::hoop(mass, radius).unwrap().moments();
+    let start = struck.at(0.0).unwrap();
+    let free = euler::turning_rates(moments, |_, _| Vector3::zeros());
+    let (states, _) = Dop853::new(1e-13).unwrap().sample(free, 0.0, start.to_array(), times).unwrap();
+    states.into_iter().map(Turning::from_array).collect()
+}
+
+/// How fast the projections of a vector across an axis go round, from many small steps, rad/s.
+fn rate_about(axis: &Vector3<f64>, vectors: &[Vector3<f64>], step: f64) -> f64 {
+    let across = |v: &Vector3<f64>| v - axis * axis.dot(v);
+    let angle: f64 = vectors
+        .windows(2)
+        .map(|pair| {
+            let (a, b) = (across(&pair[0]), across(&pair[1]));
+            axis.dot(&a.cross(&b)).atan2(a.dot(&b))
+        })
+        .sum();
+    angle / (step * (vectors.len() - 1) as f64)
+}
+
+#[test]
+fn eq51_on_board_the_axis_of_rotation_goes_round_with_the_old_spin() {
+    let (_, _, spin) = RING;
+    let struck = struck(1.8e6);
+    let step = 0.05;
+    let times: Vec<f64> = (0..=2000).map(|n| step * f64::from(n)).collect();
+    let turnings = simulated(&struck, &times);
+    let omegas: Vec<Vector3<f64>> = turnings.iter().map(|turning| turning.omega_body).collect();
+    assert_relative_eq!(rate_about(&Vector3::z(), &omegas, step), spin, max_relative = 1e-10);
+    assert_relative_eq!(struck.body_rate(), spin, max_relative = 1e-15);
+    for (time, turning) in times.iter().zip(&turnings) {
+        assert_relative_eq!(struck.at(*time).unwrap().omega_body, turning.omega_body, epsilon = 1e-10);
+    }
+}
+
+#[test]
+fn eq52_the_rate_on_board_is_a_vector_along_the_axis_of_the_station() {
+    // ω̇ = ω₀ 3̂ × ω, by differences of the simulation.
+    let (_, _, spin) = RING;
+    let h = 1e-3;
+    let turnings = simulated(&struck(1.8e6), &[7.0 - h, 7.0, 7.0 + h]);
+    let rate = (turnings[2].omega_body - turnings[0].omega_body) / (2.0 * h);
+    let expected = Vector3::new(0.0, 0.0, spin).cross(&turnings[1].omega_body);
+    assert_relative_eq!(rate, expected, epsilon = 1e-8);
+}
+
+#[test]
+fn eq52_in_the_room_the_station_nods_twice_as_fast_and_not_at_the_old_spin() {
+    let (_, _, spin) = RING;
+    for (impulse, about) in [(1e4, 2.0), (1.8e6, 2.04), (9e6, 2.828)] {
+        let struck = struck(impulse);
+        let step = 0.02;
+        let times: Vec<f64> = (0..=5000).map(|n| step * f64::from(n)).collect();
+        let turnings = simulated(&struck, &times);
+        let momentum = struck.angular_momentum_world().normalize();
+        let axes: Vec<Vector3<f64>> = turnings.iter().map(Turning::axis_3_world).collect();
+        let rate = rate_about(&momentum, &axes, step);
+        // The tilt of the smallest blow is a thousandth, and so much larger is its error.
+        assert_relative_eq!(rate, struck.nodding_rate(), max_relative = 1e-8);
+        let expected = (4.0 * spin * spin + struck.added_rate().powi(2)).sqrt();
+        assert_relative_eq!(rate, expected, max_relative = 1e-8);
+        assert_relative_eq!(rate / spin, about, max_relative = 1e-2);
+        assert!(
+            rate > 1.99 * spin,
+            "the printed rate in the room is {spin} rad/s, the station nods at {rate}"
+        );
+    }
+}
+
+#[test]
+fn a_mark_on_the_rim_drifts_and_turns_as_simulated() {
+    let struck = struck(1.8e6);
+    let times: Vec<f64> = (0..=100).map(|n| 0.5 * f64::from(n)).collect();
+    let mark = Vector3::new(0.0, 50.0, 0.0);
+    for (time, turning) in times.iter().zip(simulated(&struck, &times)) {
+        let expected = Vector3::new(0.0, 0.0, 4.5 * time) + turning.world_from_body * mark;
+        assert_relative_eq!(struck.position(&mark, *time).unwrap(), expected, epsilon = 1e-7);
+    }
+    assert_eq!(struck.at(0.0).unwrap().world_from_body, UnitQuaternion::identity());
+}
+
+#[test]
+fn solid_stations_nod_at_their_own_rate() {
+    // A spheroid as long as wide does not nod; a long one nods slowly, a disc like a ring.
+    let nod = |body: Body| {
+        let station = Station::new(body, 0.5).unwrap();
+        station.struck(1.0, 1e-6).unwrap().nodding_rate() / 0.5
+    };
+    assert_relative_eq!(nod(Body::sphere(1.0, 1.0).unwrap()), 1.0, max_relative = 1e-9);
+    assert_relative_eq!(nod(Body::thin_disk(1.0, 1.0).unwrap()), 2.0, max_relative = 1e-9);
+    assert_relative_eq!(
+        nod(Body::rod(1.0, 10.0, 1.0).unwrap()),
+        0.5 / (0.25 + 100.0 / 12.0),
+        max_relative = 1e-9
+    );
+}

@@ -1,0 +1,201 @@
+//! Moments of bodies by adding up their mass.
+
+use crate::{ROUNDING, attitude, between, moments, vector};
+use approx::assert_relative_eq;
+use mechanics::inertia::{Body, InertiaTensor, InvalidMoments, PrincipalMoments};
+use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::TAU;
+
+/// Gauss's rule with three points on −1..1, exact for polynomials to degree five: all that these shapes need.
+const GAUSS: [(f64, f64); 3] =
+    [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
+
+/// Points and weights of a body: the weights are proportional to the mass.
+type Elements = Vec<(f64, Vector3<f64>)>;
+
+fn gauss(from: f64, to: f64) -> impl Iterator<Item = (f64, f64)> {
+    let [middle, half] = [0.5 * (from + to), 0.5 * (to - from)];
+    GAUSS.into_iter().map(move |(x, weight)| (weight * half, middle + half * x))
+}
+
+/// Eight directions round the axis: sums of squares of sines and cosines come out exactly.
+fn around() -> impl Iterator<Item = (f64, f64)> {
+    (0..8).map(|n| (0.3 + TAU * f64::from(n) / 8.0).sin_cos())
+}
+
+fn tube(inner: f64, outer: f64, height: f64) -> Elements {
+    let mut elements = Vec::new();
+    for (weight_r, r) in gauss(inner, outer) {
+        for (weight_z, z) in gauss(-0.5 * height, 0.5 * height) {
+            for (sin, cos) in around() {
+                elements.push((weight_r * weight_z * r, Vector3::new(r * cos, r * sin, z)));
+            }
+        }
+    }
+    elements
+}
+
+fn spheroid(equator: f64, pole: f64) -> Elements {
+    let mut elements = Vec::new();
+    for (weight_r, r) in gauss(0.0, 1.0) {
+        for (weight, direction) in shell_directions() {
+            let point = direction.component_mul(&Vector3::new(equator, equator, pole)) * r;
+            elements.push((weight_r * r * r * weight, point));
+        }
+    }
+    elements
+}
+
+fn shell_directions() -> Elements {
+    let mut elements = Vec::new();
+    for (weight, z) in gauss(-1.0, 1.0) {
+        let across = (1.0 - z * z).sqrt();
+        elements.extend(around().map(|(sin, cos)| (weight, Vector3::new(across * cos, across * sin, z))));
+    }
+    elements
+}
+
+fn block(edges: [f64; 3]) -> Elements {
+    let [a, b, c] = edges.map(|edge| 0.5 * edge);
+    let mut elements = Vec::new();
+    for (weight_x, x) in gauss(-a, a) {
+        for (weight_y, y) in gauss(-b, b) {
+            elements.extend(
+                gauss(-c, c).map(|(weight, z)| (weight_x * weight_y * weight, Vector3::new(x, y, z))),
+            );
+        }
+    }
+    elements
+}
+
+/// The inertia about `point` of `mass` spread over the elements: `∫(r²1 − r rᵀ) dm`.
+fn inertia(mass: f64, elements: &Elements, point: &Vector3<f64>) -> Matrix3<f64> {
+    let total: f64 = elements.iter().map(|(weight, _)| weight).sum();
+    let sum: Matrix3<f64> = elements
+        .iter()
+        .map(|(weight, position)| {
+            let r = position - point;
+            (Matrix3::from_diagonal_element(r.norm_squared()) - r * r.transpose()) * *weight
+        })
+        .sum();
+    sum * (mass / total)
+}
+
+/// Every shape of the library with the elements that it is made of.
+fn shapes(random: &mut fastrand::Rng) -> Result<Vec<(f64, Body, Elements)>, InvalidMoments> {
+    let mut length = || between(random, 0.1, 10.0);
+    let [a, b, c, mass] = [length(), length(), length(), length()];
+    let hoop = around().map(|(sin, cos)| (1.0, Vector3::new(a * cos, a * sin, 0.0))).collect();
+    let shell = shell_directions().into_iter().map(|(weight, n)| (weight, n * a)).collect();
+    let flat = tube(0.0, a, 0.0).len(); // a disc without height has no volume: give it an area
+    let disc: Elements = gauss(0.0, a)
+        .flat_map(|(weight, r)| {
+            around().map(move |(sin, cos)| (weight * r, Vector3::new(r * cos, r * sin, 0.0)))
+        })
+        .collect();
+    assert!(flat > 0 && !disc.is_empty());
+    Ok(vec![
+        (mass, Body::hoop(mass, a)?, hoop),
+        (mass, Body::ring(mass, a, a + b, c)?, tube(a, a + b, c)),
+        (mass, Body::thin_disk(mass, a)?, disc),
+        (mass, Body::thick_disk(mass, a, b)?, tube(0.0, a, b)),
+        (mass, Body::rod(mass, 10.0 * a, 0.1 * b)?, tube(0.0, 0.1 * b, 10.0 * a)),
+        (mass, Body::sphere(mass, a)?, spheroid(a, a)),
+        (mass, Body::shell(mass, a)?, shell),
+        (mass, Body::cuboid(mass, [a, b, c])?, block([a, b, c])),
+        (mass, Body::spheroid(mass, a, b)?, spheroid(a, b)),
+    ])
+}
+
+#[test]
+fn moments_of_the_shapes_are_the_sums_over_their_mass() {
+    let mut random = fastrand::Rng::with_seed(34);
+    for _ in 0..50 {
+        for (mass, body, elements) in shapes(&mut random).unwrap() {
+            let sum = inertia(mass, &elements, &Vector3::zeros());
+            let expected = Matrix3::from_diagonal(&body.moments().to_array().into());
+            assert_relative_eq!(sum, expected, epsilon = ROUNDING * expected.amax());
+        }
+    }
+}
+
+#[test]
+fn inertia_about_any_point_and_along_any_axes_is_the_sum_over_the_mass() {
+    let mut random = fastrand::Rng::with_seed(35);
+    for _ in 0..50 {
+        for (mass, body, elements) in shapes(&mut random).unwrap() {
+            let point = vector(&mut random, 10.0);
+            let about = body.about(&point).unwrap();
+            let sum = inertia(mass, &elements, &point);
+            assert_relative_eq!(*about.matrix(), sum, epsilon = ROUNDING * sum.amax());
+
+            let other_from_body = attitude(&mut random).to_rotation_matrix();
+            let turned: Elements =
+                elements.iter().map(|(weight, r)| (*weight, other_from_body * r)).collect();
+            let sum = inertia(mass, &turned, &Vector3::zeros());
+            assert_relative_eq!(*body.along(&other_from_body).matrix(), sum, epsilon = ROUNDING * sum.amax());
+        }
+    }
+}
+
+#[test]
+fn angular_momentum_is_the_sum_of_r_cross_v() {
+    let mut random = fastrand::Rng::with_seed(36);
+    for (mass, body, elements) in shapes(&mut random).unwrap() {
+        let omega = vector(&mut random, 5.0);
+        let total: f64 = elements.iter().map(|(weight, _)| weight).sum();
+        let momentum: Vector3<f64> =
+            elements.iter().map(|(weight, r)| r.cross(&omega.cross(r)) * (weight * mass / total)).sum();
+        let energy: f64 = elements
+            .iter()
+            .map(|(weight, r)| 0.5 * omega.cross(r).norm_squared() * weight * mass / total)
+            .sum();
+        let size = momentum.norm();
+        assert_relative_eq!(body.moments().angular_momentum(&omega), momentum, epsilon = ROUNDING * size);
+        assert_relative_eq!(body.moments().kinetic_energy(&omega), energy, max_relative = ROUNDING);
+        assert_relative_eq!(
+            body.moments().angular_velocity(&momentum),
+            omega,
+            epsilon = 1e-12 * omega.norm()
+        );
+    }
+}
+
+#[test]
+fn principal_axes_of_a_turned_body_are_found_again() {
+    let mut random = fastrand::Rng::with_seed(37);
+    for _ in 0..1000 {
+        let body = Body::new(1.0, moments(&mut random, 2.0)).unwrap();
+        let other_from_body = attitude(&mut random).to_rotation_matrix();
+        let tensor = body.along(&other_from_body);
+        let (found, other_from_principal) = tensor.principal_axes().unwrap();
+        let mut expected = body.moments().to_array();
+        expected.sort_by(f64::total_cmp);
+        for (found, expected) in found.to_array().into_iter().zip(expected) {
+            assert_relative_eq!(found, expected, epsilon = ROUNDING);
+        }
+        assert_relative_eq!(other_from_principal.matrix().determinant(), 1.0, max_relative = ROUNDING);
+        let rebuilt = InertiaTensor::principal(found).rotated(&other_from_principal);
+        assert_relative_eq!(*rebuilt.matrix(), *tensor.matrix(), epsilon = 10.0 * ROUNDING);
+    }
+}
+
+#[test]
+fn three_moments_are_accepted_exactly_if_a_body_can_have_them() {
+    let mut random = fastrand::Rng::with_seed(38);
+    let (mut accepted, mut refused) = (0, 0);
+    for _ in 0..10_000 {
+        let [a, b, c] = std::array::from_fn(|_| between(&mut random, 0.1, 10.0));
+        let possible = a + b >= c && b + c >= a && c + a >= b;
+        let found = PrincipalMoments::new(a, b, c);
+        assert_eq!(found.is_ok(), possible, "{a} {b} {c}");
+        if possible {
+            accepted += 1;
+        } else {
+            refused += 1;
+        }
+        // A flat body is at the very edge, and stays a body whatever its sums round to.
+        assert!(PrincipalMoments::new(a, b, a + b).is_ok() && PrincipalMoments::new(a + b, b, a).is_ok());
+    }
+    assert!(accepted > 1000 && refused > 1000);
+}
