@@ -163,9 +163,9 @@ fn bias(id: &str) -> Outcome {
     plot.upright(45.0, Stroke::Dotted);
     // Dense near 45°, where the curve leaves with an upright tangent.
     let mut values = vec![(0.0, 1.0), (45.0, 1.0)];
-    for root in linear_steps(0.0, 0.5_f64.sqrt(), 400) {
-        let probability = (1.0 - root * root).clamp(0.5, 1.0);
-        values.push((angle_for_probability(probability)?.to_degrees(), probability));
+    for step in linear_steps(0.0, 1.0, 400) {
+        let toss = Toss::new(coin()?, 1.0, 0.5 * (1.0 - step * step))?;
+        values.push((toss.momentum_angle().to_degrees(), toss.same_face_probability()));
     }
     plot.curve("probability", values, Stroke::Curve, Hue::Blue);
     let measured = (angle_for_probability(0.508)?.to_degrees(), 0.508);
