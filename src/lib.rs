@@ -8,6 +8,7 @@
 //! | The coin toss | [`scenes::coin_toss`] |
 //! | The struck space station | [`scenes::space_station`] |
 //! | Frisbee and pencil | [`scenes::air_drag`] |
+//! | The pinned hoop | [`scenes::pinned_hoop`], [`elliptic`] |
 //!
 //! Each module of [`scenes`] models one problem with the smallest state that it needs, in closed form where there is
 //! one. [`integrate`] holds the stepping methods and [`measure`] the one definition of error that tests, benchmarks and
@@ -16,6 +17,7 @@
 //! SI units and radians throughout. Labels such as `eq:steady-radius` in comments are those of the book's equations.
 
 pub mod attitude;
+pub mod conical;
 pub mod elliptic;
 pub mod euler;
 pub mod free_rotation;
@@ -75,6 +77,12 @@ mod pages {
     mod air_drag_exercises {}
     #[doc = include_str!("../book/air-drag/solutions.md")]
     mod air_drag_solutions {}
+    #[doc = include_str!("../book/pinned-hoop/index.md")]
+    mod pinned_hoop {}
+    #[doc = include_str!("../book/pinned-hoop/exercises.md")]
+    mod pinned_hoop_exercises {}
+    #[doc = include_str!("../book/pinned-hoop/solutions.md")]
+    mod pinned_hoop_solutions {}
     #[doc = include_str!("../book/bibliography.md")]
     mod bibliography {}
 }

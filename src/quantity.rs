@@ -45,6 +45,8 @@ pub enum Rule {
     InRange,
     /// It is at least so much.
     AtLeast(f64),
+    /// It is at most so much.
+    AtMost(f64),
     /// It is less than so much.
     LessThan(f64),
 }
@@ -129,6 +131,7 @@ impl fmt::Display for InvalidQuantity {
                 RANGE.end()
             ),
             Rule::AtLeast(least) => write!(out, "is too small; it must be at least {}{unit}", Shown(least)),
+            Rule::AtMost(limit) => write!(out, "is too large; it must be at most {}{unit}", Shown(limit)),
             Rule::LessThan(limit) => write!(out, "is too large; it must be less than {}{unit}", Shown(limit)),
         }
     }

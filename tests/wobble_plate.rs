@@ -363,7 +363,13 @@ fn eq45_and_eq02_the_balancing_mass_leaves_nothing_across_the_shaft() {
             for n in 0..10 {
                 let phase = f64::from(n) * 0.7;
                 // Plate by its mass elements, pistons as points: neither uses the formulas of the library.
-                let across = (summed_momentum(numbers, phase) + summed_pistons(&balanced, phase, spin)).xy();
+                let whole = summed_momentum(numbers, phase) + summed_pistons(&balanced, phase, spin);
+                let across = whole.xy();
+                assert_relative_eq!(
+                    balanced.angular_momentum(phase, spin),
+                    whole,
+                    epsilon = 1e-7 * whole.norm()
+                );
                 let size = summed_momentum(numbers, phase).norm() * (1.0 + tilt.tan().powi(2));
                 assert!(across.norm() < 1e-7 * size, "{count} pistons leave {across}");
                 assert!(balanced.bearing_torque(phase, spin).norm() < 1e-11 * size * spin);

@@ -3,5 +3,7 @@
 pub mod air_drag;
 pub mod coin_toss;
 pub mod laundromat;
+pub mod pinned_hoop;
+pub mod rolling_wheel;
 pub mod space_station;
 pub mod wobble_plate;

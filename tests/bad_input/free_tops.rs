@@ -7,6 +7,7 @@ use mechanics::scenes::air_drag::{Drag, DraggedTop, InvalidDragTop};
 use mechanics::scenes::coin_toss::{
     Flight, InvalidToss, Toss, angle_for_probability, ratio_for_probability, steady_face_ratio,
 };
+use mechanics::scenes::pinned_hoop::{InvalidPinning, Pinning, Shape};
 use mechanics::scenes::space_station::{InvalidStation, Station};
 use mechanics::{InvalidQuantity, Rule};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -204,4 +205,25 @@ fn drag_is_not_negative_and_a_slowing_body_spins() {
     assert!(matches!(sample(&[2.0, 1.0], 1e-9), Err(InvalidDragTop::Integration(_))));
     assert!(matches!(sample(&[1.0], 1e-30), Err(InvalidDragTop::Tolerance(_))));
     assert_eq!(sample(&[], 1e-9).map(|states| states.len()), Ok(0));
+}
+
+#[test]
+fn a_pinned_body_spins_and_its_point_lies_on_it() {
+    let new = |spin: f64, angle: f64| Pinning::new(Shape::Hoop, 1.0, 1.0, spin, angle);
+    assert_eq!(message(new(0.0, 1.0)), "spin 0 rad/s must not be zero");
+    assert_eq!(message(new(f64::NAN, 1.0)), "spin NaN rad/s is not a finite number");
+    assert_eq!(message(new(1.0, -0.1)), "angle from the axis -0.1 rad is negative; it must be zero or more");
+    assert!(
+        message(new(1.0, 3.2))
+            .starts_with("angle from the axis 3.2 rad is too large; it must be at most 3.14159")
+    );
+    assert_eq!(
+        message(Pinning::new(Shape::Disk, 1.0, 0.0, 1.0, 1.0)),
+        "radius 0 m is not positive; it must be more than zero"
+    );
+    let at = |point: [f64; 2]| Pinning::at_point(Shape::Sphere, 1.0, 1.0, 1.0, point);
+    assert!(matches!(at([0.3, 0.3]), Err(InvalidPinning::NotOnSurface { .. })));
+    assert_eq!(message(at([0.0, 0.5])), "the point at 0.5 m from the centre is not on the rim, at 1 m");
+    assert_eq!(message(at([f64::INFINITY, 0.0])), "position of the point inf m is not a finite number");
+    assert!(at([0.6, -0.8]).is_ok());
 }

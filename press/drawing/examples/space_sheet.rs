@@ -17,8 +17,20 @@ const ORIGIN: [f64; 3] = [0.0; 3];
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).ok_or("which folder shall the drawings go to?")?);
     fs::create_dir_all(&folder)?;
-    let drawings =
-        [plate()?, coin()?, ring()?, cones()?, ellipsoid()?, rolling()?, pencil()?, links()?, engine()?];
+    let drawings = [
+        plate()?,
+        coin()?,
+        ring()?,
+        cones()?,
+        nested()?,
+        ellipsoid()?,
+        rolling()?,
+        pencil()?,
+        links()?,
+        engine()?,
+        frisbee()?,
+        sphere()?,
+    ];
     let mut cells = String::new();
     for drawing in drawings {
         let name = drawing.id().replace(':', "-");
@@ -56,8 +68,10 @@ fn plate() -> Result<Drawing, SpaceError> {
     let momentum = [beta.sin(), 0.0, beta.cos()];
     let first = [-alpha.cos(), 0.0, alpha.sin()];
     stage.solid(Solid::disc(ORIGIN, normal, 1.0, 0.1)?, Hue::Blue)?;
-    stage
-        .solid(Solid::rod([0.0, 0.0, -1.3], [0.0, 0.0, 1.15], 0.045)?.edges(Edges::BehindOthers), Hue::Ink)?;
+    stage.solid(
+        Solid::rod([0.0, 0.0, -1.3], [0.0, 0.0, 1.15], 0.045)?.edges(Edges::BehindOthers),
+        Hue::Muted,
+    )?;
     stage.named_vector([0.0, 0.0, 1.15], [0.0, 0.0, 1.75], r"$\boldsymbol\omega$", Hue::Orange)?;
     stage.turning([0.0, 0.0, 1.35], UP, 0.2, Hue::Orange)?;
     for (direction, length, name, hue) in [
@@ -77,12 +91,12 @@ fn plate() -> Result<Drawing, SpaceError> {
         ["$x$", "$y$", "$z$"],
         Hue::Muted,
     )?;
-    draw(stage, "fig:plate", "The wobble plate")
+    draw(&stage, "fig:plate", "The wobble plate")
 }
 
 /// A coin in flight.
 fn coin() -> Result<Drawing, SpaceError> {
-    let mut stage = Stage::new(Camera::new(view(-62.0, 22.0, at(175.0, 240.0), 105.0))?);
+    let mut stage = Stage::new(Camera::new(view(-24.0, 20.0, at(185.0, 225.0), 105.0))?);
     let (sin, cos) = 48.0_f64.to_radians().sin_cos();
     let third = [sin, 0.0, cos];
     stage.solid(Solid::disc(ORIGIN, third, 1.0, 0.16)?, Hue::Blue)?;
@@ -99,7 +113,7 @@ fn coin() -> Result<Drawing, SpaceError> {
     stage.named_vector(face, from_face(UP, 1.5), r"$\boldsymbol L$", Hue::Green)?;
     stage.turning(from_face(third, 1.15), third, 0.2, Hue::Orange)?;
     stage.angle(face, UP, third, 0.8, r"$\theta$", Hue::Ink)?;
-    draw(stage, "fig:coin", "The tossed coin")
+    draw(&stage, "fig:coin", "The tossed coin")
 }
 
 /// A ring that is struck.
@@ -118,7 +132,7 @@ fn ring() -> Result<Drawing, SpaceError> {
         r"$\boldsymbol P$",
         Hue::Pink,
     )?;
-    draw(stage, "fig:ring", "The struck ring")
+    draw(&stage, "fig:ring", "The struck ring")
 }
 
 /// A body cone that rolls outside on a space cone.
@@ -140,7 +154,55 @@ fn cones() -> Result<Drawing, SpaceError> {
         r"$\boldsymbol\omega$",
         Hue::Orange,
     )?;
-    draw(stage, "fig:cones", "Body cone and space cone")
+    draw(&stage, "fig:cones", "Body cone and space cone")
+}
+
+/// A flat body: its cone encloses the cone in space and rolls on it from outside.
+fn nested() -> Result<Drawing, SpaceError> {
+    let view = View { target: [0.2, 0.0, 0.7], ..view(-75.0, 22.0, at(190.0, 200.0), 115.0) };
+    let mut stage = Stage::new(Camera::new(view)?);
+    let (space, body) = (16.0_f64.to_radians(), 42.0_f64.to_radians());
+    let lean = body - space;
+    let axis = [-lean.sin(), 0.0, lean.cos()];
+    stage.solid(Solid::cone(ORIGIN, UP, space, 1.5)?.edges(Edges::BehindOthers), Hue::Green)?;
+    stage.solid(Solid::cone(ORIGIN, axis, body, 1.5)?.finish(Finish::Glass), Hue::Blue)?;
+    stage.named_vector(ORIGIN, [0.0, 0.0, 1.9], r"$\boldsymbol L$", Hue::Green)?;
+    stage.named_vector(ORIGIN, scaled(axis, 1.8), r"$\hat{\boldsymbol 3}$", Hue::Ink)?;
+    stage.named_vector(
+        ORIGIN,
+        scaled([space.sin(), 0.0, space.cos()], 1.8),
+        r"$\boldsymbol\omega$",
+        Hue::Orange,
+    )?;
+    draw(&stage, "fig:nested", "A body cone about a space cone")
+}
+
+/// A Frisbee: a disc with a rim.
+fn frisbee() -> Result<Drawing, SpaceError> {
+    let mut stage = Stage::new(Camera::new(view(-60.0, 24.0, at(190.0, 215.0), 115.0))?);
+    let (sin, cos) = 18.0_f64.to_radians().sin_cos();
+    let axis = [sin, 0.0, cos];
+    stage.solid(Solid::disc(scaled(axis, -0.12), axis, 0.9, 0.02)?, Hue::Blue)?;
+    stage.solid(Solid::ring(ORIGIN, axis, 1.0, 0.9, 0.26)?, Hue::Blue)?;
+    stage.named_vector(scaled(axis, -0.11), scaled(axis, 1.0), r"$\hat{\boldsymbol 3}$", Hue::Ink)?;
+    stage.turning(scaled(axis, 0.7), axis, 0.2, Hue::Orange)?;
+    draw(&stage, "fig:frisbee", "A Frisbee")
+}
+
+/// A sphere with meridians and parallels, and an opaque cone.
+fn sphere() -> Result<Drawing, SpaceError> {
+    let mut stage = Stage::new(Camera::new(view(-60.0, 24.0, at(190.0, 200.0), 115.0))?);
+    stage.solid(Solid::sphere(ORIGIN, 1.0)?, Hue::Orange)?;
+    for index in 0..6 {
+        let (sin, cos) = (TAU * f64::from(index) / 12.0).sin_cos();
+        stage.curve(Curve::circle(ORIGIN, [sin, cos, 0.0], 1.0)?, Stroke::Outline, Hue::Orange)?;
+        let (height, radius) = (TAU * f64::from(index - 3) / 12.0).sin_cos();
+        if index > 0 {
+            stage.curve(Curve::circle([0.0, 0.0, height], UP, radius)?, Stroke::Outline, Hue::Orange)?;
+        }
+    }
+    stage.solid(Solid::cone([1.2, -0.9, -0.9], [0.1, 0.0, 1.0], 0.35, 0.9)?, Hue::Purple)?;
+    draw(&stage, "fig:sphere", "A sphere with its grid")
 }
 
 /// Curves on an ellipsoid: where spheres cut it.
@@ -168,7 +230,7 @@ fn ellipsoid() -> Result<Drawing, SpaceError> {
             Hue::Ink,
         )?;
     }
-    draw(stage, "fig:ellipsoid", "Curves on an ellipsoid")
+    draw(&stage, "fig:ellipsoid", "Curves on an ellipsoid")
 }
 
 /// The line in which a sphere cuts an ellipsoid, about one of its axes.
@@ -196,7 +258,7 @@ fn rolling() -> Result<Drawing, SpaceError> {
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0, 0.0, 0.4],
         distance: 9.0,
-        ..view(-60.0, 22.0, at(190.0, 205.0), 72.0)
+        ..view(-60.0, 22.0, at(205.0, 215.0), 62.0)
     })?);
     let lean = 20.0_f64.to_radians();
     let (track, radius) = (1.4, 0.75);
@@ -217,7 +279,7 @@ fn rolling() -> Result<Drawing, SpaceError> {
     stage.named_vector(centre, end(0.9), r"$\hat{\boldsymbol 3}$", Hue::Ink)?;
     stage.dot_in_front(contact, 3.4, Hue::Pink)?;
     stage.label(contact, Side::BelowRight, "$P$", Hue::Pink)?;
-    draw(stage, "fig:rolling", "A wheel on a circle")
+    draw(&stage, "fig:rolling", "A wheel on a circle")
 }
 
 /// A pencil: a rod with a tip, and a sphere on a rod.
@@ -232,8 +294,10 @@ fn pencil() -> Result<Drawing, SpaceError> {
     stage.solid(Solid::cone(ORIGIN, axis, 0.25, 0.45)?, Hue::Orange)?;
     let neck = 0.45 * 0.25_f64.cos();
     stage.solid(Solid::rod(scaled(axis, neck), scaled(axis, 2.0), 0.45 * 0.25_f64.sin())?, Hue::Blue)?;
-    stage
-        .solid(Solid::rod([-0.7, -0.5, 0.0], [-0.7, 0.4, 1.7], 0.05)?.edges(Edges::BehindOthers), Hue::Ink)?;
+    stage.solid(
+        Solid::rod([-0.7, -0.5, 0.0], [-0.7, 0.4, 1.7], 0.05)?.edges(Edges::BehindOthers),
+        Hue::Muted,
+    )?;
     stage.solid(Solid::sphere([-0.7, -0.05, 0.85], 0.35)?, Hue::Green)?;
     stage.solid(
         Solid::cuboid([1.1, -0.6, 0.2], [[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], UP], [0.3, 0.2, 0.2])?
@@ -242,7 +306,7 @@ fn pencil() -> Result<Drawing, SpaceError> {
     )?;
     stage.curve(Curve::segment(ORIGIN, [0.0, 0.0, 1.9])?, Stroke::Reference, Hue::Muted)?;
     stage.angle(ORIGIN, UP, axis, 1.2, r"$\theta$", Hue::Ink)?;
-    draw(stage, "fig:pencil", "A pencil on its tip")
+    draw(&stage, "fig:pencil", "A pencil on its tip")
 }
 
 /// Two rings that hold each other, and a rod through one.
@@ -251,7 +315,7 @@ fn links() -> Result<Drawing, SpaceError> {
     stage.solid(Solid::ring([-0.5, 0.0, 0.0], [0.2, -0.3, 1.0], 1.0, 0.8, 0.2)?, Hue::Blue)?;
     stage.solid(Solid::ring([0.6, 0.0, 0.0], [0.1, 1.0, 0.2], 1.0, 0.8, 0.2)?, Hue::Orange)?;
     stage.solid(Solid::rod([-1.2, -0.4, -1.2], [-0.6, 0.3, 1.3], 0.06)?, Hue::Ink)?;
-    draw(stage, "fig:links", "Two rings that hold each other")
+    draw(&stage, "fig:links", "Two rings that hold each other")
 }
 
 /// A wobble plate with four pistons.
@@ -260,7 +324,8 @@ fn engine() -> Result<Drawing, SpaceError> {
     let alpha = 22.0_f64.to_radians();
     let normal = [alpha.sin(), 0.0, alpha.cos()];
     stage.solid(Solid::disc(ORIGIN, normal, 1.15, 0.1)?, Hue::Blue)?;
-    stage.solid(Solid::rod([0.0, 0.0, -1.4], [0.0, 0.0, 1.7], 0.05)?.edges(Edges::BehindOthers), Hue::Ink)?;
+    stage
+        .solid(Solid::rod([0.0, 0.0, -1.4], [0.0, 0.0, 1.7], 0.05)?.edges(Edges::BehindOthers), Hue::Muted)?;
     for index in 0..4 {
         let (sin, cos) = (TAU * (f64::from(index) + 0.5) / 4.0).sin_cos();
         let (x, y) = (0.8 * cos, 0.8 * sin);
@@ -268,10 +333,10 @@ fn engine() -> Result<Drawing, SpaceError> {
         stage.solid(Solid::rod([x, y, foot], [x, y, foot + 0.5], 0.05)?, Hue::Ink)?;
         stage.solid(Solid::rod([x, y, foot + 0.5], [x, y, foot + 0.9], 0.2)?, Hue::Green)?;
     }
-    draw(stage, "fig:engine", "A wobble plate with four pistons")
+    draw(&stage, "fig:engine", "A wobble plate with four pistons")
 }
 
-fn draw(stage: Stage, id: &str, title: &str) -> Result<Drawing, SpaceError> {
+fn draw(stage: &Stage, id: &str, title: &str) -> Result<Drawing, SpaceError> {
     let mut drawing = Drawing::new(id, 380.0, 400.0).titled(title, "A drawing to be looked at.");
     stage.write(&mut drawing);
     Ok(drawing)

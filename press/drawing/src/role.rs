@@ -57,6 +57,8 @@ pub enum Fill {
     Face,
     /// The side of a body: a stronger tint.
     Side,
+    /// A body of glass: a tint through which others are seen.
+    Glass,
     /// A region of the plane that means something: the palest tint.
     Ground,
     /// The shading of a rounded body, given by its shape, [`Shape::Rounded`](crate::Shape::Rounded).
@@ -143,8 +145,16 @@ impl Stroke {
 
 impl Fill {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::Solid, Self::Face, Self::Side, Self::Ground, Self::Round, Self::Floor, Self::Page];
+    pub const ALL: [Self; 8] = [
+        Self::Solid,
+        Self::Face,
+        Self::Side,
+        Self::Glass,
+        Self::Ground,
+        Self::Round,
+        Self::Floor,
+        Self::Page,
+    ];
 
     /// The class of the style sheet.
     pub const fn class(self) -> &'static str {
@@ -152,6 +162,7 @@ impl Fill {
             Self::Solid => "f-solid",
             Self::Face => "f-face",
             Self::Side => "f-side",
+            Self::Glass => "f-glass",
             Self::Ground => "f-ground",
             Self::Round => "f-round",
             Self::Floor => "f-floor",

@@ -1,7 +1,7 @@
 //! Polylines, and the SVG that drawings become.
 
 use drawing::kit::{self, Heads, Marker};
-use drawing::{Drawing, Hue, Point, Rect, Role, Shape, Side, Stroke, TOLERANCE, at, clip, simplify};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, TOLERANCE, at, clip, simplify};
 use roxmltree::Document;
 
 /// The least distance of a point from a polyline, px.
@@ -137,6 +137,50 @@ fn arcs_turn_counter_clockwise_on_the_page() {
     let Shape::Arc { .. } = drawing.items()[0].shape else { panic!("an arc") };
     let end = drawing.items()[0].shape.points().pop().expect("points");
     assert!((end - at(50.0, 30.0)).length() < 1e-12);
+}
+
+#[test]
+fn ellipses_lie_where_their_axes_say() {
+    let (centre, radii, turn) = (at(50.0, 60.0), (30.0, 10.0), std::f64::consts::FRAC_PI_6);
+    let ellipse = Shape::Ellipse { centre, radii, turn };
+    for point in ellipse.points() {
+        let step = point - centre;
+        let (along, across) = (Point::polar(1.0, turn), Point::polar(1.0, turn).quarter_turned());
+        let [x, y] = [along, across].map(|axis| step.x * axis.x + step.y * axis.y);
+        assert!(((x / 30.0).powi(2) + (y / 10.0).powi(2) - 1.0).abs() < 1e-12, "{point:?}");
+    }
+    let mut drawing = Drawing::new("fig:ellipse", 100.0, 100.0);
+    drawing.push(Role::Line(Stroke::Outline, Hue::Ink), ellipse);
+    // From one end of the long axis to the other and back; SVG turns clockwise, the drawing counter-clockwise.
+    let path = "M75.98,45A30,10 -30 0 0 24.02,75A30,10 -30 0 0 75.98,45Z";
+    assert!(drawing.to_svg().contains(path), "{}", drawing.to_svg());
+}
+
+#[test]
+fn rounded_bodies_are_shaded_by_a_gradient_of_their_own() {
+    let mut drawing = Drawing::new("fig:balls", 100.0, 100.0);
+    for (x, hue) in [(30.0, Hue::Blue), (70.0, Hue::Green)] {
+        let (centre, light) = (at(x, 50.0), at(x - 4.0, 45.0));
+        let shape = Shape::Rounded { centre, radii: (20.0, 10.0), turn: 0.0, light };
+        drawing.push(Role::Area(Fill::Round, hue), shape);
+    }
+    let svg = drawing.to_svg();
+    let document = Document::parse(&svg).expect("valid XML");
+    let gradients: Vec<_> =
+        document.descendants().filter(|node| node.has_tag_name("radialGradient")).collect();
+    let paths: Vec<_> = document.descendants().filter(|node| node.has_tag_name("path")).collect();
+    assert_eq!((gradients.len(), paths.len()), (2, 2));
+    for (gradient, path) in gradients.iter().zip(&paths) {
+        let id = gradient.attribute("id").expect("an id");
+        assert!(id.starts_with("fig-balls-"));
+        assert_eq!(path.attribute("fill"), Some(format!("url(#{id})").as_str()));
+        // In the unit circle of the ellipse, a fifth to the left and half-way up.
+        let focus = (gradient.attribute("fx"), gradient.attribute("fy"));
+        assert_eq!(focus, (Some("-0.2"), Some("0.5")));
+        assert_eq!(gradient.children().count(), 3);
+    }
+    assert_ne!(gradients[0].attribute("id"), gradients[1].attribute("id"));
+    assert!(svg.contains("matrix(20 0 0 -10 30 50)"), "{svg}");
 }
 
 #[test]

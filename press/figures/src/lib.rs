@@ -27,6 +27,7 @@ chapters! {
     coin_toss in "coin-toss": "../../../book/coin-toss/figures.rs";
     space_station in "space-station": "../../../book/space-station/figures.rs";
     air_drag in "air-drag": "../../../book/air-drag/figures.rs";
+    pinned_hoop in "pinned-hoop": "../../../book/pinned-hoop/figures.rs";
 }
 
 pub use axis::Axis;

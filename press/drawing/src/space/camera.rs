@@ -105,7 +105,7 @@ impl Camera {
 
     /// Where the eye is; none for an eye at infinity.
     pub(super) fn eye(&self) -> Option<Vec3> {
-        (self.nearness > 0.0).then(|| self.target + self.back * self.reach())
+        (self.nearness > 0.0).then(|| self.target + self.back * (1.0 / self.nearness))
     }
 
     /// A point that must be seen.
@@ -135,7 +135,8 @@ impl Camera {
         1.0 - self.nearness * (point - self.target).dot(self.back)
     }
 
-    /// The direction from a point towards the eye, of the length by which the eye is reached at the step [`Self::reach`].
+    /// The direction from a point towards the eye, of a length that is linear in the point: the eye is `distance` of these
+    /// steps away.
     pub(super) fn sight(&self, point: Vec3) -> Vec3 {
         self.back - (point - self.target) * self.nearness
     }
@@ -143,11 +144,6 @@ impl Camera {
     /// 1/distance; the eye's coordinate in the formulas that also hold for an eye at infinity.
     pub(super) fn nearness(&self) -> f64 {
         self.nearness
-    }
-
-    /// How many steps of [`Self::sight`] lead from a point to the eye: the distance, infinite for parallel lines.
-    pub(super) fn reach(&self) -> f64 {
-        1.0 / self.nearness
     }
 
     /// The line of sight through a point of the page. It begins in the plane of the target and runs away from the eye.

@@ -19,8 +19,20 @@ pub enum Hiding {
 
 /// A line in space. Units are those of the world, angles in rad.
 ///
-/// Its points may lie on a solid's surface: what is not more than a thousandth of the solid's least thickness behind the
-/// surface counts as lying on it.
+/// Its points may lie on a solid's surface: what is not more than 0.3 % of the solid's least thickness behind the surface
+/// counts as lying on it.
+///
+/// ```
+/// use drawing::space::{Curve, SpaceError};
+/// // A quarter of a circle about z, right-handed: from x through the diagonal to y.
+/// let arc = Curve::arc([0.0; 3], [0.0, 0.0, 1.0], [2.0, 0.0, 0.0], std::f64::consts::FRAC_PI_2)?;
+/// let [x, y, z] = arc.middle();
+/// assert!((x - 2.0_f64.sqrt()).abs() < 1e-12 && (y - x).abs() < 1e-12 && z == 0.0);
+/// // The same as the angle between two directions.
+/// let angle = Curve::between([0.0; 3], [1.0, 0.0, 0.0], [0.0, 3.0, 0.0], 2.0)?;
+/// assert!((angle.end()[1] - 2.0).abs() < 1e-12);
+/// # Ok::<(), SpaceError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     pub(super) track: Track,

@@ -6,6 +6,7 @@ use super::track::Track;
 use super::vector::Vec3;
 use crate::drawing::Shape;
 use crate::role::Fill;
+use std::f64::consts::TAU;
 
 /// The geometry of a solid.
 pub(super) trait Form {
@@ -68,8 +69,8 @@ pub(super) struct Patch {
 pub(super) enum Part {
     /// All of it.
     Whole,
-    /// What lies on the sunny side of planes.
-    Cut(Vec<Plane>),
+    /// What of a rod lies above one line about it and below another.
+    Between(Option<Belt>, Option<Belt>),
     /// From an angle about the axis, over an angle, rad.
     Sector(f64, f64),
     /// The part of a shell that is seen from outside.
@@ -78,29 +79,16 @@ pub(super) enum Part {
     Inside,
 }
 
-/// A plane; its sunny side is where normal·x ≥ offset.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Plane {
-    pub(super) normal: Vec3,
-    pub(super) offset: f64,
-}
+/// A line that runs once about a rod: its height along the axis at equal steps of the angle about it, from 0 to a turn.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Belt(pub(super) Vec<f64>);
 
-impl Plane {
-    /// How far a point lies on the sunny side.
-    pub(super) fn height(&self, point: Vec3) -> f64 {
-        self.normal.dot(point) - self.offset
-    }
-
-    /// The part of a ray on the sunny side.
-    pub(super) fn span(&self, ray: &Ray) -> Option<Span> {
-        let (height, slope) = (self.height(ray.origin), self.normal.dot(ray.direction));
-        let zero = -height / slope;
-        if slope > 0.0 {
-            Some(Span { enter: zero, ..Span::ALL })
-        } else if slope < 0.0 {
-            Some(Span { leave: zero, ..Span::ALL })
-        } else {
-            (height >= 0.0).then_some(Span::ALL)
-        }
+impl Belt {
+    /// The height at an angle, rad.
+    pub(super) fn at(&self, angle: f64) -> f64 {
+        let count = self.0.len();
+        let place = (angle / TAU).rem_euclid(1.0) * count as f64;
+        let (first, part) = (place as usize % count, place.fract());
+        self.0[first] * (1.0 - part) + self.0[(first + 1) % count] * part
     }
 }

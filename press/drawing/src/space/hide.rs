@@ -2,7 +2,7 @@
 //!
 //! Along a straight line the boundaries between the two are zeros of polynomials of second degree, which every solid names
 //! ([`Form::boundaries`]); between neighbouring zeros one ray from the middle to the eye decides. A smooth curve is treated
-//! chord by chord, with rays from the curve itself and not from the chord, which would lie inside the body that the curve runs on; the
+//! chord by chord, with rays from the curve itself, as the chord would lie inside the body that the curve runs on; the
 //! boundary is then found on the curve by bisection.
 
 use super::camera::Camera;
@@ -13,9 +13,9 @@ use super::vector::Vec3;
 use crate::point::Point;
 
 /// What lies this little behind a surface counts as lying on it, in least thicknesses of the solid.
-const SURFACE: f64 = 1e-3;
+const SURFACE: f64 = 3e-3;
 /// Pieces shorter than this are joined to their neighbours, px: nobody sees them, and rounding makes some.
-const SHORTEST: f64 = 0.6;
+const SHORTEST: f64 = 1.2;
 
 /// What hides a point from the eye.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,13 +37,13 @@ pub(super) struct Run {
     probes: (f64, f64),
 }
 
-/// Whether a solid stands between a point and the eye. A point on its surface, or just below, is not hidden by it.
+/// Whether a solid stands between a point and the eye. A point on its surface, or just below, is not hidden by it. No solid is
+/// behind the eye, so what is met on the way to it hides.
 pub(super) fn hides(form: &dyn Form, camera: &Camera, point: Vec3) -> bool {
     let direction = camera.sight(point);
     let surface = SURFACE * form.thinnest() / direction.length();
-    let reach = camera.reach();
     let spans = form.spans(&Ray { origin: point, direction });
-    spans.iter().any(|span| span.leave > surface && span.enter < reach)
+    spans.iter().any(|span| span.leave > surface)
 }
 
 /// The pieces of a line, given all solids, and what hides a point of the line.
@@ -80,18 +80,23 @@ pub(super) fn runs(
 /// The fractions of a chord at which what hides it may change, from 0 to 1, in order.
 fn breaks(start: Vec3, end: Vec3, camera: &Camera, forms: &[&dyn Form]) -> Vec<f64> {
     let mut breaks = vec![0.0, 1.0];
-    let mut values: [Vec<f64>; 3] = Default::default();
+    let middle = start.towards(end, 0.5);
     for form in forms {
-        for (point, values) in [start, start.towards(end, 0.5), end].into_iter().zip(&mut values) {
-            values.clear();
-            form.boundaries(camera, point, values);
-        }
-        for index in 0..values[0].len() {
-            breaks.extend(zeros(values[0][index], values[1][index], values[2][index]));
+        let [first, second, third] = [start, middle, end].map(|point| {
+            let mut values = Vec::new();
+            form.boundaries(camera, point, &mut values);
+            values
+        });
+        for ((first, second), third) in first.into_iter().zip(second).zip(third) {
+            breaks.extend(zeros(first, second, third));
         }
     }
     breaks.sort_by(f64::total_cmp);
     breaks.dedup_by(|later, earlier| *later - *earlier < 1e-12);
+    // Of two that nearly coincide the first stays; the end must be the end.
+    if let Some(last) = breaks.last_mut() {
+        *last = 1.0;
+    }
     breaks
 }
 

@@ -80,8 +80,9 @@ impl<'a> Ink<'a> {
                 Edges::BehindOthers => sight == Sight::BehindOther,
                 Edges::All => true,
             };
-            let kept = runs.into_iter().filter(|run| run.sight == Sight::Seen || dashed(run.sight)).collect();
-            let pieces = self.pieces(&track, kept);
+            let kept: Vec<Run> =
+                runs.into_iter().filter(|run| run.sight == Sight::Seen || dashed(run.sight)).collect();
+            let pieces = self.pieces(&track, &kept);
             self.put(pieces, Stroke::Outline, hue);
         }
     }
@@ -92,7 +93,7 @@ impl<'a> Ink<'a> {
         let judge = |point: Vec3| {
             if *hiding != Hiding::Ignored && self.hidden(point) { Sight::BehindOther } else { Sight::Seen }
         };
-        let mut pieces = self.pieces(track, runs(track, self.camera, &self.forms, judge));
+        let mut pieces = self.pieces(track, &runs(track, self.camera, &self.forms, judge));
         let whole: f64 = pieces.iter().map(|piece| length(&piece.points)).sum();
         let ends = match heads {
             Heads::None => 0,
@@ -144,7 +145,7 @@ impl<'a> Ink<'a> {
     }
 
     /// The pieces of a line on the page. Of a closed line, the last joins the first if both are seen or both are hidden.
-    fn pieces(&self, track: &Track, runs: Vec<Run>) -> Vec<Piece> {
+    fn pieces(&self, track: &Track, runs: &[Run]) -> Vec<Piece> {
         let joins = runs.len() > 1
             && track.closed()
             && runs[0].from == 0.0

@@ -5,7 +5,7 @@
 //! rad. Points and directions are anything that turns into `[f64; 3]`, such as arrays and the vectors of nalgebra.
 //!
 //! **What is hidden.** Lines are hidden by solids, exactly: each solid knows in closed form the boundaries of what it hides,
-//! and every line is divided there. What lies on a surface is seen from outside, with a tolerance of a thousandth of the
+//! and every line is divided there. What lies on a surface is seen from outside, with a tolerance of 0.3 % of the
 //! solid's least thickness. Grounds and other lines hide nothing.
 //!
 //! **What is painted over what.** Solids are painted from back to front; which of two is in front is asked of lines of sight

@@ -1,9 +1,9 @@
 //! In which order solids are painted.
 //!
-//! Which of two parts is in front is asked of lines of sight through points where both are seen. What answers both ways is
-//! divided: rods in the planes where they pierce something, rings into sectors. A divided solid is first painted whole, at
-//! the turn of its hindmost part, and then once more in every part that is in front of something painted since; the seams
-//! fall on the same colours and cannot be seen.
+//! Which of two parts is in front is asked of lines of sight through points where both are seen. A rod that pierces something
+//! is divided along the lines where it does, and what is inside is not painted. Other solids that answer both ways are divided
+//! if they can be: rings into sectors. A ring is then first painted whole, at the turn of its hindmost sector, and once more
+//! in every sector that is in front of something painted since; the seams fall on the same colours and cannot be seen.
 
 use super::camera::Camera;
 use super::form::{Form, Part, Patch};
@@ -50,7 +50,7 @@ pub(super) fn coats(bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
             pieces.extend(sectors.iter().filter_map(|part| piece(body, solid.form, part, camera)));
         }
     }
-    arrange(pieces, bodies, camera)
+    arrange(&pieces, bodies, camera)
 }
 
 fn piece(body: usize, form: &dyn Form, part: &Part, camera: &Camera) -> Option<Piece> {
@@ -102,7 +102,7 @@ fn in_doubt(pieces: &[Piece], bodies: &[Body<'_>], camera: &Camera) -> Vec<bool>
 }
 
 /// Paints first what nothing unpainted is behind, and among such pieces the furthest.
-fn arrange(pieces: Vec<Piece>, bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
+fn arrange(pieces: &[Piece], bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
     let count = pieces.len();
     let mut behind = vec![vec![false; count]; count];
     for later in 0..count {
@@ -131,7 +131,7 @@ fn arrange(pieces: Vec<Piece>, bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat
     let mut coats: Vec<Coat> = Vec::new();
     for (turn, &next) in order.iter().enumerate() {
         let piece = &pieces[next];
-        let divided = matches!(piece.part, Part::Cut(_) | Part::Sector(..));
+        let divided = matches!(piece.part, Part::Sector(..));
         let begun = order[..turn].iter().position(|&other| pieces[other].body == piece.body);
         let patches = match begun.filter(|_| divided) {
             None if divided => bodies[piece.body].form.patches(camera, &Part::Whole),

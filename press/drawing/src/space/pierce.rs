@@ -1,6 +1,6 @@
 //! Rods that pierce other solids: the lines where they enter and leave, and what of them stands outside.
 
-use super::form::{Form, Part, Plane};
+use super::form::{Belt, Form, Part};
 use super::ray::Ray;
 use super::track::{CHORDS, Track};
 use super::tube::Tube;
@@ -14,6 +14,8 @@ const TOUCH: f64 = 1e-6;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Junction {
     pub(super) track: Track,
+    /// The same line as heights along the rod.
+    belt: Belt,
     /// Which way the rod passes, seen along its axis.
     pub(super) passage: Passage,
 }
@@ -58,59 +60,42 @@ pub(super) fn junctions(rod: &Tube, other: &dyn Form) -> Vec<Junction> {
     let ends = lines.first().map_or(0, Vec::len);
     let junction = |end: usize| {
         let mut points: Vec<Vec3> = lines.iter().map(|line| line[end].1).collect();
+        let belt = Belt(points.iter().map(|&point| (point - rod.centre).dot(rod.axis)).collect());
         points.extend(points.first().copied());
-        Junction { track: Track { points, smooth: true }, passage: lines[0][end].0 }
+        Junction { track: Track { points, smooth: true }, belt, passage: lines[0][end].0 }
     };
     (0..ends).map(junction).collect()
 }
 
-/// The parts of a rod that stand outside all solids that it pierces, cut in the planes of its junctions. If nothing is
-/// pierced, the whole rod.
-pub(super) fn parts(rod: &Tube, pierced: &[Vec<Junction>]) -> Vec<Part> {
+/// The parts of a rod that stand outside all solids that it pierces, cut along its junctions. If nothing is pierced, the whole
+/// rod.
+pub(super) fn parts(pierced: &[Vec<Junction>]) -> Vec<Part> {
     let starts_in = |junctions: &&Vec<Junction>| {
         junctions.first().is_some_and(|junction| junction.passage == Passage::Leaves)
     };
     let mut depth = pierced.iter().filter(starts_in).count();
-    let mut ends: Vec<(f64, &Junction)> = pierced
-        .iter()
-        .flatten()
-        .map(|junction| (mean_height(rod, &junction.track.points), junction))
-        .collect();
+    let mut ends: Vec<&Junction> = pierced.iter().flatten().collect();
     if ends.is_empty() {
         return vec![Part::Whole];
     }
-    ends.sort_by(|first, second| first.0.total_cmp(&second.0));
+    let height = |junction: &Junction| junction.belt.0.iter().sum::<f64>();
+    ends.sort_by(|first, second| height(first).total_cmp(&height(second)));
     let mut parts = Vec::new();
     let mut low = None;
-    for (_, junction) in ends {
-        let upwards = plane(rod, &junction.track.points);
-        let downwards = Plane { normal: -upwards.normal, offset: -upwards.offset };
+    for junction in ends {
+        let belt = Some(junction.belt.clone());
         if depth == 0 && junction.passage != Passage::Leaves {
-            parts.push(Part::Cut(low.into_iter().chain([downwards]).collect()));
+            parts.push(Part::Between(low, belt.clone()));
         }
         match junction.passage {
             Passage::Enters => depth += 1,
             Passage::Leaves => depth = depth.saturating_sub(1),
             Passage::Crosses => {}
         }
-        low = Some(upwards);
+        low = belt;
     }
     if depth == 0 {
-        parts.push(Part::Cut(low.into_iter().collect()));
+        parts.push(Part::Between(low, None));
     }
     parts
-}
-
-fn mean_height(rod: &Tube, points: &[Vec3]) -> f64 {
-    let sum: f64 = points.iter().map(|&point| (point - rod.centre).dot(rod.axis)).sum();
-    sum / points.len() as f64
-}
-
-/// The plane through three points of a junction, its sunny side along the rod: on a flat face it is the face.
-fn plane(rod: &Tube, points: &[Vec3]) -> Plane {
-    let third = points.len() / 3;
-    let (first, second, last) = (points[0], points[third], points[2 * third]);
-    let normal = (second - first).cross(last - first).unit().unwrap_or(rod.axis);
-    let normal = if normal.dot(rod.axis) < 0.0 { -normal } else { normal };
-    Plane { normal, offset: normal.dot(first) }
 }

@@ -1,7 +1,9 @@
-//! What several solids share: rims, and boxes about them.
+//! What several solids share: rims, arcs of rims, and boxes about them.
 
 use super::camera::Camera;
+use super::track::CHORDS;
 use super::vector::Vec3;
+use std::f64::consts::{PI, TAU};
 
 /// A polynomial in the point whose zeros are the cone that the eye spans with a circle (a cylinder for an eye at infinity).
 ///
@@ -22,4 +24,24 @@ pub(super) fn box_corners(centre: Vec3, [x, y, z]: [Vec3; 3]) -> Vec<Vec3> {
         corners = corners.iter().flat_map(|&corner| [corner - half, corner + half]).collect();
     }
     corners
+}
+
+/// Angles from one to another, as close as the chords of a circle.
+pub(super) fn steps(from: f64, sweep: f64) -> Vec<f64> {
+    let count = (f64::from(CHORDS) * sweep.abs() / TAU).ceil().max(1.0);
+    (0..=count as u32).map(|index| from + sweep * f64::from(index) / count).collect()
+}
+
+/// What an arc has in common with a sector of less than half a turn: up to two arcs.
+pub(super) fn common_arcs((from, sweep): (f64, f64), sector: Option<(f64, f64)>) -> Vec<(f64, f64)> {
+    let Some((start, width)) = sector.filter(|&(_, width)| width < PI) else { return vec![(from, sweep)] };
+    let offset = (start - from).rem_euclid(TAU);
+    // The sector, and the same sector a turn earlier, as it may begin before the arc does.
+    [offset, offset - TAU]
+        .into_iter()
+        .filter_map(|begin| {
+            let (low, high) = (begin.max(0.0), (begin + width).min(sweep));
+            (low < high).then_some((from + low, high - low))
+        })
+        .collect()
 }

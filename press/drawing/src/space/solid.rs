@@ -33,6 +33,16 @@ pub enum Finish {
 /// A solid: it hides what lies behind it.
 ///
 /// All lengths are in units of the world. Nothing about a solid depends on the camera.
+///
+/// ```
+/// use drawing::space::{Solid, SpaceError};
+/// let coin = Solid::disc([0.0, 0.0, 1.0], [0.0, 0.3, 1.0], 0.5, 0.06)?;
+/// // Of an axis only the direction matters.
+/// assert_eq!(coin, Solid::disc([0.0, 0.0, 1.0], [0.0, 0.6, 2.0], 0.5, 0.06)?);
+/// let hollow = Solid::ring([0.0; 3], [0.0, 0.0, 1.0], 1.0, 1.2, 0.1);
+/// assert_eq!(hollow, Err(SpaceError::HoleTooWide { inner: 1.2, outer: 1.0 }));
+/// # Ok::<(), SpaceError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
     body: Body,

@@ -18,6 +18,22 @@ use crate::role::{Fill, Hue, Role, Stroke};
 ///
 /// Everything is checked when it is added. [`Stage::write`] paints it in the right order, whatever the order in which it was
 /// added: the ground, the solids from back to front, hidden lines, the lines that are seen, points, labels.
+///
+/// ```
+/// use drawing::space::{Camera, Solid, SpaceError, Stage, View};
+/// use drawing::{Drawing, Hue, Role, Stroke, at};
+/// let view = View {
+///     target: [0.0; 3], azimuth: 0.0, elevation: 0.0, distance: 6.0, centre: at(100.0, 100.0), scale: 50.0,
+/// };
+/// let mut stage = Stage::new(Camera::new(view)?);
+/// stage.vector([-2.0, 0.0, 0.0], [-2.0, 0.0, 1.8], Hue::Orange)?; // begins behind the sphere, ends above it
+/// stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
+/// let mut drawing = Drawing::new("fig:eclipse", 200.0, 200.0);
+/// stage.write(&mut drawing);
+/// let drawn = |stroke: Stroke| drawing.items().iter().any(|item| item.role == Role::Line(stroke, Hue::Orange));
+/// assert!(drawn(Stroke::Hidden) && drawn(Stroke::Vector));
+/// # Ok::<(), SpaceError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stage {
     pub(super) camera: Camera,
@@ -63,7 +79,8 @@ impl Stage {
     }
 
     /// Adds a curve with arrowheads of constant size on the page: in full for [`Stroke::Vector`], smaller for other lines. A
-    /// head whose tip is hidden is drawn as a pale outline.
+    /// head whose tip is hidden is drawn as a pale outline. On an arrow that is short on the page, as one that points at the
+    /// eye, heads shrink with it.
     ///
     /// # Errors
     /// [`SpaceError`] if a part of it is behind the eye.
@@ -133,7 +150,7 @@ impl Stage {
             .zip(junctions)
             .map(|((solid, _), junctions)| {
                 let form = solid.form();
-                let cut = solid.as_rod().map(|rod| pierce::parts(rod, junctions));
+                let cut = solid.as_rod().map(|_| pierce::parts(junctions));
                 Body { form, parts: cut.unwrap_or_else(|| form.parts()) }
             })
             .collect();
@@ -143,7 +160,9 @@ impl Stage {
                 if solid.finish == Finish::Opaque {
                     drawing.push(Role::Area(Fill::Page, *hue), unshaded(&patch.shape));
                 }
-                drawing.push(Role::Area(patch.fill, *hue), patch.shape);
+                let flat = matches!(patch.fill, Fill::Face | Fill::Side);
+                let fill = if flat && solid.finish == Finish::Glass { Fill::Glass } else { patch.fill };
+                drawing.push(Role::Area(fill, *hue), patch.shape);
             }
         }
     }

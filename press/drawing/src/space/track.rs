@@ -25,7 +25,9 @@ impl Track {
         let aside = axis.cross(start);
         let along = axis * axis.dot(start);
         let level = start - along;
-        let chords = (f64::from(CHORDS) * sweep.abs() / TAU).ceil().clamp(8.0, 64.0 * f64::from(CHORDS));
+        // An even number of chords, so that the middle is one of the points.
+        let half = (0.5 * f64::from(CHORDS) * sweep.abs() / TAU).ceil();
+        let chords = 2.0 * half.clamp(4.0, 32.0 * f64::from(CHORDS));
         let full = sweep.abs() == TAU;
         let points = (0..=chords as u32).map(|index| {
             // A full turn ends exactly where it began.
@@ -65,7 +67,10 @@ impl Track {
     /// lengths of the chords as parameter.
     pub(super) fn on_chord(&self, chord: usize, part: f64) -> Vec3 {
         let (from, to) = (self.points[chord], self.points[chord + 1]);
-        if !self.smooth || part <= 0.0 || part >= 1.0 {
+        if part >= 1.0 {
+            return to;
+        }
+        if !self.smooth || part <= 0.0 {
             return from.towards(to, part);
         }
         let nearest = self.neighbours(chord);

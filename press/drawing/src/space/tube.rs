@@ -4,14 +4,14 @@ use super::camera::Camera;
 use super::conic;
 use super::form::{Edge, Form, Part, Patch};
 use super::ray::{Ray, Span, below_zero, slab};
-use super::rim;
-use super::track::{CHORDS, Track};
+use super::rim::{self, common_arcs, steps};
+use super::track::Track;
 use super::vector::Vec3;
 use crate::drawing::Shape;
 use crate::point::Point;
 use crate::role::Fill;
 use crate::simplify::{TOLERANCE, simplify};
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Into how many sectors a ring is divided where it is threaded.
 const SECTORS: u32 = 24;
@@ -84,35 +84,28 @@ impl Tube {
         walls
     }
 
-    /// The heights between which the generator at an angle belongs to a part.
-    fn heights(&self, part: &Part, angle: f64, radius: f64) -> Option<(f64, f64)> {
-        let (mut low, mut high) = (-self.half, self.half);
-        if let Part::Cut(planes) = part {
-            for plane in planes {
-                let slope = plane.normal.dot(self.axis);
-                let zero = -plane.height(self.point(angle, radius, 0.0)) / slope;
-                if slope > 0.0 {
-                    low = low.max(zero);
-                } else {
-                    high = high.min(zero);
-                }
-            }
+    /// The heights between which the wall at an angle belongs to a part.
+    fn heights(&self, part: &Part, angle: f64) -> (f64, f64) {
+        match part {
+            Part::Between(low, high) => (
+                low.as_ref().map_or(-self.half, |belt| belt.at(angle)),
+                high.as_ref().map_or(self.half, |belt| belt.at(angle)),
+            ),
+            _ => (-self.half, self.half),
         }
-        (low < high).then_some((low, high))
     }
 
     /// A wall from an angle over an angle.
-    fn wall(&self, camera: &Camera, part: &Part, (radius, from, sweep): (f64, f64, f64)) -> Option<Patch> {
+    fn wall(&self, camera: &Camera, part: &Part, (radius, from, sweep): (f64, f64, f64)) -> Patch {
         let (mut lower, mut upper) = (Vec::new(), Vec::new());
         for angle in steps(from, sweep) {
-            if let Some((low, high)) = self.heights(part, angle, radius) {
-                lower.push(camera.land(self.point(angle, radius, low)));
-                upper.push(camera.land(self.point(angle, radius, high)));
-            }
+            let (low, high) = self.heights(part, angle);
+            lower.push(camera.land(self.point(angle, radius, low)));
+            upper.push(camera.land(self.point(angle, radius, high)));
         }
         upper.reverse();
         let outline = [simplify(&lower, TOLERANCE), simplify(&upper, TOLERANCE)].concat();
-        (outline.len() > 2).then(|| Patch { fill: Fill::Side, shape: Shape::Polygon(outline) })
+        Patch { fill: Fill::Side, shape: Shape::Polygon(outline) }
     }
 
     /// The face at a height: all of it, or a sector.
@@ -215,10 +208,11 @@ impl Form for Tube {
     fn enters(&self, ray: &Ray, part: &Part) -> Option<f64> {
         let spans = self.spans(ray);
         match part {
-            Part::Cut(planes) => {
-                let cut = planes.iter().try_fold(Span::ALL, |span, plane| span.common(plane.span(ray)?))?;
-                spans.into_iter().find_map(|span| span.common(cut)).map(|span| span.enter)
-            }
+            Part::Between(..) => spans.into_iter().map(|span| span.enter).find(|&enter| {
+                let point = ray.at(enter);
+                let (low, high) = self.heights(part, self.angle_of(point));
+                (low..=high).contains(&(point - self.centre).dot(self.axis))
+            }),
             Part::Sector(from, sweep) => spans
                 .into_iter()
                 .map(|span| span.enter)
@@ -232,13 +226,12 @@ impl Form for Tube {
         let mut patches = Vec::new();
         for (radius, from, sweep) in self.walls(camera) {
             for (from, sweep) in common_arcs((from, sweep), sector) {
-                patches.extend(self.wall(camera, part, (radius, from, sweep)));
+                patches.push(self.wall(camera, part, (radius, from, sweep)));
             }
         }
         for end in [-self.half, self.half] {
-            let centre = self.centre + self.axis * end;
             let kept = match part {
-                Part::Cut(planes) => planes.iter().all(|plane| plane.height(centre) >= 0.0),
+                Part::Between(low, high) => (if end < 0.0 { low } else { high }).is_none(),
                 _ => true,
             };
             if kept && self.shows(camera, end) {
@@ -247,24 +240,4 @@ impl Form for Tube {
         }
         patches
     }
-}
-
-/// Angles from one to another, as close as the chords of a circle.
-pub(super) fn steps(from: f64, sweep: f64) -> Vec<f64> {
-    let count = (f64::from(CHORDS) * sweep.abs() / TAU).ceil().max(1.0);
-    (0..=count as u32).map(|index| from + sweep * f64::from(index) / count).collect()
-}
-
-/// What an arc has in common with a sector of less than half a turn: up to two arcs.
-fn common_arcs((from, sweep): (f64, f64), sector: Option<(f64, f64)>) -> Vec<(f64, f64)> {
-    let Some((start, width)) = sector.filter(|&(_, width)| width < PI) else { return vec![(from, sweep)] };
-    let offset = (start - from).rem_euclid(TAU);
-    // The sector, and the same sector a turn earlier, as it may begin before the arc does.
-    [offset, offset - TAU]
-        .into_iter()
-        .filter_map(|begin| {
-            let (low, high) = (begin.max(0.0), (begin + width).min(sweep));
-            (low < high).then_some((from + low, high - low))
-        })
-        .collect()
 }
