@@ -6,4 +6,5 @@ pub mod laundromat;
 pub mod pinned_hoop;
 pub mod rolling_wheel;
 pub mod space_station;
+pub mod spinning_coin;
 pub mod wobble_plate;

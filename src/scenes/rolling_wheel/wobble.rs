@@ -36,9 +36,9 @@ impl Wheel {
         let solver = Dop853::new(tolerance)?;
         let rates = |time: f64, state: &[f64; 8]| self.rates(time, state);
         let patience = PATIENCE * (self.radius / self.gravity).sqrt();
-        let turning_point = |from: f64, state: [f64; 8]| {
+        let turning_point = |from: f64, state: [f64; 8], direction: Direction| {
             let event = |_: f64, state: &[f64; 8]| state[1];
-            match solver.solve_until(rates, from, state, from + patience, event, Direction::Falling) {
+            match solver.solve_until(rates, from, state, from + patience, event, direction) {
                 Ok(Outcome::Event(end)) => Ok(end),
                 Ok(Outcome::NoEvent(_)) => Err(NoWobble::Steady),
                 Err(failure) => Err(NoWobble::Integration(failure)),
@@ -47,8 +47,10 @@ impl Wheel {
         if start.lean_rate == 0.0 && self.rates(0.0, &start.to_array())[1] == 0.0 {
             return Err(NoWobble::Steady);
         }
-        let first = turning_point(0.0, start.to_array())?;
-        let second = turning_point(first.time, first.state)?;
+        // By way of the other turning point: the located one may lie a hair before its zero, and would be found again.
+        let first = turning_point(0.0, start.to_array(), Direction::Falling)?;
+        let other = turning_point(first.time, first.state, Direction::Rising)?;
+        let second = turning_point(other.time, other.state, Direction::Falling)?;
         let period = second.time - first.time;
         // Between two equal turning points everything that repeats has repeated.
         let [before, after] = [first, second].map(|end| Rolling::from_array(end.state));

@@ -1,0 +1,16 @@
+//! The rolling wheel: equations (72) to (90) and (5), each by a route that shares no code with it, and the general motion.
+
+mod general;
+mod steady;
+mod whole_body;
+
+use mechanics::scenes::rolling_wheel::Wheel;
+
+/// Mass, radius and gravity of the tests: nothing is one.
+const MASS: f64 = 1.7;
+const RADIUS: f64 = 0.4;
+const GRAVITY: f64 = 9.81;
+
+fn wheel(factor: f64) -> Wheel {
+    Wheel::new(MASS, RADIUS, factor, GRAVITY).expect("a wheel")
+}

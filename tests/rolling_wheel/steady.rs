@@ -1,0 +1,261 @@
+//! Steady rolling, equations (72) to (90) and (5).
+
+use crate::whole_body::{arm, axle, frame, placed, solve};
+use crate::{GRAVITY, MASS, RADIUS, wheel};
+use approx::assert_relative_eq;
+use mechanics::integrate::Dop853;
+use mechanics::scenes::rolling_wheel::{NoSteadyRolling, SteadyRolling};
+use nalgebra::{Rotation3, Vector3};
+
+const ROUNDING: f64 = 1e-12;
+
+/// Steady motions of hoop, disc and something between, on either side: k, θ, b.
+const CASES: [(f64, f64, f64); 8] = [
+    (1.0, 0.3, 1.2),
+    (1.0, 0.8, 0.25),
+    (0.5, 0.5, 0.6),
+    (0.5, 1.2, 0.1),
+    (0.5, 0.9, -0.02),
+    (1.0, 1.0, -0.05),
+    (0.7, -0.6, -0.4),
+    (0.5, -1.1, 0.03),
+];
+
+fn cases() -> impl Iterator<Item = (f64, f64, f64, SteadyRolling)> {
+    CASES.into_iter().map(|(k, lean, b)| (k, lean, b, wheel(k).steady(lean, b).expect("a steady motion")))
+}
+
+/// The three axes and the room's y (outward) and z in the moment of the source's figure: heading along x.
+fn axes(lean: f64) -> [Vector3<f64>; 3] {
+    let frame = frame(lean, 0.0);
+    [0, 1, 2].map(|i| frame.column(i).into_owned())
+}
+
+#[test]
+fn eq72_and_eq73_the_material_point_of_contact_stands_still() {
+    for (_, lean, b, steady) in cases() {
+        let [_, second, third] = axes(lean);
+        let turn = Vector3::z() * steady.turn_rate();
+        // The whole angular velocity is the turn of the frame and the spin about the axle relative to it.
+        let omega = turn + third * steady.relative_spin();
+        let centre = Vector3::new(0.0, b, 0.0);
+        let velocity = turn.cross(&centre) + omega.cross(&(second * -RADIUS));
+        assert!(velocity.norm() < ROUNDING, "the contact slips with {velocity}");
+        // (72): the contact goes round with Ω on the circle of radius b + a sin θ.
+        let contact = centre - second * RADIUS;
+        assert_relative_eq!(steady.contact_radius(), contact.y, epsilon = ROUNDING);
+        assert_relative_eq!(steady.true_spin(), omega.dot(&third), epsilon = ROUNDING);
+        assert_relative_eq!(steady.true_spin(), steady.turn_rate() * b / RADIUS, max_relative = 1e-14);
+    }
+}
+
+#[test]
+fn eq74_the_torque_is_that_of_friction_and_support() {
+    for (_, lean, b, steady) in cases() {
+        let [first, second, third] = axes(lean);
+        let force = Vector3::new(0.0, -MASS * steady.turn_rate().powi(2) * b, MASS * GRAVITY);
+        let torque = (second * -RADIUS).cross(&force);
+        assert_relative_eq!(torque, first * steady.torque(), epsilon = ROUNDING * force.norm());
+        // ẑ along the axes, as printed and as it is.
+        let (sin, cos) = lean.sin_cos();
+        assert_relative_eq!(second * cos - third * sin, Vector3::z(), epsilon = 1e-15);
+        assert!((third * cos - first * sin - Vector3::z()).norm() > 0.1);
+    }
+}
+
+/// The angular momentum of a steadily rolling wheel at a time, in the room, from its axes.
+fn momentum(k: f64, lean: f64, steady: &SteadyRolling, time: f64) -> Vector3<f64> {
+    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), steady.turn_rate() * time);
+    let unit = k * MASS * RADIUS * RADIUS;
+    let omega = Vector3::z() * steady.turn_rate() + axes(lean)[2] * steady.relative_spin();
+    let along = axes(lean).map(|axis| axis.dot(&omega));
+    let [first, second, third] = axes(lean);
+    turn * (first * (0.5 * unit * along[0]) + second * (0.5 * unit * along[1]) + third * (unit * along[2]))
+}
+
+#[test]
+fn eq75_eq76_and_eq77_eulers_equations_hold_in_body_axes_and_the_printed_third_does_not() {
+    for (k, lean, _, steady) in cases() {
+        // Components of ω along axes fixed in the wheel, which turn about axis 3 with the relative spin.
+        let components = |time: f64| {
+            let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), steady.turn_rate() * time);
+            let spun = Rotation3::from_axis_angle(&Vector3::z_axis(), steady.relative_spin() * time);
+            let frame = frame(lean, 0.0) * spun;
+            let omega = Vector3::z() * steady.turn_rate() + axes(lean)[2] * steady.relative_spin();
+            frame.transpose() * (turn.inverse() * (turn * omega))
+        };
+        let h = 1e-5;
+        let rate = (components(h) - components(-h)) / (2.0 * h);
+        let omega = components(0.0);
+        let unit = k * MASS * RADIUS * RADIUS;
+        let [i1, i2, i3] = [0.5 * unit, 0.5 * unit, unit];
+        let torque = [
+            i1 * rate.x + (i3 - i2) * omega.y * omega.z,
+            i2 * rate.y + (i1 - i3) * omega.x * omega.z,
+            i3 * rate.z + (i2 - i1) * omega.x * omega.y,
+        ];
+        let size = unit * omega.norm_squared();
+        assert_relative_eq!(torque[0], steady.torque(), epsilon = 1e-8 * size);
+        assert!(torque[1].abs() < 1e-8 * size && torque[2].abs() < 1e-8 * size);
+    }
+    // (77) prints (I₁ − I₂)ω₂ω₃ for (I₂ − I₁)ω₁ω₂: for a body with three moments it is another equation.
+    let ([i1, i2, i3], [w1, w2, w3]) = ([1.0, 1.5, 2.0], [0.3, -0.7, 1.1]);
+    let moments = mechanics::inertia::PrincipalMoments::new(i1, i2, i3).unwrap();
+    let rate = mechanics::euler::rates(&moments, &Vector3::new(w1, w2, w3), &Vector3::zeros()).z;
+    assert!((i3 * rate + (i2 - i1) * w1 * w2).abs() < 1e-15);
+    assert!((i3 * rate + (i1 - i2) * w2 * w3).abs() > 0.1);
+}
+
+#[test]
+fn eq78_and_eq79_the_angular_velocity_changes_by_the_turn_in_both_frames() {
+    for (_, lean, _, steady) in cases() {
+        let omega = Vector3::z() * steady.turn_rate() + axes(lean)[2] * steady.relative_spin();
+        let at =
+            |time: f64| Rotation3::from_axis_angle(&Vector3::z_axis(), steady.turn_rate() * time) * omega;
+        let h = 1e-5;
+        let rate = (at(h) - at(-h)) / (2.0 * h);
+        let expected = axes(lean)[0] * (steady.relative_spin() * steady.turn_rate() * lean.cos());
+        let size = omega.norm_squared();
+        assert_relative_eq!(rate, expected, epsilon = 1e-7 * size);
+        // In the wheel's own axes the components change at the same rate: ω × ω adds nothing.
+        let body = |time: f64| {
+            let spun = Rotation3::from_axis_angle(&Vector3::z_axis(), steady.relative_spin() * time);
+            spun.inverse() * (frame(lean, 0.0).transpose() * omega)
+        };
+        let seen = (body(h) - body(-h)) / (2.0 * h);
+        assert_relative_eq!(seen.x, rate.dot(&axes(lean)[0]), epsilon = 1e-7 * size);
+    }
+}
+
+#[test]
+fn eq80_eq81_and_eq90_the_turn_rate_balances_torque_and_momentum() {
+    for (k, lean, b, steady) in cases() {
+        let h = 1e-5;
+        let rate = (momentum(k, lean, &steady, h) - momentum(k, lean, &steady, -h)) / (2.0 * h);
+        let size = MASS * GRAVITY * RADIUS;
+        assert_relative_eq!(rate, axes(lean)[0] * steady.torque(), epsilon = 1e-7 * size);
+        let square = 2.0 * GRAVITY * lean.tan() / (2.0 * (1.0 + k) * b + k * RADIUS * lean.sin());
+        assert_relative_eq!(steady.turn_rate().powi(2), square, max_relative = 1e-13);
+    }
+}
+
+#[test]
+fn eq82_eq83_and_eq05_hoop_and_disc_and_the_printed_hoop_without_its_radius() {
+    let (lean, b) = (0.7_f64, 0.3);
+    let r = b + RADIUS * lean.sin();
+    let hoop = wheel(1.0).steady(lean, b).unwrap().turn_rate().powi(2);
+    let twice = 2.0 * GRAVITY * lean.tan();
+    assert_relative_eq!(hoop, twice / (4.0 * b + RADIUS * lean.sin()), max_relative = 1e-14); // (5)
+    assert_relative_eq!(hoop, twice / (4.0 * r - 3.0 * RADIUS * lean.sin()), max_relative = 1e-13);
+    assert!((hoop / (twice / (4.0 * r - 3.0 * lean.sin())) - 1.0).abs() > 0.3, "the printed (82) lacks an a");
+    let disc = wheel(0.5).steady(lean, b).unwrap().turn_rate().powi(2);
+    assert_relative_eq!(disc, 2.0 * twice / (6.0 * b + RADIUS * lean.sin()), max_relative = 1e-14);
+    assert_relative_eq!(disc, 2.0 * twice / (6.0 * r - 5.0 * RADIUS * lean.sin()), max_relative = 1e-13);
+}
+
+#[test]
+fn eq84_eq85_eq86_and_eq88_momentum_in_the_frame_that_does_not_roll() {
+    for (k, lean, _, steady) in cases() {
+        let omega = frame(lean, 0.0).transpose()
+            * (Vector3::z() * steady.turn_rate() + axes(lean)[2] * steady.relative_spin());
+        assert_relative_eq!(steady.omega(), omega, epsilon = 1e-13 * omega.norm());
+        let l = momentum(k, lean, &steady, 0.0);
+        assert_relative_eq!(frame(lean, 0.0) * steady.angular_momentum(), l, epsilon = 1e-13 * l.norm());
+        // (85) as printed lacks k.
+        let printed = steady.angular_momentum() / k;
+        assert!(k == 1.0 || (printed - frame(lean, 0.0).transpose() * l).norm() > 0.1 * l.norm());
+        let torque = (Vector3::z() * steady.turn_rate()).cross(&l);
+        assert_relative_eq!(
+            torque,
+            axes(lean)[0] * steady.torque(),
+            epsilon = 1e-11 * l.norm() * steady.turn_rate()
+        );
+    }
+}
+
+#[test]
+fn eq87_and_eq89_momentum_along_y_and_z_with_the_sine_that_is_printed_as_a_cosine() {
+    for (k, lean, b, steady) in cases() {
+        let (sin, cos) = lean.sin_cos();
+        let (turn, spin) = (steady.turn_rate(), steady.relative_spin());
+        let half = 0.5 * k * MASS * RADIUS * RADIUS;
+        let l = momentum(k, lean, &steady, 0.0);
+        assert_relative_eq!(l.y, half * (turn * cos * sin - 2.0 * spin * cos), epsilon = 1e-13 * l.norm());
+        let corrected = half * (turn * (cos * cos + 2.0 * sin * sin) - 2.0 * spin * sin);
+        let printed = half * (turn * (cos * cos + 2.0 * sin * sin) - 2.0 * spin * cos);
+        assert_relative_eq!(l.z, corrected, epsilon = 1e-13 * l.norm());
+        assert!((l.z - printed).abs() > 1e-3 * l.norm());
+        // (89): the balance with ω put in.
+        let left = 2.0 * (GRAVITY * sin - turn * turn * b * cos);
+        let right = 2.0 * k * turn * turn * (b + RADIUS * sin) * cos - k * RADIUS * turn * turn * cos * sin;
+        assert_relative_eq!(left, right, epsilon = 1e-11 * GRAVITY);
+    }
+}
+
+#[test]
+fn stable_steady_motions_hold_for_a_hundred_turns_and_an_unstable_one_does_not() {
+    let held = |k: f64, lean: f64, b: f64, turns: f64| {
+        let steady = wheel(k).steady(lean, b).unwrap();
+        let omega = steady.omega();
+        let start = placed(lean, 0.0, omega.into(), [0.0, b]);
+        let time = turns * std::f64::consts::TAU / steady.turn_rate();
+        let end = Dop853::new(1e-11)
+            .unwrap()
+            .solve(|_, state: &[f64; 13]| solve(k, state).0, 0.0, start, time)
+            .unwrap()
+            .state;
+        let n = axle(&end);
+        let radius = end[0].hypot(end[1]);
+        ((-n.z).asin() - lean).abs().max((radius - b.abs()).abs() / RADIUS)
+    };
+    for (k, lean, b) in CASES {
+        let steady = wheel(k).steady(lean, b).unwrap();
+        assert!(steady.is_stable(), "{k} {lean} {b}");
+        assert!(held(k, lean, b, 100.0) < 2e-6, "{k} {lean} {b}: {}", held(k, lean, b, 100.0));
+    }
+    let tongue = wheel(1.0).steady(0.2, 0.4 * RADIUS).unwrap();
+    assert!(!tongue.is_stable());
+    assert!(held(1.0, 0.2, 0.4 * RADIUS, 30.0) > 0.05);
+}
+
+#[test]
+fn small_wobbles_have_the_frequency_of_the_formula() {
+    for (k, _, _, steady) in cases() {
+        let wheel = wheel(k);
+        let mut state = steady.state();
+        state.lean_rate = 1e-4;
+        let wobble = wheel.wobble(state, 1e-13).unwrap();
+        let frequency = std::f64::consts::TAU / wobble.period();
+        assert_relative_eq!(frequency, steady.wobble_square().sqrt(), max_relative = 1e-5);
+    }
+}
+
+#[test]
+fn friction_and_support_are_those_of_the_whole_body() {
+    for (k, lean, b, steady) in cases() {
+        let start = placed(lean, 0.0, steady.omega().into(), [0.0, b]);
+        let (_, force) = solve(k, &start);
+        assert_relative_eq!(force.z, MASS * GRAVITY, max_relative = 1e-8);
+        assert_relative_eq!(force.xy().norm() / force.z, steady.friction_needed(), epsilon = 1e-8);
+        assert!(arm(&axle(&start)).z < 0.0);
+    }
+}
+
+#[test]
+fn steady_rolling_exists_on_one_side_of_its_bound_only() {
+    let disc = wheel(0.5);
+    let bound = -0.5 * RADIUS * 0.7_f64.sin() / 3.0;
+    assert!(disc.steady(0.7, bound + 1e-9).is_ok());
+    let error = disc.steady(0.7, bound - 1e-9).unwrap_err();
+    let NoSteadyRolling::ForbiddenSide { bound: found, .. } = error else { panic!("{error}") };
+    assert_relative_eq!(found, bound, max_relative = 1e-14);
+    assert!(error.to_string().contains("it must be above -0.0429"));
+    assert!(matches!(disc.steady(0.0, 1.0), Err(NoSteadyRolling::Upright { .. })));
+    for lean in [std::f64::consts::FRAC_PI_2, -2.0] {
+        assert!(matches!(disc.steady(lean, 1.0), Err(NoSteadyRolling::Flat { .. })));
+    }
+    assert!(matches!(disc.steady(f64::NAN, 1.0), Err(NoSteadyRolling::Quantity(_))));
+    // (b, θ) and (−b, −θ) are the same motion seen from the other end.
+    let (a, b) = (disc.steady(0.4, 0.3).unwrap(), disc.steady(-0.4, -0.3).unwrap());
+    assert_eq!(a.turn_rate(), b.turn_rate());
+}

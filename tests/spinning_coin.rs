@@ -1,0 +1,198 @@
+//! The spinning coin: equations (91) to (98), each by a route that shares no code with it.
+
+use approx::assert_relative_eq;
+use mechanics::attitude::rotation_between;
+use mechanics::euler::{self, Turning};
+use mechanics::inertia::PrincipalMoments;
+use mechanics::integrate::Dop853;
+use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::scenes::spinning_coin::SpinningCoin;
+use nalgebra::{Rotation3, Vector3};
+use serde_json::Value;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+const ROUNDING: f64 = 1e-12;
+const A: f64 = 0.04;
+const G: f64 = 9.81;
+
+fn coin(factor: f64, tilt: f64) -> SpinningCoin {
+    SpinningCoin::new(A, factor, G, tilt).expect("a coin")
+}
+
+/// The axes 1, 2, 3 in the room for a lean θ and a heading: 1 level, 2 from the contact to the centre, 3 = 1 × 2.
+fn axes(lean: f64, heading: f64) -> [Vector3<f64>; 3] {
+    let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), heading);
+    let second = Vector3::new(0.0, -lean.sin(), lean.cos());
+    [Vector3::x(), second, Vector3::x().cross(&second)].map(|axis| turn * axis)
+}
+
+#[test]
+fn eq91_the_upright_turn_along_the_axes() {
+    for lean in [0.3_f64, 1.0, 1.5] {
+        let [first, second, third] = axes(lean, 0.0);
+        let turn = Vector3::z() * coin(0.5, FRAC_PI_2 - lean).turn_rate();
+        assert_relative_eq!(turn.dot(&first), 0.0);
+        assert_relative_eq!(turn.dot(&second), turn.z * lean.cos(), max_relative = ROUNDING);
+        assert_relative_eq!(turn.dot(&third), -turn.z * lean.sin(), max_relative = ROUNDING);
+    }
+}
+
+#[test]
+fn eq92_and_eq93_the_axis_of_rotation_runs_through_centre_and_contact() {
+    for (k, lean) in [(0.5, 0.3_f64), (0.5, 1.2), (1.0, 0.8), (0.5, 1.57)] {
+        let coin = coin(k, FRAC_PI_2 - lean);
+        let [_, second, third] = axes(lean, 0.0);
+        // Whole angular velocity: turn of the frame and spin relative to it; the contact and the centre must both be at rest.
+        let omega = Vector3::z() * coin.turn_rate() + third * coin.relative_spin();
+        assert!(omega.cross(&(second * -A)).norm() < 1e-10 * omega.norm().max(coin.turn_rate()) * A);
+        assert_relative_eq!(coin.relative_spin(), coin.turn_rate() * lean.sin(), max_relative = ROUNDING);
+        assert_relative_eq!(omega, second * coin.omega().y, epsilon = ROUNDING * coin.turn_rate());
+        // The general wheel with b = 0 says the same: (73) gives the relative spin, and the true spin is nothing.
+        let wheel = Wheel::new(1.0, A, k, G).unwrap().steady(lean, 0.0).unwrap();
+        assert_relative_eq!(wheel.relative_spin(), coin.relative_spin(), max_relative = 1e-11);
+        assert_eq!(wheel.true_spin(), 0.0);
+    }
+}
+
+#[test]
+fn eq94_the_momentum_is_added_up_over_the_disc() {
+    let coin = coin(0.5, 0.4);
+    let [first, second, _] = axes(FRAC_PI_2 - 0.4, 0.0);
+    let omega = second * coin.omega().y;
+    let points = 12;
+    let momentum: Vector3<f64> = (0..points)
+        .map(|n| {
+            let (sin, cos) = (TAU * f64::from(n) / f64::from(points)).sin_cos();
+            let r = (first * cos + second * sin) * (A / 2_f64.sqrt());
+            r.cross(&omega.cross(&r)) / f64::from(points)
+        })
+        .sum();
+    assert_relative_eq!(second * coin.momentum_over_mass().y, momentum, epsilon = ROUNDING);
+    assert_relative_eq!(
+        momentum.norm(),
+        0.25 * A * A * coin.turn_rate() * 0.4_f64.sin(),
+        max_relative = ROUNDING
+    );
+}
+
+#[test]
+fn eq95_eq96_and_eq97_gravity_turns_the_momentum() {
+    for (k, tilt) in [(0.5, 0.2), (0.5, 1.0), (1.0, 0.6)] {
+        let coin = coin(k, tilt);
+        let lean = FRAC_PI_2 - tilt;
+        let momentum = |time: f64| {
+            let [_, second, _] = axes(lean, coin.turn_rate() * time);
+            second * coin.momentum_over_mass().y
+        };
+        let h = 1e-6;
+        let rate = (momentum(h) - momentum(-h)) / (2.0 * h);
+        let [first, second, third] = axes(lean, 0.0);
+        let support = Vector3::z() * G; // per mass
+        assert_relative_eq!(
+            support,
+            second * (G * lean.cos()) - third * (G * lean.sin()),
+            epsilon = ROUNDING
+        );
+        let torque = (second * -A).cross(&support);
+        assert_relative_eq!(torque, first * (G * A * lean.sin()), epsilon = ROUNDING);
+        assert_relative_eq!(rate, torque, epsilon = 1e-7);
+        let factor = 2.0 / k;
+        assert_relative_eq!(coin.turn_rate().powi(2), factor * G / (A * lean.cos()), max_relative = ROUNDING);
+    }
+}
+
+#[test]
+fn eq98_the_figure_turns_slowly_as_simulated_for_a_whole_turn() {
+    for (k, tilt) in [(0.5, 0.9), (0.5, 0.3), (1.0, 0.5)] {
+        let coin = coin(k, tilt);
+        // Euler's equations with the torque of the support at the lowest point: a whole turn of the contact.
+        let moments = PrincipalMoments::symmetric(0.5 * k * A * A, k * A * A).unwrap(); // per mass
+        let torque = |_: f64, turning: &Turning| {
+            let n = turning.axis_3_world();
+            let down = -Vector3::z();
+            let arm = (down - n * n.dot(&down)).normalize() * A;
+            turning.world_from_body.inverse() * arm.cross(&(Vector3::z() * G))
+        };
+        let start = coin.attitude(0.0);
+        // ω lies along axis 2, which at the start is the steepest line, upwards.
+        let up = start * Vector3::z();
+        let steepest = (Vector3::z() - up * up.z).normalize();
+        let omega_body = start.inverse() * (steepest * coin.omega().y);
+        let time = TAU / coin.turn_rate();
+        let begin = Turning { world_from_body: start, omega_body };
+        let rates = euler::turning_rates(moments, torque);
+        let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, begin.to_array(), time).unwrap();
+        let end = Turning::from_array(end.state);
+        assert!(rotation_between(&end.world_from_body, &coin.attitude(1.0)) < 1e-8);
+        // Seen along the upward normal the face has turned forwards by 2π(1 − sin θ).
+        let turned = rotation_between(&start, &end.world_from_body);
+        let figure = TAU * (1.0 - tilt.cos());
+        assert_relative_eq!(turned, figure.min(TAU - figure), epsilon = 1e-8);
+        assert_relative_eq!(coin.figure_rate() * time, figure, max_relative = 1e-12);
+        // It is not the vertical component of ω.
+        let vertical = end.omega_world().z;
+        assert_relative_eq!(coin.vertical_rate(), vertical, max_relative = 1e-8);
+        let ratio = 1.0 + (FRAC_PI_2 - tilt).sin();
+        assert_relative_eq!(vertical / coin.figure_rate(), ratio, max_relative = 1e-8);
+    }
+}
+
+#[test]
+fn the_reference_disc_is_met() {
+    let file: Value = serde_json::from_str(include_str!("data/spinning-coin.json")).expect("a valid file");
+    let value = |name: &str| file["values"][name].as_str().unwrap().parse::<f64>().unwrap();
+    let disc = SpinningCoin::new(0.0375, 0.5, 9.81, 0.05).unwrap();
+    for (found, name) in [
+        (disc.turn_rate(), "Omega"),
+        (disc.figure_rate(), "omega_figure"),
+        (disc.vertical_rate(), "omega_z_instantaneous"),
+        (TAU * disc.figure_rate() / disc.turn_rate(), "figure_turn_per_rev"),
+        (disc.energy_over_mass(), "energy_over_m"),
+        (disc.wobble_rate(), "nutation_frequency"),
+        (disc.tilt_for_contact_speed(343.0).unwrap(), "alpha_Mach1"),
+    ] {
+        assert_relative_eq!(found, value(name), max_relative = 1e-14);
+    }
+    let fast = SpinningCoin::new(0.0375, 0.5, 9.81, value("alpha_Mach1")).unwrap();
+    assert_relative_eq!(fast.contact_speed(), 343.0, max_relative = 1e-14);
+    assert_relative_eq!(fast.turn_rate(), value("Omega_Mach1"), max_relative = 1e-13);
+}
+
+#[test]
+fn no_digit_is_lost_when_the_coin_is_almost_flat() {
+    for exponent in 1..=40 {
+        let tilt = 10_f64.powi(-exponent);
+        let coin = coin(0.5, tilt);
+        // ω_figure → √(g/a) α^{3/2}, with a relative correction of α²/24 and more.
+        let expected = (G / A).sqrt() * tilt.powf(1.5);
+        assert_relative_eq!(coin.figure_rate(), expected, max_relative = tilt * tilt + 1e-14);
+        assert_relative_eq!(coin.vertical_rate(), 2.0 * expected, max_relative = tilt * tilt + 1e-14);
+    }
+    // The formula as printed returns nothing below 1e-8.
+    let tilt = 1e-9_f64;
+    assert_eq!(1.0 - (FRAC_PI_2 - tilt).sin(), 0.0);
+    assert!(coin(0.5, tilt).figure_rate() > 0.0);
+}
+
+#[test]
+fn energy_is_that_of_height_and_rotation_and_a_wobble_is_stable() {
+    for (k, tilt) in [(0.5, 0.02), (0.5, 1.3), (1.0, 0.4)] {
+        let coin = coin(k, tilt);
+        let kinetic = 0.5 * coin.momentum_over_mass().dot(&coin.omega());
+        assert_relative_eq!(coin.energy_over_mass(), kinetic + G * A * tilt.sin(), max_relative = ROUNDING);
+        let steady = Wheel::new(1.0, A, k, G).unwrap().steady(FRAC_PI_2 - tilt, 0.0).unwrap();
+        assert_relative_eq!(coin.wobble_rate(), steady.wobble_square().sqrt(), max_relative = 1e-11);
+    }
+    let flat = coin(0.5, 1e-6);
+    assert_relative_eq!(flat.wobble_rate() / flat.turn_rate(), 0.6_f64.sqrt(), max_relative = 1e-10);
+}
+
+#[test]
+fn tilts_and_numbers_that_no_coin_has_are_refused() {
+    let message = |tilt: f64| SpinningCoin::new(A, 0.5, G, tilt).unwrap_err().to_string();
+    assert_eq!(message(0.0), "tilt from lying flat 0 rad is not positive; it must be more than zero");
+    assert_eq!(message(-0.1), "tilt from lying flat -0.1 rad is not positive; it must be more than zero");
+    assert!(message(PI / 2.0).contains("is too large; it must be less than 1.57"));
+    assert!(SpinningCoin::new(A, 1.5, G, 0.1).unwrap_err().to_string().contains("it must be at most 1"));
+    assert!(coin(0.5, 0.1).tilt_for_contact_speed(0.0).is_err());
+}
