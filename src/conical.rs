@@ -39,9 +39,10 @@ impl Conical {
     /// // (1 − X²)(e o′ − e′ o) = 1 everywhere: Wronski's determinant.
     /// let disc = Conical::new(4.0 / 3.0);
     /// for x in [-0.99_f64, -0.3, 0.5, 0.9999] {
-    ///     let v = disc.at(x, 1.0 - x.abs());
+    ///     let gap = 1.0 - x.abs();
+    ///     let v = disc.at(x, gap);
     ///     let determinant = v.even * v.odd_slope - v.even_slope * v.odd;
-    ///     assert!(((1.0 - x * x) * determinant - 1.0).abs() < 1e-13);
+    ///     assert!((gap * (2.0 - gap) * determinant - 1.0).abs() < 1e-13);
     /// }
     /// ```
     pub fn new(a: f64) -> Self {

@@ -9,6 +9,8 @@
 //! | The struck space station | [`scenes::space_station`] |
 //! | Frisbee and pencil | [`scenes::air_drag`] |
 //! | The pinned hoop | [`scenes::pinned_hoop`], [`elliptic`] |
+//! | The rolling wheel | [`scenes::rolling_wheel`], [`conical`] |
+//! | The spinning coin | [`scenes::spinning_coin`] |
 //!
 //! Each module of [`scenes`] models one problem with the smallest state that it needs, in closed form where there is
 //! one. [`integrate`] holds the stepping methods and [`measure`] the one definition of error that tests, benchmarks and
@@ -83,6 +85,20 @@ mod pages {
     mod pinned_hoop_exercises {}
     #[doc = include_str!("../book/pinned-hoop/solutions.md")]
     mod pinned_hoop_solutions {}
+    #[doc = include_str!("../book/rolling-wheel/index.md")]
+    mod rolling_wheel {}
+    #[doc = include_str!("../book/rolling-wheel/exercises.md")]
+    mod rolling_wheel_exercises {}
+    #[doc = include_str!("../book/rolling-wheel/solutions.md")]
+    mod rolling_wheel_solutions {}
+    #[doc = include_str!("../book/spinning-coin/index.md")]
+    mod spinning_coin {}
+    #[doc = include_str!("../book/spinning-coin/exercises.md")]
+    mod spinning_coin_exercises {}
+    #[doc = include_str!("../book/spinning-coin/solutions.md")]
+    mod spinning_coin_solutions {}
+    #[doc = include_str!("../book/ledger.md")]
+    mod ledger {}
     #[doc = include_str!("../book/bibliography.md")]
     mod bibliography {}
 }

@@ -159,7 +159,7 @@ fn axis_path(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 420.0, 400.0).titled(
         "Paths of the axis and of the angular momentum",
         "Seen along the angular momentum at the start. The tip of the axis begins at the left, at a distance of 0.15, and spirals in \
-         about five times; the direction of the angular momentum stays within a small distance of the middle.",
+         about ten times; the direction of the angular momentum stays within a small distance of the middle.",
     );
     let disc = Body::thin_disk(0.175, 0.137)?.moments();
     let omega = Vector3::new(12.0, 0.0, 40.0);

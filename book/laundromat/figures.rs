@@ -58,7 +58,7 @@ fn machine(id: &str) -> Outcome {
         "The unbalanced drum, seen from above",
         "A spring k and a damper gamma, side by side, tie the shaft of the drum to the fixed point O. The vector r leads from O \
          to the shaft, at the angle theta to the x axis. The load m sits on the drum at distance a from the shaft, at the \
-         angle phi to the x direction. The centre of mass of drum and load lies on the same line, at the smaller distance b \
+         angle phi to the x direction. The common centre of mass lies on the same line, at the smaller distance b \
          from the shaft. The load leads the shaft by the angle phi zero, which is phi minus theta. The drum turns \
          counter-clockwise with the angular velocity Omega.",
     );
@@ -209,7 +209,7 @@ fn steady(id: &str) -> Outcome {
         "Two plots against the spin in natural frequencies, from 0 to 3, for four dampings Gamma over omega zero: 0.2, 0.4, 0.7 and \
          1.4. Above, the radius of the shaft's circle over b: it begins at zero, has a peak near the natural \
          frequency, of height \
-         5 for the smallest damping and none for the largest, and tends to one for all. Below, the angle by which the \
+         5 for the smallest damping, with no peak within the plot for the largest, and tends to one for all. Below, the angle by which the \
          load leads: \
          it rises from 0 to 180 degrees, steeply for small damping, and all four curves pass 90 degrees at the natural \
          frequency.",

@@ -252,7 +252,8 @@ fn hoop_and_sphere(id: &str) -> Outcome {
         "Two pictures, each with the pinned point A, the upright direction of the angular momentum and the path of the centre at unit distance from A. Left, the hoop's centre \
          wanders over a band of the sphere about A in loops. Right, the sphere's centre goes round the upright on one circle.",
     );
-    for (x, shape, time, name) in [(175.0, Shape::Hoop, 170.0, "hoop"), (490.0, Shape::Sphere, 22.0, "sphere")]
+    for (x, shape, time, name) in
+        [(175.0, Shape::Hoop, 170.0, "hoop"), (490.0, Shape::Sphere, 22.0, "sphere")]
     {
         let body = pinning(shape, 70.0)?;
         let (top, upright) = along_momentum(&body)?;

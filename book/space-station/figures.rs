@@ -108,8 +108,8 @@ fn nodding(id: &str) -> Outcome {
         "Turns of the axis in the room and of the rotation axis on board",
         "Angles in turns against time in turns of the old spin, from 0 to 4. The axis of the station in the room rises to 8.2 \
          turns, along \
-         dots from a simulation. The axis of rotation as seen on board rises to 4 turns, and a dashed line, the \
-         source's claim for the axis in the room, coincides with it.",
+         dots from a simulation. The axis of rotation as seen on board rises to 4 turns, which is also the source's claim \
+         for the axis in the room.",
     );
     let struck = struck()?;
     let period = TAU / SPIN;

@@ -102,7 +102,7 @@ fn split(id: &str) -> Outcome {
         let radius = if ratio > 1.0 { 96.0 } else { 52.0 };
         kit::angle(&mut drawing, origin, radius, upright, -lean, Heads::None, Hue::Ink);
         let label = origin + Point::polar(radius, upright - 0.5 * lean);
-        drawing.label(label, Side::Above, r"$\theta$", Hue::Ink)?;
+        drawing.label(label, Side::Above, r"$\theta_L$", Hue::Ink)?;
         drawing.dot(origin, 3.0, Hue::Ink);
         drawing.label(at(x + 60.0, y + 26.0), Side::Over, name, Hue::Ink)?;
     }

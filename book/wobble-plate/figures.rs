@@ -57,7 +57,7 @@ fn wobble_plate(id: &str) -> Outcome {
     })?);
     stage.solid(Solid::disc([0.0; 3], normal, 1.0, 0.07)?, Hue::Blue)?;
     let shaft = Solid::rod([0.0, 0.0, -1.15], [0.0, 0.0, 1.45], 0.045)?;
-    stage.solid(shaft.edges(Edges::BehindOthers), Hue::Ink)?;
+    stage.solid(shaft.edges(Edges::BehindOthers), Hue::Muted)?;
     stage.named_vector([0.0, 0.0, 1.45], [0.0, 0.0, 2.0], r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.turning([0.0, 0.0, 1.68], [0.0, 0.0, 1.0], 0.2, Hue::Orange)?;
     for (tip, name, hue) in [
@@ -138,12 +138,12 @@ fn engine(id: &str) -> Outcome {
     })?);
     stage.solid(Solid::disc([0.0; 3], normal, 1.0, 0.07)?, Hue::Blue)?;
     let shaft = Solid::rod([0.0, 0.0, -1.75], [0.0, 0.0, 0.75], 0.045)?;
-    stage.solid(shaft.edges(Edges::BehindOthers), Hue::Ink)?;
+    stage.solid(shaft.edges(Edges::BehindOthers), Hue::Muted)?;
     for n in 1..=4 {
         let (contact, centre) = (engine.contact(n, phase), engine.centre(n, phase));
         let half = Vector3::new(0.0, 0.0, 0.17);
         let touch = contact - Vector3::new(0.0, 0.0, 0.05);
-        stage.solid(Solid::rod(centre + half, touch, 0.028)?, Hue::Ink)?;
+        stage.solid(Solid::rod(centre + half, touch, 0.028)?, Hue::Muted)?;
         stage.solid(Solid::rod(centre - half, centre + half, 0.14)?, Hue::Green)?;
         let line = Curve::segment(centre - half * 1.2, centre - half * 3.2)?;
         stage.curve(line, Stroke::Dotted, Hue::Muted)?;
@@ -189,16 +189,16 @@ fn antiphase(id: &str) -> Outcome {
     Ok(drawing)
 }
 
-/// Torque on the bearings against the mass of each piston.
+/// Torque on the frame against the mass of each piston.
 fn residual(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 320.0).titled(
-        "Torque on the bearings against the mass of the pistons",
-        "The torque on the bearings, in units of that of the plate alone, against the mass of each piston in units of the balancing mass, from 0 to 2.5. \
+        "Torque on the frame against the mass of the pistons",
+        "The torque on the frame, in units of that of the plate alone, against the mass of each piston in units of the balancing mass, from 0 to 2.5. \
          A V: from one at zero mass straight down to zero at the balancing mass, and straight up again, to one at twice the mass. A dashed level \
          line at one is the plate without pistons.",
     );
     let mass = Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled("mass of each piston over the balancing mass");
-    let torque = Axis::linear(0.0, 1.6, 0.5)?.minor(0.1).titled("torque on the bearings");
+    let torque = Axis::linear(0.0, 1.6, 0.5)?.minor(0.1).titled("torque on the frame");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 520.0, 234.0), mass, torque)?;
     plot.level(1.0, Stroke::Reference);
     let (plate, spin) = (plate(25.0)?, 100.0);
@@ -215,12 +215,12 @@ fn residual(id: &str) -> Outcome {
 /// The torque left during one turn, for one to seven pistons.
 fn number(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 340.0).titled(
-        "Torque left on the bearings during a turn, by number of pistons",
-        "The torque left on the bearings, in units of the plate alone, against the phase from 0 to 360 degrees. With one piston, or two, the curve stays \
+        "Torque left on the frame during a turn, by number of pistons",
+        "The torque left on the frame, in units of the plate alone, against the phase from 0 to 360 degrees. With one piston, or two, the curve stays \
          at one. With two of half the mass it swings between zero and one. With three, five and seven pistons it is zero all the way.",
     );
     let phase = Axis::linear(0.0, 360.0, 90.0)?.minor(30.0).titled(r"phase $\omega t$, degrees");
-    let torque = Axis::linear(0.0, 1.6, 0.5)?.minor(0.1).titled("torque on the bearings");
+    let torque = Axis::linear(0.0, 1.6, 0.5)?.minor(0.1).titled("torque on the frame");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 470.0, 254.0), phase, torque)?;
     let (plate, spin) = (plate(25.0)?, 100.0);
     let alone = plate.bearing_torque_rotating(spin).norm();

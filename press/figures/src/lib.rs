@@ -28,6 +28,8 @@ chapters! {
     space_station in "space-station": "../../../book/space-station/figures.rs";
     air_drag in "air-drag": "../../../book/air-drag/figures.rs";
     pinned_hoop in "pinned-hoop": "../../../book/pinned-hoop/figures.rs";
+    rolling_wheel in "rolling-wheel": "../../../book/rolling-wheel/figures.rs";
+    spinning_coin in "spinning-coin": "../../../book/spinning-coin/figures.rs";
 }
 
 pub use axis::Axis;
