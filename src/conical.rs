@@ -67,8 +67,8 @@ impl Conical {
         let mut conical =
             Self { even, odd, regular, beside_logarithm, even_from_end: [0.0; 2], odd_from_end: [0.0; 2] };
         // Match values and slopes at ½, where both kinds of series hold.
-        let centre = conical.from_centre(0.5);
-        let [p, p_slope, q, q_slope] = conical.from_end(0.5);
+        let centre = conical.about_centre(0.5);
+        let [p, p_slope, q, q_slope] = conical.near_end(0.5);
         let determinant = p * q_slope - p_slope * q;
         let solve = |value: f64, slope: f64| {
             [(value * q_slope - slope * q) / determinant, (p * slope - p_slope * value) / determinant]
@@ -82,9 +82,9 @@ impl Conical {
     /// ends. To a few units in the last place; NaN or infinite outside.
     pub fn at(&self, x: f64, gap: f64) -> Values {
         if x.abs() <= 0.5 {
-            return self.from_centre(x);
+            return self.about_centre(x);
         }
-        let [p, p_slope, q, q_slope] = self.from_end(gap);
+        let [p, p_slope, q, q_slope] = self.near_end(gap);
         let combine =
             |[along, beside]: [f64; 2]| [along * p + beside * q, along * p_slope + beside * q_slope];
         let ([even, even_slope], [odd, odd_slope]) =
@@ -93,7 +93,7 @@ impl Conical {
         Values { even, even_slope: sign * even_slope, odd: sign * odd, odd_slope }
     }
 
-    fn from_centre(&self, x: f64) -> Values {
+    fn about_centre(&self, x: f64) -> Values {
         let square = x * x;
         let (mut even, mut even_slope, mut odd, mut odd_slope) = (0.0, 0.0, 0.0, 0.0);
         for j in (0..TERMS).rev() {
@@ -109,7 +109,7 @@ impl Conical {
     }
 
     /// Regular and logarithmic solution at `1 − |X| = gap`, with their slopes in X for positive X.
-    fn from_end(&self, gap: f64) -> [f64; 4] {
+    fn near_end(&self, gap: f64) -> [f64; 4] {
         let xi = 0.5 * gap;
         let (mut p, mut p_rate, mut g, mut g_rate) = (0.0, 0.0, 0.0, 0.0);
         for j in (0..TERMS).rev() {

@@ -43,10 +43,10 @@ fn wheel_circle(id: &str) -> Outcome {
         azimuth: 0.45,
         elevation: 0.36,
         distance: 11.0,
-        centre: at(300.0, 245.0),
+        centre: at(296.0, 245.0),
         scale: 80.0,
     })?);
-    stage.ground([-2.4, -2.4], [2.4, 2.4], 0.0, 4.8)?;
+    stage.ground([-2.3, -2.4], [2.3, 3.1], 0.0, 8.0)?;
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), contact.y)?, Stroke::Outline, Hue::Ink)?;
     let path = Curve::circle([0.0, 0.0, cos], Vector3::z(), b)?;
     stage.curve(path.hiding(Hiding::Dashed), Stroke::Reference, Hue::Muted)?;

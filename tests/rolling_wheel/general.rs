@@ -87,7 +87,7 @@ fn the_conical_functions_satisfy_their_equation_to_the_very_ends() {
         // Stepped from the middle outwards in y = artanh X, where the ends are at infinity and nothing is singular.
         let rates = |y: f64, &[e, de, o, d_o]: &[f64; 4]| {
             let square = y.cosh().powi(-2);
-            [de, -a * square * e * -1.0, d_o, a * square * o]
+            [de, a * square * e, d_o, a * square * o]
         };
         for y in [0.2, 0.5, 0.6, 1.0, 3.0, 8.0, 15.0] {
             let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, [1.0, 0.0, 0.0, 1.0], y).unwrap().state;
