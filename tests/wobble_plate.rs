@@ -98,7 +98,7 @@ fn eq36_the_spin_along_the_principal_axes_is_the_shaft_seen_from_the_plate() {
         let shaft = Vector3::z() * spin;
         let expected = Vector3::new(shaft.dot(&first), shaft.y, shaft.dot(&third));
         assert_relative_eq!(plate(numbers).spin_body(spin), expected, epsilon = 1e-15 * spin);
-        // Leaning the other way, towards +x', would change the sign of the first component.
+        // For a diameter on the side of -x' the sign of the first component is the other one.
         let other = Vector3::new(tilt.cos(), 0.0, -tilt.sin());
         assert!(shaft.dot(&other) < 0.0);
     }
@@ -150,7 +150,7 @@ fn eq38_the_momentum_leans_by_beta_from_the_shaft() {
         let momentum = summed_momentum(numbers, TAU * random.f64());
         let expected = angle_between(&momentum, &Vector3::z());
         assert_relative_eq!(plate(numbers).momentum_angle(), expected, epsilon = 1e-14);
-        // Between normal and shaft: nearer to the normal than the shaft is.
+        // Between shaft and normal.
         assert!((0.0..=numbers[3]).contains(&plate(numbers).momentum_angle()));
     }
 }
@@ -165,11 +165,82 @@ fn eq39_and_eq01_the_tangent_of_beta_for_a_thin_plate() {
         assert_relative_eq!(-momentum.x / momentum.z, tangent, max_relative = 1e-11);
         assert_relative_eq!(plate(thin).momentum_angle().tan(), tangent, max_relative = 1e-13);
     }
-    // Small tilts keep their digits: β → α/2.
-    for exponent in -300..-3 {
+    // Small tilts keep their digits: β = α/2 − α³/8 + …
+    for exponent in -49..-4 {
         let tilt = 10_f64.powi(exponent);
-        let beta = Plate::thin(1.0, 1.0, tilt.max(1e-50)).unwrap().momentum_angle();
-        assert_relative_eq!(beta, 0.5 * tilt.max(1e-50), max_relative = 1e-8);
+        let beta = Plate::thin(1.0, 1.0, tilt).unwrap().momentum_angle();
+        let expected = 0.5 * tilt - 0.125 * tilt.powi(3);
+        assert_relative_eq!(beta, expected, max_relative = 4.0 * f64::EPSILON);
+    }
+    // So do tilts near a right angle: with γ = π/2 − α, β = γ − 2γ³ + …
+    for exponent in -8..-3 {
+        let tilt = FRAC_PI_2 - 10_f64.powi(exponent);
+        let gap = (FRAC_PI_2 - tilt) + 6.123_233_995_736_766e-17; // π/2 less its f64
+        let beta = Plate::thin(1.0, 1.0, tilt).unwrap().momentum_angle();
+        let expected = gap - 2.0 * gap.powi(3);
+        assert_relative_eq!(beta, expected, max_relative = 4.0 * f64::EPSILON);
+    }
+}
+
+#[test]
+fn the_torque_of_the_frame_is_the_rate_of_the_momentum_for_every_number_of_pistons() {
+    let mut random = fastrand::Rng::with_seed(451);
+    for count in 1..=7 {
+        let (engine, spin, phase) = engine(&mut random, count);
+        let h = 1e-5;
+        let rate = (engine.angular_momentum(phase + h, spin) - engine.angular_momentum(phase - h, spin))
+            * (spin / (2.0 * h));
+        let size = spin * engine.angular_momentum(phase, spin).norm();
+        assert_relative_eq!(engine.frame_torque(phase, spin), rate, epsilon = 1e-8 * size);
+    }
+}
+
+#[test]
+fn one_piston_shakes_along_the_shaft_with_its_mass_times_its_acceleration() {
+    let (distance, tilt, spin, mass) = (0.07, 0.4_f64, 50.0, 0.3);
+    let plate = Plate::thin(2.0, 0.1, tilt).unwrap();
+    let engine = Engine::new(plate, Pistons::new(1, mass, distance, 0.2).unwrap());
+    // The piston stands at the azimuth −π/2, so its height is −r tan α sin ωt.
+    for n in 0..20 {
+        let phase = 0.3 * f64::from(n);
+        let force = mass * spin * spin * distance * tilt.tan() * phase.sin();
+        assert_relative_eq!(engine.shaking_force(phase, spin), force, epsilon = 1e-13 * mass * spin * spin);
+    }
+}
+
+/// What the bearings give the plate, and what the walls give the pistons, N·m, when the rods slide without friction: from
+/// the forces at each rod.
+fn shares(engine: &Engine, phase: f64, spin: f64, distance: f64) -> (Vector3<f64>, Vector3<f64>) {
+    let (tilt, mass, count) = (engine.plate().tilt(), engine.pistons().mass(), engine.pistons().count());
+    let normal = in_room(&Vector3::new(-tilt.sin(), 0.0, tilt.cos()), phase);
+    let (mut on_plate, mut rate) = (Vector3::zeros(), Vector3::zeros());
+    for n in 1..=count {
+        let azimuth = TAU * f64::from(n) / f64::from(count) - FRAC_PI_2;
+        let (y, x) = azimuth.sin_cos();
+        let place = Vector3::new(x, y, tilt.tan() * (azimuth - phase).cos()) * distance;
+        let push = normal * (-mass * spin * spin * place.z / normal.z); // on the rod
+        on_plate -= place.cross(&push);
+        rate += Vector3::new(place.x, place.y, 0.0).cross(&(Vector3::z() * push.z));
+    }
+    let plate = in_room(&engine.plate().bearing_torque_rotating(spin), phase);
+    (plate - on_plate, rate + on_plate)
+}
+
+#[test]
+fn a_balanced_engine_leaves_bearings_and_walls_a_torque_each_that_cancel() {
+    for tilt in [0.1_f64, 0.4, 1.0] {
+        let plate = Plate::thin(2.0, 0.1, tilt).unwrap();
+        let pistons = Pistons::new(5, 0.0, 0.07, 0.2).unwrap();
+        let needed = plate.balancing_mass(&pistons).unwrap();
+        let alone = plate.bearing_torque_rotating(50.0).norm();
+        for (part, on_bearings) in [(1.0, tilt.tan().powi(2)), (tilt.cos().powi(2), 0.0)] {
+            let engine = Engine::new(plate, pistons.with_mass(part * needed).unwrap());
+            let (bearings, walls) = shares(&engine, 0.7, 50.0, 0.07);
+            assert_relative_eq!(bearings.norm(), on_bearings * alone, epsilon = 1e-12 * alone);
+            let frame = engine.frame_torque(0.7, 50.0);
+            assert_relative_eq!(bearings + walls, frame, epsilon = 1e-12 * alone);
+            assert_relative_eq!(frame.norm(), (1.0 - part) * alone, epsilon = 1e-12 * alone);
+        }
     }
 }
 
@@ -372,7 +443,7 @@ fn eq45_and_eq02_the_balancing_mass_leaves_nothing_across_the_shaft() {
                 );
                 let size = summed_momentum(numbers, phase).norm() * (1.0 + tilt.tan().powi(2));
                 assert!(across.norm() < 1e-7 * size, "{count} pistons leave {across}");
-                assert!(balanced.bearing_torque(phase, spin).norm() < 1e-11 * size * spin);
+                assert!(balanced.frame_torque(phase, spin).norm() < 1e-11 * size * spin);
             }
             if thin && count == 4 {
                 let expected = mass * radius * radius * tilt.cos().powi(2) / (8.0 * distance * distance);
@@ -394,7 +465,7 @@ fn one_and_two_pistons_fail_and_three_to_nine_work() {
             let mass = between(&mut random, 0.01, 10.0);
             let engine = Engine::new(thin, pistons.with_mass(mass).unwrap());
             let worst = (0..64)
-                .map(|n| engine.bearing_torque(TAU * f64::from(n) / 64.0, 50.0).norm())
+                .map(|n| engine.frame_torque(TAU * f64::from(n) / 64.0, 50.0).norm())
                 .fold(0.0, f64::max);
             best = f64::min(best, worst / thin.bearing_torque_rotating(50.0).norm());
         }

@@ -228,7 +228,7 @@ fn contact_track(id: &str) -> Outcome {
         let states = wobble.sample(&times)?;
         Ok(states.iter().map(|state| disc.contact_point(state)).map(|[x, y]| (x, y)).collect())
     };
-    let mut plot = Plot::plane(&mut drawing, at(250.0, 205.0), 58.0, 3.4)?;
+    let mut plot = Plot::plane(&mut drawing, at(150.0, 181.0), 50.0, 4.0)?;
     plot.curve("all", track(0.0, 11.0 * period, 4400)?, Stroke::Orbit, Hue::Blue);
     plot.curve("one", track(0.0, period, 400)?, Stroke::Vector, Hue::Orange);
     plot.label((0.55, 0.0), Side::Over, "eleven wobbles", Hue::Ink)?;

@@ -39,7 +39,7 @@ fn wobble_plate(id: &str) -> Outcome {
         "The wobble plate on its shaft",
         "A round plate on an upright shaft, tilted so that its left side is low. Its normal i3 leans to the left of the shaft by the angle \
          alpha. The axis i1 lies in the plate and rises to the right. The angular velocity omega points up along the shaft; the angular momentum \
-         L lies between shaft and normal, at the angle beta to the shaft. A diameter of the plate is marked R.",
+         L lies between shaft and normal, at the angle beta to the shaft. A radius of the plate is marked R.",
     );
     let tilt = 32_f64;
     let plate = plate(tilt)?;
@@ -204,7 +204,7 @@ fn residual(id: &str) -> Outcome {
     let (plate, spin) = (plate(25.0)?, 100.0);
     let alone = plate.bearing_torque_rotating(spin).norm();
     let values = linear_steps(0.0, 2.5, 250)
-        .map(|part| Ok((part, with_pistons(plate, 4, part)?.bearing_torque(0.3, spin).norm() / alone)))
+        .map(|part| Ok((part, with_pistons(plate, 4, part)?.frame_torque(0.3, spin).norm() / alone)))
         .collect::<Result<Vec<_>, Cause>>()?;
     plot.curve("torque", values, Stroke::Curve, Hue::Purple);
     plot.label((0.02, 1.0), Side::AboveRight, "without pistons", Hue::Muted)?;
@@ -233,7 +233,7 @@ fn number(id: &str) -> Outcome {
     ] {
         let engine = with_pistons(plate, count, part)?;
         let values = linear_steps(0.0, 360.0, 180)
-            .map(|degrees| (degrees, engine.bearing_torque(degrees.to_radians(), spin).norm() / alone));
+            .map(|degrees| (degrees, engine.frame_torque(degrees.to_radians(), spin).norm() / alone));
         plot.curve(&format!("pistons-{count}"), values, Stroke::Curve, hue);
     }
     plot.label((360.0, 1.0), Side::Right, "one or two", Hue::Orange)?;

@@ -2,7 +2,7 @@
 //!
 //! The shaft lies along z and turns with the angular velocity ω; the phase is ωt. The rotating axes are
 //! `x' = (cos ωt, sin ωt, 0)`, `y' = z × x'` and z. The plate's normal is `cos α z − sin α x'`. Nothing here has a state: every
-//! quantity is a function of the phase.
+//! quantity is a function of the phase. A phase or spin that is not finite gives NaN.
 
 use crate::inertia::{Body, InvalidMoments, PrincipalMoments};
 use crate::quantity::{InvalidQuantity, Rule, Shown};
@@ -77,7 +77,8 @@ impl Plate {
 
     /// The angular momentum about the centre along the rotating axes x', y', z, kg·m²/s (`eq:plate-transverse`).
     ///
-    /// The part across the shaft is formed from the difference of the moments, and keeps its digits at every tilt.
+    /// The part across the shaft is formed from the difference of the moments, and keeps its digits at every tilt. The difference
+    /// itself has as many as the moments leave it: few for a plate of nearly √3 times its radius.
     pub fn angular_momentum_rotating(&self, spin: f64) -> Vector3<f64> {
         let along_shaft = self.along * self.cos * self.cos + self.across * self.sin * self.sin;
         Vector3::new(-self.unbalance(), 0.0, along_shaft) * spin
@@ -95,7 +96,7 @@ impl Plate {
         (-momentum.x).atan2(momentum.z)
     }
 
-    /// The largest angle β of any tilt, rad, and the tilt that has it: `sin β = (I₃ − I₁)/(I₃ + I₁)` at
+    /// The angle β of largest size of any tilt, rad, and the tilt that has it, rad: `sin β = (I₃ − I₁)/(I₃ + I₁)` at
     /// `tan² α = I₃/I₁` (`eq:largest-momentum-tilt`).
     pub fn largest_momentum_angle(&self) -> (f64, f64) {
         let sine = (self.along - self.across) / (self.along + self.across);
@@ -163,8 +164,8 @@ impl Pistons {
 /// let plate = Plate::thin(2.0, 0.1, 0.4)?;
 /// let pistons = Pistons::new(4, 0.3, 0.07, 0.2)?;
 /// let balanced = Engine::new(plate, pistons.with_mass(plate.balancing_mass(&pistons)?)?);
-/// // Balanced means that the bearings feel nothing, at any phase.
-/// assert!(balanced.bearing_torque(1.0, 100.0).norm() < 1e-14 * 100.0 * 100.0);
+/// // Balanced means that the frame feels nothing, at any phase.
+/// assert!(balanced.frame_torque(1.0, 100.0).norm() < 1e-14 * 100.0 * 100.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -175,7 +176,8 @@ pub struct Engine {
 }
 
 impl Plate {
-    /// The mass of each piston, kg, with which the pistons balance the plate: `2ΔI cos²α/(N r²)` (`eq:balancing-mass`). The
+    /// The mass of each piston, kg, with which the pistons balance the plate: `2ΔI cos²α/(N r²)` (`eq:many-pistons`, with
+    /// `eq:thick-plate`; for four pistons and a thin plate `eq:balancing-mass`). The
     /// present mass of the pistons plays no part.
     ///
     /// # Errors
@@ -209,7 +211,7 @@ impl Engine {
         self.pistons
     }
 
-    /// The azimuth of piston `n`, counted from 1, as sine and cosine of `2πn/N`.
+    /// The azimuth of piston `n`, counted from 1 and modulo N, as sine and cosine of `2πn/N`.
     fn azimuth(&self, n: u32) -> (f64, f64) {
         (TAU * f64::from(n) / f64::from(self.pistons.count)).sin_cos()
     }
@@ -249,9 +251,11 @@ impl Engine {
         in_room(&self.plate.angular_momentum_rotating(spin), phase) + self.piston_momentum(phase, spin)
     }
 
-    /// The torque about the plate's centre that has to come from outside, in the room, N·m: what the bearings and the cylinder
-    /// walls must hold (`eq:bearing-torque`).
-    pub fn bearing_torque(&self, phase: f64, spin: f64) -> Vector3<f64> {
+    /// The torque about the plate's centre that the frame gives plate and pistons, through bearings and cylinder walls together,
+    /// in the room, N·m: the rate of [`Engine::angular_momentum`]. For three and more pistons its length is `eq:residual-torque`.
+    ///
+    /// At the balancing mass at most 1e-15 of the plate's own torque is left, up to a tilt of 89.99°.
+    pub fn frame_torque(&self, phase: f64, spin: f64) -> Vector3<f64> {
         in_room(&self.plate.bearing_torque_rotating(spin), phase)
             + self.piston_sum(|n| self.acceleration(n, phase, spin))
     }
@@ -351,7 +355,8 @@ impl fmt::Display for NoBalance {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::TooFewPistons { count } => {
-                write!(out, "{count} pistons cannot balance a turning plate; it takes at least 3")
+                let plural = if count == 1 { "" } else { "s" };
+                write!(out, "{count} piston{plural} cannot balance a turning plate; it takes at least 3")
             }
             Self::ThickPlate { across, along } => write!(
                 out,

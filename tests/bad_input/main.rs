@@ -2,3 +2,4 @@
 
 mod free_tops;
 mod laundromat;
+mod wobble_plate;
