@@ -118,3 +118,24 @@ fn every_claim_without_a_number_names_an_equation_and_a_test() {
         assert!(tests.contains(test), "{what}: the test `{test}` does not exist");
     }
 }
+
+#[test]
+fn the_errata_page_counts_the_verdicts_and_names_every_equation_that_is_wrong() {
+    let ledger = ledger();
+    let rows = rows(&ledger, "{#sec:ledger-equations}");
+    let count = |verdict: &str| rows.iter().filter(|row| row[2].starts_with(verdict)).count();
+    let page = fs::read_to_string(root().join("book/errata.md")).expect("the page");
+    let said = format!(
+        "98 equations and finds {} of them right as they stand, {} with a slip of the pen and {} wrong",
+        count("right"),
+        count("slip"),
+        count("**wrong**")
+    );
+    assert!(page.contains(&said), "the page should say: {said}");
+    let striking = page.split("{#sec:errata-limits}").next().expect("the first section");
+    for row in rows.iter().filter(|row| row[2].starts_with("**wrong**")) {
+        let named =
+            striking.split(|c: char| c != ':' && c != '@' && !c.is_alphanumeric()).any(|word| word == row[0]);
+        assert!(named, "{} is wrong, and the page does not name it", row[0]);
+    }
+}
