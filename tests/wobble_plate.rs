@@ -518,3 +518,9 @@ fn a_plate_as_thick_as_root_three_radii_needs_no_balance() {
     assert!(thicker.momentum_angle() < 0.0);
     assert!(matches!(thicker.balancing_mass(&pistons), Err(NoBalance::ThickPlate { .. })));
 }
+
+#[test]
+fn another_mass_leaves_everything_else_of_the_pistons_as_it_was() {
+    let pistons = Pistons::new(5, 0.3, 0.07, 0.2).unwrap();
+    assert_eq!(pistons.with_mass(0.8), Pistons::new(5, 0.8, 0.07, 0.2));
+}
