@@ -191,7 +191,7 @@ fn wobbling() -> Rolling {
 fn potential(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "The effective potential of a disc",
-        "The potential, in m g a, against the lean from minus 60 to 60 degrees: a well with its bottom near 5 degrees. A level line at the energy 1.588 cuts it at minus 7.6 and at 17.2 degrees, \
+        "The potential, in m g a, against the lean from minus 30 to 40 degrees: a well with its bottom near 5 degrees. A level line at the energy 1.588 cuts it at minus 7.6 and at 17.2 degrees, \
          marked by dots.",
     );
     let disc = wheel(0.5)?;
@@ -216,7 +216,7 @@ fn potential(id: &str) -> Outcome {
 fn contact_track(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 560.0, 420.0).titled(
         "Track of the contact of a wobbling disc",
-        "A ring-shaped track with eleven equal waves about its circle, seen from above; one of the waves is drawn heavy.",
+        "Seen from above, a track that goes round a circle several times in eleven equal waves, so that its rounds cross one another. One of the waves is drawn heavy.",
     );
     let disc = wheel(0.5)?;
     let mut start = disc.steady(0.55, 1.6)?.state();

@@ -1,14 +1,8 @@
-//! The curves of the figures, read back from the SVG, agree with the library at points that the figure did not sample.
-//!
-//! The test knows where the axes of each plot stand (from the ticks, read back as well), and nothing else of how it was drawn.
+//! The washing machine, held to formulas written out and to the library.
 
-use figures::all;
+use crate::{PIXELS, distance, path};
 use mechanics::scenes::laundromat::{Machine, Parameters};
 use nalgebra::Complex;
-use roxmltree::Document;
-
-/// Thinning may move a curve by 0.06 px; reading two decimals costs 0.005 px, the coordinates 0.001 px, sampling the rest.
-const PIXELS: f64 = 0.08;
 
 fn machine(damping: f64, spin: f64) -> Machine {
     let damping = damping * 300.0;
@@ -23,38 +17,6 @@ fn machine(damping: f64, spin: f64) -> Machine {
     .expect("a machine")
 }
 
-/// The points of the path with this id.
-fn path(svg: &str, id: &str) -> Vec<(f64, f64)> {
-    let document = Document::parse(svg).expect("valid XML");
-    let node = document.descendants().find(|node| node.attribute("id") == Some(id));
-    let data = node
-        .unwrap_or_else(|| panic!("no path {id}"))
-        .attribute("d")
-        .expect("a path")
-        .replace(['M', 'L'], " ");
-    let number = |text: &str| text.parse::<f64>().expect("a number");
-    data.split_whitespace()
-        .map(|pair| pair.split_once(',').map(|(x, y)| (number(x), number(y))).expect("a pair"))
-        .collect()
-}
-
-fn svg(id: &str) -> String {
-    all().expect("figures").into_iter().find(|figure| figure.id == id).expect("the figure").svg
-}
-
-/// The least distance of a point from a polyline.
-fn distance(polyline: &[(f64, f64)], (x, y): (f64, f64)) -> f64 {
-    polyline
-        .windows(2)
-        .map(|pair| {
-            let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
-            let (dx, dy) = (x1 - x0, y1 - y0);
-            let part = (((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
-            (x0 + part * dx - x).hypot(y0 + part * dy - y)
-        })
-        .fold(f64::INFINITY, f64::min)
-}
-
 /// A linear axis: two values and where they stand, px.
 fn scale(from: (f64, f64), to: (f64, f64), value: f64) -> f64 {
     from.1 + (to.1 - from.1) * (value - from.0) / (to.0 - from.0)
@@ -62,11 +24,10 @@ fn scale(from: (f64, f64), to: (f64, f64), value: f64) -> f64 {
 
 #[test]
 fn steady_curves_lie_on_the_formula() {
-    let svg = svg("fig:steady");
     let mut checked = 0;
     for damping in [0.2, 0.4, 0.7, 1.4] {
-        let radius = path(&svg, &format!("fig-steady-radius-{damping}"));
-        let lead = path(&svg, &format!("fig-steady-lead-{damping}"));
+        let radius = path("steady", &format!("radius-{damping}"));
+        let lead = path("steady", &format!("lead-{damping}"));
         for step in 1..500 {
             let ratio = 3.0 * f64::from(step) / 500.0 + 1e-4;
             let x = scale((0.0, 58.0), (3.0, 658.0), ratio);
@@ -87,9 +48,8 @@ fn steady_curves_lie_on_the_formula() {
 
 #[test]
 fn torque_curves_lie_on_the_library() {
-    let svg = svg("fig:torque");
     for damping in [0.2, 0.4, 0.7, 1.4] {
-        let curve = path(&svg, &format!("fig-torque-torque-{damping}"));
+        let curve = path("torque", &format!("torque-{damping}"));
         for step in 1..300 {
             let ratio = 3.0 * f64::from(step) / 300.0 - 1e-3;
             let torque = machine(damping, ratio).steady().expect("damped").motor_torque();
@@ -105,26 +65,24 @@ fn torque_curves_lie_on_the_library() {
 
 #[test]
 fn all_curves_of_self_centring_pass_the_common_point() {
-    let svg = svg("fig:centring");
     let common = (scale((0.0, 58.0), (3.0, 658.0), 2.0_f64.sqrt()), scale((0.0, 264.0), (3.4, 34.0), 1.0));
     for name in ["radius-0.2-2", "radius-0.4", "radius-0.7", "radius-1.4"] {
-        let curve = path(&svg, &format!("fig-centring-{name}"));
+        let curve = path("centring", &format!("{name}"));
         assert!(distance(&curve, common) < PIXELS, "{name}");
     }
     for damping in ["0.4", "1.4"] {
-        let printed = path(&svg, &format!("fig-centring-printed-{damping}"));
+        let printed = path("centring", &format!("printed-{damping}"));
         assert!(distance(&printed, common) > 3.0, "the source's formula misses it");
     }
 }
 
 #[test]
 fn one_mode_fills_its_ring_and_no_more() {
-    let svg = svg("fig:annulus");
     // 112 px are the steady radius; a disturbance of 0.3 leaves the ring from 0.7 to 1.3 of it.
     for (name, centre, swings) in
         [("path-0", 170.0, 7.0 * (1.0 + 1.0 / 3.3)), ("path-1", 510.0, 7.0 * (1.0 - 1.0 / 3.3))]
     {
-        let radii: Vec<f64> = path(&svg, &format!("fig-annulus-{name}"))
+        let radii: Vec<f64> = path("annulus", &format!("{name}"))
             .iter()
             .map(|(x, y)| (x - centre).hypot(y - 166.0) / 112.0)
             .collect();
@@ -139,7 +97,7 @@ fn one_mode_fills_its_ring_and_no_more() {
 
 #[test]
 fn the_displaced_circle_shrinks_towards_o_as_its_mode_decays() {
-    let centre = path(&svg("fig:displaced"), "fig-displaced-centre");
+    let centre = path("displaced", "centre");
     let distance = |point: Option<&(f64, f64)>| {
         point.map(|(x, y)| (x - 246.0).hypot(y - 166.0) / 116.0).expect("a point")
     };
@@ -151,15 +109,14 @@ fn the_displaced_circle_shrinks_towards_o_as_its_mode_decays() {
 
 #[test]
 fn eigenvalues_end_where_the_polynomials_vanish() {
-    let svg = svg("fig:eigenvalues");
     let real = |x: f64, left: f64| scale((left, -0.4), (left + 262.0, 0.2), x);
     let imaginary = |y: f64| scale((368.0, -4.2), (34.0, 4.2), y);
     let (mut growing, mut through_zero) = (0, 0);
     for index in 0..4 {
-        for (x, _) in path(&svg, &format!("fig-eigenvalues-path-whole-{index}")) {
+        for (x, _) in path("eigenvalues", &format!("path-whole-{index}")) {
             assert!((real(x, 58.0) + 0.15).abs() < 2e-4, "all decay as e^(−Γt/2)");
         }
-        let points = path(&svg, &format!("fig-eigenvalues-path-radial-{index}"));
+        let points = path("eigenvalues", &format!("path-radial-{index}"));
         let s = points.last().map(|&(x, y)| Complex::new(real(x, 398.0), imaginary(y))).expect("a path");
         // eq:radial-damping-quartic at Ω = 3 ω₀ with Γ = 0.3 ω₀, in units of ω₀.
         let (kappa, spin, damping) = (1.0 - 9.0, 3.0, 0.3);
@@ -181,44 +138,40 @@ fn eigenvalues_end_where_the_polynomials_vanish() {
 
 #[test]
 fn what_the_descriptions_say_in_numbers_is_so() {
-    let torque = path(&svg("fig:torque"), "fig-torque-torque-0.2");
+    let torque = path("torque", "torque-0.2");
     let value = |y: f64| scale((278.0, 0.0), (34.0, 4.5), y);
     let peak = torque.iter().map(|point| value(point.1)).fold(0.0, f64::max);
     let valley =
         torque.iter().filter(|point| point.0 > 300.0).map(|point| value(point.1)).fold(9.0, f64::min);
     assert!((peak - 4.3).abs() < 0.05 && valley < 0.6, "{peak} {valley}");
 
-    let locked = svg("fig:locked");
-    let leaves =
-        path(&locked, "fig-locked-locked").last().map(|point| scale((58.0, 0.0), (658.0, 2.5), point.0));
+    let leaves = path("locked", "locked").last().map(|point| scale((58.0, 0.0), (658.0, 2.5), point.0));
     assert!(leaves.is_some_and(|time| (time - 0.25).abs() < 0.02), "{leaves:?}");
-    let rest = path(&locked, "fig-locked-free").last().map(|point| scale((268.0, 0.0), (34.0, 5.0), point.1));
+    let rest = path("locked", "free").last().map(|point| scale((268.0, 0.0), (34.0, 5.0), point.1));
     let steady = machine(0.3, 1.5).steady().expect("damped");
     assert!(
         rest.is_some_and(|r| (r - steady.radius() * 60.0).abs() < 0.05 && (r - 1.7).abs() < 0.05),
         "{rest:?}"
     );
 
-    let start = svg("fig:start");
     let radius = |point: &(f64, f64)| (point.0 - 266.0).hypot(point.1 - 162.0) / 78.0;
-    assert!(path(&start, "fig-start-steady").iter().all(|point| (radius(point) - 1.118).abs() < 2e-3));
-    let furthest = path(&start, "fig-start-loops").iter().map(radius).fold(0.0, f64::max);
+    assert!(path("start", "steady").iter().all(|point| (radius(point) - 1.118).abs() < 2e-3));
+    let furthest = path("start", "loops").iter().map(radius).fold(0.0, f64::max);
     assert!((3.7..4.0).contains(&furthest), "{furthest}");
 
-    let fault = svg("fig:polar-fault");
     let exponent = |point: &(f64, f64)| scale((308.0, -12.0), (34.0, 0.0), point.1);
-    let polar = path(&fault, "fig-polar-fault-polar");
+    let polar = path("polar-fault", "polar");
     let [first, last] = [polar.first(), polar.last()].map(|point| point.expect("a point"));
     let nearest = 10_f64.powf(scale((66.0, -5.0), (658.0, -1.0), first.0));
     assert!((nearest - 5e-4).abs() < 1e-4, "the last number comes at half a millimetre, not {nearest}");
     assert!(exponent(first) > -2.3 && exponent(last) < -9.0);
-    let cartesian = path(&fault, "fig-polar-fault-cartesian");
+    let cartesian = path("polar-fault", "cartesian");
     assert!(cartesian.iter().all(|point| (exponent(point) - 3e-11_f64.log10()).abs() < 0.15));
 }
 
 #[test]
 fn the_measurements_say_what_the_figure_claims() {
-    let rows: Vec<Vec<&str>> = include_str!("../../../book/laundromat/speed.csv")
+    let rows: Vec<Vec<&str>> = include_str!("../../../../book/laundromat/speed.csv")
         .lines()
         .filter(|line| !line.starts_with('#'))
         .skip(1)
