@@ -67,7 +67,7 @@ fn torque_curves_lie_on_the_library() {
 fn all_curves_of_self_centring_pass_the_common_point() {
     let common = (scale((0.0, 58.0), (3.0, 658.0), 2.0_f64.sqrt()), scale((0.0, 264.0), (3.4, 34.0), 1.0));
     for name in ["radius-0.2-2", "radius-0.4", "radius-0.7", "radius-1.4"] {
-        let curve = path("centring", &format!("{name}"));
+        let curve = path("centring", name);
         assert!(distance(&curve, common) < PIXELS, "{name}");
     }
     for damping in ["0.4", "1.4"] {
@@ -82,10 +82,8 @@ fn one_mode_fills_its_ring_and_no_more() {
     for (name, centre, swings) in
         [("path-0", 170.0, 7.0 * (1.0 + 1.0 / 3.3)), ("path-1", 510.0, 7.0 * (1.0 - 1.0 / 3.3))]
     {
-        let radii: Vec<f64> = path("annulus", &format!("{name}"))
-            .iter()
-            .map(|(x, y)| (x - centre).hypot(y - 166.0) / 112.0)
-            .collect();
+        let radii: Vec<f64> =
+            path("annulus", name).iter().map(|(x, y)| (x - centre).hypot(y - 166.0) / 112.0).collect();
         let (least, most) =
             radii.iter().fold((f64::MAX, 0.0_f64), |(low, high), &r| (low.min(r), high.max(r)));
         assert!((least - 0.7).abs() < 2e-3 && (most - 1.3).abs() < 2e-3, "{name}: {least} to {most}");
