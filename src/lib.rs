@@ -28,9 +28,12 @@ pub mod integrate;
 pub mod measure;
 pub mod scenes;
 
+mod branchless;
+mod frames;
 mod quantity;
 mod two_part;
 
+pub use frames::InvalidFrames;
 pub use quantity::{InvalidQuantity, Rule};
 
 /// Every page of the book, so that rustdoc tests its snippets. `press/tests/book.rs` holds this list equal to

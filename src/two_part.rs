@@ -34,9 +34,18 @@ impl TwoPart {
         Self { high, low: (a - a_kept) + (b - b_kept) }
     }
 
+    /// The two parts.
+    pub(crate) fn parts(self) -> (f64, f64) {
+        (self.high, self.low)
+    }
+
     /// The exact product of two numbers.
+    #[inline]
     pub(crate) fn product(a: f64, b: f64) -> Self {
         let high = a * b;
+        if cfg!(target_feature = "fma") {
+            return Self { high, low: a.mul_add(b, -high) };
+        }
         let (a1, a2) = halves(a);
         let (b1, b2) = halves(b);
         Self { high, low: a2 * b2 - (((high - a1 * b1) - a2 * b1) - a1 * b2) }
@@ -103,6 +112,13 @@ impl Add for TwoPart {
         let low = Self::sum(self.low, other.low);
         let first = Self::quick_sum(high.high, high.low + low.high);
         Self::quick_sum(first.high, first.low + low.low)
+    }
+}
+
+impl Add<f64> for TwoPart {
+    type Output = Self;
+    fn add(self, other: f64) -> Self {
+        Self::quick_sum(self.high, self.low + other)
     }
 }
 

@@ -4,6 +4,7 @@ use super::asymmetric::Asymmetric;
 use super::symmetric::FreeSymmetricTop;
 use crate::attitude::turn;
 use crate::euler::Turning;
+use crate::frames::{InvalidFrames, fill};
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
@@ -117,6 +118,21 @@ impl FreeTop {
             }
             Motion::Asymmetric(motion) => motion.at(time),
         })
+    }
+
+    /// Attitude and angular velocity at each of `times`, s, written to `frames` without allocating.
+    ///
+    /// A body with three different moments takes a form that the compiler turns into instructions for several frames at once.
+    ///
+    /// # Errors
+    /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
+    /// [`InvalidFrames::Time`] at the first time that [`FreeTop::at`] refuses.
+    pub fn fill(&self, times: &[f64], frames: &mut [Turning]) -> Result<(), InvalidFrames<InvalidQuantity>> {
+        let quick = |times: &[f64], frames: &mut [Turning]| match &self.motion {
+            Motion::Asymmetric(motion) => motion.fill(times, frames),
+            _ => 0,
+        };
+        fill(times, frames, quick, |time| self.at(time))
     }
 
     /// The time after which the angular velocity, seen from the body, is the same again, s. `None` if it never changes, or,

@@ -1,7 +1,7 @@
 //! Bodies, free tops and their scenes: coin, station, drag.
 
 use mechanics::euler::Turning;
-use mechanics::free_rotation::{FreeSymmetricTop, InvalidTop};
+use mechanics::free_rotation::{FreeSymmetricTop, FreeTop, InvalidTop};
 use mechanics::inertia::{Body, InvalidMoments, PrincipalMoments};
 use mechanics::scenes::air_drag::{Drag, DraggedTop, InvalidDragTop};
 use mechanics::scenes::coin_toss::{
@@ -9,7 +9,7 @@ use mechanics::scenes::coin_toss::{
 };
 use mechanics::scenes::pinned_hoop::{InvalidPinning, Pinning, Shape};
 use mechanics::scenes::space_station::{InvalidStation, Station};
-use mechanics::{InvalidQuantity, Rule};
+use mechanics::{InvalidFrames, InvalidQuantity, Rule};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::fmt::{Debug, Display};
 
@@ -226,4 +226,21 @@ fn a_pinned_body_spins_and_its_point_lies_on_it() {
     assert_eq!(message(at([0.0, 0.5])), "the point at 0.5 m from the centre is not on the rim, at 1 m");
     assert_eq!(message(at([f64::INFINITY, 0.0])), "position of the point inf m is not a finite number");
     assert!(at([0.6, -0.8]).is_ok());
+}
+
+#[test]
+fn a_list_of_frames_has_a_frame_for_each_time() {
+    let start = turning(Vector3::new(0.1, 1.0, 0.2));
+    let top = FreeTop::new(brick(), start).expect("a free top");
+    let mut frames = [start; 40];
+    let error = top.fill(&[1.0, 2.0], &mut frames).unwrap_err();
+    assert_eq!(error, InvalidFrames::Length { times: 2, frames: 40 });
+    assert_eq!(error.to_string(), "2 times but room for 40 frames; there must be one frame for each time");
+    assert_eq!(frames, [start; 40], "nothing is written");
+    let mut times = [3.0; 40];
+    times[35] = f64::NAN;
+    let error = top.fill(&times, &mut frames).unwrap_err();
+    assert!(matches!(error, InvalidFrames::Time { index: 35, .. }));
+    assert_eq!(error.to_string(), "time number 35: time NaN s is not a finite number");
+    assert_eq!(frames[34], top.at(3.0).expect("a time"));
 }

@@ -1,8 +1,9 @@
 //! The washing machine, its motion, and the integrators.
 
+use mechanics::InvalidFrames;
 use mechanics::integrate::{Direction, Dop853, Failure, InvalidTolerance, rk4};
 use mechanics::scenes::laundromat::{
-    InvalidFrames, InvalidMachine, LockedError, Machine, NoSteadyMotion, Parameters, Shaft,
+    InvalidMachine, LockedError, Machine, NoSteadyMotion, Parameters, Shaft,
 };
 use std::error::Error;
 

@@ -161,3 +161,32 @@ fn jacobi_integral_is_constant_for_a_billion_seconds() {
         }
     }
 }
+
+#[test]
+fn frames_at_once_are_the_frames_one_by_one() {
+    // Light, critical and heavy damping, resonance, no spin and much; before the start, at it, and out of reach of the form for
+    // many frames; lists of every length around that of a block.
+    let mut random = fastrand::Rng::with_seed(12);
+    for damping in [0.0, 1e-9, 0.01, 0.3, 1.999_999, 2.0, 40.0] {
+        for spin in [0.0, 0.4, 1.0, -1.000_001, 3.0, 1e8] {
+            let motion = machine(damping, spin).transient(start()).unwrap();
+            for length in [0, 1, 31, 32, 33, 64, 100] {
+                let mut times: Vec<f64> = (0..length).map(|_| 60.0 * random.f64() - 5.0).collect();
+                if length == 100 {
+                    times[40] = 1e12; // after any damping, and beyond the whole numbers of quarter turns at the high spin
+                }
+                let mut frames = vec![Shaft::AT_REST; length];
+                motion.fill(&times, &mut frames).unwrap();
+                for (frame, &t) in frames.iter().zip(&times) {
+                    let single = motion.at(t).unwrap();
+                    // Times before the start may be large; then errors are relative to what there is.
+                    let size = spin.abs().max(1.0) * single.position.norm().max(1.0);
+                    let away = |a: Complex<f64>, b: Complex<f64>| (a - b).norm();
+                    assert!(away(frame.position, single.position) <= FEW_ULPS * size, "{damping} {spin} {t}");
+                    let size = size.max(single.velocity.norm());
+                    assert!(away(frame.velocity, single.velocity) <= FEW_ULPS * size, "{damping} {spin} {t}");
+                }
+            }
+        }
+    }
+}

@@ -227,3 +227,35 @@ fn rotation_about_a_principal_axis_is_steady_and_a_hair_off_it_is_not() {
         }
     }
 }
+
+#[test]
+fn frames_at_once_are_the_frames_one_by_one() {
+    // Both sides of the separatrix and bodies without a form for many frames; lists of every length around a block's; the
+    // wings of a list beyond the reach of that form.
+    let mut random = fastrand::Rng::with_seed(89);
+    let mut lengths = (0..=70).chain([1000]).cycle();
+    for n in 0..200 {
+        let moments = match n % 4 {
+            0 => PrincipalMoments::new(1.0, 1.0, 1.5),
+            1 => PrincipalMoments::new(1.5, 0.5, 2.0),
+            2 => PrincipalMoments::new(2.0, 1.9, 0.5),
+            _ => PrincipalMoments::new(1.0, 1.1, 1.2),
+        }
+        .unwrap();
+        let start = turning(&mut random, 1.0);
+        let top = FreeTop::new(moments, start).unwrap();
+        let mut times: Vec<f64> =
+            (0..lengths.next().unwrap()).map(|_| 200.0 * (random.f64() - 0.5)).collect();
+        if n % 3 == 0 && times.len() > 40 {
+            times[35] = 3e18;
+        }
+        let mut frames = vec![start; times.len()];
+        top.fill(&times, &mut frames).unwrap();
+        for (frame, &time) in frames.iter().zip(&times) {
+            let single = top.at(time).unwrap();
+            let omega = (frame.omega_body - single.omega_body).norm();
+            let attitude = rotation_between(&frame.world_from_body, &single.world_from_body);
+            assert!(omega < 1e-15 && attitude < 2e-15, "{n} at {time}: {omega:e} {attitude:e}");
+        }
+    }
+}

@@ -23,6 +23,7 @@
 //! | what the motor must do | [`Machine::motor_torque`], [`SteadyMotion::motor_torque`] |
 
 mod energy;
+mod frames;
 mod locked;
 mod machine;
 mod modes;
@@ -38,4 +39,4 @@ pub use modes::Mode;
 pub use oscillator::InvalidTime;
 pub use shaft::{InvalidStart, Shaft};
 pub use steady::{NoSteadyMotion, Peak, SteadyMotion};
-pub use transient::{InvalidFrames, Transient};
+pub use transient::Transient;

@@ -47,6 +47,16 @@ impl Oscillator {
         Self { damping: damping.rounded(), stiffness: stiffness.rounded(), roots }
     }
 
+    /// Γ.
+    pub(super) fn damping(&self) -> f64 {
+        self.damping
+    }
+
+    /// κ.
+    pub(super) fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
     pub(super) fn roots(&self) -> Roots {
         self.roots
     }

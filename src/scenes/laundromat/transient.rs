@@ -1,13 +1,13 @@
 //! The whole motion from any start, in closed form.
 
+use super::frames::Frames;
 use super::machine::Machine;
 use super::oscillator::{InvalidTime, Oscillator, Roots, Scaled, check_time};
 use super::shaft::{InvalidStart, Shaft};
 use super::steady::SteadyMotion;
+use crate::frames::{InvalidFrames, fill};
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
-use std::error::Error;
-use std::fmt;
 
 /// The motion of the shaft from a given start (`eq:transient`), at any time, before or after.
 ///
@@ -29,14 +29,14 @@ use std::fmt;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transient {
-    spin: f64,
+    pub(super) spin: f64,
     offset: f64,
-    free: Oscillator,
-    form: Form,
+    pub(super) free: Oscillator,
+    pub(super) form: Form,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Form {
+pub(super) enum Form {
     /// The steady circle, and a free motion from `displacement` and `velocity`.
     Circle {
         amplitude: Complex<f64>,
@@ -51,7 +51,7 @@ enum Form {
 
 /// What a rotating force near resonance adds to a motion from rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct BuildUp {
+pub(super) struct BuildUp {
     start: Shaft,
     push: f64,          // bΩ²
     frequency: TwoPart, // ω₁ with the sign of Ω
@@ -173,17 +173,17 @@ impl Transient {
 
     /// The shaft at each of `times`, s, written to `frames` without allocating.
     ///
+    /// Lightly damped machines away from resonance take a form that the compiler turns into instructions for several frames
+    /// at once; it differs from [`Transient::at`] in rounding only.
+    ///
     /// # Errors
     /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
     /// [`InvalidFrames::Time`] at the first time that [`Transient::at`] refuses.
-    pub fn fill(&self, times: &[f64], frames: &mut [Shaft]) -> Result<(), InvalidFrames> {
-        if times.len() != frames.len() {
-            return Err(InvalidFrames::Length { times: times.len(), frames: frames.len() });
-        }
-        for (index, (frame, &t)) in frames.iter_mut().zip(times).enumerate() {
-            *frame = self.at(t).map_err(|error| InvalidFrames::Time { index, error })?;
-        }
-        Ok(())
+    pub fn fill(&self, times: &[f64], frames: &mut [Shaft]) -> Result<(), InvalidFrames<InvalidTime>> {
+        let quick = |times: &[f64], frames: &mut [Shaft]| {
+            Frames::new(self).map_or(0, |quick| quick.fill(times, frames))
+        };
+        fill(times, frames, quick, |t| self.at(t))
     }
 
     fn load_direction(&self, t: f64) -> Complex<f64> {
@@ -238,47 +238,4 @@ fn one_minus_exp_over(q: Complex<f64>) -> Complex<f64> {
     // 1 − e^{−x} cos y = −expm1(−x) + 2 e^{−x} sin²(y/2)
     let real = -(-q.re).exp_m1() + 2.0 * grown * half_sin * half_sin;
     Complex::new(real, grown * q.im.sin()) / q
-}
-
-/// Why a list of frames cannot be filled.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidFrames {
-    /// The list of times and the place for frames differ in length.
-    Length {
-        /// How many times there are.
-        times: usize,
-        /// How many frames there is room for.
-        frames: usize,
-    },
-    /// A time has no answer.
-    Time {
-        /// Its place in the list.
-        index: usize,
-        /// Why.
-        error: InvalidTime,
-    },
-}
-
-impl fmt::Display for InvalidFrames {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Length { times, frames } => {
-                write!(
-                    out,
-                    "{times} times but room for {frames} frames; there must be one frame for each time"
-                )
-            }
-            Self::Time { index, error } => write!(out, "time number {index}: {error}"),
-        }
-    }
-}
-
-impl Error for InvalidFrames {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        match self {
-            Self::Length { .. } => None,
-            Self::Time { error, .. } => Some(error),
-        }
-    }
 }
