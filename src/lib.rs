@@ -31,6 +31,7 @@ pub mod scenes;
 mod branchless;
 mod frames;
 mod quantity;
+mod rolling;
 mod two_part;
 
 pub use frames::InvalidFrames;

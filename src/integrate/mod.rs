@@ -17,12 +17,14 @@ mod failure;
 mod rk4;
 mod step;
 mod tableau;
+mod taylor;
 
 pub use dop853::{Dop853, End, Work};
 pub use event::{Direction, Outcome};
 pub use failure::{Failure, InvalidTolerance};
 pub use rk4::{rk4, rk4_step};
 pub use step::Step;
+pub use taylor::{Expand, Series, TAYLOR_ORDER, Taylor, TaylorStep};
 
 /// The rates of a system with `N` state variables: `(time, state) -> d(state)/d(time)`.
 ///

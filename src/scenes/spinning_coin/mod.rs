@@ -4,6 +4,10 @@
 //! everything interesting happens as it goes to zero: `1 − sin θ` has no digits left at α = 1e-8, `2 sin²(α/2)` has all.
 
 use crate::quantity::{InvalidQuantity, Rule};
+mod film;
+
+pub use film::{EulersDisk, NoSinking, Sinking};
+
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
