@@ -22,6 +22,7 @@ pub mod attitude;
 pub mod conical;
 pub mod elliptic;
 pub mod euler;
+pub mod faddeeva;
 pub mod free_rotation;
 pub mod inertia;
 pub mod integrate;

@@ -22,6 +22,7 @@ pub(crate) const FIGURES: &[Entry] = &[
     Entry { id: "fig:eigenvalues", draw: eigenvalues },
     Entry { id: "fig:annulus", draw: annulus },
     Entry { id: "fig:displaced", draw: displaced },
+    Entry { id: "fig:ramp", draw: ramp },
     Entry { id: "fig:polar-fault", draw: polar_fault },
     Entry { id: "fig:speed", draw: speed },
 ];
@@ -601,6 +602,41 @@ fn start(id: &str) -> Outcome {
     kit::dimension(&mut drawing, bar[0], bar[1], Heads::Both, Hue::Muted);
     drawing.label(bar[0].towards(bar[1], 0.5), Side::Below, "2 cm", Hue::Muted)?;
     cross(&mut drawing, origin, 6.0);
+    Ok(drawing)
+}
+
+/// Speeding up through the resonance.
+fn ramp(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 400.0).titled(
+        "Speeding up through the resonance",
+        "The distance of the shaft from O over b against the spin in natural frequencies, from 0 to 2.5, while the drum speeds up, at \
+         three rates. All three follow the curve of the steady motion at first. The slowest ramp reaches 29 at a spin of 1.06, the next \
+         13 at 1.2, the fastest 5 at 1.7, and each then beats with the load, ever faster and ever less.",
+    );
+    let machine = washing_machine(0.02, 0.0)?;
+    let spin = Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled(r"spin reached $\dot\phi/\omega_0$");
+    let radius = Axis::linear(0.0, 30.0, 10.0)?.minor(2.0).titled("distance of the shaft from $O$, in units of $b$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 600.0, 312.0), spin, radius)?;
+    plot.upright(1.0, Stroke::Dotted);
+    for (branch, from, to) in [("steady-below", 0.0, 0.99), ("steady-above", 1.01, 2.5)] {
+        let values =
+            over_spin(0.02, from, to, |machine| Ok(machine.steady()?.radius() / machine.offset()))?;
+        plot.curve(branch, values, Stroke::Dotted, Hue::Muted);
+    }
+    for (per_square, points, hue) in
+        [(0.1, 600, Hue::Green), (0.01, 2000, Hue::Orange), (0.001, 8000, Hue::Blue)]
+    {
+        let motion = machine.ramp(per_square * NATURAL * NATURAL, Shaft::AT_REST)?;
+        let end = 2.5 / (per_square * NATURAL);
+        let values = linear_steps(0.0, end, points)
+            .map(|t| Ok((motion.spin(t) / NATURAL, motion.at(t)?.position.norm() / machine.offset())));
+        let values: Result<Values, Cause> = values.collect();
+        plot.curve(&format!("ramp-{per_square}"), values?, Stroke::Curve, hue);
+    }
+    plot.label((1.08, 26.5), Side::Right, r"$\alpha/\omega_0^2 = 0.001$", Hue::Blue)?;
+    plot.label((1.2, 13.2), Side::AboveRight, "0.01", Hue::Orange)?;
+    plot.label((1.72, 4.6), Side::Below, "0.1", Hue::Green)?;
+    plot.label((0.955, 11.0), Side::Left, "steady", Hue::Muted)?;
     Ok(drawing)
 }
 

@@ -1,6 +1,6 @@
 //! Many frames of a lightly damped machine at once.
 
-use super::oscillator::Roots;
+use super::oscillator::{Oscillator, Roots};
 use super::shaft::Shaft;
 use super::transient::{Form, Transient};
 use crate::branchless::{Clock, exp, sin_cos_quarters};
@@ -8,56 +8,87 @@ use crate::two_part::TwoPart;
 use nalgebra::Complex;
 
 /// Frames are computed in blocks of this many: enough for the widest registers, and small enough for the nearest memory.
-const BLOCK: usize = 32;
+pub(super) const BLOCK: usize = 32;
 
 /// Beyond this size of the exponent e^{−Γt/2} nears the ends of the range of `f64`.
-const LARGEST_EXPONENT: f64 = 650.0;
+pub(super) const LARGEST_EXPONENT: f64 = 650.0;
 
-/// The motion of `eq:transient` as a steady circle and a free swing, each a constant times cosine and another times sine:
-/// four numbers of x, y, ẋ, ẏ for each of the four functions.
+/// A free, lightly damped motion as a constant times cosine and another times sine, each the four numbers of x, y, ẋ, ẏ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Swing {
+    clock: Clock,
+    half_damping: f64,
+    reach: f64,
+    cos: [f64; 4],
+    sin: [f64; 4],
+}
+
+/// The motion of `eq:transient` as a steady circle and a free swing.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frames {
     load: Clock,
-    swing: Clock,
-    half_damping: f64,
     reach: f64,
     circle_cos: [f64; 4],
     circle_sin: [f64; 4],
-    swing_cos: [f64; 4],
-    swing_sin: [f64; 4],
+    swing: Swing,
 }
 
 fn numbers(position: Complex<f64>, velocity: Complex<f64>) -> [f64; 4] {
     [position.re, position.im, velocity.re, velocity.im]
 }
 
+impl Swing {
+    /// The free motion through a displacement with a velocity at time zero; `None` for critical and heavy damping.
+    pub(super) fn new(free: &Oscillator, displacement: Complex<f64>, velocity: Complex<f64>) -> Option<Self> {
+        let Roots::Turning { frequency } = free.roots() else {
+            return None;
+        };
+        let half_damping = 0.5 * free.damping();
+        let bent = displacement * free.stiffness() + velocity * half_damping;
+        let clock = Clock::from_rate(frequency);
+        let frequency = frequency.rounded();
+        let pushed = (velocity + displacement * half_damping) / frequency;
+        Some(Self {
+            clock,
+            half_damping,
+            reach: clock.reach().min(LARGEST_EXPONENT / half_damping),
+            cos: numbers(displacement, velocity),
+            sin: numbers(pushed, -bent / frequency),
+        })
+    }
+
+    /// Up to which time, of either sign, [`Swing::at`] can go.
+    pub(super) fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// x, y, ẋ, ẏ at a time, without a branch.
+    #[inline(always)]
+    pub(super) fn at(&self, time: f64) -> [f64; 4] {
+        let (high, low) = self.clock.at(time);
+        let (sin, cos) = sin_cos_quarters(high, low);
+        let decay = exp(-self.half_damping * time);
+        let (sin, cos) = (decay * sin, decay * cos);
+        std::array::from_fn(|i| self.cos[i] * cos + self.sin[i] * sin)
+    }
+}
+
 impl Frames {
     /// `None` for heavy damping and near resonance without damping, which have forms of their own.
     pub(super) fn new(transient: &Transient) -> Option<Self> {
-        let (Form::Circle { amplitude, displacement, velocity, .. }, Roots::Turning { frequency }) =
-            (transient.form, transient.free.roots())
-        else {
+        let Form::Circle { amplitude, displacement, velocity, .. } = transient.form else {
             return None;
         };
-        let (spin, half_damping) = (transient.spin, 0.5 * transient.free.damping());
+        let swing = Swing::new(&transient.free, displacement, velocity)?;
+        let spin = transient.spin;
         let quarter = Complex::new(-amplitude.im, amplitude.re); // i Z
-        let bent = displacement * transient.free.stiffness() + velocity * half_damping;
-        let frequency_rounded = frequency.rounded();
         let load = Clock::from_rate(TwoPart::from(spin));
-        let swing = Clock::from_rate(frequency);
-        let reach = load.reach().min(swing.reach()).min(LARGEST_EXPONENT / half_damping);
         Some(Self {
             load,
-            swing,
-            half_damping,
-            reach,
+            reach: load.reach().min(swing.reach()),
             circle_cos: numbers(amplitude, quarter * spin),
             circle_sin: numbers(quarter, -amplitude * spin),
-            swing_cos: numbers(displacement, velocity),
-            swing_sin: numbers(
-                (velocity + displacement * half_damping) / frequency_rounded,
-                -bent / frequency_rounded,
-            ),
+            swing,
         })
     }
 
@@ -81,15 +112,9 @@ impl Frames {
     #[inline(always)]
     fn at(&self, time: f64) -> Shaft {
         let (high, low) = self.load.at(time);
-        let (load_sin, load_cos) = sin_cos_quarters(high, low);
-        let (high, low) = self.swing.at(time);
         let (sin, cos) = sin_cos_quarters(high, low);
-        let decay = exp(-self.half_damping * time);
-        let (sin, cos) = (decay * sin, decay * cos);
-        let number = |i: usize| {
-            (self.circle_cos[i] * load_cos + self.circle_sin[i] * load_sin)
-                + (self.swing_cos[i] * cos + self.swing_sin[i] * sin)
-        };
+        let free = self.swing.at(time);
+        let number = |i: usize| (self.circle_cos[i] * cos + self.circle_sin[i] * sin) + free[i];
         Shaft { position: Complex::new(number(0), number(1)), velocity: Complex::new(number(2), number(3)) }
     }
 }

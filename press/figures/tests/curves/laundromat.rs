@@ -1,6 +1,7 @@
 //! The washing machine, held to formulas written out and to the library.
 
 use crate::{PIXELS, distance, path};
+use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{Machine, Parameters};
 use nalgebra::Complex;
 
@@ -90,6 +91,26 @@ fn one_mode_fills_its_ring_and_no_more() {
         // The radius swings with |Ω ± ω₁|: more often than the drum turns if the centre goes backwards, less often if forwards.
         let maxima = radii.windows(3).filter(|r| r[1] > r[0] && r[1] >= r[2] && r[1] > 1.25).count() as f64;
         assert!((maxima - swings).abs() < 1.0, "{name}: {maxima} swings for {swings}");
+    }
+}
+
+#[test]
+fn the_ramps_lie_on_an_integration_of_their_equation() {
+    for per_square in [0.1, 0.01, 0.001] {
+        let curve = path("ramp", &format!("ramp-{per_square}"));
+        // With ω₀ = b = 1 and Γ = 0.02: z̈ + Γż + z = (φ̇² − iφ̈) e^{iφ}, written out here.
+        let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {
+            let (spin, angle) = (per_square * t, Complex::new(0.0, 0.5 * per_square * t * t).exp());
+            let push = Complex::new(spin * spin, -per_square) * angle;
+            [vx, vy, push.re - x - 0.02 * vx, push.im - y - 0.02 * vy]
+        };
+        let times: Vec<f64> = (1..=400).map(|n| f64::from(n) * 2.49 / 400.0 / per_square).collect();
+        let (states, _) = Dop853::new(1e-10).unwrap().sample(rates, 0.0, [0.0; 4], &times).unwrap();
+        for (t, [x, y, ..]) in times.iter().zip(states) {
+            let spin = scale((0.0, 58.0), (2.5, 658.0), per_square * t);
+            let point = (spin, scale((0.0, 346.0), (30.0, 34.0), x.hypot(y)));
+            assert!(distance(&curve, point) < PIXELS, "{per_square} at {t}: {}", distance(&curve, point));
+        }
     }
 }
 
