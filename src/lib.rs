@@ -28,6 +28,7 @@ pub mod inertia;
 pub mod integrate;
 pub mod measure;
 pub mod scenes;
+pub mod sweep;
 
 mod branchless;
 mod frames;
