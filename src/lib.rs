@@ -11,6 +11,7 @@
 //! | The pinned hoop | [`scenes::pinned_hoop`], [`elliptic`] |
 //! | The rolling wheel | [`scenes::rolling_wheel`], [`conical`] |
 //! | The spinning coin | [`scenes::spinning_coin`] |
+//! | Methods | [`integrate`], [`geometric`] |
 //!
 //! Each module of [`scenes`] models one problem with the smallest state that it needs, in closed form where there is
 //! one. [`integrate`] holds the stepping methods and [`measure`] the one definition of error that tests, benchmarks and
@@ -23,6 +24,7 @@ pub mod conical;
 pub mod elliptic;
 pub mod euler;
 pub mod free_rotation;
+pub mod geometric;
 pub mod inertia;
 pub mod integrate;
 pub mod measure;
