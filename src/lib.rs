@@ -99,6 +99,12 @@ mod pages {
     mod spinning_coin_exercises {}
     #[doc = include_str!("../book/spinning-coin/solutions.md")]
     mod spinning_coin_solutions {}
+    #[doc = include_str!("../book/methods/index.md")]
+    mod methods {}
+    #[doc = include_str!("../book/methods/exercises.md")]
+    mod methods_exercises {}
+    #[doc = include_str!("../book/methods/solutions.md")]
+    mod methods_solutions {}
     #[doc = include_str!("../book/errata.md")]
     mod errata {}
     #[doc = include_str!("../book/ledger.md")]

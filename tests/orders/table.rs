@@ -77,3 +77,20 @@ fn the_documentation_shows_the_table() {
         assert_eq!(row[1..], cells(method), "{}", method.name);
     }
 }
+
+#[test]
+fn the_book_shows_the_table_with_the_orders_that_are_measured() {
+    let rows = rows(include_str!("../../book/methods/index.md"));
+    assert_eq!(rows.len(), METHODS.len());
+    for (row, method) in rows.iter().zip(&METHODS) {
+        assert_eq!(row[0], method.name);
+        assert_eq!(row[1..6], cells(method), "{}", method.name);
+        // Two digits behind the point, of which the last may differ where sines are rounded otherwise.
+        let (printed, found) = (row[6].parse::<f64>().expect("a number"), measured(method).slope);
+        assert!(
+            (printed - found).abs() < 0.015,
+            "{}: the page says {printed}, measured {found}",
+            method.name
+        );
+    }
+}
