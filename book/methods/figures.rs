@@ -198,7 +198,7 @@ fn order(id: &str) -> Outcome {
     let duration = 30.0;
     let exact = FreeTop::new(moments, start)?.at(duration)?;
     let step = Axis::log(1e-3, 10.0, 1)?.titled(r"step $h$, s");
-    let error = Axis::log(1e-15, 1.0, 3)?.titled("error after 30 s: attitude, rad");
+    let error = Axis::log(1e-15, 1.0, 3)?.titled("error of the attitude after 30 s, rad");
     let mut plot = Plot::new(&mut drawing, Rect::new(64.0, 34.0, 500.0, 340.0), step, error)?;
     for (method, name, hue, marker) in Fixed::ALL {
         let mut values = Vec::new();
