@@ -69,6 +69,9 @@ fn strang(start: Book, duration: f64, steps: u32) -> Book {
     })
 }
 
+/// The book after a duration, s, in so many steps.
+type Program = fn(Book, f64, u32) -> Book;
+
 /// The angle between two attitudes, rad, by the chord of their quaternions after norming; small angles only.
 fn attitude_error(a: Book, b: Book) -> f64 {
     let norm = |q: Book| q[..4].iter().map(|part| part * part).sum::<f64>().sqrt();
@@ -151,7 +154,7 @@ fn energy_and_attitude_begin_as_programs_written_twice_say() {
     let energies = Frame { place: [64.0, 34.0, 500.0, 300.0], x: Log(1.0, 1e4), y: Log(1e-10, 1.0) };
     let attitudes = Frame { y: Log(1e-8, 10.0), place: energies.place, x: energies.x };
     let part = round() / 5.0;
-    let run: [(&str, fn(Book, f64, u32) -> Book, u32); 2] = [("rk4", rk4, 24), ("strang", strang, 48)];
+    let run: [(&str, Program, u32); 2] = [("rk4", rk4, 24), ("strang", strang, 48)];
     for (name, method, steps) in run {
         let (mut book, mut exact) = (START, START);
         let mut worst = (0.0_f64, 0.0_f64);
