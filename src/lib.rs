@@ -11,6 +11,7 @@
 //! | The pinned hoop | [`scenes::pinned_hoop`], [`elliptic`] |
 //! | The rolling wheel | [`scenes::rolling_wheel`], [`conical`] |
 //! | The spinning coin | [`scenes::spinning_coin`] |
+//! | Methods | [`integrate`], [`geometric`] |
 //!
 //! Each module of [`scenes`] models one problem with the smallest state that it needs, in closed form where there is
 //! one. [`integrate`] holds the stepping methods and [`measure`] the one definition of error that tests, benchmarks and
@@ -24,6 +25,7 @@ pub mod elliptic;
 pub mod euler;
 pub mod faddeeva;
 pub mod free_rotation;
+pub mod geometric;
 pub mod inertia;
 pub mod integrate;
 pub mod measure;
@@ -103,6 +105,12 @@ mod pages {
     mod spinning_coin_exercises {}
     #[doc = include_str!("../book/spinning-coin/solutions.md")]
     mod spinning_coin_solutions {}
+    #[doc = include_str!("../book/methods/index.md")]
+    mod methods {}
+    #[doc = include_str!("../book/methods/exercises.md")]
+    mod methods_exercises {}
+    #[doc = include_str!("../book/methods/solutions.md")]
+    mod methods_solutions {}
     #[doc = include_str!("../book/errata.md")]
     mod errata {}
     #[doc = include_str!("../book/ledger.md")]

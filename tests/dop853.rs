@@ -252,3 +252,27 @@ fn too_much_work_says_how_far_it_got() {
     assert_eq!(evaluations, counter.evaluations());
     assert!((1000..1012).contains(&evaluations), "{evaluations}");
 }
+
+#[test]
+fn a_tenth_of_the_tolerance_shortens_the_steps_by_its_eighth_root() {
+    // On a circle every place is like every other: after the first few steps all are of one length, 0.9 of the longest
+    // that would meet the tolerance (eq:next-step).
+    let length = |tolerance: f64| {
+        let mut lengths = Vec::new();
+        let circle = |_: f64, &[x, v]: &[f64; 2]| [v, -x];
+        Dop853::new(tolerance)
+            .unwrap()
+            .solve_with(circle, 0.0, [1.0, 0.0], 2000.0, |step| {
+                lengths.push(step.end() - step.start());
+                ControlFlow::Continue(())
+            })
+            .unwrap();
+        lengths.pop(); // cut short by the end
+        lengths[50..].iter().sum::<f64>() / (lengths.len() - 50) as f64
+    };
+    for tolerance in [1e-7, 1e-8, 1e-9, 1e-10] {
+        let ratio = length(tolerance) / length(0.1 * tolerance);
+        println!("{tolerance:e}: {ratio}");
+        assert!((ratio - 10_f64.powf(0.125)).abs() < 0.05, "{ratio}");
+    }
+}

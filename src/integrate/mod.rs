@@ -7,13 +7,15 @@
 //! |---|---|
 //! | [`rk4`] | programs that show what goes wrong, and smooth problems where a fixed step will do |
 //! | [`Dop853`] | everything else: order eight, step control, dense output, events |
+//! | [`crate::geometric`] | rotations: methods that only ever turn |
 //!
-//! [`METHODS`] states their orders; `tests/orders.rs` measures them.
+//! [`METHODS`] states what each promises, [`methods`] has the table; `tests/orders` measures it.
 
 mod control;
 mod dop853;
 mod event;
 mod failure;
+pub mod methods;
 mod rk4;
 mod step;
 mod tableau;
@@ -22,6 +24,7 @@ mod taylor;
 pub use dop853::{Dop853, End, Work};
 pub use event::{Direction, Outcome};
 pub use failure::{Failure, InvalidTolerance};
+pub use methods::METHODS;
 pub use rk4::{rk4, rk4_step};
 pub use step::Step;
 pub use taylor::{Expand, Series, TAYLOR_ORDER, Taylor, TaylorStep};
@@ -32,25 +35,3 @@ pub use taylor::{Expand, Series, TAYLOR_ORDER, Taylor, TaylorStep};
 pub trait Rates<const N: usize>: FnMut(f64, &[f64; N]) -> [f64; N] {}
 
 impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Rates<N> for F {}
-
-/// What a method promises.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Method {
-    /// Its usual name.
-    pub name: &'static str,
-    /// The error at a fixed time shrinks as this power of the step.
-    pub order: u32,
-    /// The order of the dense output: its error within one step shrinks as this power of the step plus one, like that of a
-    /// step by a method of this order. `None` without dense output.
-    pub dense_order: Option<u32>,
-    /// Evaluations of the rates for one accepted step (without those of the dense output).
-    pub evaluations_per_step: u32,
-    /// Whether the step adapts to a tolerance.
-    pub adaptive: bool,
-}
-
-/// The stepping methods of this library. The order tests and the documentation read this table.
-pub const METHODS: [Method; 2] = [
-    Method { name: "RK4", order: 4, dense_order: None, evaluations_per_step: 4, adaptive: false },
-    Method { name: "DOP853", order: 8, dense_order: Some(7), evaluations_per_step: 12, adaptive: true },
-];

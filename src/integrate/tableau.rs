@@ -1,6 +1,6 @@
 //! Coefficients of DOP853: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.
 //! (1993), section II.10, rounded to `f64`. Row `i` of [`A`] belongs to stage `i + 1`; stages 14 to 16 serve
-//! the dense output only. `tests/orders.rs` checks the sums that make the method consistent, and its order.
+//! the dense output only. `tests/orders` checks the sums that make the method consistent, and its order.
 #![allow(clippy::excessive_precision, clippy::unreadable_literal)] // digits as they convert, not prose
 
 /// Nodes: stage `i + 1` is evaluated at `t + C[i] h`.

@@ -2,4 +2,5 @@
 
 mod free_tops;
 mod laundromat;
+mod methods;
 mod wobble_plate;

@@ -5,6 +5,7 @@
 mod constrained;
 mod free_tops;
 mod laundromat;
+mod methods;
 
 use figures::{Figure, all};
 use roxmltree::Document;

@@ -1,20 +1,10 @@
-//! Every stepping method has the order that [`METHODS`] promises, on nonlinear problems with exact solutions.
+//! RK4 and DOP853 on nonlinear problems with exact solutions: their orders, between the steps too, and their work.
 
-use mechanics::integrate::{Dop853, METHODS, Method, rk4};
-use mechanics::measure::{Counter, ObservedOrder, max_error, observed_order};
+use crate::{LOOSE, assert_order, method, observed};
+use mechanics::integrate::methods::Cost;
+use mechanics::integrate::{Dop853, rk4};
+use mechanics::measure::{Counter, max_error};
 use std::ops::ControlFlow;
-
-/// An observed slope may miss the order by this much: the error is a power of the step only in the limit of short steps.
-const SLACK: f64 = 0.35;
-
-/// Errors at or below this are rounding over some hundred steps on states of size one.
-const PLATEAU: f64 = 2e-14;
-
-/// Slopes from fewer points above rounding are no evidence.
-const ENOUGH: usize = 5;
-
-/// A tolerance that every step meets, so that the length limit alone sets the steps.
-const LOOSE: f64 = 1e12;
 
 /// A problem with an exact solution from another source.
 struct Problem<const N: usize> {
@@ -83,26 +73,6 @@ fn dop853_errors<const N: usize>(problem: &Problem<N>, steps: usize) -> (f64, f6
     (max_error(&[end.state], &[(problem.exact)(problem.end)]), between)
 }
 
-fn observed(steps: &[usize], error: impl Fn(usize) -> f64) -> ObservedOrder {
-    let pairs: Vec<(f64, f64)> = steps.iter().map(|&n| (1.0 / n as f64, error(n))).collect();
-    println!("{pairs:?}");
-    observed_order(&pairs, PLATEAU).expect("enough points above rounding")
-}
-
-fn assert_order(name: &str, found: ObservedOrder, promised: u32) {
-    println!("{name}: order {:.2} from {} points", found.slope, found.points);
-    assert!(found.points >= ENOUGH, "{name}: only {} points above rounding", found.points);
-    assert!(
-        (found.slope - f64::from(promised)).abs() < SLACK,
-        "{name}: order {} for {promised}",
-        found.slope
-    );
-}
-
-fn method(name: &str) -> Method {
-    *METHODS.iter().find(|method| method.name == name).expect("the method is in the table")
-}
-
 #[test]
 fn rk4_has_its_order() {
     let promised = method("RK4").order;
@@ -152,16 +122,20 @@ fn within_one_step_the_dense_output_has_its_own_order() {
 
 #[test]
 fn evaluations_of_a_step_are_as_the_table_says() {
+    let evaluations = |name| match method(name).cost {
+        Cost::Evaluations(count) => count as usize,
+        other => panic!("{name} is measured in {other}"),
+    };
     let rk4_counter = Counter::new();
     rk4(rk4_counter.count(ELLIPSE.rates), 0.0, (ELLIPSE.exact)(0.0), 1.0, 10).unwrap();
-    assert_eq!(rk4_counter.evaluations(), 10 * method("RK4").evaluations_per_step as usize);
+    assert_eq!(rk4_counter.evaluations(), 10 * evaluations("RK4"));
 
     // One evaluation at the start (the first step is given), then 12 a step: the last stage is the next step's first.
     let counter = Counter::new();
     let solver = Dop853::new(LOOSE).unwrap().with_first_step(0.125).with_max_step(0.125);
     let end = solver.solve(counter.count(ELLIPSE.rates), 0.0, (ELLIPSE.exact)(0.0), 1.0).unwrap();
     assert_eq!(end.work.accepted, 8);
-    assert_eq!(counter.evaluations(), 1 + 8 * method("DOP853").evaluations_per_step as usize);
+    assert_eq!(counter.evaluations(), 1 + 8 * evaluations("DOP853"));
     assert_eq!(end.work.evaluations, counter.evaluations());
 
     // Dense output costs three more on the steps that are looked into, and nothing on the others.
@@ -170,9 +144,4 @@ fn evaluations_of_a_step_are_as_the_table_says() {
         solver.sample(looked.count(ELLIPSE.rates), 0.0, (ELLIPSE.exact)(0.0), &[0.3, 0.31, 1.0]).unwrap();
     assert_eq!(looked.evaluations(), counter.evaluations() + 3);
     assert_eq!(work.evaluations, looked.evaluations());
-}
-
-#[test]
-fn every_method_of_the_table_is_tested_here() {
-    assert_eq!(METHODS.map(|method| method.name), ["RK4", "DOP853"]);
 }

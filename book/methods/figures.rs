@@ -1,0 +1,335 @@
+//! The figures of the chapter "Methods".
+
+use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use drawing::kit::Marker;
+use drawing::space::{Camera, Curve, Solid, Stage, View};
+use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use mechanics::attitude::rotation_between;
+use mechanics::euler::{self, Turning};
+use mechanics::free_rotation::FreeTop;
+use mechanics::geometric::{Splitting, commutator_free};
+use mechanics::inertia::{InvalidMoments, PrincipalMoments};
+use mechanics::integrate::{Dop853, rk4};
+use mechanics::scenes::pinned_hoop::{Pinning, Shape};
+use nalgebra::{UnitQuaternion, Vector3};
+use std::f64::consts::{PI, SQRT_2};
+use std::ops::ControlFlow;
+
+pub(crate) const FIGURES: &[Entry] = &[
+    Entry { id: "fig:method-polhodes", draw: polhodes },
+    Entry { id: "fig:method-amplitude", draw: amplitude },
+    Entry { id: "fig:method-order", draw: order },
+    Entry { id: "fig:method-steps", draw: steps },
+    Entry { id: "fig:method-energy", draw: energy },
+    Entry { id: "fig:method-attitude", draw: attitude },
+];
+
+/// A tolerance that every step meets, so that the length limit alone sets the steps of DOP853.
+const LOOSE: f64 = 1e12;
+
+/// The book of the chapter, and its motion.
+fn book() -> Result<(PrincipalMoments, Turning), InvalidMoments> {
+    let omega_body = Vector3::new(0.7, 0.9, 0.5);
+    let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
+    Ok((PrincipalMoments::new(1.0, 1.6, 2.1)?, start))
+}
+
+/// A method with a fixed step for the free book.
+#[derive(Clone, Copy, PartialEq)]
+enum Fixed {
+    Rk4,
+    Dop853,
+    CommutatorFree,
+    Split(Splitting),
+}
+
+impl Fixed {
+    const ALL: [(Self, &'static str, Hue, Marker); 5] = [
+        (Self::Rk4, "rk4", Hue::Orange, Marker::Disc),
+        (Self::Dop853, "dop853", Hue::Pink, Marker::Square),
+        (Self::CommutatorFree, "cf4", Hue::Purple, Marker::Triangle),
+        (Self::Split(Splitting::Strang), "strang", Hue::Green, Marker::Disc),
+        (Self::Split(Splitting::BlanesMoan), "blanes-moan", Hue::Blue, Marker::Square),
+    ];
+
+    /// Evaluations, or turns, of one step.
+    fn work(self) -> usize {
+        match self {
+            Self::Rk4 | Self::CommutatorFree => 4,
+            Self::Dop853 => 12,
+            Self::Split(splitting) => splitting.turns_per_step(),
+        }
+    }
+
+    /// The seven numbers after so many equal steps.
+    fn run(
+        self,
+        moments: &PrincipalMoments,
+        start: [f64; 7],
+        duration: f64,
+        steps: usize,
+    ) -> Result<[f64; 7], Cause> {
+        let free = || euler::turning_rates(*moments, |_, _| Vector3::zeros());
+        let turning = Turning::from_array(start);
+        Ok(match self {
+            Self::Rk4 => rk4(free(), 0.0, start, duration, steps)?,
+            Self::Dop853 => {
+                let h = duration / steps as f64;
+                let solver = Dop853::new(LOOSE)?.with_first_step(h).with_max_step(h);
+                solver.solve(free(), 0.0, start, duration)?.state
+            }
+            Self::CommutatorFree => {
+                let free = |_: f64, _: &Turning| Vector3::zeros();
+                commutator_free(moments, free, 0.0, turning, duration, steps)?.to_array()
+            }
+            Self::Split(splitting) => splitting.solve(moments, turning, duration, steps)?.to_array(),
+        })
+    }
+}
+
+/// The direction of the angular momentum, seen from the book, by Euler's method and by a splitting.
+fn polhodes(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 690.0, 330.0).titled(
+        "The direction of the angular momentum in the book, by Euler's method and by turns",
+        "Two spheres with the axes 1, 2 and 3 of the book. On the left a curve begins near axis 1 and spirals outwards until it meets the dashed separatrix, which passes through axis 2. \
+         On the right one closed curve about axis 1 that passes through the same starting point.",
+    );
+    let (moments, _) = book()?;
+    let start = Vector3::new(1.0, 0.12, 0.0);
+    let direction = |omega: &Vector3<f64>| moments.angular_momentum(omega).normalize();
+    let h = 0.1;
+    let mut omega = start;
+    let mut outwards = vec![direction(&omega)];
+    for _ in 1..=2000 {
+        omega += euler::rates(&moments, &omega, &Vector3::zeros()) * h;
+        outwards.push(direction(&omega));
+    }
+    let mut body = Turning { world_from_body: UnitQuaternion::identity(), omega_body: start };
+    let mut round = vec![direction(&start)];
+    for _ in 1..=500 {
+        body = Splitting::Strang.solve(&moments, body, 0.4, 1)?;
+        round.push(direction(&body.omega_body));
+    }
+    for (x, path, hue, name) in [
+        (175.0, outwards, Hue::Orange, "Euler’s method, 2000 steps"),
+        (510.0, round, Hue::Green, "Strang splitting, 500 steps"),
+    ] {
+        let mut stage = Stage::new(Camera::new(View {
+            target: [0.0; 3],
+            azimuth: 0.62,
+            elevation: 0.3,
+            distance: 9.0,
+            centre: at(x, 158.0),
+            scale: 104.0,
+        })?);
+        stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
+        // L² = 2T I₂ on the sphere: L₁² (1/I₁ − 1/I₂) = L₃² (1/I₂ − 1/I₃), two great circles through axis 2.
+        let [i1, i2, i3] = moments.to_array();
+        let tilt = ((1.0 / i1 - 1.0 / i2) / (1.0 / i2 - 1.0 / i3)).sqrt().atan();
+        for sign in [1.0, -1.0] {
+            let side = Vector3::new(tilt.cos(), 0.0, sign * tilt.sin());
+            let circle: Vec<Vector3<f64>> = linear_steps(0.0, 2.0 * PI, 240)
+                .map(|angle| Vector3::y() * angle.cos() + side * angle.sin())
+                .collect();
+            stage.curve(Curve::smooth(circle)?, Stroke::Reference, Hue::Muted)?;
+        }
+        stage.curve(Curve::smooth(path)?, Stroke::Orbit, hue)?;
+        for (axis, tip, name) in [
+            (Vector3::x(), 2.1, r"$\hat{\mathbf{1}}$"),
+            (Vector3::y(), 1.32, r"$\hat{\mathbf{2}}$"),
+            (Vector3::z(), 1.32, r"$\hat{\mathbf{3}}$"),
+        ] {
+            stage.named_vector(axis, axis * tip, name, Hue::Ink)?;
+        }
+        stage.write(&mut drawing);
+        drawing.label(at(x, 308.0), Side::Over, name, hue)?;
+    }
+    Ok(drawing)
+}
+
+/// By which factor one step changes the amplitude of an oscillator.
+fn amplitude(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
+        "Factor by which one step changes the amplitude of an oscillator",
+        "The factor from 0.4 to 1.6 against omega h from 0 to 7. Euler's method rises from one at once. RK4 stays near one up to 0.8, falls to one half at 2.6, and rises through one at \
+         2.83. DOP853 stays near one up to 4, falls to 0.7 at 5.5 and rises through one just before 6.",
+    );
+    let swing = |_: f64, &[x, v]: &[f64; 2]| [v, -x];
+    let product = Axis::linear(0.0, 7.0, 1.0)?.minor(0.2).titled(r"$z = \omega h$");
+    let factor = Axis::linear(0.4, 1.6, 0.2)?.minor(0.05).titled("factor of the amplitude in one step");
+    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 560.0, 262.0), product, factor)?;
+    plot.level(1.0, Stroke::Reference);
+    plot.upright(2.0 * SQRT_2, Stroke::Dotted);
+    let euler = linear_steps(0.0, 2.0, 200).map(|z| {
+        let [x, v] = swing(0.0, &[1.0, 0.0]);
+        (z, (1.0 + z * x).hypot(z * v))
+    });
+    plot.curve("euler", euler, Stroke::Curve, Hue::Green);
+    let by_rk4 = linear_steps(0.001, 3.6, 720)
+        .map(|z| {
+            let [x, v] = rk4(swing, 0.0, [1.0, 0.0], z, 1)?;
+            Ok((z, x.hypot(v)))
+        })
+        .collect::<Result<Vec<_>, Cause>>()?;
+    plot.curve("rk4", by_rk4, Stroke::Curve, Hue::Orange);
+    let by_dop853 = linear_steps(0.001, 7.0, 1400)
+        .map(|z| {
+            let solver = Dop853::new(LOOSE)?.with_first_step(z).with_max_step(z);
+            let [x, v] = solver.solve(swing, 0.0, [1.0, 0.0], z)?.state;
+            Ok((z, x.hypot(v)))
+        })
+        .collect::<Result<Vec<_>, Cause>>()?;
+    plot.curve("dop853", by_dop853, Stroke::Curve, Hue::Pink);
+    plot.label((1.02, 1.3), Side::Right, "Euler", Hue::Green)?;
+    plot.label((1.82, 0.72), Side::Left, "RK4", Hue::Orange)?;
+    plot.label((4.55, 0.85), Side::BelowLeft, "DOP853", Hue::Pink)?;
+    plot.label((2.0 * SQRT_2, 1.53), Side::Left, r"$2\sqrt{2}$", Hue::Muted)?;
+    Ok(drawing)
+}
+
+/// Error after a fixed time against the step.
+fn order(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 690.0, 430.0).titled(
+        "Error against step for five methods",
+        "Both scales are logarithmic: the step from 1e-3 to 3 seconds, and the error after 30 seconds from 1e-15 to 1. Strang's points lie on a line of slope two, RK4's, CF4's and Blanes and Moan's \
+         on parallel lines of slope four, the last hundreds of times below the others, and DOP853's on a steep line of slope eight. Below 1e-12 all end in a scattered plateau, which rises to the left.",
+    );
+    let (moments, start) = book()?;
+    let duration = 30.0;
+    let exact = FreeTop::new(moments, start)?.at(duration)?;
+    let step = Axis::log(1e-3, 10.0, 1)?.titled(r"step $h$, s");
+    let error = Axis::log(1e-15, 1.0, 3)?.titled("error of the attitude after 30 s, rad");
+    let mut plot = Plot::new(&mut drawing, Rect::new(64.0, 34.0, 500.0, 340.0), step, error)?;
+    for (method, name, hue, marker) in Fixed::ALL {
+        let mut values = Vec::new();
+        for steps in log_steps(10.0, 30_000.0, 24) {
+            let steps = steps.round();
+            let end = method.run(&moments, start.to_array(), duration, steps as usize)?;
+            let error =
+                rotation_between(&Turning::from_array(end).world_from_body, &exact.world_from_body);
+            values.push((duration / steps, error.max(1e-16)));
+        }
+        plot.series(name, &values, marker, hue);
+    }
+    plot.label((3.2, 0.3), Side::Right, "Strang", Hue::Green)?;
+    plot.label((3.2, 0.03), Side::Right, "RK4", Hue::Orange)?;
+    plot.label((3.2, 0.003), Side::Right, "CF4", Hue::Purple)?;
+    plot.label((3.2, 3e-4), Side::Right, "Blanes–Moan", Hue::Blue)?;
+    plot.label((3.2, 3e-5), Side::Right, "DOP853", Hue::Pink)?;
+    Ok(drawing)
+}
+
+/// The steps of DOP853 along the motion of a hoop that waits and flips.
+fn steps(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 690.0, 430.0).titled(
+        "The steps that DOP853 chooses for the hoop pinned at 89.9 degrees",
+        "Two panels against the time from 0 to 150. Above, the component of omega along the tangent: a third, then minus a third from 28 to 84, then a third again. Below, the length of the steps on a logarithmic \
+         scale from 0.3 to 10: about 1 during each flip, and up to eight times as long while the hoop waits.",
+    );
+    let hoop = Pinning::new(Shape::Hoop, 1.0, 1.0, 1.0, 89.9_f64.to_radians())?;
+    let top = hoop.free_motion()?;
+    let span = 150.0;
+    let time = || Axis::linear(0.0, span, 30.0).map(|axis| axis.minor(10.0));
+    let omega = Axis::linear(-0.4, 0.4, 0.4)?.minor(0.1).titled(r"$\omega_1$, in $\omega_0$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 560.0, 110.0), time()?.unlabelled(), omega)?;
+    plot.level(0.0, Stroke::Reference);
+    let values = linear_steps(0.0, span, 1500)
+        .map(|time| Ok((time, top.at(time)?.omega_body.x)))
+        .collect::<Result<Vec<_>, Cause>>()?;
+    plot.curve("tangent", values, Stroke::Curve, Hue::Blue);
+
+    let mut lengths = Vec::new();
+    let moments = hoop.moments_about_pin();
+    let rates = |_: f64, &[a, b, c]: &[f64; 3]| {
+        euler::rates(&moments, &Vector3::new(a, b, c), &Vector3::zeros()).into()
+    };
+    Dop853::new(1e-9)?.solve_with(rates, 0.0, hoop.omega_after().into(), span, |step| {
+        lengths.push((0.5 * (step.start() + step.end()), step.end() - step.start()));
+        ControlFlow::Continue(())
+    })?;
+    lengths.pop(); // cut short by the end
+    let length = Axis::log(0.1, 10.0, 1)?.titled(r"step, in $1/\omega_0$");
+    let time = time()?.titled(r"time, in $1/\omega_0$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 190.0, 560.0, 190.0), time, length)?;
+    plot.series("steps", &lengths, Marker::Disc, Hue::Pink);
+    plot.label((40.0, 0.2), Side::Right, "a marker for each step", Hue::Pink)?;
+    Ok(drawing)
+}
+
+/// Largest errors so far, against the time in rounds of the polhode.
+struct Errors {
+    energy: Vec<(f64, f64)>,
+    attitude: Vec<(f64, f64)>,
+}
+
+/// Work for one round of the polhode in the two figures below: evaluations, or turns.
+const WORK: usize = 480;
+
+/// How a method fares over so many rounds.
+fn errors(method: Fixed, rounds: usize) -> Result<Errors, Cause> {
+    let (moments, start) = book()?;
+    let top = FreeTop::new(moments, start)?;
+    let round = top.period().ok_or("the polhode closes")?;
+    let energy = moments.kinetic_energy(&start.omega_body);
+    let parts = 5; // looks a round
+    let steps = WORK / method.work() / parts;
+    let mut state = start.to_array();
+    let mut worst = (1e-17_f64, 1e-17_f64);
+    let mut found = Errors { energy: Vec::new(), attitude: Vec::new() };
+    for part in 1..=rounds * parts {
+        state = method.run(&moments, state, round / parts as f64, steps)?;
+        let body = Turning::from_array(state);
+        let time = part as f64 / parts as f64;
+        let exact = top.at(time * round)?.world_from_body;
+        worst.0 = worst.0.max((moments.kinetic_energy(&body.omega_body) / energy - 1.0).abs());
+        worst.1 = worst.1.max(rotation_between(&body.world_from_body, &exact));
+        if part % parts == 0 && found.energy.last().is_none_or(|last| time >= 1.12 * last.0) {
+            found.energy.push((time, worst.0));
+            found.attitude.push((time, worst.1));
+        }
+    }
+    Ok(found)
+}
+
+/// The four methods of the long run, with the place of each one's label in the two figures.
+const LONG_RUN: [(Fixed, &str, &str, Hue, [f64; 2]); 4] = [
+    (Fixed::Rk4, "rk4", "RK4", Hue::Orange, [6e-3, 6.0]),
+    (Fixed::Split(Splitting::Strang), "strang", "Strang", Hue::Green, [6e-5, 2.0]),
+    (Fixed::Dop853, "dop853", "DOP853", Hue::Pink, [7e-6, 0.45]),
+    (Fixed::Split(Splitting::BlanesMoan), "blanes-moan", "Blanes–Moan", Hue::Blue, [1.5e-7, 0.08]),
+];
+
+/// Energy error against time.
+fn energy(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 690.0, 390.0).titled(
+        "Energy errors of four methods over ten thousand rounds",
+        "Both scales are logarithmic: rounds of the polhode from 1 to 10000, and the largest relative error of the energy so far. RK4 and DOP853 rise along straight lines of slope one, \
+         those of the two splittings stay level.",
+    );
+    let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds of the polhode");
+    let error = Axis::log(1e-10, 1.0, 2)?.titled("largest relative error of the energy so far");
+    let mut plot = Plot::new(&mut drawing, Rect::new(64.0, 34.0, 500.0, 300.0), rounds, error)?;
+    for (method, name, label, hue, place) in LONG_RUN {
+        plot.curve(name, errors(method, 10_000)?.energy, Stroke::Curve, hue);
+        plot.label((1e4, place[0]), Side::Right, label, hue)?;
+    }
+    Ok(drawing)
+}
+
+/// Attitude error against time.
+fn attitude(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 690.0, 390.0).titled(
+        "Attitude errors of four methods over ten thousand rounds",
+        "Both scales are logarithmic: rounds of the polhode from 1 to 10000, and the largest error of the attitude so far, up to half a turn. RK4 and DOP853 rise with slope two, \
+         the two splittings with slope one; Strang's begins highest and ends beside them at half a turn, that of Blanes and Moan is the lowest in the end.",
+    );
+    let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds of the polhode");
+    let error = Axis::log(1e-8, 10.0, 1)?.titled("largest error of the attitude so far, rad");
+    let mut plot = Plot::new(&mut drawing, Rect::new(64.0, 34.0, 500.0, 300.0), rounds, error)?;
+    plot.level(PI, Stroke::Reference);
+    for (method, name, label, hue, place) in LONG_RUN {
+        plot.curve(name, errors(method, 10_000)?.attitude, Stroke::Curve, hue);
+        plot.label((1e4, place[1]), Side::Right, label, hue)?;
+    }
+    Ok(drawing)
+}

@@ -1,0 +1,121 @@
+//! The one table of stepping methods: what each promises.
+//!
+//! | method | order | dense | a step costs | adaptive | keeps, of a free body |
+//! |---|---|---|---|---|---|
+//! | RK4 ([`super::rk4`]) | 4 | – | 4 evaluations | no | nothing |
+//! | DOP853 ([`super::Dop853`]) | 8 | 7 | 12 evaluations | yes | nothing |
+//! | CF4 ([`crate::geometric::commutator_free`]) | 4 | – | 4 evaluations | no | unit length |
+//! | Strang ([`crate::geometric::Splitting::Strang`]) | 2 | – | 2 turns | no | unit length, angular momentum, volume, way back |
+//! | Blanes–Moan ([`crate::geometric::Splitting::BlanesMoan`]) | 4 | – | 12 turns | no | unit length, angular momentum, volume, way back |
+//!
+//! `tests/orders` measures every entry of [`METHODS`] and holds it equal to this table and to that of the book; a method that is
+//! added here needs a row in both and a line in the test that says how it is run.
+
+use Kept::{AngularMomentum, UnitLength, Volume, WayBack};
+use std::fmt;
+
+/// What a method promises.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Method {
+    /// Its usual name.
+    pub name: &'static str,
+    /// The error at a fixed time shrinks as this power of the step.
+    pub order: u32,
+    /// The order of the dense output: its error within one step shrinks as this power of the step plus one, like that of a
+    /// step by a method of this order. `None` without dense output.
+    pub dense_order: Option<u32>,
+    /// What one accepted step costs (without the dense output, and in a long row of steps).
+    pub cost: Cost,
+    /// Whether the step adapts to a tolerance.
+    pub adaptive: bool,
+    /// What it keeps to rounding, at any step, when it turns a free body.
+    pub keeps: &'static [Kept],
+}
+
+/// The work of one step, in the unit of its method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Cost {
+    /// Evaluations of the rates.
+    Evaluations(u32),
+    /// Exact turns about an axis of the body.
+    Turns(u32),
+}
+
+/// What the exact motion of a free body has and a method may keep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Kept {
+    /// The length one of the quaternion.
+    UnitLength,
+    /// The angular momentum in the room.
+    AngularMomentum,
+    /// The volume of a set of angular velocities that are stepped together.
+    Volume,
+    /// The way back: as many steps backwards lead to the start.
+    WayBack,
+}
+
+impl fmt::Display for Cost {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Evaluations(count) => write!(out, "{count} evaluations"),
+            Self::Turns(count) => write!(out, "{count} turns"),
+        }
+    }
+}
+
+impl fmt::Display for Kept {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.write_str(match self {
+            Self::UnitLength => "unit length",
+            Self::AngularMomentum => "angular momentum",
+            Self::Volume => "volume",
+            Self::WayBack => "way back",
+        })
+    }
+}
+
+/// The stepping methods of this library. The order tests and the documentation read this table.
+pub const METHODS: [Method; 5] = [
+    Method {
+        name: "RK4",
+        order: 4,
+        dense_order: None,
+        cost: Cost::Evaluations(4),
+        adaptive: false,
+        keeps: &[],
+    },
+    Method {
+        name: "DOP853",
+        order: 8,
+        dense_order: Some(7),
+        cost: Cost::Evaluations(12),
+        adaptive: true,
+        keeps: &[],
+    },
+    Method {
+        name: "CF4",
+        order: 4,
+        dense_order: None,
+        cost: Cost::Evaluations(4),
+        adaptive: false,
+        keeps: &[UnitLength],
+    },
+    Method {
+        name: "Strang",
+        order: 2,
+        dense_order: None,
+        cost: Cost::Turns(2),
+        adaptive: false,
+        keeps: &[UnitLength, AngularMomentum, Volume, WayBack],
+    },
+    Method {
+        name: "Blanes–Moan",
+        order: 4,
+        dense_order: None,
+        cost: Cost::Turns(12),
+        adaptive: false,
+        keeps: &[UnitLength, AngularMomentum, Volume, WayBack],
+    },
+];
