@@ -5,6 +5,7 @@
 
 use crate::attitude::quaternion_rate;
 use crate::inertia::PrincipalMoments;
+use crate::integrate::{Expand, Series, TAYLOR_ORDER};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The angular acceleration along the body's axes, rad/s², under a torque about the centre of mass (or about a fixed
@@ -108,5 +109,46 @@ pub fn turning_rates(
         let turn = quaternion_rate(&quaternion, &omega_body);
         let spin = rates(&moments, &omega_body, &torque);
         [turn.w, turn.i, turn.j, turn.k, spin.x, spin.y, spin.z]
+    }
+}
+
+/// The Taylor series of a free body's attitude and angular velocity, the seven numbers of [`Turning`], for
+/// [`crate::integrate::Taylor`]: the rates of [`turning_rates`] without torque, coefficient by coefficient.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeSeries {
+    couplings: [f64; 3], // (I₂ − I₃)/I₁ and so on
+}
+
+impl FreeSeries {
+    /// For a body with these moments.
+    pub fn new(moments: &PrincipalMoments) -> Self {
+        let [i1, i2, i3] = moments.to_array();
+        Self { couplings: [(i2 - i3) / i1, (i3 - i1) / i2, (i1 - i2) / i3] }
+    }
+}
+
+impl Expand<7> for FreeSeries {
+    fn expand(&self, series: &mut Series<7>) {
+        for n in 0..TAYLOR_ORDER {
+            // The coefficients of the products ω₂ω₃, ω₃ω₁, ω₁ω₂ and of q (0, ω).
+            let (mut spins, mut turns) = ([0.0; 3], [0.0; 4]);
+            for j in 0..=n {
+                let [w, i, k, l, ..] = series[j];
+                let [_, _, _, _, a1, a2, a3] = series[j];
+                let [_, _, _, _, w1, w2, w3] = series[n - j];
+                spins[0] += a2 * w3;
+                spins[1] += a3 * w1;
+                spins[2] += a1 * w2;
+                turns[0] -= i * w1 + k * w2 + l * w3;
+                turns[1] += w * w1 + k * w3 - l * w2;
+                turns[2] += w * w2 + l * w1 - i * w3;
+                turns[3] += w * w3 + i * w2 - k * w1;
+            }
+            let over = 1.0 / (n + 1) as f64;
+            let [c1, c2, c3] = self.couplings;
+            let [t0, t1, t2, t3] = turns.map(|turn| 0.5 * over * turn);
+            series[n + 1] =
+                [t0, t1, t2, t3, over * c1 * spins[0], over * c2 * spins[1], over * c3 * spins[2]];
+        }
     }
 }

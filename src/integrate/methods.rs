@@ -4,6 +4,7 @@
 //! |---|---|---|---|---|---|
 //! | RK4 ([`super::rk4`]) | 4 | – | 4 evaluations | no | nothing |
 //! | DOP853 ([`super::Dop853`]) | 8 | 7 | 12 evaluations | yes | nothing |
+//! | Taylor ([`super::Taylor`]) | 16 | 16 | 1 series | yes | nothing |
 //! | CF4 ([`crate::geometric::commutator_free`]) | 4 | – | 4 evaluations | no | unit length |
 //! | Strang ([`crate::geometric::Splitting::Strang`]) | 2 | – | 2 turns | no | unit length, angular momentum, volume, way back |
 //! | Blanes–Moan ([`crate::geometric::Splitting::BlanesMoan`]) | 4 | – | 12 turns | no | unit length, angular momentum, volume, way back |
@@ -11,6 +12,7 @@
 //! `tests/orders` measures every entry of [`METHODS`] and holds it equal to this table and to that of the book; a method that is
 //! added here needs a row in both and a line in the test that says how it is run.
 
+use super::TAYLOR_ORDER;
 use Kept::{AngularMomentum, UnitLength, Volume, WayBack};
 use std::fmt;
 
@@ -38,6 +40,8 @@ pub struct Method {
 pub enum Cost {
     /// Evaluations of the rates.
     Evaluations(u32),
+    /// Taylor series of the motion, up to the order of the method.
+    Series(u32),
     /// Exact turns about an axis of the body.
     Turns(u32),
 }
@@ -60,6 +64,7 @@ impl fmt::Display for Cost {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Evaluations(count) => write!(out, "{count} evaluations"),
+            Self::Series(count) => write!(out, "{count} series"),
             Self::Turns(count) => write!(out, "{count} turns"),
         }
     }
@@ -77,7 +82,7 @@ impl fmt::Display for Kept {
 }
 
 /// The stepping methods of this library. The order tests and the documentation read this table.
-pub const METHODS: [Method; 5] = [
+pub const METHODS: [Method; 6] = [
     Method {
         name: "RK4",
         order: 4,
@@ -91,6 +96,14 @@ pub const METHODS: [Method; 5] = [
         order: 8,
         dense_order: Some(7),
         cost: Cost::Evaluations(12),
+        adaptive: true,
+        keeps: &[],
+    },
+    Method {
+        name: "Taylor",
+        order: TAYLOR_ORDER as u32,
+        dense_order: Some(TAYLOR_ORDER as u32),
+        cost: Cost::Series(1),
         adaptive: true,
         keeps: &[],
     },

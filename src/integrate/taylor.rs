@@ -49,6 +49,7 @@ pub trait Expand<const N: usize> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Taylor {
     tolerance: f64,
+    max_step: f64,
     max_expansions: usize,
 }
 
@@ -74,7 +75,13 @@ impl Taylor {
         if tolerance < SMALLEST_TOLERANCE {
             return Err(InvalidTolerance::BelowRounding { value: tolerance });
         }
-        Ok(Self { tolerance, max_expansions: DEFAULT_EXPANSIONS })
+        Ok(Self { tolerance, max_step: f64::INFINITY, max_expansions: DEFAULT_EXPANSIONS })
+    }
+
+    /// The same with no step longer than `length`; a length that is zero or NaN sets no limit.
+    pub fn with_max_step(self, length: f64) -> Self {
+        let max_step = if length.abs() > 0.0 { length.abs() } else { f64::INFINITY };
+        Self { max_step, ..self }
     }
 
     /// The same with a limit on the number of series (ten million unless set).
@@ -168,7 +175,11 @@ impl Taylor {
         let before = size(&series[TAYLOR_ORDER - 1]) / self.tolerance;
         let by_last = last.sqrt().sqrt().sqrt().sqrt();
         let by_before = before.powf(1.0 / (TAYLOR_ORDER - 1) as f64);
-        if last.is_nan() || before.is_nan() { f64::NAN } else { by_last.max(by_before).recip() }
+        if last.is_nan() || before.is_nan() {
+            f64::NAN
+        } else {
+            by_last.max(by_before).recip().min(self.max_step)
+        }
     }
 }
 

@@ -5,11 +5,11 @@ mod keeps;
 mod runge_kutta;
 mod table;
 
-use mechanics::euler::{self, Turning};
+use mechanics::euler::{self, FreeSeries, Turning};
 use mechanics::geometric::{Splitting, commutator_free};
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::methods::Method;
-use mechanics::integrate::{Dop853, METHODS, rk4};
+use mechanics::integrate::{Dop853, METHODS, Taylor, rk4};
 use mechanics::measure::{ObservedOrder, observed_order};
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -72,6 +72,14 @@ fn run(name: &str) -> (Run, [usize; 8]) {
                 solver.solve(free(), 0.0, start.to_array(), duration).unwrap().state
             },
             [40, 48, 58, 70, 84, 100, 120, 144],
+        ),
+        "Taylor" => (
+            |start, duration, steps| {
+                let solver = Taylor::new(LOOSE).unwrap().with_max_step(duration / steps as f64);
+                let body = FreeSeries::new(&brick().0);
+                solver.solve(&body, 0.0, start.to_array(), duration).unwrap().state
+            },
+            [24, 27, 30, 33, 37, 41, 46, 51],
         ),
         "CF4" => (
             |start, duration, steps| {
