@@ -18,11 +18,25 @@ const WHOLE: f64 = 6_755_399_441_055_744.0; // 1.5 · 2^52
 /// Numbers below this in size can be rounded so.
 pub(crate) const ROUNDABLE: f64 = 1_125_899_906_842_624.0; // 2^50
 
+/// Runs a loop compiled for the widest registers that the processor has. The answer is the same on all of them, to the last bit: nothing
+/// is fused or reordered.
+#[inline(always)]
+pub(crate) fn at_full_width<R>(work: impl FnOnce() -> R) -> R {
+    pulp::Arch::new().dispatch(work)
+}
+
 /// The nearest whole number, and its last bits. For numbers below [`ROUNDABLE`] in size.
 #[inline(always)]
 pub(crate) fn nearest(x: f64) -> (f64, u64) {
     let shifted = x + WHOLE;
     (shifted - WHOLE, shifted.to_bits())
+}
+
+/// A polynomial, its constant first.
+#[inline(always)]
+fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
+    let [start @ .., last] = coefficients.as_slice() else { return 0.0 };
+    start.iter().rev().fold(*last, |sum, coefficient| sum * x + coefficient)
 }
 
 /// Sine and cosine of `high + low` quarter turns, to about a unit in the last place of one. For `high` below [`ROUNDABLE`] in
@@ -32,12 +46,9 @@ pub(crate) fn sin_cos_quarters(high: f64, low: f64) -> (f64, f64) {
     let (whole, quadrant) = nearest(high);
     let x = ((high - whole) + low) * FRAC_PI_2;
     let square = x * x;
-    let sine = SINE.iter().rev().fold(0.0, |sum, term| sum * square + term);
-    let sine = x + x * square * sine;
-    let cosine = COSINE.iter().rev().fold(0.0, |sum, term| sum * square + term);
-    let half = 0.5 * square;
-    let rest = 1.0 - half;
-    let cosine = rest + (((1.0 - rest) - half) + square * square * cosine);
+    let fourth = square * square;
+    let sine = x + x * square * polynomial(&SINE, square);
+    let cosine = (1.0 - 0.5 * square) + fourth * polynomial(&COSINE, square);
     // An odd quarter exchanges the two; two quarters change both signs.
     let exchange = (quadrant & 1).wrapping_neg();
     let sine_sign = (quadrant & 2) << 62;
@@ -55,7 +66,7 @@ pub(crate) fn exp(x: f64) -> f64 {
     let (high, low) = (x - whole * LN_2_HIGH, whole * LN_2_LOW);
     let r = high - low;
     let square = r * r;
-    let c = r - square * EXPONENTIAL.iter().rev().fold(0.0, |sum, term| sum * square + term);
+    let c = r - square * polynomial(&EXPONENTIAL, square);
     let value = 1.0 - ((low - r * c / (2.0 - c)) - high);
     f64::from_bits(value.to_bits().wrapping_add(bits << 52))
 }
@@ -120,7 +131,9 @@ impl Clock {
     /// The angle at a time, high and low part.
     #[inline(always)]
     pub(crate) fn at(&self, time: f64) -> (f64, f64) {
-        (self.quarters_per_time * time).parts()
+        let (high, low) = self.quarters_per_time.parts();
+        let (product, rest) = TwoPart::product(high, time).parts();
+        (product, rest + low * time)
     }
 }
 

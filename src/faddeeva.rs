@@ -47,7 +47,7 @@ pub fn faddeeva(z: Complex<f64>) -> Complex<f64> {
 
 /// w of many numbers in the upper half-plane, up to 1e70 in size. The loops have no branch and do several numbers in one
 /// instruction.
-#[inline]
+#[inline(always)]
 pub(crate) fn upper_half<const N: usize>([z_re, y]: &Parts<N>) -> Parts<N> {
     // In the first quadrant; w of the mirror image in the imaginary axis is the conjugate.
     let x: [f64; N] = std::array::from_fn(|n| z_re[n].abs());
@@ -60,7 +60,7 @@ pub(crate) fn upper_half<const N: usize>([z_re, y]: &Parts<N>) -> Parts<N> {
 }
 
 /// The midpoint rule alone.
-#[inline]
+#[inline(always)]
 fn far<const N: usize>(x: &[f64; N], y: &[f64; N]) -> Parts<N> {
     let mut sums = [[0.0; N]; 2];
     let (square, twice) = squares(x, y);
@@ -76,7 +76,7 @@ fn far<const N: usize>(x: &[f64; N], y: &[f64; N]) -> Parts<N> {
 }
 
 /// The rule whose nodes are away from the pole, and the pole's residue.
-#[inline]
+#[inline(always)]
 fn near<const N: usize>(x: &[f64; N], y: &[f64; N]) -> Parts<N> {
     let mut whole = [0.0; N]; // 1 for nodes at whole multiples of the spacing, 0 for those between
     for n in 0..N {

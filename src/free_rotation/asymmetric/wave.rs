@@ -5,7 +5,7 @@
 //! found without the angle: a complex number Z has the same direction as the square of `|Z| + Z`.
 
 use super::BLOCK;
-use crate::branchless::{Clock, ROUNDABLE, exp, nearest, sin_cos_quarters};
+use crate::branchless::{Clock, ROUNDABLE, at_full_width, exp, nearest, sin_cos_quarters};
 use crate::two_part::TwoPart;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
@@ -53,9 +53,33 @@ pub(super) struct Wave {
 #[expect(clippy::large_enum_variant, reason = "a handful of motions, each used for thousands of frames")]
 enum Side {
     /// k² ≤ ½: circular functions of v = πu/2K, the nome of K'/K, polynomials in cos 2v.
-    Slow { sn: Cubic, cn: Cubic, dn: Cubic, below: Cubic, re: Cubic, im: Cubic },
+    Slow(Slow),
     /// k² > ½: hyperbolic functions of w = πu/2K', the nome of K/K'.
     Fast(Fast),
+}
+
+/// Polynomials in cos 2v.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Slow {
+    sn: Cubic,
+    cn: Cubic,
+    dn: Cubic,
+    below: Cubic,
+    re: Cubic,
+    im: Cubic,
+}
+
+/// What a side's theta functions are at one argument.
+struct Values {
+    jacobi: [f64; 3], // cn, sn, dn
+    theta: [f64; 2],  // real and imaginary part, up to a positive factor
+    flip: u64,        // the sign bit that cn and sn still have to take
+    drift: f64,       // the angle that grows with u, in quarter turns of its half
+}
+
+/// The theta functions of one side, without a branch.
+trait Theta {
+    fn at(&self, argument: f64, argument_low: f64) -> Values;
 }
 
 /// Polynomials in E = e^{−2w} and F = q' e^{2w}, both at most one.
@@ -93,7 +117,7 @@ impl Wave {
         let (side, argument, first_argument) = if constants.parameter <= 0.5 {
             // v in quarter turns is u/K.
             let rate = TwoPart::from(2.0 * scale) / half_period;
-            (Side::slow(constants), rate, first_argument / quarter)
+            (Side::Slow(Slow::new(constants)), rate, first_argument / quarter)
         } else if quarter.is_finite() {
             let rate = TwoPart::from(scale) / half_period;
             (Side::Fast(Fast::new(constants)), rate, 0.5 * first_argument / quarter)
@@ -130,34 +154,43 @@ impl Wave {
             if high.abs() < ROUNDABLE { (high, low) } else { (high % 4.0, low % 4.0) }
         };
         let argument = if comes_back { near(argument) } else { argument };
-        self.frame(argument, near(half_turn))
+        match &self.side {
+            Side::Slow(slow) => self.frame(slow, argument, near(half_turn)),
+            Side::Fast(fast) => self.frame(fast, argument, near(half_turn)),
+        }
     }
 
     /// [`Wave::at`] for up to [`BLOCK`] times within reach, one list for each number.
     pub(super) fn fill(&self, times: &[f64], block: &mut [[f64; BLOCK]; 7]) {
         let mut padded = [0.0; BLOCK];
         padded[..times.len()].copy_from_slice(times);
+        at_full_width(
+            #[inline(always)]
+            || match &self.side {
+                Side::Slow(slow) => self.fill_with(slow, &padded, block),
+                Side::Fast(fast) => self.fill_with(fast, &padded, block),
+            },
+        );
+    }
+
+    #[inline(always)]
+    fn fill_with(&self, theta: &impl Theta, times: &[f64; BLOCK], block: &mut [[f64; BLOCK]; 7]) {
         let [i, j, k, w, wa, wb, wc] = block;
         for n in 0..BLOCK {
-            let time = padded[n];
-            [i[n], j[n], k[n], w[n], wa[n], wb[n], wc[n]] =
-                self.frame(self.argument.at(time), self.half_turn.at(time));
+            let (argument, half_turn) = (self.argument.at(times[n]), self.half_turn.at(times[n]));
+            [i[n], j[n], k[n], w[n], wa[n], wb[n], wc[n]] = self.frame(theta, argument, half_turn);
         }
     }
 
     #[inline(always)]
-    fn frame(&self, (high, low): (f64, f64), (turn_high, turn_low): (f64, f64)) -> [f64; 7] {
+    fn frame(
+        &self,
+        theta: &impl Theta,
+        (high, low): (f64, f64),
+        (turn_high, turn_low): (f64, f64),
+    ) -> [f64; 7] {
         let (argument, argument_low) = (TwoPart::sum(high, self.first_argument) + low).parts();
-        let ([cn, sn, dn], [re, im], flip, drift) = match &self.side {
-            Side::Slow { sn, cn, dn, below, re, im } => {
-                let (sin, cos) = sin_cos_quarters(argument, argument_low);
-                let x = 1.0 - 2.0 * sin * sin;
-                let over = 1.0 / cubic(below, x);
-                let values = [cos * cubic(cn, x) * over, sin * cubic(sn, x) * over, cubic(dn, x) * over];
-                (values, [cos * cubic(re, x), sin * cubic(im, x)], 0, 0.0)
-            }
-            Side::Fast(fast) => fast.at(argument, argument_low),
-        };
+        let Values { jacobi: [cn, sn, dn], theta: [re, im], flip, drift } = theta.at(argument, argument_low);
         // Z, the number whose direction is the angle beyond the steady turn, and |Z| + Z, without a difference.
         let (x, y) = (re * cn + im * self.tilt * sn, im * cn - re * self.tilt * sn);
         let sum = (x * x + y * y).sqrt() + x.abs();
@@ -177,8 +210,8 @@ impl Wave {
     }
 }
 
-impl Side {
-    fn slow(constants: &Constants) -> Self {
+impl Slow {
+    fn new(constants: &Constants) -> Self {
         let quarter = constants.quarter.rounded();
         let nome = (-PI * constants.other_quarter / quarter).exp();
         let power = |n: usize| nome.powi(n as i32);
@@ -195,7 +228,7 @@ impl Side {
                 if weight == 0.0 { 0.0 } else { weight * function((2 * j + 1) as f64 * hyper) }
             })
         };
-        Self::Slow {
+        Self {
             sn: times(theta_1, at_3 / at_2),
             cn: times(theta_2, at_4 / at_2),
             dn: times(theta_3, at_4 / at_3),
@@ -241,9 +274,30 @@ impl Fast {
             scales: [2.0 * at_2 / at_4, at_3 / at_4, 2.0 * at_2 / at_3],
         }
     }
+}
 
+impl Theta for Slow {
     #[inline(always)]
-    fn at(&self, high: f64, low: f64) -> ([f64; 3], [f64; 2], u64, f64) {
+    fn at(&self, argument: f64, argument_low: f64) -> Values {
+        let (sin, cos) = sin_cos_quarters(argument, argument_low);
+        let x = 1.0 - 2.0 * sin * sin;
+        let over = 1.0 / cubic(&self.below, x);
+        Values {
+            jacobi: [
+                cos * cubic(&self.cn, x) * over,
+                sin * cubic(&self.sn, x) * over,
+                cubic(&self.dn, x) * over,
+            ],
+            theta: [cos * cubic(&self.re, x), sin * cubic(&self.im, x)],
+            flip: 0,
+            drift: 0.0,
+        }
+    }
+}
+
+impl Theta for Fast {
+    #[inline(always)]
+    fn at(&self, high: f64, low: f64) -> Values {
         let (whole, bits) = nearest(high);
         let rest = (high - self.wraps * whole) + low;
         let flip = if self.wraps == 0.0 { 0 } else { bits << 63 };
@@ -255,14 +309,14 @@ impl Fast {
         let even = |parts: &Parts| 1.0 + (up * cubic(&parts.up, up) + down * cubic(&parts.down, down));
         let over = 1.0 / odd(&self.even);
         let [cn, sn, dn] = self.scales;
-        let values = [
+        let jacobi = [
             cn * falling * over * even(&self.fourth),
             (sn * over * odd(&self.odd)).copysign(rest),
             dn * falling * over * even(&self.third),
         ];
         let im = odd(&self.im);
         let im = f64::from_bits(im.to_bits() ^ (rest.to_bits() & (1 << 63)));
-        (values, [odd(&self.re), im], flip, self.drift * rest)
+        Values { jacobi, theta: [odd(&self.re), im], flip, drift: self.drift * rest }
     }
 }
 

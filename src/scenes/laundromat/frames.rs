@@ -3,7 +3,7 @@
 use super::oscillator::{Oscillator, Roots};
 use super::shaft::Shaft;
 use super::transient::{Form, Transient};
-use crate::branchless::{Clock, exp, sin_cos_quarters};
+use crate::branchless::{Clock, at_full_width, exp, sin_cos_quarters};
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 
@@ -100,9 +100,14 @@ impl Frames {
             if !times.iter().all(|time| time.abs() <= self.reach) {
                 break;
             }
-            for (&time, frame) in times.iter().zip(frames) {
-                *frame = self.at(time);
-            }
+            at_full_width(
+                #[inline(always)]
+                || {
+                    for (&time, frame) in times.iter().zip(frames) {
+                        *frame = self.at(time);
+                    }
+                },
+            );
             done += times.len();
         }
         done

@@ -96,7 +96,7 @@ impl Drum {
     }
 
     /// x, y, ẋ, ẏ at several times: −b (g + Σ …) of `eq:ramp-motion`.
-    #[inline]
+    #[inline(always)]
     pub(super) fn driven<const N: usize>(&self, roots: &[Root; 2], times: &[f64; N]) -> [[f64; N]; 4] {
         let (mut g_cos, mut g_sin) = ([0.0; N], [0.0; N]);
         let mut sum = [[0.0; N]; 4];

@@ -7,6 +7,7 @@ use super::frames::{BLOCK, Swing};
 use super::machine::Machine;
 use super::oscillator::{InvalidTime, Oscillator, check_time};
 use super::shaft::{InvalidStart, Shaft};
+use crate::branchless::at_full_width;
 use crate::frames::{InvalidFrames, fill};
 use crate::quantity::{InvalidQuantity, Rule};
 use drum::{Drum, Forced};
@@ -149,7 +150,10 @@ impl Ramp {
             }
             let mut padded = [0.0; BLOCK];
             padded[..times.len()].copy_from_slice(times);
-            let forced = self.drum.driven(roots, &padded);
+            let forced = at_full_width(
+                #[inline(always)]
+                || self.drum.driven(roots, &padded),
+            );
             for (n, frame) in frames.iter_mut().enumerate() {
                 let free = swing.at(times[n]);
                 let [x, y, vx, vy] = std::array::from_fn(|i| forced[i][n] + free[i]);

@@ -60,7 +60,7 @@ impl Root {
     }
 
     /// Adds c P and cλ P for this root, c = ±λ²/(λ₁ − λ₂), to x, y, ẋ, ẏ.
-    #[inline]
+    #[inline(always)]
     pub(super) fn add<const N: usize>(
         &self,
         times: &[f64; N],
