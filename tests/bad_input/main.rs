@@ -2,4 +2,5 @@
 
 mod free_tops;
 mod laundromat;
+mod spinning_coin;
 mod wobble_plate;

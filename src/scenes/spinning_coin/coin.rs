@@ -1,7 +1,4 @@
-//! A coin that spins down on a table, its centre at rest. Chapter "The spinning coin".
-//!
-//! The steady rolling of a wheel with b = 0. The coin's tilt from lying flat, `α = π/2 − θ`, is the variable, because
-//! everything interesting happens as it goes to zero: `1 − sin θ` has no digits left at α = 1e-8, `2 sin²(α/2)` has all.
+//! The coin at one tilt.
 
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -19,12 +16,12 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpinningCoin {
-    radius: f64,
-    factor: f64,
-    gravity: f64,
+    pub(super) radius: f64,
+    pub(super) factor: f64,
+    pub(super) gravity: f64,
     tilt: f64,
-    sin: f64, // of the tilt, the cosine of the lean
-    cos: f64,
+    pub(super) sin: f64, // of the tilt, the cosine of the lean
+    pub(super) cos: f64,
     turn_rate: f64,
 }
 
@@ -45,6 +42,11 @@ impl SpinningCoin {
         let (sin, cos) = tilt.sin_cos();
         let turn_rate = (2.0 * gravity / (factor * radius * sin)).sqrt(); // eq:coin-rate
         Ok(Self { radius, factor, gravity, tilt, sin, cos, turn_rate })
+    }
+
+    /// The tilt α from lying flat, rad.
+    pub fn tilt(&self) -> f64 {
+        self.tilt
     }
 
     /// The rate Ω at which the point of contact goes round, rad/s (`eq:coin-rate`).
