@@ -30,6 +30,7 @@ chapters! {
     pinned_hoop in "pinned-hoop": "../../../book/pinned-hoop/figures.rs";
     rolling_wheel in "rolling-wheel": "../../../book/rolling-wheel/figures.rs";
     spinning_coin in "spinning-coin": "../../../book/spinning-coin/figures.rs";
+    hard_cases in "hard-cases": "../../../book/hard-cases/figures.rs";
 }
 
 pub use axis::Axis;
