@@ -47,6 +47,21 @@ fn closed_form_is_exact_down_to_a_billionth_from_the_separatrix() {
 }
 
 #[test]
+fn thousandth_flip_is_known_as_well_as_the_time() {
+    for row in rows("separatrix").iter().step_by(3) {
+        let top = FreeTop::new(moments(), start(row)).unwrap();
+        let [tangent, diameter, _] = numbers(&row["omega_start"]);
+        let w = f64::hypot(tangent, diameter);
+        // In the midst of a flip, where ω₁ changes most, at W²/√2, and all else is at its extreme.
+        let time = 1000.25 * number(&row["period"]);
+        let omega = top.at(time).unwrap().omega_body;
+        let error = (omega - Vector3::new(0.0, -w, -tangent / 2_f64.sqrt())).norm();
+        let by_time = w * w / 2_f64.sqrt() * f64::EPSILON * time; // rounding of the period, a thousand times, and of the product
+        assert!(error < by_time + SOME_ULPS, "{error:e}, {by_time:e}");
+    }
+}
+
+#[test]
 fn stepped_motion_past_the_separatrix_loses_two_digits_a_decade_at_any_tolerance() {
     // Rows in threes: a quarter, a half and five quarters of the period. At five quarters the hoop is in the middle of its third
     // flip, after two visits to the middle axis.

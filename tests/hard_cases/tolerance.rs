@@ -75,6 +75,7 @@ fn heavy_damping_costs_steps_in_proportion_whatever_the_tolerance() {
         // Twelve evaluations a step, and no step longer than 6.4/Γ.
         let step = 12.0 * 100.0 * damping / fine;
         assert!((5.5..6.8).contains(&step), "Γ = {damping}: steps of {step}/Γ");
+        assert!(damping < 999.0 || (fine - 190e3).abs() < 5e3, "{fine}");
         work.push((damping, 1.0 / fine));
     }
     assert_slope("work against damping", &work, -1.0, 0.03);

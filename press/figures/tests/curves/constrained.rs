@@ -4,7 +4,12 @@ use crate::Range::{Linear, Log};
 use crate::{Frame, lies_on};
 
 /// One Runge-Kutta step.
-fn step<const N: usize>(rates: impl Fn(f64, [f64; N]) -> [f64; N], t: f64, y: [f64; N], h: f64) -> [f64; N] {
+pub(crate) fn step<const N: usize>(
+    rates: impl Fn(f64, [f64; N]) -> [f64; N],
+    t: f64,
+    y: [f64; N],
+    h: f64,
+) -> [f64; N] {
     let along = |k: [f64; N], h: f64| std::array::from_fn(|n| y[n] + h * k[n]);
     let k1 = rates(t, y);
     let k2 = rates(t + 0.5 * h, along(k1, 0.5 * h));
