@@ -3,7 +3,7 @@
 use crate::{FEW_ULPS, assert_slope, machine, number, relative, rows};
 use mechanics::integrate::{Dop853, Failure, Work, rk4};
 use mechanics::scenes::laundromat::{Machine, Shaft};
-use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
+use mechanics::scenes::rolling_wheel::{NoWobble, Rolling, Wheel};
 use nalgebra::Complex;
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -215,4 +215,28 @@ fn rates_by_the_tilt_are_those_by_the_lean() {
             }
         }
     }
+}
+
+#[test]
+fn wobble_refuses_a_wheel_that_comes_too_near_to_flat() {
+    let of = |across: f64| drops().find(|drop| drop.across == across).unwrap();
+    let wobble = |drop: &Drop| {
+        let start = Rolling {
+            lean: FRAC_PI_2 - drop.tilt,
+            lean_rate: 0.0,
+            across: drop.across,
+            along: 0.0,
+            heading: 0.0,
+            spin: 0.0,
+            centre: [0.0; 2],
+        };
+        drop.wheel.wobble(start, 1e-12).map(|wobble| (wobble.period(), wobble.heading_advance()))
+    };
+    let near = of(1e-4);
+    let (period, advance) = wobble(&near).unwrap();
+    assert!(
+        relative(period, near.time) < 1e-9 && relative(advance, near.advance) < 1e-9,
+        "{period}, {advance}"
+    );
+    assert!(matches!(wobble(&of(1e-9)), Err(NoWobble::Integration(_))));
 }
