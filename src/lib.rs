@@ -12,6 +12,7 @@
 //! | The rolling wheel | [`scenes::rolling_wheel`], [`conical`] |
 //! | The spinning coin | [`scenes::spinning_coin`] |
 //! | Methods | [`integrate`], [`geometric`] |
+//! | Hard cases | all of them, where digits get lost |
 //!
 //! Each module of [`scenes`] models one problem with the smallest state that it needs, in closed form where there is
 //! one. [`integrate`] holds the stepping methods and [`measure`] the one definition of error that tests, benchmarks and
@@ -111,6 +112,12 @@ mod pages {
     mod methods_exercises {}
     #[doc = include_str!("../book/methods/solutions.md")]
     mod methods_solutions {}
+    #[doc = include_str!("../book/hard-cases/index.md")]
+    mod hard_cases {}
+    #[doc = include_str!("../book/hard-cases/exercises.md")]
+    mod hard_cases_exercises {}
+    #[doc = include_str!("../book/hard-cases/solutions.md")]
+    mod hard_cases_solutions {}
     #[doc = include_str!("../book/errata.md")]
     mod errata {}
     #[doc = include_str!("../book/ledger.md")]

@@ -3,4 +3,5 @@
 mod free_tops;
 mod laundromat;
 mod methods;
+mod spinning_coin;
 mod wobble_plate;

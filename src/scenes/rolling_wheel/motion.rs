@@ -49,7 +49,7 @@ impl Wheel {
     /// The rates of the eight numbers of [`Rolling`], for [`crate::integrate::Dop853`] (`eq:lean-acceleration`,
     /// `eq:spin-rates`, `eq:rolling-path`).
     ///
-    /// Infinite or NaN for a flat wheel.
+    /// Infinite or NaN for a flat wheel; for one that is almost flat see [`Wheel::rates_by_tilt`].
     pub fn rates(&self, _time: f64, state: &[f64; 8]) -> [f64; 8] {
         let &[lean, lean_rate, q, n, heading, ..] = state;
         let (sin, cos) = lean.sin_cos();

@@ -29,6 +29,9 @@ pub struct Wobble {
 impl Wheel {
     /// Integrates one wobble of the motion from `start`, to `tolerance` a step ([`Dop853`]).
     ///
+    /// By the lean: a wheel that comes nearer to flat than about a millionth of a radian gets lost in its rounding and is refused after
+    /// much work; step such a one by [`Wheel::rates_by_tilt`].
+    ///
     /// # Errors
     /// [`NoWobble`] if the lean does not swing (a steady motion, or one that falls flat), the tolerance cannot be met, or the
     /// integration fails.

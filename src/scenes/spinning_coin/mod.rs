@@ -2,122 +2,14 @@
 //!
 //! The steady rolling of a wheel with b = 0. The coin's tilt from lying flat, `α = π/2 − θ`, is the variable, because
 //! everything interesting happens as it goes to zero: `1 − sin θ` has no digits left at α = 1e-8, `2 sin²(α/2)` has all.
+//!
+//! [`SpinningCoin`] is the coin at one tilt, [`SpinDown`] how it gets from one tilt to the next while it loses energy slowly, and
+//! [`EulersDisk`] how it does so on a film of air, whatever the speed.
 
-use crate::quantity::{InvalidQuantity, Rule};
+mod coin;
 mod film;
+mod spin_down;
 
+pub use coin::SpinningCoin;
 pub use film::{EulersDisk, NoSinking, Sinking};
-
-use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_PI_2, TAU};
-
-/// A coin, disc or hoop that rolls on its edge round a circle about its own centre.
-///
-/// ```
-/// use mechanics::scenes::spinning_coin::SpinningCoin;
-/// // A heavy steel disc of 37.5 mm, almost flat.
-/// let disc = SpinningCoin::new(0.0375, 0.5, 9.81, 0.05)?;
-/// assert!(disc.turn_rate() > 140.0); // its contact runs round 23 times a second,
-/// assert!(disc.figure_rate() < 0.2); // and its face turns once in half a minute.
-/// # Ok::<(), mechanics::InvalidQuantity>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpinningCoin {
-    radius: f64,
-    factor: f64,
-    gravity: f64,
-    tilt: f64,
-    sin: f64, // of the tilt, the cosine of the lean
-    cos: f64,
-    turn_rate: f64,
-}
-
-impl SpinningCoin {
-    /// A coin of `radius`, m, with the moments `k m a²` about its axis and half of it about a diameter (k = ½ for a disc, 1
-    /// for a hoop), under `gravity`, m/s², tilted by `tilt`, rad, from lying flat, more than zero and less than π/2.
-    ///
-    /// # Errors
-    /// [`InvalidQuantity`] if a number breaks its rule.
-    pub fn new(radius: f64, factor: f64, gravity: f64, tilt: f64) -> Result<Self, InvalidQuantity> {
-        InvalidQuantity::check_positive("radius", radius, "m")?;
-        InvalidQuantity::check_positive("moment factor k", factor, "")?;
-        InvalidQuantity::require(factor <= 1.0, "moment factor k", factor, "", Rule::AtMost(1.0))?;
-        InvalidQuantity::check_positive("gravity", gravity, "m/s²")?;
-        InvalidQuantity::check_positive("tilt from lying flat", tilt, "rad")?;
-        let rule = Rule::LessThan(FRAC_PI_2);
-        InvalidQuantity::require(tilt < FRAC_PI_2, "tilt from lying flat", tilt, "rad", rule)?;
-        let (sin, cos) = tilt.sin_cos();
-        let turn_rate = (2.0 * gravity / (factor * radius * sin)).sqrt(); // eq:coin-rate
-        Ok(Self { radius, factor, gravity, tilt, sin, cos, turn_rate })
-    }
-
-    /// The rate Ω at which the point of contact goes round, rad/s (`eq:coin-rate`).
-    pub fn turn_rate(&self) -> f64 {
-        self.turn_rate
-    }
-
-    /// The spin about the coin's axis relative to the frame that goes round, `Ω cos α`, rad/s (`eq:coin-spin`).
-    pub fn relative_spin(&self) -> f64 {
-        self.turn_rate * self.cos
-    }
-
-    /// The rate at which the figure on the face is seen to turn, `Ω(1 − cos α)`, rad/s (`eq:figure-rate`). To rounding at any
-    /// tilt.
-    pub fn figure_rate(&self) -> f64 {
-        2.0 * self.turn_rate * (0.5 * self.tilt).sin().powi(2)
-    }
-
-    /// The vertical component of the angular velocity at any instant, `Ω sin² α`, rad/s (`eq:instant-rate`). Twice the
-    /// figure's rate when the coin is almost flat.
-    pub fn vertical_rate(&self) -> f64 {
-        self.turn_rate * self.sin * self.sin
-    }
-
-    /// The whole angular velocity along axes 1, 2, 3: `Ω sin α` along 2, from the contact to the centre, rad/s
-    /// (`eq:coin-spin`).
-    pub fn omega(&self) -> Vector3<f64> {
-        Vector3::new(0.0, self.turn_rate * self.sin, 0.0)
-    }
-
-    /// The angular momentum about the centre, per mass, m²/s, along axes 1, 2, 3 (`eq:coin-momentum`).
-    pub fn momentum_over_mass(&self) -> Vector3<f64> {
-        self.omega() * (0.5 * self.factor * self.radius * self.radius)
-    }
-
-    /// The energy over the mass, m²/s², with the table as zero: `3/2 g a sin α` (`eq:coin-energy`).
-    pub fn energy_over_mass(&self) -> f64 {
-        1.5 * self.gravity * self.radius * self.sin
-    }
-
-    /// How fast the point of contact moves, m/s: `aΩ cos α` (`eq:contact-run`). It is a place, and no part of the coin.
-    pub fn contact_speed(&self) -> f64 {
-        self.radius * self.turn_rate * self.cos
-    }
-
-    /// The angular frequency of small wobbles about the steady motion, rad/s; real at every tilt (`eq:coin-nutation`).
-    pub fn wobble_rate(&self) -> f64 {
-        let square = self.sin * self.sin + 1.5 * self.factor * self.cos * self.cos;
-        self.turn_rate * (square / (1.0 + 0.5 * self.factor)).sqrt()
-    }
-
-    /// The attitude after `turns` turns of the contact, room from body, where at the start axis 1 lies along x and the coin's
-    /// upward normal leans towards −y (`eq:coin-attitude`).
-    pub fn attitude(&self, turns: f64) -> UnitQuaternion<f64> {
-        let round = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), TAU * turns);
-        let lean = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), self.tilt);
-        // About the upward normal the coin turns backwards, by the relative spin.
-        let spun = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -TAU * turns * self.cos);
-        round * lean * spun
-    }
-
-    /// The tilt, rad, at which the contact of such a coin runs with the speed `sound`, m/s (`eq:mach-tilt`).
-    ///
-    /// # Errors
-    /// [`InvalidQuantity`] unless the speed is positive.
-    pub fn tilt_for_contact_speed(&self, sound: f64) -> Result<f64, InvalidQuantity> {
-        InvalidQuantity::check_positive("speed", sound, "m/s")?;
-        // 2ga/k · cos²α/sin α = c²: a quadratic in sin α, solved without a difference.
-        let s = self.factor * sound * sound / (2.0 * self.gravity * self.radius);
-        Ok((2.0 / (s + (s * s + 4.0).sqrt())).asin())
-    }
-}
+pub use spin_down::{InvalidSpinDown, Loss, SpinDown};

@@ -4,6 +4,7 @@
 
 mod constrained;
 mod free_tops;
+mod hard_cases;
 mod laundromat;
 mod methods;
 

@@ -1,0 +1,203 @@
+//! How a spinning coin goes down: a loss of energy that depends on the tilt, and the end at a definite time.
+//!
+//! The coin is taken to pass through its steady motions one after the other, which holds as long as it sinks little within one
+//! round. Then the balance of energy is a law for the tilt alone, and it can be solved.
+
+use super::coin::SpinningCoin;
+use crate::quantity::{InvalidQuantity, Rule, Shown};
+use std::error::Error;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt;
+
+/// The largest power of the tilt in a loss; the laws that have been proposed have powers up to two.
+const LARGEST_EXPONENT: f64 = 10.0;
+
+/// The power that a spinning coin loses, `C/sinᵖ α` (`eq:coin-loss`).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Loss {
+    coefficient: f64,
+    exponent: f64,
+}
+
+impl Loss {
+    /// A loss with the coefficient C, W, and the exponent p, from 0 to 10.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if a number breaks its rule.
+    pub fn new(coefficient: f64, exponent: f64) -> Result<Self, InvalidQuantity> {
+        InvalidQuantity::check_positive("coefficient of the loss", coefficient, "W")?;
+        InvalidQuantity::check_not_negative("exponent of the loss", exponent, "")?;
+        let rule = Rule::AtMost(LARGEST_EXPONENT);
+        InvalidQuantity::require(exponent <= LARGEST_EXPONENT, "exponent of the loss", exponent, "", rule)?;
+        Ok(Self { coefficient, exponent })
+    }
+
+    /// The loss to a layer of air of the given viscosity, Pa s, between coin and table: `C = π μ g a²` and p = 2
+    /// (`eq:film-loss`; Moffatt, *Nature* **404** (2000) 833).
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if the viscosity is not positive.
+    pub fn air_film(coin: &SpinningCoin, viscosity: f64) -> Result<Self, InvalidQuantity> {
+        InvalidQuantity::check_positive("viscosity", viscosity, "Pa s")?;
+        Self::new(PI * viscosity * coin.gravity * coin.radius * coin.radius, 2.0)
+    }
+
+    /// The power lost at a tilt, W.
+    fn power(&self, sin: f64) -> f64 {
+        self.coefficient / sin.powf(self.exponent)
+    }
+}
+
+/// A coin on its way down, from a start to the moment t₀ when, by this law, it lies flat (`eq:spin-down`).
+///
+/// ```
+/// use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
+/// // A steel disc of 0.4 kg, with the air under it as the only brake.
+/// let start = SpinningCoin::new(0.0375, 0.5, 9.81, 0.1)?;
+/// let spin_down = SpinDown::new(start, 0.4, Loss::air_film(&start, 1.78e-5)?)?;
+/// assert!((spin_down.life() - 95.0).abs() < 1.0); // seconds
+/// // Whenever the time that is left is divided by eight, the tilt is halved.
+/// let [early, late] = [8e-20, 1e-20].map(|left| spin_down.with_time_left(left).map(|coin| coin.tilt()));
+/// assert!((early? / late? - 2.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpinDown {
+    start: SpinningCoin,
+    loss: Loss,
+    weight: f64, // 3/2 m g a, the energy over the sine of the tilt, J
+    life: f64,
+}
+
+impl SpinDown {
+    /// A coin of mass, kg, that starts at its tilt at time zero and loses energy by this law.
+    ///
+    /// # Errors
+    /// [`InvalidSpinDown`] if the mass is not positive, or the life is of a size that cannot be computed with.
+    pub fn new(start: SpinningCoin, mass: f64, loss: Loss) -> Result<Self, InvalidSpinDown> {
+        InvalidQuantity::check_positive("mass", mass, "kg")?;
+        let weight = 1.5 * mass * start.gravity * start.radius; // eq:coin-energy
+        let life = weight * start.sin / loss.power(start.sin) / (loss.exponent + 1.0); // eq:spin-down
+        InvalidQuantity::check_positive("life of the coin", life, "s")?;
+        Ok(Self { start, loss, weight, life })
+    }
+
+    /// The coin at time zero.
+    pub fn start(&self) -> SpinningCoin {
+        self.start
+    }
+
+    /// The time t₀ from the start to the end, s (`eq:spin-down`).
+    pub fn life(&self) -> f64 {
+        self.life
+    }
+
+    /// The coin at `time`, s, from zero to t₀ (`eq:spin-down`).
+    ///
+    /// A time is rounded, and so is t₀: as the end comes near, their difference has fewer and fewer digits, and the tilt too. From
+    /// [`SpinDown::with_time_left`] it has all of them.
+    ///
+    /// # Errors
+    /// [`InvalidSpinDown::Over`] from t₀ on; [`InvalidSpinDown::Quantity`] if the time is negative or not finite.
+    pub fn at(&self, time: f64) -> Result<SpinningCoin, InvalidSpinDown> {
+        InvalidQuantity::require(time >= 0.0 || time.is_nan(), "time", time, "s", Rule::NotNegative)?;
+        InvalidQuantity::require_finite("time", time, "s")?;
+        if time >= self.life {
+            return Err(InvalidSpinDown::Over { time, life: self.life });
+        }
+        self.coin((self.life - time) / self.life, (-time / self.life).ln_1p())
+    }
+
+    /// The coin when so much time, s, is left (`eq:spin-down`): to a few units in the last place, however little it is.
+    ///
+    /// # Errors
+    /// [`InvalidSpinDown::Over`] if no time is left; [`InvalidSpinDown::Quantity`] if it is more than t₀, or so little that the tilt
+    /// is below 1e-50.
+    pub fn with_time_left(&self, left: f64) -> Result<SpinningCoin, InvalidSpinDown> {
+        InvalidQuantity::require_finite("time left", left, "s")?;
+        InvalidQuantity::require(left <= self.life, "time left", left, "s", Rule::AtMost(self.life))?;
+        if left <= 0.0 {
+            return Err(InvalidSpinDown::Over { time: self.life - left, life: self.life });
+        }
+        let part = left / self.life;
+        self.coin(part, part.ln())
+    }
+
+    /// The coin when a part of its life is left, given with its logarithm.
+    fn coin(&self, part: f64, logarithm: f64) -> Result<SpinningCoin, InvalidSpinDown> {
+        let SpinningCoin { radius, factor, gravity, sin: sin_start, cos: cos_start, .. } = self.start;
+        let order = self.loss.exponent + 1.0;
+        let power = 1.0 / order;
+        // The rounding of the power counts as often as the part of the life has e-foldings: put it back.
+        let rest = (-power).mul_add(order, 1.0) / order;
+        let sin = sin_start * part.powf(power) * (1.0 + rest * logarithm); // eq:spin-down
+        // cos² α = cos² α₀ + (sin² α₀ − sin² α), a sum of positive numbers: an upright start loses no digits.
+        let gained = -(2.0 * power * logarithm).exp_m1();
+        let cos = cos_start.hypot(sin_start * gained.sqrt());
+        Ok(SpinningCoin::new(radius, factor, gravity, sin.atan2(cos))?)
+    }
+
+    /// The time, s, that is left when the coin has this tilt, rad: to a few units in the last place at any tilt, up to π/2.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] unless the tilt is positive and less than π/2.
+    pub fn time_left(&self, tilt: f64) -> Result<f64, InvalidQuantity> {
+        let sin = checked(tilt)?.sin();
+        Ok(self.weight * sin / self.loss.power(sin) / (self.loss.exponent + 1.0))
+    }
+
+    /// The time, s, from the start to this tilt, rad; negative for a tilt above that of the start. Without loss however near the
+    /// start.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] unless the tilt is positive and less than π/2.
+    pub fn time_to(&self, tilt: f64) -> Result<f64, InvalidQuantity> {
+        let start = self.start.tilt();
+        let difference = 2.0 * (0.5 * (checked(tilt)? + start)).cos() * (0.5 * (tilt - start)).sin();
+        let logarithm = (difference / self.start.sin).ln_1p(); // of the ratio of the sines
+        Ok(-self.life * ((self.loss.exponent + 1.0) * logarithm).exp_m1())
+    }
+}
+
+fn checked(tilt: f64) -> Result<f64, InvalidQuantity> {
+    InvalidQuantity::check_positive("tilt from lying flat", tilt, "rad")?;
+    let rule = Rule::LessThan(FRAC_PI_2);
+    InvalidQuantity::require(tilt < FRAC_PI_2, "tilt from lying flat", tilt, "rad", rule)
+}
+
+/// Why there is no such coin on its way down.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum InvalidSpinDown {
+    /// A number breaks a rule.
+    Quantity(InvalidQuantity),
+    /// The coin lies flat by then.
+    Over {
+        /// The time that was asked for, s.
+        time: f64,
+        /// The time at which the law ends, s.
+        life: f64,
+    },
+}
+
+impl From<InvalidQuantity> for InvalidSpinDown {
+    fn from(error: InvalidQuantity) -> Self {
+        Self::Quantity(error)
+    }
+}
+
+impl fmt::Display for InvalidSpinDown {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Quantity(error) => error.fmt(out),
+            Self::Over { time, life } => write!(
+                out,
+                "time {} s is too late: by this law the coin lies flat after {} s, and there is no motion beyond",
+                Shown(time),
+                Shown(life)
+            ),
+        }
+    }
+}
+
+impl Error for InvalidSpinDown {}

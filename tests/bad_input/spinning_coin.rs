@@ -1,0 +1,62 @@
+//! Coins that spin down.
+
+use mechanics::scenes::spinning_coin::{InvalidSpinDown, Loss, SpinDown, SpinningCoin};
+use std::fmt;
+
+fn message<T: fmt::Debug>(result: Result<T, impl fmt::Display>) -> String {
+    result.map(|value| format!("{value:?} was taken")).map_err(|error| error.to_string()).unwrap_err()
+}
+
+fn coin() -> SpinningCoin {
+    SpinningCoin::new(0.0375, 0.5, 9.81, 0.1).unwrap()
+}
+
+#[test]
+fn a_loss_is_positive_and_its_exponent_from_zero_to_ten() {
+    assert_eq!(
+        message(Loss::new(0.0, 2.0)),
+        "coefficient of the loss 0 W is not positive; it must be more than zero"
+    );
+    assert_eq!(
+        message(Loss::new(1.0, -0.5)),
+        "exponent of the loss -0.5 is negative; it must be zero or more"
+    );
+    assert_eq!(
+        message(Loss::new(1.0, 10.5)),
+        "exponent of the loss 10.5 is too large; it must be at most 10"
+    );
+    assert_eq!(message(Loss::new(1.0, f64::NAN)), "exponent of the loss NaN is not a finite number");
+    assert_eq!(
+        message(Loss::air_film(&coin(), -1.0)),
+        "viscosity -1 Pa s is not positive; it must be more than zero"
+    );
+}
+
+#[test]
+fn a_coin_that_spins_down_has_mass_time_and_tilt() {
+    let loss = Loss::air_film(&coin(), 1.78e-5).unwrap();
+    assert_eq!(
+        message(SpinDown::new(coin(), 0.0, loss)),
+        "mass 0 kg is not positive; it must be more than zero"
+    );
+    let tiny = SpinningCoin::new(0.0375, 0.5, 9.81, 1e-40).unwrap();
+    assert!(
+        message(SpinDown::new(tiny, 0.4, Loss::new(1.0, 10.0).unwrap())).starts_with("life of the coin 0 s")
+    );
+    let spin_down = SpinDown::new(coin(), 0.4, loss).unwrap();
+    assert_eq!(message(spin_down.at(-1.0)), "time -1 s is negative; it must be zero or more");
+    assert_eq!(message(spin_down.at(f64::NAN)), "time NaN s is not a finite number");
+    assert_eq!(message(spin_down.at(f64::INFINITY)), "time inf s is not a finite number");
+    assert!(
+        message(spin_down.at(100.0))
+            .starts_with("time 100 s is too late: by this law the coin lies flat after 94.89")
+    );
+    assert!(message(spin_down.with_time_left(100.0)).starts_with("time left 100 s is too large"));
+    assert_eq!(message(spin_down.with_time_left(f64::NAN)), "time left NaN s is not a finite number");
+    assert!(matches!(spin_down.with_time_left(-1.0), Err(InvalidSpinDown::Over { .. })));
+    assert!(message(spin_down.with_time_left(1e-200)).contains("is outside the range"));
+    for tilt in [0.0, -0.1, 1.6, f64::NAN] {
+        assert!(message(spin_down.time_left(tilt)).starts_with("tilt from lying flat"));
+        assert!(message(spin_down.time_to(tilt)).starts_with("tilt from lying flat"));
+    }
+}

@@ -1,0 +1,147 @@
+//! Differences of nearly equal numbers: the flat coin, high spin, the separatrix's parameter, heavy and critical damping.
+
+use crate::{FEW_ULPS, ROUNDOFF, assert_slope, machine, number, numbers, relative, rows};
+use mechanics::elliptic::quarter_period;
+use mechanics::euler::Turning;
+use mechanics::free_rotation::FreeTop;
+use mechanics::inertia::PrincipalMoments;
+use mechanics::scenes::laundromat::Shaft;
+use mechanics::scenes::spinning_coin::SpinningCoin;
+use nalgebra::{Complex, UnitQuaternion};
+use std::f64::consts::FRAC_PI_2;
+
+#[test]
+fn figure_of_a_flat_coin_keeps_its_digits_and_one_minus_the_sine_loses_two_a_decade() {
+    let mut errors = Vec::new();
+    for row in rows("flat") {
+        let tilt = number(&row["tilt"]);
+        let coin = SpinningCoin::new(0.0375, 0.5, 9.81, tilt).unwrap();
+        let exact = number(&row["figure"]);
+        assert!(relative(coin.figure_rate(), exact) < FEW_ULPS, "α = {tilt:e}");
+        assert!(relative(coin.turn_rate(), number(&row["turn"])) < FEW_ULPS, "α = {tilt:e}");
+        assert!(relative(coin.vertical_rate(), number(&row["vertical"])) < FEW_ULPS, "α = {tilt:e}");
+        let naive = coin.turn_rate() * (1.0 - (FRAC_PI_2 - tilt).sin());
+        let error = relative(naive, exact);
+        // The sine is rounded by u/2, just below one, and the angle, whose error it sees α-fold, by 2u.
+        let bound = ROUNDOFF / tilt.powi(2) + 4.0 * ROUNDOFF / tilt;
+        assert!(error < bound && (error > 0.02 * bound || error == 1.0), "α = {tilt:e}: {error:e}");
+        if tilt <= 1.001e-8 {
+            assert_eq!(naive, 0.0, "at {tilt:e} the naive figure stands still");
+            // All that the rounded sine can tell is that the rate lies between zero and this.
+            let most = coin.turn_rate() * ROUNDOFF;
+            assert!(exact < most && (tilt < 9e-9 || relative(most, 3.6e-11) < 0.01), "{most:e}");
+        }
+        errors.push((tilt, error));
+    }
+    assert_slope("flat coin", &errors, -2.0, 0.2);
+}
+
+#[test]
+fn centre_of_mass_at_high_spin_keeps_its_digits_and_the_law_of_cosines_loses_two_a_decade() {
+    let mut errors = Vec::new();
+    for row in rows("spins") {
+        let spin = number(&row["spin"]);
+        let machine = machine(0.3, spin);
+        let steady = machine.steady().unwrap();
+        let exact = number(&row["centre_of_mass"]);
+        assert!(relative(steady.centre_of_mass_radius(), exact) < FEW_ULPS, "Ω = {spin:e}");
+        assert!(relative(steady.radius(), number(&row["radius"])) < FEW_ULPS, "Ω = {spin:e}");
+        // And on the way, two seconds after the shaft was let go at O.
+        let way = Complex::new(number(&row["w_x"]), number(&row["w_y"]));
+        let ours = machine.transient(Shaft::AT_REST).unwrap().centre_of_mass(2.0).unwrap();
+        assert!((ours - way).norm() < FEW_ULPS * way.norm(), "Ω = {spin:e}: {ours} for {way}");
+
+        let (r, cosine) = (steady.radius(), steady.phase().cos());
+        let square = r * r + 1.0 + 2.0 * r * cosine; // b = 1
+        let error = relative(square.max(0.0).sqrt(), exact);
+        // A few roundings of numbers of size b², over twice the small square, (Γ/Ω)².
+        let scale = ROUNDOFF * (spin / 0.3).powi(2);
+        assert!(error < 4.0 * scale + FEW_ULPS || spin > 1e7, "Ω = {spin:e}: {error:e}, scale {scale:e}");
+        if spin > 1.5e7 {
+            assert_eq!(error, 1.0, "Ω = {spin:e}: no digit should be left, and the root is {square:e}");
+        }
+        if spin > 2.0 && spin < 5e6 {
+            errors.push((spin, error));
+        }
+    }
+    assert_slope("high spin", &errors, 2.0, 0.25);
+}
+
+#[test]
+fn period_near_the_separatrix_keeps_its_digits_and_the_parameter_loses_two_a_decade() {
+    let moments = PrincipalMoments::new(1.5, 0.5, 2.0).unwrap();
+    let mut errors = Vec::new();
+    for row in rows("separatrix").iter().step_by(3) {
+        let omega: [f64; 3] = numbers(&row["omega_start"]);
+        let exact = number(&row["period"]);
+        let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body: omega.into() };
+        let ours = FreeTop::new(moments, start).unwrap().period().unwrap();
+        assert!(relative(ours, exact) < FEW_ULPS, "ω₂ = {:e}: {ours}", omega[1]);
+
+        let complement = number(&row["complement"]);
+        let parameter = omega[0].powi(2) / (omega[0].powi(2) + omega[1].powi(2)); // m = cos² α
+        let naive = ours * quarter_period(1.0 - parameter) / quarter_period(complement);
+        let error = relative(naive, exact);
+        let modulus = complement.sqrt();
+        assert!(error < ROUNDOFF / complement || modulus < 2e-8, "k' = {modulus:e}: {error:e}");
+        if modulus < 5e-9 {
+            assert!(error.is_infinite(), "k' = {modulus:e}: 1 − m should be zero");
+        } else if modulus > 5e-8 {
+            errors.push((modulus, error));
+        }
+    }
+    assert_slope("parameter", &errors, -2.0, 0.3);
+}
+
+#[test]
+fn slow_decay_keeps_its_digits_and_the_difference_of_the_roots_loses_two_a_decade() {
+    let mut errors = Vec::new();
+    for row in rows("heavy") {
+        let (damping, t) = (number(&row["damping"]), number(&row["t"]));
+        let released =
+            machine(damping, 0.0).transient(Shaft { position: 1.0.into(), ..Shaft::AT_REST }).unwrap();
+        let now = released.at(t).unwrap();
+        assert!(relative(now.position.re, number(&row["x"])) < FEW_ULPS, "Γ = {damping:e}, t = {t:e}");
+        assert!(relative(now.velocity.re, number(&row["v"])) < FEW_ULPS, "Γ = {damping:e}, t = {t:e}");
+
+        let half = damping / 2.0;
+        let root = (half * half - 1.0).sqrt();
+        let slow = number(&row["slow"]);
+        assert!(relative(1.0 / (half + root), slow) < FEW_ULPS);
+        let error = relative(half - root, slow);
+        assert!(error < ROUNDOFF * damping * damping, "Γ = {damping:e}: {error:e}");
+        errors.push((damping, error));
+    }
+    assert_slope("slow root", &errors, 2.0, 0.2);
+    assert!(errors[errors.len() - 1].1 > 0.1, "at Γ = 1e8 ω₀ the naive root should be wrong by a quarter");
+}
+
+#[test]
+fn near_critical_damping_the_difference_of_exponentials_loses_half_a_digit_a_decade() {
+    let mut errors = Vec::new();
+    for row in rows("near_critical") {
+        let (damping, t) = (number(&row["damping"]), number(&row["t"]));
+        let pushed =
+            machine(damping, 0.0).transient(Shaft { velocity: 1.0.into(), ..Shaft::AT_REST }).unwrap();
+        let now = pushed.at(t).unwrap();
+        let (exact, beyond) = (number(&row["x"]), damping / 2.0 - 1.0);
+        assert!(relative(now.position.re, exact) < FEW_ULPS, "Γ/2ω₀ = 1 {beyond:+e}");
+        assert!((now.velocity.re - number(&row["v"])).abs() < FEW_ULPS, "Γ/2ω₀ = 1 {beyond:+e}");
+        // (e^{−st} − e^{−ft})/(f − s), with roots that are conjugate complex numbers below critical damping.
+        let half_gap = Complex::new(damping * damping / 4.0 - 1.0, 0.0).sqrt();
+        let (slow, fast) = (damping / 2.0 - half_gap, damping / 2.0 + half_gap);
+        let naive = ((-slow * t).exp() - (-fast * t).exp()) / (fast - slow);
+        let error = relative(naive.re, exact);
+        if beyond < 0.0 {
+            // Conjugate numbers share their real part exactly; nothing cancels in it.
+            assert!(error < FEW_ULPS, "Γ/2ω₀ = 1 {beyond:+e}: {error:e}");
+        } else {
+            let gap = (8.0 * beyond).sqrt(); // f − s
+            assert!(error < 4.0 * ROUNDOFF / gap + FEW_ULPS, "Γ/2ω₀ = 1 {beyond:+e}: {error:e}");
+            if beyond < 1.1e-4 {
+                errors.push((beyond, error));
+            }
+        }
+    }
+    assert_slope("critical damping", &errors, -0.5, 0.15);
+}

@@ -1,0 +1,175 @@
+//! A motion that ends: the tilt of a spinning coin, with a loss that grows without bound.
+
+use crate::{FEW_ULPS, ROUNDOFF, assert_slope, number, relative, rows};
+use mechanics::integrate::{Dop853, Failure, rk4};
+use mechanics::scenes::spinning_coin::{InvalidSpinDown, Loss, SpinDown, SpinningCoin};
+use std::f64::consts::FRAC_PI_2;
+
+const MASS: f64 = 0.4;
+
+fn start() -> SpinningCoin {
+    SpinningCoin::new(0.0375, 0.5, 9.81, 0.1).expect("a coin")
+}
+
+/// α̇ = −1/3α², the film's law in units of α₀ and t₀: α³ = 1 − t.
+fn film(_t: f64, &[tilt]: &[f64; 1]) -> [f64; 1] {
+    [-1.0 / (3.0 * tilt * tilt)]
+}
+
+#[test]
+fn equal_steps_go_through_the_end_without_a_word() {
+    for steps in [150, 1500, 15_000] {
+        let [beyond] = rk4(film, 0.0, [1.0], 1.5, steps).unwrap();
+        assert!(beyond < -0.5, "half a life after the end the tilt should be negative, and is {beyond}");
+    }
+    let careless = Dop853::new(1e-6).unwrap().solve(film, 0.0, [1.0], 1.5).unwrap();
+    assert!(careless.state[0] < -0.5);
+    // A finer tolerance stops there, with a word about its step and none about the coin.
+    let careful = Dop853::new(1e-9).unwrap().solve(film, 0.0, [1.0], 1.5).unwrap_err();
+    assert!(matches!(careful, Failure::StepUnderflow { time, .. } if (time - 1.0).abs() < 1e-9), "{careful}");
+}
+
+#[test]
+fn equal_steps_lose_four_digits_a_decade_of_the_time_left() {
+    let errors = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3_f64].map(|left| {
+        let [tilt] = rk4(film, 0.0, [1.0], 1.0 - left, 10_000).unwrap();
+        (left, relative(tilt, left.cbrt()))
+    });
+    assert_slope("equal steps towards the end", &errors[1..], -4.0, 0.2);
+}
+
+#[test]
+fn step_control_loses_a_digit_a_decade_because_it_has_moved_the_end() {
+    for (tolerance, moved) in [(1e-6, 1.6e-8), (1e-9, 9.6e-11), (1e-12, 1.4e-13)] {
+        let solver = Dop853::new(tolerance).unwrap();
+        let mut errors = Vec::new();
+        for exponent in 1..=6 {
+            let end = 1.0 - 10_f64.powi(-exponent);
+            let left = 1.0 - end; // exact
+            let tilt = solver.solve(film, 0.0, [1.0], end).unwrap().state[0];
+            errors.push((left, relative(tilt, left.cbrt())));
+        }
+        assert_slope("step control towards the end", &errors, -1.0, 0.04);
+        // δα/α = δt₀/3τ with one and the same δt₀.
+        let shift = 3.0 * errors[5].0 * errors[5].1;
+        assert!(
+            (0.7..1.5).contains(&(shift / moved)),
+            "tolerance {tolerance:e}: the end has moved by {shift:e}"
+        );
+    }
+    // A hundredth of a millionth of a per cent before the end, at 1e-9: three per cent off; then it cannot go on.
+    let solver = Dop853::new(1e-9).unwrap();
+    let end = 1.0 - 1e-9;
+    let tilt = solver.solve(film, 0.0, [1.0], end).unwrap().state[0];
+    assert!((0.02..0.05).contains(&relative(tilt, (1.0 - end).cbrt())));
+    assert!(solver.solve(film, 0.0, [1.0], 1.0 - 1e-12).is_err());
+}
+
+#[test]
+fn cube_of_the_tilt_makes_the_law_a_straight_line() {
+    // d(α³)/dt = −1: every method is exact, in one step.
+    for left in [1e-1, 1e-5, 1e-9_f64] {
+        let end = 1.0 - left;
+        let [cube] = rk4(|_, _: &[f64; 1]| [-1.0], 0.0, [1.0], end, 1).unwrap();
+        assert!((cube - (1.0 - end)).abs() < f64::EPSILON, "{cube:e}");
+    }
+}
+
+#[test]
+fn spin_down_is_exact_however_little_time_is_left() {
+    for row in rows("spin_down") {
+        let exponent = number(&row["exponent"]);
+        let loss = match row["coefficient"].as_str() {
+            Some("film") => Loss::air_film(&start(), 1.78e-5),
+            _ => Loss::new(number(&row["coefficient"]), exponent),
+        };
+        let spin_down = SpinDown::new(start(), MASS, loss.unwrap()).unwrap();
+        let (life, left, tilt) = (number(&row["life"]), number(&row["left"]), number(&row["tilt"]));
+        assert!(relative(spin_down.life(), life) < FEW_ULPS);
+        let coin = spin_down.with_time_left(left).unwrap();
+        assert!(relative(coin.tilt(), tilt) < FEW_ULPS, "p = {exponent}, {left:e} s left");
+        assert!(
+            relative(coin.turn_rate(), number(&row["turn"])) < FEW_ULPS,
+            "p = {exponent}, {left:e} s left"
+        );
+        assert!(
+            relative(spin_down.time_left(tilt).unwrap(), left) < FEW_ULPS,
+            "p = {exponent}, {left:e} s left"
+        );
+        // By the time since the start the same, as far as that time can say it: τ is a difference of rounded numbers.
+        if left > 1e-10 {
+            let error = relative(spin_down.at(life - left).unwrap().tilt(), tilt);
+            assert!(error < FEW_ULPS + 3.0 * ROUNDOFF * life / left, "p = {exponent}, {left:e} s: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn third_root_is_exact_over_135_decades() {
+    // After 450 halvings of the time that is left the film's tilt has been halved 150 times.
+    let spin_down = SpinDown::new(start(), MASS, Loss::air_film(&start(), 1.78e-5).unwrap()).unwrap();
+    let coin = spin_down.with_time_left(spin_down.life() * 2_f64.powi(-450)).unwrap();
+    assert!(relative(coin.tilt(), 0.1_f64.sin() * 2_f64.powi(-150)) < FEW_ULPS, "{}", coin.tilt());
+}
+
+#[test]
+fn spin_down_spends_its_energy_at_the_stated_rate() {
+    // By Simpson's rule: the time between two tilts is the integral of dE over the power.
+    let (coefficient, exponent) = (2e-4, 1.25);
+    for tilt in [0.1, 0.7, 1.5] {
+        let start = SpinningCoin::new(0.05, 1.0, 9.81, tilt).unwrap();
+        let spin_down = SpinDown::new(start, MASS, Loss::new(coefficient, exponent).unwrap()).unwrap();
+        let energy = |tilt: f64| MASS * SpinningCoin::new(0.05, 1.0, 9.81, tilt).unwrap().energy_over_mass();
+        let lower = 0.3 * tilt;
+        let n = 2000;
+        let (from, to) = (energy(lower), energy(tilt));
+        let slowness = |part: f64| {
+            let sin = (from + (to - from) * part) / (1.5 * MASS * 9.81 * 0.05);
+            sin.powf(exponent) / coefficient
+        };
+        let sum: f64 = (0..n)
+            .map(|k| {
+                let at = |part: f64| slowness((f64::from(k) + part) / f64::from(n));
+                (at(0.0) + 4.0 * at(0.5) + at(1.0)) / 6.0
+            })
+            .sum();
+        let time = sum / f64::from(n) * (to - from);
+        assert!(relative(spin_down.time_to(lower).unwrap(), time) < 1e-11);
+        assert!(relative(spin_down.at(time).unwrap().tilt(), lower) < 1e-10);
+        let left = spin_down.time_left(lower).unwrap();
+        assert!(relative(left + time, spin_down.life()) < 1e-11);
+    }
+}
+
+#[test]
+fn first_moments_keep_their_digits_too_even_from_almost_upright() {
+    // α̇ = −P/(3/2 m g a cos α): a tiny time after the start the tilt has changed by that.
+    let (coefficient, exponent) = (1e-3, 2.0);
+    let spin_down = SpinDown::new(start(), MASS, Loss::new(coefficient, exponent).unwrap()).unwrap();
+    let sink = coefficient / 0.1_f64.sin().powi(2) / (1.5 * MASS * 9.81 * 0.0375 * 0.1_f64.cos());
+    let later = 0.1 - 1e-10;
+    // The difference of the two tilts is exact; the rate changes by 2e-9 on the way.
+    assert!(relative(spin_down.time_to(later).unwrap(), (0.1 - later) / sink) < 1e-8);
+    // From a hair below upright, α = π/2 − ε, cos² α grows by twice the part of the energy that is lost.
+    let nearly = SpinningCoin::new(0.0375, 0.5, 9.81, FRAC_PI_2 - 1e-6).unwrap();
+    let spin_down = SpinDown::new(nearly, MASS, Loss::new(coefficient, 0.0).unwrap()).unwrap();
+    let time = 1e-12 * spin_down.life();
+    let lean = FRAC_PI_2 - spin_down.at(time).unwrap().tilt();
+    assert!(relative(lean, (1e-12 + 2e-12_f64).sqrt()) < 1e-9, "{lean:e}");
+}
+
+#[test]
+fn spin_down_has_no_motion_after_its_end() {
+    let spin_down = SpinDown::new(start(), MASS, Loss::air_film(&start(), 1.78e-5).unwrap()).unwrap();
+    let life = spin_down.life();
+    for time in [life, life + 1.0, 1e9] {
+        let refusal = spin_down.at(time).unwrap_err();
+        assert!(matches!(refusal, InvalidSpinDown::Over { .. }));
+        assert!(refusal.to_string().contains("the coin lies flat after 94.897"), "{refusal}");
+    }
+    assert!(matches!(spin_down.with_time_left(0.0), Err(InvalidSpinDown::Over { .. })));
+    assert!(spin_down.at(life.next_down()).is_ok());
+    assert!(relative(spin_down.at(0.0).unwrap().tilt(), 0.1) < FEW_ULPS);
+    assert!(relative(spin_down.with_time_left(life).unwrap().tilt(), 0.1) < FEW_ULPS);
+    assert_eq!(spin_down.start(), start());
+}

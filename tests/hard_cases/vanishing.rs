@@ -1,0 +1,242 @@
+//! Division by what vanishes: a shaft that passes the origin of its polar coordinates, a wheel that almost falls flat.
+
+use crate::{FEW_ULPS, assert_slope, machine, number, relative, rows};
+use mechanics::integrate::{Dop853, Failure, Work, rk4};
+use mechanics::scenes::laundromat::{Machine, Shaft};
+use mechanics::scenes::rolling_wheel::{NoWobble, Rolling, Wheel};
+use nalgebra::Complex;
+use serde_json::Value;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The shaft sets out half a metre beside O at 1 m/s and passes it at the distance `miss`.
+fn pass(row: &Value) -> (Machine, Shaft, Complex<f64>) {
+    let position = Complex::new(-0.5, number(&row["miss"]));
+    let exact = Complex::new(number(&row["x"]), number(&row["y"]));
+    (machine(0.01, 1e-3), Shaft { position, velocity: 1.0.into() }, exact)
+}
+
+fn polar_error(row: &Value, steps: usize) -> Option<f64> {
+    let (machine, start, exact) = pass(row);
+    let polar = |t: f64, y: &[f64; 4]| machine.polar_rates(t, y);
+    let end = rk4(polar, 0.0, start.to_polar(), 1.0, steps).ok()?;
+    Some((Shaft::from_polar(end).position - exact).norm())
+}
+
+#[test]
+fn polar_program_loses_four_digits_a_decade_and_the_cartesian_one_none() {
+    let mut errors = Vec::new();
+    for row in rows("passes") {
+        let (machine, start, exact) = pass(row);
+        let miss = number(&row["miss"]);
+        let lab = |t: f64, y: &[f64; 4]| machine.cartesian_rates(t, y);
+        let end = Shaft::from_array(rk4(lab, 0.0, start.to_array(), 1.0, 1000).unwrap());
+        assert!((end.position - exact).norm() < 2e-14, "miss {miss:e}");
+        let closed = machine.transient(start).unwrap().at(1.0).unwrap();
+        assert!((closed.position - exact).norm() < FEW_ULPS, "miss {miss:e}");
+        match polar_error(row, 1000) {
+            Some(error) => errors.push((miss, error)),
+            None => assert!(miss < 1e-3, "the polar program should get past {miss:e}"),
+        }
+    }
+    // Less than a step of the path, a millimetre, from O it returns no number, or nonsense.
+    assert!(errors.iter().all(|(miss, error)| *miss > 9e-4 || *error > 0.1), "{errors:?}");
+    // h⁴v⁴/d⁴ while that is small: between a decimetre and two and a half steps.
+    errors.retain(|(miss, _)| *miss > 2e-3);
+    assert_slope("polar against distance", &errors, -4.0, 0.15);
+    assert!((1e-11..1e-9).contains(&errors[0].1), "a wide miss is no trouble: {errors:?}");
+
+    let row = &rows("passes")[3]; // a centimetre
+    let of_step = [250, 500, 1000, 2000].map(|steps| (1.0 / steps as f64, polar_error(row, steps).unwrap()));
+    assert_slope("polar against step", &of_step, 4.0, 0.15);
+}
+
+#[test]
+fn step_control_saves_the_polar_program_for_ten_to_fifty_times_the_work() {
+    let solver = Dop853::new(1e-10).unwrap();
+    let mut work = Vec::new();
+    for row in rows("passes") {
+        let (machine, start, exact) = pass(row);
+        let polar =
+            solver.solve(|t, y: &[f64; 4]| machine.polar_rates(t, y), 0.0, start.to_polar(), 1.0).unwrap();
+        assert!((Shaft::from_polar(polar.state).position - exact).norm() < 3e-11);
+        let lab = solver
+            .solve(|t, y: &[f64; 4]| machine.cartesian_rates(t, y), 0.0, start.to_array(), 1.0)
+            .unwrap();
+        work.push(polar.work.evaluations as f64 / lab.work.evaluations as f64);
+    }
+    println!("polar over Cartesian evaluations: {work:?}");
+    assert!(work.windows(2).all(|pair| pair[0] < pair[1]), "nearer costs more: {work:?}");
+    assert!((8.0..13.0).contains(&work[0]) && (40.0..60.0).contains(&work[work.len() - 1]));
+}
+
+/// A wheel let go almost flat, in units of its radius, mass and gravity.
+struct Drop {
+    wheel: Wheel,
+    tilt: f64,
+    across: f64,
+    time: f64,
+    advance: f64,
+}
+
+fn drops() -> impl Iterator<Item = Drop> {
+    rows("near_flat").iter().map(|row| Drop {
+        wheel: Wheel::new(1.0, 1.0, number(&row["factor"]), 1.0).expect("a wheel"),
+        tilt: number(&row["tilt"]),
+        across: number(&row["across"]),
+        time: number(&row["time"]),
+        advance: number(&row["advance"]),
+    })
+}
+
+impl Drop {
+    /// By the tilt: error of the heading when the wheel is up again, and the work.
+    fn by_tilt(&self, tolerance: f64) -> Result<(f64, Work), Failure<8>> {
+        let start = [self.tilt, 0.0, self.across, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let rates = |t: f64, y: &[f64; 8]| self.wheel.rates_by_tilt(t, y);
+        // Of a tilt that comes down to the size of q, no more is left to an absolute tolerance.
+        let solver = Dop853::with_tolerances(tolerance, tolerance * self.across).unwrap();
+        let end = solver.solve(rates, 0.0, start, self.time)?;
+        Ok((end.state[4] - self.advance, end.work))
+    }
+
+    /// By the lean.
+    fn by_lean(&self, tolerance: f64, limit: usize) -> Result<(f64, Work), Failure<8>> {
+        let start = Rolling {
+            lean: FRAC_PI_2 - self.tilt,
+            lean_rate: 0.0,
+            across: self.across,
+            along: 0.0,
+            heading: 0.0,
+            spin: 0.0,
+            centre: [0.0; 2],
+        };
+        let rates = |t: f64, y: &[f64; 8]| self.wheel.rates(t, y);
+        let solver = Dop853::new(tolerance).unwrap().with_max_evaluations(limit);
+        let end = solver.solve(rates, 0.0, start.to_array(), self.time)?;
+        Ok((end.state[4] - self.advance, end.work))
+    }
+
+    /// By the tilt with equal steps of the classical method.
+    fn by_rk4(&self, steps: usize) -> Result<f64, Failure<8>> {
+        let start = [self.tilt, 0.0, self.across, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let rates = |t: f64, y: &[f64; 8]| self.wheel.rates_by_tilt(t, y);
+        Ok((rk4(rates, 0.0, start, self.time, steps)?[4] - self.advance).abs())
+    }
+}
+
+#[test]
+fn wheel_that_almost_falls_flat_is_followed_by_its_tilt_however_near_it_comes() {
+    for drop in drops() {
+        let (error, work) = drop.by_tilt(1e-13).unwrap();
+        println!("q = {:e}: {error:e}, {} evaluations", drop.across, work.evaluations);
+        assert!(error.abs() < 1e-12, "q = {:e}: {error:e}", drop.across);
+        // A thousand evaluations a decade: the steps are in proportion to the tilt. Equal steps would cost ten times as many a decade.
+        let decades = -drop.across.log10();
+        let expected = 300.0 + 1050.0 * decades;
+        assert!(
+            relative(work.evaluations as f64, expected) < 0.2,
+            "q = {:e}: {}",
+            drop.across,
+            work.evaluations
+        );
+    }
+}
+
+#[test]
+fn followed_by_its_lean_it_gets_lost_in_the_rounding_of_a_right_angle() {
+    let mut lost = 0;
+    for drop in drops() {
+        let (_, work) = drop.by_tilt(1e-13).unwrap();
+        match drop.by_lean(1e-13, 100_000) {
+            Ok((error, by_lean)) => {
+                assert!(error.abs() < 1e-11 && drop.across > 5e-7, "q = {:e}: {error:e}", drop.across);
+                assert!(drop.across < 5e-6 || by_lean.evaluations < work.evaluations + 200);
+            }
+            Err(failure) => {
+                assert!(drop.across < 5e-7, "q = {:e}: {failure}", drop.across);
+                lost += 1;
+            }
+        }
+    }
+    assert_eq!(lost, 8, "for both wheels, q from 1e-7 down, a hundred thousand evaluations should not do");
+}
+
+#[test]
+fn equal_steps_lose_four_digits_a_decade_of_the_nearest_approach() {
+    for factor in [0.5, 1.0] {
+        let of = |across: f64| {
+            drops().find(|drop| drop.across == across && drop.wheel.factor() == factor).unwrap()
+        };
+        let near = of(1e-2);
+        let of_step = [1000, 2000, 4000, 8000].map(|steps| (1.0 / steps as f64, near.by_rk4(steps).unwrap()));
+        assert_slope("near flat against step", &of_step, 4.0, 0.4);
+        // The same step over the least tilt gives the same error.
+        let [wide, near] = [of(1e-1).by_rk4(2000).unwrap(), near.by_rk4(20_000).unwrap()];
+        assert!((0.2..5.0).contains(&(wide / near)), "{wide:e} and {near:e}");
+        assert!(of(1e-3).by_rk4(1000).unwrap() > 0.1);
+        assert!(of(1e-5).by_rk4(1000).is_err());
+    }
+}
+
+#[test]
+fn contact_runs_round_by_pi_root_one_plus_two_over_k_in_the_limit() {
+    for (factor, degrees) in [(0.5, 402.49), (1.0, 311.77)] {
+        let mut rest = Vec::new();
+        for drop in drops().filter(|drop| drop.wheel.factor() == factor) {
+            let limit = drop.wheel.near_flat_turn();
+            assert!((limit.to_degrees() - degrees).abs() < 0.01);
+            assert!(relative(limit, PI * (1.0 + 2.0 / factor).sqrt()) < FEW_ULPS);
+            rest.push((drop.across, (drop.advance - limit).abs()));
+        }
+        // It comes near like q ln(1/q): the rest over q grows by the same amount with every decade.
+        let growth: Vec<f64> =
+            rest.windows(2).map(|pair| pair[1].1 / pair[1].0 - pair[0].1 / pair[0].0).collect();
+        println!("k = {factor}: {growth:?}");
+        let last = growth[growth.len() - 1];
+        assert!((5.0..7.0).contains(&last) && growth[4..].iter().all(|step| relative(*step, last) < 1e-3));
+    }
+}
+
+#[test]
+fn rates_by_the_tilt_are_those_by_the_lean() {
+    let mut random = fastrand::Rng::with_seed(5);
+    for factor in [0.5, 0.8, 1.0] {
+        let wheel = Wheel::new(2.0, 0.7, factor, 9.81).unwrap();
+        for _ in 0..100 {
+            let tilt = 0.1 + 2.8 * random.f64();
+            let mut rest = [0.0; 7];
+            rest.fill_with(|| random.f64() - 0.5);
+            let [rate, q, n, heading, spin, x, y] = rest;
+            let by_lean = wheel.rates(0.0, &[FRAC_PI_2 - tilt, -rate, q, n, heading, spin, x, y]);
+            let by_tilt = wheel.rates_by_tilt(0.0, &[tilt, rate, q, n, heading, spin, x, y]);
+            for (i, (a, b)) in by_lean.iter().zip(by_tilt).enumerate() {
+                let a = if i < 2 { -a } else { *a };
+                assert!((a - b).abs() < 1e-12 * (1.0 + a.abs()), "{i}: {a} and {b}");
+            }
+        }
+    }
+}
+
+#[test]
+fn wobble_refuses_a_wheel_that_comes_too_near_to_flat() {
+    let of = |across: f64| drops().find(|drop| drop.across == across).unwrap();
+    let wobble = |drop: &Drop| {
+        let start = Rolling {
+            lean: FRAC_PI_2 - drop.tilt,
+            lean_rate: 0.0,
+            across: drop.across,
+            along: 0.0,
+            heading: 0.0,
+            spin: 0.0,
+            centre: [0.0; 2],
+        };
+        drop.wheel.wobble(start, 1e-12).map(|wobble| (wobble.period(), wobble.heading_advance()))
+    };
+    let near = of(1e-4);
+    let (period, advance) = wobble(&near).unwrap();
+    assert!(
+        relative(period, near.time) < 1e-9 && relative(advance, near.advance) < 1e-9,
+        "{period}, {advance}"
+    );
+    assert!(matches!(wobble(&of(1e-9)), Err(NoWobble::Integration(_))));
+}
