@@ -97,6 +97,8 @@ mod pages {
     mod spinning_coin_exercises {}
     #[doc = include_str!("../book/spinning-coin/solutions.md")]
     mod spinning_coin_solutions {}
+    #[doc = include_str!("../book/speed-and-accuracy/index.md")]
+    mod speed_and_accuracy {}
     #[doc = include_str!("../book/errata.md")]
     mod errata {}
     #[doc = include_str!("../book/ledger.md")]

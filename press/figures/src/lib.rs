@@ -30,6 +30,7 @@ chapters! {
     pinned_hoop in "pinned-hoop": "../../../book/pinned-hoop/figures.rs";
     rolling_wheel in "rolling-wheel": "../../../book/rolling-wheel/figures.rs";
     spinning_coin in "spinning-coin": "../../../book/spinning-coin/figures.rs";
+    speed_and_accuracy in "speed-and-accuracy": "../../../book/speed-and-accuracy/figures.rs";
 }
 
 pub use axis::Axis;

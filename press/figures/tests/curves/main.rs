@@ -5,6 +5,7 @@
 mod constrained;
 mod free_tops;
 mod laundromat;
+mod report;
 
 use figures::{Figure, all};
 use roxmltree::Document;
