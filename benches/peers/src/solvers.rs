@@ -103,7 +103,7 @@ fn solvers<const N: usize>(
             ["differential-equations", "Verner 9(8)"],
             Box::new(move |problem, frames| {
                 let method =
-                    ExplicitRungeKutta::rkv989e().rtol(tolerance).atol(tolerance).max_steps(MOST_STEPS);
+                    ExplicitRungeKutta::rkv988e().rtol(tolerance).atol(tolerance).max_steps(MOST_STEPS);
                 let solution = IVP::ode(&Rates(rates), 0.0, problem.end(), problem.start)
                     .t_eval(problem.times.clone())
                     .method(method)
