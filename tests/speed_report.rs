@@ -21,9 +21,22 @@ const WORK: &str = include_str!("../book/speed-and-accuracy/work.csv");
 const MEASURED: &str = include_str!("../book/speed-and-accuracy/measured.csv");
 const PAGE: &str = include_str!("../book/speed-and-accuracy/index.md");
 
-/// Errors are repeated to this factor. On one processor they are repeated exactly; another sine, correct to the same half unit in the
-/// last place, moves a solution by rounding, which an error far above rounding does not feel.
+/// Errors are repeated to this factor. On the kind of machine that wrote the data they are repeated exactly; another library of sines, whose last
+/// bit differs here and there, changes an error far above rounding by less than a tenth. (Tried by changing the last bit of all rates at random.)
 const FACTOR: f64 = 1.1;
+
+/// Whether this is the kind of machine that wrote the data: the same steps, to the last bit.
+const SAME: bool = cfg!(all(target_arch = "x86_64", target_os = "linux", target_env = "gnu"));
+
+/// By how much the evaluations of an adaptive method may differ on another kind of machine. Random last bits change most counts not at all, some on
+/// the hoop by up to 2 in 100 and next to the separatrix, at tolerances that are no use there, by 20 in 100.
+fn slack(problem: &str, method: &str) -> f64 {
+    match (SAME, method, problem) {
+        (true, ..) | (false, "RK4", _) => 0.0,
+        (false, _, "separatrix") => 0.3,
+        (false, ..) => 0.03,
+    }
+}
 
 /// Where an error is made of rounding, its size is chance: by [`FACTOR`], it may differ by this in addition. The floors of the problems
 /// lie between 1e-16 and 1e-10; they grow with the number of steps, and near the separatrix with the sensitivity of the motion.
@@ -57,8 +70,11 @@ fn work_and_errors_are_those_of_the_committed_data() {
         assert!(row.error.is_finite() && error.is_finite(), "{row}");
         let (low, high) = (error / FACTOR - floor(problem), error * FACTOR + floor(problem));
         assert!(low <= row.error && row.error <= high, "{row} and not {error:e}");
-        let count = (!evaluations.is_empty()).then(|| evaluations.parse().expect("a count"));
-        assert_eq!(row.evaluations, count, "{row}");
+        let count: Option<f64> = (!evaluations.is_empty()).then(|| evaluations.parse().expect("a count"));
+        assert_eq!(row.evaluations.is_some(), count.is_some(), "{row}");
+        if let (Some(found), Some(count)) = (row.evaluations, count) {
+            assert!((found as f64 - count).abs() <= count * slack(problem, method), "{row} and not {count}");
+        }
     }
 }
 
