@@ -40,10 +40,10 @@ fn look((contestant, method): (&str, &str)) -> (String, Marker, Hue) {
     }
 }
 
-/// The powers of ten between which all values lie.
+/// The powers of ten between which all values lie, with room for a label at the lowest.
 fn decades(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
     let (least, most) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(0.0, f64::max));
-    (10.0_f64.powf(least.log10().floor()), 10.0_f64.powf(most.log10().ceil()))
+    (10.0_f64.powf((least.log10() - 0.2).floor()), 10.0_f64.powf(most.log10().ceil()))
 }
 
 /// Places for labels near the wished ones, in the same order, at least `gap` apart, between two bounds.
