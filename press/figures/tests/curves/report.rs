@@ -10,6 +10,9 @@ struct Run<'a> {
     milliseconds: f64,
 }
 
+/// A name, and the errors and costs that its curve must pass.
+type Curve<'a> = ([&'a str; 3], Vec<(f64, f64)>);
+
 fn runs() -> Vec<Run<'static>> {
     let lines = include_str!("../../../../book/speed-and-accuracy/measured.csv").lines();
     let rows =
@@ -38,7 +41,7 @@ fn every_measurement_that_is_not_beaten_lies_on_its_curve() {
         let here = || runs.iter().filter(|run| run.name[0] == problem && run.name[1] != "mechanics native");
         let mut names: Vec<[&str; 3]> = here().map(|run| run.name).collect();
         names.dedup();
-        let curves: Vec<([&str; 3], Vec<(f64, f64)>)> = names
+        let curves: Vec<Curve<'_>> = names
             .into_iter()
             .map(|name| {
                 let mine = here().filter(|run| run.name == name).map(|run| (run.error, run.milliseconds));
