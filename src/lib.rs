@@ -112,6 +112,8 @@ mod pages {
     mod methods_exercises {}
     #[doc = include_str!("../book/methods/solutions.md")]
     mod methods_solutions {}
+    #[doc = include_str!("../book/speed-and-accuracy/index.md")]
+    mod speed_and_accuracy {}
     #[doc = include_str!("../book/hard-cases/index.md")]
     mod hard_cases {}
     #[doc = include_str!("../book/hard-cases/exercises.md")]

@@ -3,6 +3,8 @@
 //! Each function draws one claim from what the library computes. Captions stand on the page. One file a chapter, however
 //! long: a reader can save it from the site and have everything.
 
+use crate::speed_and_accuracy::measured::{Measurement, front};
+use crate::speed_and_accuracy::measurements;
 use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
@@ -681,29 +683,6 @@ fn polar_fault(id: &str) -> Outcome {
     Ok(drawing)
 }
 
-/// One line of the committed measurements: method, error, seconds, evaluations of the rates.
-struct Measurement {
-    method: &'static str,
-    error: f64,
-    seconds: f64,
-    evaluations: f64,
-}
-
-/// The measurements that the library's benchmark wrote; lines with `#` describe the machine, the first other line the columns.
-fn measurements() -> Result<Vec<Measurement>, Cause> {
-    let lines = include_str!("speed.csv").lines().filter(|line| !line.starts_with('#'));
-    lines
-        .skip(1)
-        .map(|line| {
-            let [method, _, error, seconds, evaluations] = line.split(',').collect::<Vec<_>>()[..] else {
-                return Err(format!("speed.csv: five columns expected in `{line}`").into());
-            };
-            let [error, seconds, evaluations] = [error.parse()?, seconds.parse()?, evaluations.parse()?];
-            Ok(Measurement { method, error, seconds, evaluations })
-        })
-        .collect()
-}
-
 /// Error against work: evaluations of the rates, and time.
 fn speed(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
@@ -714,7 +693,8 @@ fn speed(id: &str) -> Outcome {
          DOP853 about three times as many. Right, the time in milliseconds: both integrators take longer for more digits, \
          and the closed form is a single point far down on the left, below both and more accurate than either.",
     );
-    let all = measurements()?;
+    let mut all = measurements()?;
+    all.retain(|row| row.problem == "washer" && row.contestant == "mechanics");
     let methods = [
         ("RK4", Marker::Square, Hue::Orange),
         ("DOP853", Marker::Disc, Hue::Blue),
@@ -724,17 +704,16 @@ fn speed(id: &str) -> Outcome {
     let evaluations = Axis::log(1e3, 1e7, 1)?.titled("evaluations of the rates");
     let time = Axis::log(1e-3, 1e3, 1)?.titled("time, ms");
     let panels: [(&str, f64, Axis, WorkOf); 2] = [
-        ("evaluations", 58.0, evaluations, |row| row.evaluations),
+        ("evaluations", 58.0, evaluations, |row| row.evaluations.map_or(0.0, |count| count as f64)),
         ("time", 398.0, time, |row| 1e3 * row.seconds),
     ];
     for (panel, left, axis, work) in panels {
         let mut plot = Plot::new(&mut drawing, Rect::new(left, 34.0, 262.0, 284.0), error()?, axis)?;
         for (method, marker, hue) in methods {
             let rows = all.iter().filter(|row| row.method == method);
-            let values: Vec<_> =
-                rows.map(|row| (row.error, work(row))).filter(|value| value.1 > 0.0).collect();
+            let values = front(rows.map(|row| (row.error, work(row))).filter(|value| value.1 > 0.0));
             plot.series(&format!("{panel}-{}", method.replace(' ', "-")), &values, marker, hue);
-            let Some(&most_exact) = values.iter().min_by(|a, b| a.0.total_cmp(&b.0)) else { continue };
+            let Some(&most_exact) = values.last() else { continue };
             let side = if method == "closed form" { Side::Right } else { Side::Above };
             plot.label(most_exact, side, method, hue)?;
         }

@@ -13,7 +13,8 @@ cargo book build [-d FOLDER]            the site, in target/book/html
 cargo book test                         the snippets of all pages
 cargo book check                        what is wrong with the pages, fast
 cargo book figures FOLDER               every figure as a standalone SVG file
-cargo book pdf [FILE]                   the book as a PDF (needs Chromium); by default target/book/things-that-spin.pdf";
+cargo book pdf [FILE]                   the book as a PDF (needs Chromium); by default target/book/things-that-spin.pdf
+cargo book measure [OPTION …]           runs the library beside its peers, for the report \"Speed and accuracy\"; --help says more";
 
 /// Runs one command; `Err` holds what to print before exiting with status 1.
 ///
@@ -41,6 +42,7 @@ pub fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
             Ok(())
         }
         "pdf" => pdf(root, rest),
+        "measure" => measure(root, rest),
         "help" | "--help" | "-h" => {
             say(HELP);
             Ok(())
@@ -81,6 +83,18 @@ fn with_mdbook(root: &Path, name: &str, rest: &[String]) -> Result<(), String> {
         .status()
         .map_err(|error| format!("error: mdBook cannot be run: {error}"))?;
     if status.success() { Ok(()) } else { Err(format!("`mdbook {name}` failed")) }
+}
+
+/// The peers are a package of their own, outside the workspace, so that nothing else ever builds them.
+fn measure(root: &Path, rest: &[String]) -> Result<(), String> {
+    let status = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        .args(["run", "--quiet", "--release", "--locked"])
+        .args(["--manifest-path", "benches/peers/Cargo.toml", "--target-dir", "target/peers", "--"])
+        .args(rest)
+        .current_dir(root)
+        .status()
+        .map_err(|error| format!("error: Cargo cannot be run: {error}"))?;
+    if status.success() { Ok(()) } else { Err("nothing was measured".to_owned()) }
 }
 
 fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {

@@ -31,6 +31,7 @@ chapters! {
     rolling_wheel in "rolling-wheel": "../../../book/rolling-wheel/figures.rs";
     spinning_coin in "spinning-coin": "../../../book/spinning-coin/figures.rs";
     methods in "methods": "../../../book/methods/figures.rs";
+    speed_and_accuracy in "speed-and-accuracy": "../../../book/speed-and-accuracy/figures.rs";
     hard_cases in "hard-cases": "../../../book/hard-cases/figures.rs";
 }
 

@@ -7,6 +7,7 @@ mod free_tops;
 mod hard_cases;
 mod laundromat;
 mod methods;
+mod report;
 
 use figures::{Figure, all};
 use roxmltree::Document;

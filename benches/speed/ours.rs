@@ -1,0 +1,193 @@
+//! What `mechanics` can do for each problem.
+
+use crate::contest::{Cause, Entry};
+use crate::problems::{self, Problem};
+use mechanics::euler::Turning;
+use mechanics::free_rotation::FreeTop;
+use mechanics::inertia::PrincipalMoments;
+use mechanics::integrate::{Dop853, rk4};
+use mechanics::scenes::air_drag::{Drag, DraggedTop};
+use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::hint::black_box;
+use std::rc::Rc;
+
+/// The name under which the library competes.
+const NAME: &str = "mechanics";
+/// The names of the two kinds of method that need no stepping, or almost none.
+const CLOSED: [&str; 2] = [NAME, "closed form"];
+const REDUCED: [&str; 2] = [NAME, "one wobble"];
+
+/// Every entry of the library, problem by problem, the quickest way first.
+///
+/// # Errors
+/// If the library refuses a problem, or a problem is missing.
+pub(crate) fn entries() -> Result<Vec<Entry>, Cause> {
+    let mut entries = Vec::new();
+    washer(&mut entries);
+    ramp(&mut entries);
+    for (problem, steps) in [(problems::hoop(), RK4_HOOP), (problems::separatrix(), RK4_HOOP)] {
+        body(&mut entries, problem, [1.5, 0.5, 2.0], problems::hoop_rates, steps);
+    }
+    disk(&mut entries);
+    rest(&mut entries);
+    body(&mut entries, problems::toss(), [0.25, 0.25, 0.5], problems::flat_rates, RK4_TOP);
+    body(&mut entries, problems::station(), [0.5, 0.5, 1.0], problems::flat_rates, RK4_TOP);
+    drag(&mut entries);
+    match problems::NAMES.iter().find(|name| entries.iter().all(|entry| entry.problem != **name)) {
+        Some(missing) => Err(format!("nothing solves the problem `{missing}`").into()),
+        None => Ok(entries),
+    }
+}
+
+/// Steps of RK4 between two frames.
+const RK4_WASHER: &[usize] = &[25, 50, 100, 200, 400, 800];
+const RK4_HOOP: &[usize] = &[50, 100, 200, 400, 800];
+const RK4_DISK: &[usize] = &[50, 100, 200, 400, 800, 1600];
+const RK4_TOP: &[usize] = &[12, 25, 50, 100, 200, 400];
+
+/// The stepping methods, the same for every problem: DOP853 with its dense output, RK4 from frame to frame.
+fn steppers<const N: usize>(
+    entries: &mut Vec<Entry>,
+    problem: &Rc<Problem<N>>,
+    rates: impl Fn(f64, &[f64; N]) -> [f64; N] + Copy + 'static,
+    steps: &[usize],
+) {
+    for digits in 3..=14 {
+        let tolerance = 10.0_f64.powi(-digits);
+        let solve = move |problem: &Problem<N>, frames: &mut Vec<[f64; N]>| {
+            let (states, work) = Dop853::new(tolerance)?.sample(rates, 0.0, problem.start, &problem.times)?;
+            *frames = states;
+            Ok(Some(work.evaluations))
+        };
+        entries.push(Entry::new(problem, [NAME, "DOP853"], format!("tolerance 1e-{digits}"), solve, |y| *y));
+    }
+    for &steps in steps {
+        let solve = move |problem: &Problem<N>, frames: &mut Vec<[f64; N]>| {
+            frames.clear();
+            frames.push(problem.start);
+            let mut state = problem.start;
+            for pair in problem.times.windows(2) {
+                state = rk4(rates, pair[0], state, pair[1], steps)?;
+                frames.push(state);
+            }
+            Ok(Some(4 * steps * (problem.times.len() - 1)))
+        };
+        entries.push(Entry::new(problem, [NAME, "RK4"], format!("{steps} steps a frame"), solve, |y| *y));
+    }
+}
+
+fn washer(entries: &mut Vec<Entry>) {
+    let problem = Rc::new(problems::washer());
+    let solve = |problem: &Problem<4>, frames: &mut Vec<Shaft>| {
+        frames.resize(problem.times.len(), Shaft::AT_REST);
+        let machine = Machine::new(black_box(Parameters {
+            drum_mass: 0.0,
+            load_mass: 1.0,
+            load_radius: 1.0,
+            stiffness: 1.0,
+            damping: 0.01,
+            spin: 3.0,
+        }))?;
+        machine.transient(Shaft::AT_REST)?.fill(&problem.times, frames)?;
+        Ok(None)
+    };
+    entries.push(Entry::new(&problem, CLOSED, String::new(), solve, Shaft::to_array));
+    steppers(entries, &problem, problems::washer_rates, RK4_WASHER);
+}
+
+fn ramp(entries: &mut Vec<Entry>) {
+    let problem = Rc::new(problems::ramp());
+    steppers(entries, &problem, problems::ramp_rates, RK4_WASHER);
+}
+
+/// A free body, by its closed form, and stepped.
+fn body(
+    entries: &mut Vec<Entry>,
+    problem: Problem<7>,
+    [i1, i2, i3]: [f64; 3],
+    rates: impl Fn(f64, &[f64; 7]) -> [f64; 7] + Copy + 'static,
+    steps: &[usize],
+) {
+    let problem = Rc::new(problem);
+    let solve = move |problem: &Problem<7>, frames: &mut Vec<Turning>| {
+        let [w1, w2, w3, w, i, j, k] = problem.start;
+        let start = Turning {
+            world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
+            omega_body: Vector3::new(w1, w2, w3),
+        };
+        let top = FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, start)?;
+        frames.clear();
+        for &time in &problem.times {
+            frames.push(top.at(time)?);
+        }
+        Ok(None)
+    };
+    let state = |turning: &Turning| {
+        let [w, i, j, k, w1, w2, w3] = turning.to_array();
+        [w1, w2, w3, w, i, j, k]
+    };
+    entries.push(Entry::new(&problem, CLOSED, String::new(), solve, state));
+    steppers(entries, &problem, rates, steps);
+}
+
+fn disk(entries: &mut Vec<Entry>) {
+    let problem = Rc::new(problems::disk());
+    for digits in 6..=14 {
+        let tolerance = 10.0_f64.powi(-digits);
+        let solve = move |problem: &Problem<8>, frames: &mut Vec<Rolling>| {
+            let wobble = Wheel::new(1.0, 1.0, 0.5, 1.0)?.wobble(rolling(&problem.start), tolerance)?;
+            *frames = wobble.sample(&problem.times)?;
+            Ok(None)
+        };
+        entries.push(Entry::new(&problem, REDUCED, format!("tolerance 1e-{digits}"), solve, contact_state));
+    }
+    steppers(entries, &problem, problems::disk_rates, RK4_DISK);
+}
+
+fn rest(entries: &mut Vec<Entry>) {
+    let problem = Rc::new(problems::rest());
+    steppers(entries, &problem, problems::rest_rates, RK4_DISK);
+}
+
+fn drag(entries: &mut Vec<Entry>) {
+    let problem = Rc::new(problems::drag());
+    let solve = |problem: &Problem<3>, frames: &mut Vec<Vector3<f64>>| {
+        let [w1, w2, w3] = problem.start;
+        let moments = PrincipalMoments::new(0.25, 0.25, 0.5)?;
+        let top = DraggedTop::new(moments, Drag::isotropic(1e-4), Vector3::new(w1, w2, w3))?;
+        frames.clear();
+        for &time in &problem.times {
+            frames.push(top.omega_body(time)?);
+        }
+        Ok(None)
+    };
+    entries.push(Entry::new(&problem, CLOSED, String::new(), solve, |omega| (*omega).into()));
+    steppers(entries, &problem, problems::drag_rates, RK4_TOP);
+}
+
+/// The library's wheel from the state of the problem. Its normal is the opposite one, e₃ = −3̂, so e₂ = 2̂, e₁ = −1̂ and β = π/2 − θ; and it
+/// keeps the centre, which is a sin θ inward of the contact.
+fn rolling(&[beta, w1, w2, w3, psi, x, y, phi]: &[f64; 8]) -> Rolling {
+    let (heading, lean) = (psi + PI, FRAC_PI_2 - beta);
+    let (sin, cos) = heading.sin_cos();
+    Rolling {
+        lean,
+        lean_rate: -w1,
+        across: w2,
+        along: -w3,
+        heading,
+        spin: -phi,
+        centre: [x + sin * lean.sin(), y - cos * lean.sin()],
+    }
+}
+
+/// The state of the problem from the library's wheel.
+fn contact_state(rolling: &Rolling) -> [f64; 8] {
+    let Rolling { lean, lean_rate, across, along, heading, spin, centre: [x, y] } = *rolling;
+    let (sin, cos) = heading.sin_cos();
+    let out = lean.sin();
+    [FRAC_PI_2 - lean, -lean_rate, across, -along, heading - PI, x - sin * out, y + cos * out, -spin]
+}
