@@ -9,6 +9,7 @@ use mechanics::integrate::{Dop853, rk4};
 use mechanics::scenes::air_drag::{Drag, DraggedTop};
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
+use mechanics::scenes::spinning_coin::{EulersDisk, Sinking};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::hint::black_box;
@@ -79,19 +80,23 @@ fn steppers<const N: usize>(
     }
 }
 
+/// One kilogram, all of it the load, one metre out: ω₀ = b = 1 and Γ = 0.01.
+fn washing_machine(spin: f64) -> Result<Machine, Cause> {
+    Ok(Machine::new(black_box(Parameters {
+        drum_mass: 0.0,
+        load_mass: 1.0,
+        load_radius: 1.0,
+        stiffness: 1.0,
+        damping: 0.01,
+        spin,
+    }))?)
+}
+
 fn washer(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::washer());
     let solve = |problem: &Problem<4>, frames: &mut Vec<Shaft>| {
         frames.resize(problem.times.len(), Shaft::AT_REST);
-        let machine = Machine::new(black_box(Parameters {
-            drum_mass: 0.0,
-            load_mass: 1.0,
-            load_radius: 1.0,
-            stiffness: 1.0,
-            damping: 0.01,
-            spin: 3.0,
-        }))?;
-        machine.transient(Shaft::AT_REST)?.fill(&problem.times, frames)?;
+        washing_machine(3.0)?.transient(Shaft::AT_REST)?.fill(&problem.times, frames)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, Shaft::to_array));
@@ -100,6 +105,12 @@ fn washer(entries: &mut Vec<Entry>) {
 
 fn ramp(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::ramp());
+    let solve = |problem: &Problem<4>, frames: &mut Vec<Shaft>| {
+        frames.resize(problem.times.len(), Shaft::AT_REST);
+        washing_machine(0.0)?.ramp(0.01, Shaft::AT_REST)?.fill(&problem.times, frames)?;
+        Ok(None)
+    };
+    entries.push(Entry::new(&problem, CLOSED, String::new(), solve, Shaft::to_array));
     steppers(entries, &problem, problems::ramp_rates, RK4_WASHER);
 }
 
@@ -118,11 +129,8 @@ fn body(
             world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
             omega_body: Vector3::new(w1, w2, w3),
         };
-        let top = FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, start)?;
-        frames.clear();
-        for &time in &problem.times {
-            frames.push(top.at(time)?);
-        }
+        frames.resize(problem.times.len(), start);
+        FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, start)?.fill(&problem.times, frames)?;
         Ok(None)
     };
     let state = |turning: &Turning| {
@@ -149,6 +157,21 @@ fn disk(entries: &mut Vec<Entry>) {
 
 fn rest(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::rest());
+    for digits in 4..=16 {
+        let tolerance = 10.0_f64.powi(-digits);
+        let solve = move |problem: &Problem<8>, frames: &mut Vec<Sinking>| {
+            let [tilt, tilt_rate, across, along, heading, x, y, spin] = problem.start;
+            let start = Sinking { tilt, tilt_rate, across, along, heading, spin, contact: [x, y] };
+            frames.resize(problem.times.len(), start);
+            EulersDisk::new(1.0, 0.5, 1.0, 1e-5)?.fill(&start, &problem.times, tolerance, frames)?;
+            Ok(None)
+        };
+        let state = |disk: &Sinking| {
+            let Sinking { tilt, tilt_rate, across, along, heading, spin, contact: [x, y] } = *disk;
+            [tilt, tilt_rate, across, along, heading, x, y, spin]
+        };
+        entries.push(Entry::new(&problem, [NAME, "Taylor"], format!("tolerance 1e-{digits}"), solve, state));
+    }
     steppers(entries, &problem, problems::rest_rates, RK4_DISK);
 }
 

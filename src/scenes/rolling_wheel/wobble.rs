@@ -58,11 +58,13 @@ impl Wheel {
         // Between two equal turning points everything that repeats has repeated.
         let [before, after] = [first, second].map(|end| Rolling::from_array(end.state));
         let heading_advance = after.heading - before.heading;
-        // The step of the centre depends on where in the wobble one begins: take it from the start.
-        let once = solver.solve(rates, 0.0, start.to_array(), period).map_err(NoWobble::Integration)?;
-        let once = Rolling::from_array(once.state);
-        let step = Complex::new(once.centre[0] - start.centre[0], once.centre[1] - start.centre[1])
-            * Complex::from_polar(1.0, -start.heading);
+        // What happens in one wobble, a turn and a shift of the plane, is the same wherever in it one begins: found between the
+        // turning points, it gives the step of the centre from the start.
+        let [begin, before_centre, after_centre] =
+            [start.centre, before.centre, after.centre].map(|[x, y]| Complex::new(x, y));
+        let turn = Complex::from_polar(1.0, heading_advance);
+        let step = (after_centre - turn * before_centre) + (turn - 1.0) * begin;
+        let step = step * Complex::from_polar(1.0, -start.heading);
         Ok(Wobble {
             wheel: *self,
             solver,
