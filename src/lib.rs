@@ -2,7 +2,7 @@
 //!
 //! | chapter | module |
 //! |---|---|
-//! | Physics in the laundromat | [`scenes::laundromat`] |
+//! | Physics in the laundromat | [`scenes::laundromat`], [`faddeeva`] |
 //! | How a body turns | [`inertia`], [`attitude`], [`euler`], [`free_rotation`] |
 //! | The wobble plate | [`scenes::wobble_plate`] |
 //! | The coin toss | [`scenes::coin_toss`] |
@@ -12,6 +12,7 @@
 //! | The rolling wheel | [`scenes::rolling_wheel`], [`conical`] |
 //! | The spinning coin | [`scenes::spinning_coin`] |
 //! | Methods | [`integrate`], [`geometric`] |
+//! | Speed and accuracy | [`measure`], [`sweep`] |
 //! | Hard cases | all of them, where digits get lost |
 //!
 //! Each module of [`scenes`] models one problem with the smallest state that it needs, in closed form where there is

@@ -4,6 +4,9 @@
 #[allow(dead_code, reason = "the tests measure without a runner")]
 #[path = "../benches/speed/contest.rs"]
 mod contest;
+#[allow(dead_code, reason = "the writing is the bench's")]
+#[path = "../benches/speed/long_run.rs"]
+mod long_run;
 #[allow(dead_code, reason = "the writing is the runner's")]
 #[path = "../benches/speed/measured.rs"]
 mod measured;
@@ -12,6 +15,8 @@ mod ours;
 #[allow(dead_code, reason = "some of it is for the peers")]
 #[path = "../benches/speed/problems.rs"]
 mod problems;
+#[path = "../benches/speed/tables.rs"]
+mod tables;
 #[path = "../benches/speed/work.rs"]
 mod work;
 
@@ -19,6 +24,8 @@ use std::collections::BTreeMap;
 
 const WORK: &str = include_str!("../book/speed-and-accuracy/work.csv");
 const MEASURED: &str = include_str!("../book/speed-and-accuracy/measured.csv");
+const LONG_RUN: &str = include_str!("../book/speed-and-accuracy/long-run.csv");
+const LIMITS: &str = include_str!("../book/speed-and-accuracy/limits.csv");
 const PAGE: &str = include_str!("../book/speed-and-accuracy/index.md");
 
 /// Errors are repeated to this factor. On the kind of machine that wrote the data they are repeated exactly; another library of sines, whose last
@@ -178,4 +185,40 @@ fn the_tables_of_the_page_are_those_of_the_data() {
         assert!(table.lines().count() > 8);
         assert!(PAGE.contains(&table), "the page has another table than:\n{table}");
     }
+    for table in
+        [measured::ahead(&rows, &problems::NAMES), tables::long_run(LONG_RUN), tables::limits(LIMITS)]
+    {
+        assert!(table.lines().count() > 8);
+        assert!(PAGE.contains(&table), "the page has another table than:\n{table}");
+    }
+}
+
+#[test]
+fn the_beginning_of_the_long_run_is_that_of_the_committed_data() {
+    let rows = long_run::rows(&long_run::PERIODS[..2]).unwrap();
+    assert_eq!(rows.len(), 7 * 2);
+    for row in &rows {
+        let head = format!("{},{},{},", row.method, row.setting, row.periods);
+        let line = LONG_RUN.lines().find(|line| line.starts_with(&head)).expect("the data has a line for it");
+        let [work, length, energy, attitude]: [f64; 4] =
+            std::array::from_fn(|n| line[head.len()..].split(',').nth(n).unwrap().parse().unwrap());
+        if SAME {
+            assert_eq!(row.work as f64, work, "{row}");
+        }
+        // To the digits that are written, and to what rounding leaves after ten thousand periods.
+        for (found, committed) in [(row.length, length), (row.energy, energy), (row.attitude, attitude)] {
+            let near = 0.01 * committed.abs() + 1e-11;
+            assert!((found - committed).abs() < near, "{row}: {found:e} and not {committed:e}");
+        }
+    }
+    // Each method loses what the page says: in proportion to the time, the attitude as its square, the splitting's in proportion.
+    let grows = |method: &str, setting: &str, quantity: fn(&long_run::Row) -> f64| {
+        let mine: Vec<_> = rows.iter().filter(|row| row.method == method && row.setting == setting).collect();
+        (quantity(mine[1]) / quantity(mine[0])).abs().log10()
+    };
+    let fine = ("DOP853", "tolerance 1e-12");
+    assert!((grows(fine.0, fine.1, |row| row.length) - 1.0).abs() < 0.05);
+    assert!((grows(fine.0, fine.1, |row| row.energy) - 1.0).abs() < 0.05);
+    assert!((grows(fine.0, fine.1, |row| row.attitude) - 2.0).abs() < 0.05);
+    assert!((grows("Blanes–Moan", "40 steps a period", |row| row.attitude) - 1.0).abs() < 0.05);
 }

@@ -1,9 +1,12 @@
 //! Error against time and work for every scene with motion.
 //!
 //! `cargo bench --bench speed` prints a table. `-- work FILE` writes what does not depend on the machine: errors and evaluations of the
-//! rates. `-- serve` makes the program a contestant of `cargo book measure`, which compares it with others.
+//! rates; `-- long FILE` what is left after a million periods of the hoop (a minute or two). `-- limits` prints what a frame costs in long lists.
+//! `-- serve` makes the program a contestant of `cargo book measure`, which compares it with others.
 
 mod contest;
+mod limits;
+mod long_run;
 mod ours;
 #[allow(dead_code, reason = "shared with the peers and the tests; each takes what it needs")]
 mod problems;
@@ -20,6 +23,8 @@ fn main() -> Result<(), Cause> {
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["serve"] => contest::serve(&entries, &[], &[("mechanics", env!("CARGO_PKG_VERSION"))])?,
         ["work", file] => std::fs::write(file, work::csv(&work::rows(&entries)?))?,
+        ["long", file] => std::fs::write(file, long_run::csv(&long_run::rows(&long_run::PERIODS)?))?,
+        ["limits"] => print!("{}", limits::csv(&limits::rows()?)),
         [] => {
             let mut seconds = vec![Vec::new(); entries.len()];
             for _ in 0..ROUNDS {
@@ -32,7 +37,7 @@ fn main() -> Result<(), Cause> {
                 println!("{row} {:>12.5} ms", 1e3 * times[ROUNDS / 2]);
             }
         }
-        _ => return Err("there are only `work FILE` and `serve`".into()),
+        _ => return Err("there are only `work FILE`, `long FILE`, `limits` and `serve`".into()),
     }
     Ok(())
 }

@@ -154,6 +154,39 @@ pub(crate) fn table(rows: &[Measurement], problem: &str) -> String {
     text
 }
 
+/// The errors at which the library is set beside its fastest peer.
+const RACES: [f64; 2] = [1e-6, 1e-9];
+
+/// The first line of the table that says how far ahead the library is.
+pub(crate) const AHEAD_HEAD: &str =
+    "| times faster than the fastest peer, at error | 1e-6 | 1e-9 | native, 1e-6 | native, 1e-9 |";
+
+/// How many times as long the fastest peer takes as the library's best method, in Markdown.
+pub(crate) fn ahead(rows: &[Measurement], problems: &[&str]) -> String {
+    let mut text = format!("{AHEAD_HEAD}\n|---|---|---|---|---|\n");
+    for problem in problems {
+        let fastest = |who: &dyn Fn(&str) -> bool, goal: f64| {
+            let all = methods(rows, problem).into_iter().filter(|(contestant, _)| who(contestant));
+            all.filter_map(|name| cost_to_reach(&seconds_front(rows, problem, name), goal))
+                .min_by(f64::total_cmp)
+        };
+        let mut cells = Vec::new();
+        for ours in ["mechanics", NATIVE] {
+            for goal in RACES {
+                let us = fastest(&|contestant| contestant == ours, goal);
+                let them = fastest(&|contestant| contestant != "mechanics" && contestant != NATIVE, goal);
+                cells.push(match (us, them) {
+                    (Some(us), Some(them)) => short(them / us),
+                    (Some(_), None) => "no peer arrives".to_owned(),
+                    (None, _) => "–".to_owned(),
+                });
+            }
+        }
+        let _ = writeln!(text, "| `{problem}` | {} |", cells.join(" | "));
+    }
+    text
+}
+
 /// Two significant digits, without an exponent.
 fn short(value: f64) -> String {
     let magnitude = value.abs().max(f64::MIN_POSITIVE).log10().floor() as i32;
@@ -166,7 +199,7 @@ fn short(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{COLUMNS, Measurement, cost_to_reach, front, parse, short, table};
+    use super::{COLUMNS, Measurement, ahead, cost_to_reach, front, parse, short, table};
 
     #[test]
     fn the_front_leaves_out_what_is_beaten() {
@@ -210,5 +243,8 @@ mod tests {
         assert!(parse("error\n").is_err() && parse(&format!("{COLUMNS}\na,b\n")).is_err());
         let table = table(&rows, "washer");
         assert!(table.ends_with("|\n| somebody, RK4 | 2.2 | 22 | – | – |\n"), "{table}");
+        let ours = Measurement { contestant: "mechanics".into(), ..row("", 1e-7, 1e-3) };
+        let ahead = ahead(&[rows.to_vec(), vec![ours]].concat(), &["washer", "hoop"]);
+        assert!(ahead.ends_with("|\n| `washer` | 22 | – | – | – |\n| `hoop` | – | – | – | – |\n"), "{ahead}");
     }
 }

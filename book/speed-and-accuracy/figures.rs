@@ -16,6 +16,9 @@ pub(crate) const FIGURES: &[Entry] = &[
     Entry { id: "fig:speed-separatrix", draw: |id| time(id, "separatrix", "the pinned hoop beside its separatrix") },
     Entry { id: "fig:speed-disk", draw: |id| time(id, "disk", "two hundred precessions of a rolling disk") },
     Entry { id: "fig:speed-rest", draw: |id| time(id, "rest", "a disk that rolls to rest") },
+    Entry { id: "fig:speed-toss", draw: |id| time(id, "toss", "a tossed coin") },
+    Entry { id: "fig:speed-station", draw: |id| time(id, "station", "a struck space station") },
+    Entry { id: "fig:speed-drag", draw: |id| time(id, "drag", "a disc that spins down in air") },
     Entry { id: "fig:speed-work", draw: work },
 ];
 

@@ -302,3 +302,11 @@ fn a_fault_in_a_page_fails_the_build_with_file_and_line() {
         assert!(all.contains(said), "{name} should say {said:?}, but says {all}");
     }
 }
+
+#[test]
+fn the_figure_of_the_readme_is_the_books() {
+    let committed = include_str!("../../book/speed-and-accuracy/hoop.svg");
+    let drawn = press::figures::ALL.iter().find(|figure| figure.id == "fig:speed-hoop").expect("the figure");
+    assert!(include_str!("../../README.md").contains("(book/speed-and-accuracy/hoop.svg)"));
+    assert!(drawn.standalone == committed, "draw it again: cargo book figures FOLDER, and copy speed-hoop.svg");
+}

@@ -13,14 +13,13 @@ const PEERS: [&str; 5] = ["diffsol", "differential-equations", "ivp", "ode_solve
 
 /// The lines before the data, with the names of the columns.
 pub fn describe(rounds: usize, versions: &[String], notes: &[String]) -> String {
-    let cores = std::thread::available_parallelism().map_or(0, std::num::NonZero::get);
     let peers: Vec<String> = PEERS.iter().map(|name| format!("{name} {}", locked(name))).collect();
     let mut lines = vec![
         "Error against time of the library and its peers on the problems of the report.".to_owned(),
         format!(
             "seconds: wall clock of one run with all its frames, median and quartiles of {rounds} interleaved rounds; 3 for what takes over 0.2 s"
         ),
-        format!("processor: {}, {cores} cores seen, {}", processor(), std::env::consts::OS),
+        machine(),
         format!(
             "compiler: {}; profile bench; default flags, and {NATIVE_FLAGS} for `mechanics native`",
             version("rustc")
@@ -33,6 +32,22 @@ pub fn describe(rounds: usize, versions: &[String], notes: &[String]) -> String 
     text.push_str(COLUMNS);
     text.push('\n');
     text
+}
+
+fn machine() -> String {
+    let cores = std::thread::available_parallelism().map_or(0, std::num::NonZero::get);
+    format!("processor: {}, {cores} cores seen, {}", processor(), std::env::consts::OS)
+}
+
+/// The lines before the data of the limits.
+pub fn head_of_limits() -> String {
+    let lines = [
+        "What a frame costs in long lists, what the functions in it cost one by one, and a sweep. Nanoseconds, wall clock, median.".to_owned(),
+        machine(),
+        format!("compiler: {}; profile bench, default flags; {}", version("rustc"), today()),
+        "written by: cargo book measure".to_owned(),
+    ];
+    lines.iter().map(|line| format!("# {line}\n")).collect()
 }
 
 /// The version of a crate in the lock file.

@@ -14,6 +14,8 @@ mod measured;
 mod problems;
 mod runner;
 mod solvers;
+#[path = "../../speed/tables.rs"]
+mod tables;
 
 fn main() -> Result<(), contest::Cause> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

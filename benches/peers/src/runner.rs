@@ -8,6 +8,7 @@ use crate::card;
 use crate::contest::Cause;
 use crate::measured::{self, Measurement, NATIVE};
 use crate::problems::NAMES;
+use crate::tables;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
@@ -18,6 +19,7 @@ cargo book measure [OPTION …]     runs the library and its peers, and writes b
 
 --rounds N       how many rounds the medians are taken over (31)
 --problems A,B   only these problems; then nothing is written, and the tables are printed
+--no-contest     measures only what concerns the library alone, and makes the tables of the page again
 --no-python      without heyoka, SciPy and MuJoCo
 --python FILE    an interpreter that has them; by default one is set up under target/python with benches/peers/requirements.txt";
 
@@ -31,6 +33,7 @@ struct Options {
     problems: Vec<String>,
     python: Option<PathBuf>,
     no_python: bool,
+    no_contest: bool,
 }
 
 /// A process, and what it can do.
@@ -60,6 +63,10 @@ pub fn run(arguments: &[String]) -> Result<(), Cause> {
         return Ok(());
     };
     let root = fs::canonicalize(Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."))?;
+    let folder = root.join("book/speed-and-accuracy");
+    if options.no_contest {
+        return finish(&root, &folder);
+    }
     let (mut versions, mut notes) = (Vec::new(), Vec::new());
     let mut contestants = vec![
         Contestant::start(&mut ours(&root, false), "mechanics", &options, &mut versions, &mut notes)?,
@@ -95,25 +102,32 @@ pub fn run(arguments: &[String]) -> Result<(), Cause> {
         println!("{}", measured::table(&rows, problem));
     }
     if problems.len() == NAMES.len() {
-        let folder = root.join("book/speed-and-accuracy");
-        let work = folder.join("work.csv");
-        let done =
-            cargo(&root).args(["bench", "--quiet", "--bench", "speed", "--", "work"]).arg(work).status()?;
-        if !done.success() {
-            return Err("the library could not write work.csv".into());
-        }
         fs::write(folder.join("measured.csv"), text)?;
-        rewrite_tables(&folder.join("index.md"), &rows)?;
-        println!("written: work.csv, measured.csv and the tables of index.md in {}", folder.display());
+        finish(&root, &folder)?;
     } else {
         notes.iter().for_each(|note| println!("note: {note}"));
     }
     Ok(())
 }
 
+/// What the library does alone: its work, the long run and the limits; then the tables of the page.
+fn finish(root: &Path, folder: &Path) -> Result<(), Cause> {
+    for (order, file) in [("work", "work.csv"), ("long", "long-run.csv")] {
+        let bench = ["bench", "--quiet", "--bench", "speed", "--", order];
+        checked(cargo(root).args(bench).arg(folder.join(file)))?;
+    }
+    let bench = ["bench", "--quiet", "--features", "parallel", "--bench", "speed", "--", "limits"];
+    let limits = cargo(root).args(bench).output()?;
+    fs::write(folder.join("limits.csv"), card::head_of_limits() + &String::from_utf8(limits.stdout)?)?;
+    rewrite_tables(folder)?;
+    println!("written: the data and the tables of index.md in {}", folder.display());
+    Ok(())
+}
+
 impl Options {
     fn read(arguments: &[String]) -> Result<Option<Self>, Cause> {
-        let mut options = Self { rounds: 31, problems: Vec::new(), python: None, no_python: false };
+        let mut options =
+            Self { rounds: 31, problems: Vec::new(), python: None, no_python: false, no_contest: false };
         let mut arguments = arguments.iter();
         while let Some(argument) = arguments.next() {
             let mut value = || arguments.next().ok_or_else(|| format!("{argument} needs a value\n\n{HELP}"));
@@ -122,6 +136,7 @@ impl Options {
                 "--problems" => options.problems = value()?.split(',').map(str::to_owned).collect(),
                 "--python" => options.python = Some(value()?.into()),
                 "--no-python" => options.no_python = true,
+                "--no-contest" => options.no_contest = true,
                 "--help" | "-h" => return Ok(None),
                 other => return Err(format!("there is no option {other}\n\n{HELP}").into()),
             }
@@ -324,17 +339,25 @@ fn rows(contestants: &mut [Contestant]) -> Vec<Measurement> {
 }
 
 /// Puts the tables of the data in the place of those on the page.
-fn rewrite_tables(page: &Path, rows: &[Measurement]) -> Result<(), Cause> {
-    let mut text = fs::read_to_string(page)?;
-    for problem in NAMES {
-        let head = measured::table_head(problem);
+fn rewrite_tables(folder: &Path) -> Result<(), Cause> {
+    let data = |file: &str| fs::read_to_string(folder.join(file));
+    let rows = &measured::parse(&data("measured.csv")?)?;
+    let page = folder.join("index.md");
+    let mut text = fs::read_to_string(&page)?;
+    let mut tables: Vec<(String, String)> =
+        NAMES.iter().map(|problem| (measured::table_head(problem), measured::table(rows, problem))).collect();
+    tables.push((measured::AHEAD_HEAD.to_owned(), measured::ahead(rows, &NAMES)));
+    for table in [tables::long_run(&data("long-run.csv")?), tables::limits(&data("limits.csv")?)] {
+        tables.push((table.lines().next().unwrap_or_default().to_owned(), table));
+    }
+    for (head, table) in tables {
         let Some(start) = text.find(&head) else {
             return Err(format!("{} has no table that begins with `{head}`", page.display()).into());
         };
         let length: usize =
             text[start..].split_inclusive('\n').take_while(|line| line.starts_with('|')).map(str::len).sum();
-        text.replace_range(start..start + length, &measured::table(rows, problem));
+        text.replace_range(start..start + length, &table);
     }
-    fs::write(page, text)?;
+    fs::write(&page, text)?;
     Ok(())
 }

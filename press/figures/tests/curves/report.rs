@@ -37,7 +37,7 @@ fn unbeaten(pairs: &[(f64, f64)]) -> Vec<(f64, f64)> {
 fn every_measurement_that_is_not_beaten_lies_on_its_curve() {
     let runs = runs();
     let mut checked = 0;
-    for problem in ["washer", "ramp", "hoop", "separatrix", "disk", "rest"] {
+    for problem in ["washer", "ramp", "hoop", "separatrix", "disk", "rest", "toss", "station", "drag"] {
         let here = || runs.iter().filter(|run| run.name[0] == problem && run.name[1] != "mechanics native");
         let mut names: Vec<[&str; 3]> = here().map(|run| run.name).collect();
         names.dedup();

@@ -1,0 +1,149 @@
+//! What a frame costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and on all.
+
+use crate::contest::Cause;
+use crate::problems;
+use mechanics::euler::Turning;
+use mechanics::faddeeva::faddeeva;
+use mechanics::free_rotation::FreeTop;
+use mechanics::inertia::PrincipalMoments;
+use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::sweep::sweep;
+use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// Frames in a list: set-up no longer counts.
+const FRAMES: usize = 4096;
+/// Rounds, of which the median is taken.
+const ROUNDS: usize = 31;
+/// How long each round lasts.
+const SLICE: Duration = Duration::from_millis(4);
+/// Machines in a sweep, and the frames of each.
+const MACHINES: usize = 20_000;
+
+/// Nanoseconds for one of `count` things that `work` does, the median of some rounds.
+fn nanoseconds(count: usize, mut work: impl FnMut() -> Result<(), Cause>) -> Result<f64, Cause> {
+    let mut rounds = Vec::with_capacity(ROUNDS);
+    for _ in 0..ROUNDS {
+        let (began, mut runs) = (Instant::now(), 0_u32);
+        while runs == 0 || began.elapsed() < SLICE {
+            work()?;
+            runs += 1;
+        }
+        rounds.push(began.elapsed().as_secs_f64() / f64::from(runs));
+    }
+    rounds.sort_by(f64::total_cmp);
+    Ok(1e9 * rounds[ROUNDS / 2] / count as f64)
+}
+
+fn machine(damping: f64, spin: f64) -> Result<Machine, Cause> {
+    let (drum_mass, load_mass, load_radius, stiffness) = (0.0, 1.0, 1.0, 1.0);
+    Ok(Machine::new(Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })?)
+}
+
+/// A line of `limits.csv`: of what, what it is, and nanoseconds.
+type Row = (&'static str, &'static str, f64);
+
+/// Measures all lines.
+///
+/// # Errors
+/// Whatever the library says.
+pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
+    let times: Vec<f64> = (0..FRAMES).map(|n| 0.37 * n as f64).collect();
+    let mut shafts = vec![Shaft::AT_REST; FRAMES];
+    let mut numbers = vec![0.0; FRAMES];
+    let mut rows = Vec::new();
+
+    let motion = machine(0.01, 3.0)?.transient(Shaft::AT_REST)?;
+    rows.push((
+        "washer",
+        "a frame",
+        nanoseconds(FRAMES, || Ok(motion.fill(black_box(&times), &mut shafts)?))?,
+    ));
+    let cost = nanoseconds(FRAMES, || {
+        for (number, &t) in numbers.iter_mut().zip(black_box(&times)) {
+            let ((a, b), (c, d)) = ((3.0 * t).sin_cos(), t.sin_cos());
+            *number = a + b + (c + d) * (-0.005 * t).exp();
+        }
+        black_box(&numbers);
+        Ok(())
+    })?;
+    rows.push(("washer", "its functions", cost));
+
+    let ramp = machine(0.01, 0.0)?.ramp(0.01, Shaft::AT_REST)?;
+    rows.push(("ramp", "a frame", nanoseconds(FRAMES, || Ok(ramp.fill(black_box(&times), &mut shafts)?))?));
+    let cost = nanoseconds(FRAMES, || {
+        for (number, &t) in numbers.iter_mut().zip(black_box(&times)) {
+            let past = 0.05 * (t - 100.0).abs();
+            let (near, far) = (faddeeva(Complex::new(past, past)), faddeeva(Complex::new(past, 5.0 + past)));
+            let ((a, b), (c, d)) = ((0.005 * t * t).sin_cos(), t.sin_cos());
+            *number = near.re + far.im + a + b + (c + d) * (-0.005 * t).exp();
+        }
+        black_box(&numbers);
+        Ok(())
+    })?;
+    rows.push(("ramp", "its functions", cost));
+
+    let [w1, w2, w3, w, i, j, k] = problems::hoop().start;
+    let start = Turning {
+        world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
+        omega_body: Vector3::new(w1, w2, w3),
+    };
+    let top = FreeTop::new(PrincipalMoments::new(1.5, 0.5, 2.0)?, start)?;
+    let mut turnings = vec![start; FRAMES];
+    rows.push(("hoop", "a frame", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
+    let cost = nanoseconds(FRAMES, || {
+        for (number, &t) in numbers.iter_mut().zip(black_box(&times)) {
+            let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
+            *number = (a + b * c + 3.0).sqrt() + (b - a * d + 3.0).sqrt() / (2.0 + a);
+        }
+        black_box(&numbers);
+        Ok(())
+    })?;
+    rows.push(("hoop", "its functions", cost));
+
+    let wheel = Wheel::new(1.0, 1.0, 0.5, 1.0)?;
+    let mut rolling = wheel.steady(0.5, 3.0)?.state();
+    rolling.lean_rate = -0.15;
+    let wobble = wheel.wobble(rolling, 1e-12)?;
+    let cost = nanoseconds(FRAMES, || {
+        black_box(wobble.sample(black_box(&times))?);
+        Ok(())
+    })?;
+    rows.push(("disk", "a frame", cost));
+
+    // Which of twenty thousand machines shakes most while it starts? A hundred frames of each.
+    let dampings: Vec<f64> = (0..MACHINES).map(|n| 1e-4 * n as f64).collect();
+    let largest = |damping: &f64| {
+        let mut frames = [Shaft::AT_REST; 100];
+        let motion = machine(*damping, 3.0).ok()?.transient(Shaft::AT_REST).ok()?;
+        motion.fill(&times[..100], &mut frames).ok()?;
+        Some(frames.iter().map(|frame| frame.position.norm_sqr()).fold(0.0, f64::max))
+    };
+    let cost = nanoseconds(MACHINES, || {
+        black_box(dampings.iter().map(largest).collect::<Vec<_>>());
+        Ok(())
+    })?;
+    rows.push(("sweep", "a machine on one core", cost));
+    if cfg!(feature = "parallel") {
+        let cost = nanoseconds(MACHINES, || {
+            black_box(sweep(black_box(&dampings), largest));
+            Ok(())
+        })?;
+        rows.push(("sweep", "a machine on all cores", cost));
+    }
+    Ok(rows)
+}
+
+/// The first line of the data.
+const COLUMNS: &str = "what,what it is,nanoseconds";
+
+/// The rows as a table with a comma between the columns.
+pub(crate) fn csv(rows: &[Row]) -> String {
+    let mut text = format!("{COLUMNS}\n");
+    for (what, kind, cost) in rows {
+        text.push_str(&format!("{what},{kind},{cost:.3}\n"));
+    }
+    text
+}
