@@ -308,5 +308,8 @@ fn the_figure_of_the_readme_is_the_books() {
     let committed = include_str!("../../book/speed-and-accuracy/hoop.svg");
     let drawn = press::figures::ALL.iter().find(|figure| figure.id == "fig:speed-hoop").expect("the figure");
     assert!(include_str!("../../README.md").contains("(book/speed-and-accuracy/hoop.svg)"));
-    assert!(drawn.standalone == committed, "draw it again: cargo book figures FOLDER, and copy speed-hoop.svg");
+    assert!(
+        drawn.standalone == committed,
+        "draw it again: cargo book figures FOLDER, and copy speed-hoop.svg"
+    );
 }
