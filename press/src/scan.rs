@@ -72,7 +72,15 @@ impl<'a> Scan<'a, '_> {
                 Event::Start(Tag::Table(_)) => self.surroundings.in_table = true,
                 Event::End(TagEnd::Table) => self.surroundings.in_table = false,
                 Event::End(TagEnd::Link) => self.surroundings.in_link = false,
-                Event::Start(Tag::Paragraph) => paragraph = Some(range.clone()),
+                Event::Start(Tag::Paragraph) => {
+                    if self.text[range.clone()].starts_with('|') {
+                        self.fault(
+                            range.start,
+                            "a row of no table: no blank line may stand above it, and a table begins with a line of names and one of dashes",
+                        );
+                    }
+                    paragraph = Some(range.clone());
+                }
                 Event::End(TagEnd::Paragraph) => paragraph = None,
                 Event::Start(Tag::Heading { level, .. }) => {
                     heading = Some((number(*level), range.clone()));

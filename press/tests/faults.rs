@@ -54,6 +54,7 @@ const CASES: &[Case] = &[
     ("stray-dollar", "# A\n\nIt costs $5.\n", &[(3, "a stray `$`")]),
     ("blank-line", "# A\n\n$$\na\n\n= b\n$$\n", &[(3, "a stray `$$`"), (7, "a stray `$$`")]),
     ("list-in-formula", "# A\n\n$$\na\n+ b\n$$\n", &[(3, "starts a list"), (6, "a stray `$$`")]),
+    ("lost-row", "# A\n\n| a | b |\n|---|---|\n\n| 1 | 2 |\n", &[(6, "a row of no table")]),
     ("not-alone", "# A\n\nHere $$a$$ stands.\n", &[(3, "paragraph of its own")]),
     ("empty-maths", "# A\n\n$$\n$$ {#eq:e}\n", &[(3, "the formula is empty")]),
     ("maths-in-heading", "# A\n\n## On $x$\n", &[(3, "mathematics in a heading")]),
