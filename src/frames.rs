@@ -40,6 +40,29 @@ pub(crate) fn fill<F, E>(
     Ok(())
 }
 
+/// Frames are computed in blocks of this many: enough for the widest registers, and small enough for the nearest memory.
+pub(crate) const BLOCK: usize = 32;
+
+/// Does `work` block by block, as many frames as there are times, and says so; leaves alone, and counts not, the block in which a
+/// time is not `reached` or not a number, and what follows it.
+#[inline(always)]
+pub(crate) fn in_blocks<F>(
+    times: &[f64],
+    frames: &mut [F],
+    reached: impl Fn(f64) -> bool,
+    mut work: impl FnMut(&[f64], &mut [F]),
+) -> usize {
+    let mut done = 0;
+    for (times, frames) in times.chunks(BLOCK).zip(frames.chunks_mut(BLOCK)) {
+        if !times.iter().all(|&time| reached(time)) {
+            break;
+        }
+        work(times, frames);
+        done += times.len();
+    }
+    done
+}
+
 impl<E: fmt::Display> fmt::Display for InvalidFrames<E> {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -6,13 +6,11 @@ mod wave;
 
 use crate::elliptic::{carlson_rf, complete_integral, quarter_period};
 use crate::euler::Turning;
+use crate::frames::{BLOCK, in_blocks};
 use crate::inertia::PrincipalMoments;
 use crate::two_part::TwoPart;
 use nalgebra::{Matrix3, Matrix4, Quaternion, Rotation3, UnitQuaternion, Vector3, Vector4};
 use wave::{Constants, Wave};
-
-/// Frames are computed in blocks of this many: enough for the widest registers, and small enough for the nearest memory.
-const BLOCK: usize = 32;
 
 /// The motion of a body with three different moments, about which no two components of ω vanish.
 ///
@@ -121,22 +119,16 @@ impl Asymmetric {
         self.turning(self.wave.at(time))
     }
 
-    /// Fills as many frames as there are times and says so; leaves alone, and counts not, the block in which a time is out of
-    /// reach or not a number, and what follows it.
+    /// Fills the frames at times within reach and says how many, as [`in_blocks`] does.
     pub(super) fn fill(&self, times: &[f64], frames: &mut [Turning]) -> usize {
-        let mut done = 0;
         let mut block = [[0.0; BLOCK]; 7];
-        for (times, frames) in times.chunks(BLOCK).zip(frames.chunks_mut(BLOCK)) {
-            if !times.iter().all(|time| time.abs() <= self.wave.reach()) {
-                break;
-            }
+        let reached = |time: f64| time.abs() <= self.wave.reach();
+        in_blocks(times, frames, reached, |times, frames| {
             self.wave.fill(times, &mut block);
             for (n, frame) in frames.iter_mut().enumerate() {
                 *frame = self.turning(std::array::from_fn(|i| block[i][n]));
             }
-            done += times.len();
-        }
-        done
+        })
     }
 
     /// The time after which the angular velocity is the same again, s; infinite on the separatrix.

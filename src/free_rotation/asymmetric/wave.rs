@@ -4,8 +4,8 @@
 //! theta function of the attitude, and half the steady angle about **L**. Of the angle that the theta function adds, the half is
 //! found without the angle: a complex number Z has the same direction as the square of `|Z| + Z`.
 
-use super::BLOCK;
 use crate::branchless::{Clock, ROUNDABLE, at_full_width, exp, nearest, sin_cos_quarters};
+use crate::frames::BLOCK;
 use crate::two_part::TwoPart;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 

@@ -4,11 +4,9 @@ use super::oscillator::{Oscillator, Roots};
 use super::shaft::Shaft;
 use super::transient::{Form, Transient};
 use crate::branchless::{Clock, at_full_width, exp, sin_cos_quarters};
+use crate::frames::in_blocks;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
-
-/// Frames are computed in blocks of this many: enough for the widest registers, and small enough for the nearest memory.
-pub(super) const BLOCK: usize = 32;
 
 /// Beyond this size of the exponent e^{−Γt/2} nears the ends of the range of `f64`.
 pub(super) const LARGEST_EXPONENT: f64 = 650.0;
@@ -92,14 +90,10 @@ impl Frames {
         })
     }
 
-    /// Fills as many frames as there are times and says so; leaves alone, and counts not, the block in which a time is out of
-    /// reach or not a number, and what follows it.
+    /// Fills the frames at times within reach and says how many, as [`in_blocks`] does.
     pub(super) fn fill(&self, times: &[f64], frames: &mut [Shaft]) -> usize {
-        let mut done = 0;
-        for (times, frames) in times.chunks(BLOCK).zip(frames.chunks_mut(BLOCK)) {
-            if !times.iter().all(|time| time.abs() <= self.reach) {
-                break;
-            }
+        let reached = |time: f64| time.abs() <= self.reach;
+        in_blocks(times, frames, reached, |times, frames| {
             at_full_width(
                 #[inline(always)]
                 || {
@@ -108,9 +102,7 @@ impl Frames {
                     }
                 },
             );
-            done += times.len();
-        }
-        done
+        })
     }
 
     /// One frame, without a branch: the loop above does several in one instruction.

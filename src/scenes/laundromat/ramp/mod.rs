@@ -3,12 +3,12 @@
 mod drum;
 mod root;
 
-use super::frames::{BLOCK, Swing};
+use super::frames::Swing;
 use super::machine::Machine;
 use super::oscillator::{InvalidTime, Oscillator, check_time};
 use super::shaft::{InvalidStart, Shaft};
 use crate::branchless::at_full_width;
-use crate::frames::{InvalidFrames, fill};
+use crate::frames::{BLOCK, InvalidFrames, fill, in_blocks};
 use crate::quantity::{InvalidQuantity, Rule};
 use drum::{Drum, Forced};
 use nalgebra::Complex;
@@ -143,11 +143,8 @@ impl Ramp {
     fn fill_swinging(&self, swing: &Swing, roots: &[Root; 2], times: &[f64], frames: &mut [Shaft]) -> usize {
         let reach = swing.reach().min(self.drum.reach());
         let earliest = roots[0].earliest().max(roots[1].earliest());
-        let mut done = 0;
-        for (times, frames) in times.chunks(BLOCK).zip(frames.chunks_mut(BLOCK)) {
-            if !times.iter().all(|&time| time.abs() <= reach && time >= earliest) {
-                break;
-            }
+        let reached = |time: f64| time.abs() <= reach && time >= earliest;
+        in_blocks(times, frames, reached, |times, frames| {
             let mut padded = [0.0; BLOCK];
             padded[..times.len()].copy_from_slice(times);
             let forced = at_full_width(
@@ -159,9 +156,7 @@ impl Ramp {
                 let [x, y, vx, vy] = std::array::from_fn(|i| forced[i][n] + free[i]);
                 *frame = self.reflected(Complex::new(x, y), Complex::new(vx, vy));
             }
-            done += times.len();
-        }
-        done
+        })
     }
 
     fn reflected(&self, position: Complex<f64>, velocity: Complex<f64>) -> Shaft {
