@@ -5,6 +5,7 @@
 mod asymmetric;
 mod symmetric;
 mod top;
+mod two_turns;
 
 pub use symmetric::{FreeSymmetricTop, InvalidTop};
 pub use top::FreeTop;

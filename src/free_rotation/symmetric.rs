@@ -1,11 +1,13 @@
 //! A free body with an axis of symmetry: its whole motion in a handful of operations.
 
+use super::two_turns::TwoTurns;
 use crate::attitude::turn;
 use crate::euler::Turning;
+use crate::frames::{InvalidFrames, fill};
 use crate::inertia::PrincipalMoments;
 use crate::quantity::{InvalidQuantity, Shown};
 use crate::two_part::TwoPart;
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 use std::error::Error;
 use std::fmt;
 
@@ -81,6 +83,30 @@ impl FreeSymmetricTop {
         Ok(Turning { world_from_body, omega_body })
     }
 
+    /// Attitude and angular velocity at each of `times`, s, written to `frames` without allocating, several frames at once.
+    ///
+    /// # Errors
+    /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
+    /// [`InvalidFrames::Time`] at the first time that [`FreeSymmetricTop::at`] refuses.
+    pub fn fill(&self, times: &[f64], frames: &mut [Turning]) -> Result<(), InvalidFrames<InvalidQuantity>> {
+        let quick = |times: &[f64], frames: &mut [Turning]| {
+            self.two_turns(0, &UnitQuaternion::identity()).fill(times, frames)
+        };
+        fill(times, frames, quick, |time| self.at(time))
+    }
+
+    /// The motion as two turns, for a body of which this top's axis 1 is the axis number `shift`, counted from 0.
+    pub(super) fn two_turns(&self, shift: usize, top_from_body: &UnitQuaternion<f64>) -> TwoTurns {
+        let [w1, w2, w3]: [f64; 3] = self.start.omega_body.into();
+        TwoTurns::new(
+            &self.start.world_from_body,
+            (self.momentum_direction_body, self.precession_rate),
+            (Vector3::z(), self.body_rate),
+            top_from_body,
+            [[0.0, 0.0, w3], [w1, w2, 0.0], [-w2, w1, 0.0]].map(|along_top| renamed_back(along_top, shift)),
+        )
+    }
+
     /// The direction of the axis of symmetry in the room at `time`, s; cheaper than the whole attitude
     /// (`eq:axis-motion`).
     ///
@@ -136,6 +162,11 @@ impl FreeSymmetricTop {
     pub fn kinetic_energy(&self) -> f64 {
         self.moments.kinetic_energy(&self.start.omega_body)
     }
+}
+
+/// Components along the axes of a top, along those of a body of which the top's axis 1 is the axis number `shift`.
+pub(super) fn renamed_back(along_top: [f64; 3], shift: usize) -> Vector3<f64> {
+    Vector3::from_fn(|axis, _| along_top[(axis + 3 - shift) % 3])
 }
 
 /// Why a body is not a free symmetric top.

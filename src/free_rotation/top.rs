@@ -1,7 +1,8 @@
 //! Any free body.
 
 use super::asymmetric::Asymmetric;
-use super::symmetric::FreeSymmetricTop;
+use super::symmetric::{FreeSymmetricTop, renamed_back};
+use super::two_turns::TwoTurns;
 use crate::attitude::turn;
 use crate::euler::Turning;
 use crate::frames::{InvalidFrames, fill};
@@ -109,28 +110,33 @@ impl FreeTop {
             },
             Motion::Symmetric { top, renamed_from_body, shift } => {
                 let Turning { world_from_body, omega_body } = top.at(time)?;
-                let omega: [f64; 3] = omega_body.into();
-                let back = |axis: usize| omega[(axis + 3 - shift) % 3];
                 Turning {
                     world_from_body: world_from_body * renamed_from_body,
-                    omega_body: Vector3::new(back(0), back(1), back(2)),
+                    omega_body: renamed_back(omega_body.into(), *shift),
                 }
             }
             Motion::Asymmetric(motion) => motion.at(time),
         })
     }
 
-    /// Attitude and angular velocity at each of `times`, s, written to `frames` without allocating.
-    ///
-    /// A body with three different moments takes a form that the compiler turns into instructions for several frames at once.
+    /// Attitude and angular velocity at each of `times`, s, written to `frames` without allocating, several frames at once.
     ///
     /// # Errors
     /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
     /// [`InvalidFrames::Time`] at the first time that [`FreeTop::at`] refuses.
     pub fn fill(&self, times: &[f64], frames: &mut [Turning]) -> Result<(), InvalidFrames<InvalidQuantity>> {
         let quick = |times: &[f64], frames: &mut [Turning]| match &self.motion {
+            Motion::Steady { axis_body, rate } => {
+                let (still, none) = ((Vector3::z(), TwoPart::from(0.0)), Vector3::zeros());
+                let identity = UnitQuaternion::identity();
+                let omega = [self.start.omega_body, none, none];
+                TwoTurns::new(&self.start.world_from_body, (*axis_body, *rate), still, &identity, omega)
+                    .fill(times, frames)
+            }
+            Motion::Symmetric { top, renamed_from_body, shift } => {
+                top.two_turns(*shift, renamed_from_body).fill(times, frames)
+            }
             Motion::Asymmetric(motion) => motion.fill(times, frames),
-            _ => 0,
         };
         fill(times, frames, quick, |time| self.at(time))
     }

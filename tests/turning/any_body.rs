@@ -230,19 +230,27 @@ fn rotation_about_a_principal_axis_is_steady_and_a_hair_off_it_is_not() {
 
 #[test]
 fn frames_at_once_are_the_frames_one_by_one() {
-    // Both sides of the separatrix and bodies without a form for many frames; lists of every length around a block's; the
-    // wings of a list beyond the reach of that form.
+    // Bodies with an axis of symmetry, of each name, both sides of the separatrix, a sphere, a principal axis, a body at rest; lists
+    // of every length around a block's; the wings of a list beyond the reach of the form for many frames.
     let mut random = fastrand::Rng::with_seed(89);
     let mut lengths = (0..=70).chain([1000]).cycle();
-    for n in 0..200 {
-        let moments = match n % 4 {
+    for n in 0..400 {
+        let moments = match n % 7 {
             0 => PrincipalMoments::new(1.0, 1.0, 1.5),
             1 => PrincipalMoments::new(1.5, 0.5, 2.0),
             2 => PrincipalMoments::new(2.0, 1.9, 0.5),
-            _ => PrincipalMoments::new(1.0, 1.1, 1.2),
+            3 => PrincipalMoments::new(1.0, 1.1, 1.2),
+            4 => PrincipalMoments::new(0.3, 1.0, 1.0),
+            5 => PrincipalMoments::new(1.0, 0.7, 1.0),
+            _ => PrincipalMoments::new(0.7, 0.7, 0.7),
         }
         .unwrap();
-        let start = turning(&mut random, 1.0);
+        let mut start = turning(&mut random, 1.0);
+        match n % 11 {
+            0 => start.omega_body = Vector3::zeros(),
+            1 => start.omega_body = Vector3::new(0.0, -0.8, 0.0),
+            _ => {}
+        }
         let top = FreeTop::new(moments, start).unwrap();
         let mut times: Vec<f64> =
             (0..lengths.next().unwrap()).map(|_| 200.0 * (random.f64() - 0.5)).collect();
