@@ -7,20 +7,16 @@
 //! - `w`, the angular velocity about the upward normal, and φ, the turn about it relative to the frame, φ̇ = w − O cos β.
 //!
 //! In these variables the equations of motion are sums of products, without a quotient or a function of an angle.
+//!
+//! The contact moves with −φ̇ e^{iψ} in the plane of the table. Its path winds, and the series of e^{iψ} would ask for short steps. So it is
+//! followed as z in `anchor + z e^{iψ}`, ż = −φ̇ − iOz, from an anchor that is chosen anew for each series: the centre of the path's
+//! curvature, about which z is at rest to begin with and stays so for a steady motion.
 
-use crate::branchless::sin_cos_quarters;
 use crate::integrate::{Expand, Series, TAYLOR_ORDER};
 use nalgebra::Complex;
-use std::f64::consts::FRAC_2_PI;
-use wide::f64x4;
+use pulp::{Simd, WithSimd};
 
-/// Products of which the rates consist.
-const LANES: usize = 12;
-
-/// One factor of each product. Left to itself the compiler works across the wrong index for some processors.
-type Row = [f64x4; 3];
-
-/// A wheel and its drag, for [`crate::integrate::Taylor`]; the state is y, u, O, w, ψ, φ.
+/// A wheel and its drag, for [`crate::integrate::Taylor`]; the state is y, u, O, w, ψ, φ and both parts of z, which each series sets anew.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RollingSeries {
     /// The moment about a diameter.
@@ -31,132 +27,146 @@ pub(crate) struct RollingSeries {
     pub(crate) drag: f64,
 }
 
-impl Expand<6> for RollingSeries {
-    fn expand(&self, series: &mut Series<6>) {
-        let (a, c_moment) = (self.across, self.along);
-        let ratio = c_moment / a;
-        let (over_a, over_a1, over_c1) = (1.0 / a, 1.0 / (a + 1.0), 1.0 / (c_moment + 1.0));
-        let growing = series[0][0].exp();
-        let falling = growing.recip();
-        let mut q = 0.5 * (growing + falling); // 1/sin β
-        let mut h = (q * q).recip(); // sin² β
-        let mut c = 0.5 * (falling - growing) / q; // cos β
-        let mut k = self.drag * q * q * q;
-        let mut left = [[f64x4::ZERO; 3]; TAYLOR_ORDER];
-        let mut right = [[f64x4::ZERO; 3]; TAYLOR_ORDER];
-        let mut sums = [[f64x4::ZERO; 3]; 2 * TAYLOR_ORDER];
-        for n in 0..TAYLOR_ORDER {
-            let [_, u, o, w, ..] = series[n];
-            let (sum, l0, r0) = (scalars(&sums[n]), scalars(&left[0]), scalars(&right[0]));
-            // Of a product's coefficient, the sum holds all but what the first row and this one make.
-            let product = |lane: usize, x: f64, y: f64| {
-                if n == 0 { x * y } else { sum[lane] + (x * r0[lane] + l0[lane] * y) }
-            };
-            let g = product(0, c, u);
-            let oc = product(1, o, c);
-            let uw = product(2, u, w);
-            let cq = product(3, c, q);
-            let s = product(4, u, h);
-            let slowing = [2.0 * g + k * over_a, g + k * over_a1, a * oc - (c_moment + 1.0) * w];
-            let hg = product(5, h, g);
-            let qg = product(6, q, g);
-            let kg = product(7, k, g);
-            let o_slowing = product(8, o, slowing[0]);
-            let u_slowing = product(9, u, slowing[1]);
-            let o_precession = product(10, o, slowing[2]);
-            let os = product(11, o, s);
-            let l = row([c, o, u, c, u, h, q, k, o, u, o, o]);
-            let r = row([u, c, w, q, h, g, g, g, slowing[0], slowing[1], slowing[2], s]);
-            left[n] = l;
-            right[n] = r;
+/// Where the contact is, seen from the anchor along the heading.
+pub(crate) fn from_anchor(&[.., re, im]: &[f64; 8]) -> Complex<f64> {
+    Complex::new(re, im)
+}
 
-            let over = 1.0 / (n + 1) as f64;
+/// Sine and cosine of β.
+pub(crate) fn sin_cos_tilt(y: f64) -> (f64, f64) {
+    let growing = y.exp();
+    let falling = growing.recip();
+    let sin = 2.0 / (growing + falling);
+    (sin, 0.5 * (falling - growing) * sin)
+}
+
+/// How many products the rates consist of, and room to spare.
+const LANES: usize = 16;
+
+/// One factor of each product, or the sum of what has been found of each.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+struct Row([f64; LANES]);
+
+const NOTHING: Row = Row([0.0; LANES]);
+
+/// Half of the orders: of two whose sum is one of them, the smaller lies below.
+const HALF: usize = TAYLOR_ORDER / 2;
+
+/// 1/(n + 1).
+const OVER: [f64; TAYLOR_ORDER] = {
+    let (mut over, mut n) = ([0.0; TAYLOR_ORDER], 0);
+    while n < TAYLOR_ORDER {
+        over[n] = 1.0 / (n + 1) as f64;
+        n += 1;
+    }
+    over
+};
+
+/// Below this rate of the heading, in √(g/a), the anchor comes nearer than the centre of curvature.
+const SLOW_HEADING: f64 = 0.3;
+
+impl Expand<8> for RollingSeries {
+    fn expand(&self, series: &mut Series<8>) {
+        pulp::Arch::new().dispatch(Expansion { wheel: *self, series });
+    }
+}
+
+/// The work of [`RollingSeries::expand`], for registers of any width.
+struct Expansion<'a> {
+    wheel: RollingSeries,
+    series: &'a mut Series<8>,
+}
+
+impl WithSimd for Expansion<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { wheel: RollingSeries { across: a, along, drag }, series } = self;
+        let (ratio, wheel) = (along / a, along + 1.0);
+        let (over_a, over_a1, over_c1) = (1.0 / a, 1.0 / (a + 1.0), 1.0 / wheel);
+        let [y0, u0, o0, w0, ..] = series[0];
+        let growing = y0.exp();
+        let falling = growing.recip();
+        let q0 = 0.5 * (growing + falling); // 1/sin β
+        let h0 = (q0 * q0).recip(); // sin² β
+        let c0 = 0.5 * (falling - growing) / q0; // cos β
+        let k0 = drag * q0 * q0 * q0;
+        let curved = (w0 - o0 * c0) * o0 / (o0 * o0 + SLOW_HEADING * SLOW_HEADING);
+        (series[0][6], series[0][7]) = (0.0, curved);
+
+        let (mut q, mut h, mut c, mut k) = (q0, h0, c0, k0);
+        let (mut left, mut right) = ([NOTHING; HALF], [NOTHING; HALF]);
+        let mut sums = [NOTHING; TAYLOR_ORDER];
+        for n in 0..TAYLOR_ORDER {
+            let [_, u, o, w, _, _, re, im] = series[n];
+            // Of a product's coefficient the sum holds all but what the first row and this one make. What is known last comes last.
+            let (sum, r0) = (sums[n].0, right[0].0);
+            let early = sum[0] + c * r0[0];
+            let g = early + c0 * u;
+            let slow_o = (2.0 * early + k * over_a) + (2.0 * c0) * u;
+            let slow_u = (early + k * over_a1) + c0 * u;
+            let oc = (sum[1] + o0 * c) + o * r0[1];
+            let gyro = a * oc - wheel * w;
+            let uw = (sum[2] + u * r0[2]) + u0 * w;
+            let cq = (sum[3] + c * r0[3]) + c0 * q;
+            let s = (sum[4] + u * r0[4]) + u0 * h;
+            let hg = (sum[5] + h * r0[5]) + h0 * g;
+            let qg = (sum[6] + q * r0[6]) + q0 * g;
+            let kg = (sum[7] + k * r0[7]) + k0 * g;
+            let o_slow = (sum[8] + o * r0[8]) + o0 * slow_o;
+            let u_slow = (sum[9] + u * r0[9]) + u0 * slow_u;
+            let o_gyro = (sum[10] + o * r0[10]) + o0 * gyro;
+            let os = (sum[11] + o * r0[11]) + o0 * s;
+            let o_re = (sum[12] + o * r0[12]) + o0 * re;
+            let o_im = (sum[13] + o * r0[13]) + o0 * im;
+            let l = Row([c, o, u, c, u, h, q, k, o, u, o, o, o, o, 0.0, 0.0]);
+            let r = Row([u, c, w, q, h, g, g, g, slow_o, slow_u, gyro, s, re, im, 0.0, 0.0]);
+
+            let over = OVER[n];
+            let spin = w - oc;
             series[n + 1] = [
                 u * over,
-                (o_precession - cq) * (over_a1 * over) - u_slowing * over,
-                uw * (ratio * over) - o_slowing * over,
+                (o_gyro - cq) * (over_a1 * over) - u_slow * over,
+                uw * (ratio * over) - o_slow * over,
                 os * (over_c1 * over),
                 o * over,
-                (w - oc) * over,
+                spin * over,
+                (o_im - spin) * over,
+                -o_re * over,
             ];
             c = -s * over;
             h = hg * (2.0 * over);
             q = -qg * over;
             k = kg * (-3.0 * over);
             // What this row and the earlier ones add to the products still to come.
-            if n > 0 {
-                for j in 1..n.min(TAYLOR_ORDER - n) {
-                    for i in 0..3 {
-                        sums[n + j][i] += l[i] * right[j][i] + left[j][i] * r[i];
-                    }
+            if n < HALF {
+                (left[n], right[n]) = (l, r);
+                if n > 0 {
+                    add_products(simd, &mut sums[2 * n], [(&l, &r)]);
                 }
-                for i in 0..3 {
-                    sums[2 * n][i] += l[i] * r[i];
-                }
+            }
+            for j in 1..n.min(TAYLOR_ORDER - n) {
+                add_products(simd, &mut sums[n + j], [(&l, &right[j]), (&left[j], &r)]);
             }
         }
     }
 }
 
+/// Adds to `sum`, lane by lane, the products of these pairs.
 #[inline(always)]
-fn row(v: [f64; LANES]) -> Row {
-    let [a, b, c, d, e, f, g, h, i, j, k, l] = v;
-    [[a, b, c, d].into(), [e, f, g, h].into(), [i, j, k, l].into()]
-}
-
-#[inline(always)]
-fn scalars(row: &Row) -> [f64; LANES] {
-    let [a, b, c, d] = row[0].to_array();
-    let [e, f, g, h] = row[1].to_array();
-    let [i, j, k, l] = row[2].to_array();
-    [a, b, c, d, e, f, g, h, i, j, k, l]
-}
-
-/// How far the point of contact moves in the time `since` from the start of a step, in radii: `∫ −φ̇ e^{iψ} dt`.
-///
-/// By Gauss's rule with eight points, exact for polynomials of degree 15, on the step's series.
-pub(crate) fn contact_path(series: &Series<6>, since: f64) -> Complex<f64> {
-    let times = NODES.map(|node| 0.5 * since * (1.0 + node));
-    let (mut turn, mut rate) = ([0.0; POINTS], [0.0; POINTS]);
-    for (j, row) in series.iter().enumerate().skip(1).rev() {
-        let order = j as f64;
-        for n in 0..POINTS {
-            rate[n] = rate[n] * times[n] + order * row[5];
-            turn[n] = (turn[n] + row[4]) * times[n];
+fn add_products<S: Simd, const N: usize>(simd: S, sum: &mut Row, pairs: [(&Row, &Row); N]) {
+    let (sum, _) = S::as_mut_simd_f64s(&mut sum.0);
+    let pairs = pairs.map(|(left, right)| (S::as_simd_f64s(&left.0).0, S::as_simd_f64s(&right.0).0));
+    for (i, sum) in sum.iter_mut().enumerate() {
+        let products = pairs.map(|(left, right)| simd.mul_f64s(left[i], right[i]));
+        let together = products.into_iter().reduce(|a, b| simd.add_f64s(a, b));
+        if let Some(together) = together {
+            *sum = simd.add_f64s(*sum, together);
         }
     }
-    let (mut x, mut y) = ([0.0; POINTS], [0.0; POINTS]);
-    for n in 0..POINTS {
-        let (sin, cos) = sin_cos_quarters(turn[n] * FRAC_2_PI, 0.0);
-        (x[n], y[n]) = (WEIGHTS[n] * rate[n] * cos, WEIGHTS[n] * rate[n] * sin);
-    }
-    let sum = Complex::new(x.iter().sum::<f64>(), y.iter().sum::<f64>());
-    let (sin, cos) = series[0][4].sin_cos();
-    sum * Complex::new(cos, sin) * (-0.5 * since)
 }
-
-const POINTS: usize = 8;
-/// Nodes and weights on −1 to 1 (*Digital Library of Mathematical Functions*, §3.5, table 3.5.3 onwards).
-const NODES: [f64; POINTS] = [
-    -0.960_289_856_497_536_2,
-    -0.796_666_477_413_626_7,
-    -0.525_532_409_916_329,
-    -0.183_434_642_495_649_8,
-    0.183_434_642_495_649_8,
-    0.525_532_409_916_329,
-    0.796_666_477_413_626_7,
-    0.960_289_856_497_536_2,
-];
-const WEIGHTS: [f64; POINTS] = [
-    0.101_228_536_290_376_26,
-    0.222_381_034_453_374_48,
-    0.313_706_645_877_887_3,
-    0.362_683_783_378_362,
-    0.362_683_783_378_362,
-    0.313_706_645_877_887_3,
-    0.222_381_034_453_374_48,
-    0.101_228_536_290_376_26,
-];
 
 #[cfg(test)]
 mod tests {
@@ -185,14 +195,14 @@ mod tests {
     fn the_series_is_the_motion() {
         let start = [0.9, 0.4, 0.3, -1.1, 0.0, 0.0];
         let [beta, w1, w2, w3, ..] = start;
-        let state = [(0.5_f64 * beta).tan().ln(), w1 / beta.sin(), w2 / beta.sin(), w3, 0.0, 0.0];
+        let state = [(0.5_f64 * beta).tan().ln(), w1 / beta.sin(), w2 / beta.sin(), w3, 0.0, 0.0, 0.0, 0.0];
         let end = Taylor::new(1e-16).unwrap().solve(&FILM, 0.0, state, 3.0).unwrap();
         let judge = Dop853::new(1e-14)
             .unwrap()
             .solve(|t, y: &[f64; 6]| rates(&FILM, t, y), 0.0, start, 3.0)
             .unwrap()
             .state;
-        let [y, u, o, w, psi, phi] = end.state;
+        let [y, u, o, w, psi, phi, ..] = end.state;
         let beta = 2.0 * y.exp().atan();
         let ours = [beta, u * beta.sin(), o * beta.sin(), w, psi, phi];
         for (a, b) in ours.iter().zip(judge) {

@@ -35,7 +35,7 @@ fn look((contestant, method): (&str, &str)) -> (String, Marker, Hue) {
     match (contestant, method) {
         ("mechanics", "DOP853") => ("DOP853".into(), Marker::Disc, Hue::Blue),
         ("mechanics", "RK4") => ("RK4".into(), Marker::Square, Hue::Orange),
-        ("mechanics", "closed form" | "one wobble") => (method.into(), Marker::Diamond, Hue::Green),
+        ("mechanics", "closed form" | "half a wobble") => (method.into(), Marker::Diamond, Hue::Green),
         ("mechanics", "Taylor") => (method.into(), Marker::Triangle, Hue::Pink),
         ("mechanics", _) => (method.into(), Marker::Ring, Hue::Purple),
         ("heyoka", _) => (contestant.into(), Marker::Triangle, Hue::Muted),

@@ -27,6 +27,7 @@ pub use failure::{Failure, InvalidTolerance};
 pub use methods::METHODS;
 pub use rk4::{rk4, rk4_step};
 pub use step::Step;
+pub(crate) use taylor::increment;
 pub use taylor::{Expand, Series, TAYLOR_ORDER, Taylor, TaylorStep};
 
 /// The rates of a system with `N` state variables: `(time, state) -> d(state)/d(time)`.

@@ -21,6 +21,8 @@ const DEFAULT_EXPANSIONS: usize = 10_000_000;
 /// À. Jorba & M. Zou, *Experimental Mathematics* **14** (2005) 99–117).
 pub trait Expand<const N: usize> {
     /// Fills rows 1 to [`TAYLOR_ORDER`] of `series` from the state in row 0.
+    ///
+    /// Numbers that count from the step's start, like a place in a frame of the step's own, may be set anew in row 0.
     fn expand(&self, series: &mut Series<N>);
 }
 
@@ -61,6 +63,7 @@ pub struct TaylorStep<'a, const N: usize> {
     end: f64,
     length: f64,
     series: &'a Series<N>,
+    increment: [f64; N],
 }
 
 impl Taylor {
@@ -146,9 +149,16 @@ impl Taylor {
                 return Err(Failure::StepUnderflow { time, state: series[0], step: length });
             }
             work.accepted += 1;
-            let step = TaylorStep { start: time, start_rest: time_rest, end: next, length, series: &series };
+            let increment = increment(&series, length);
+            let step = TaylorStep {
+                start: time,
+                start_rest: time_rest,
+                end: next,
+                length,
+                series: &series,
+                increment,
+            };
             let flow = observer(&step);
-            let increment = step.increment(length);
             let mut state = series[0];
             for i in 0..N {
                 (state[i], rest[i]) = add(state[i], rest[i], increment[i]);
@@ -219,18 +229,24 @@ impl<const N: usize> TaylorStep<'_, N> {
 
     /// The state at a time from the step's start to its end.
     pub fn at(&self, time: f64) -> [f64; N] {
-        let increment = self.increment(self.since(time));
+        let increment = increment(self.series, self.since(time));
         std::array::from_fn(|i| self.series[0][i] + increment[i])
     }
 
-    /// What the state has gained after `since` from the start.
-    fn increment(&self, since: f64) -> [f64; N] {
-        let mut sum = [0.0; N];
-        for row in self.series[1..].iter().rev() {
-            for (sum, coefficient) in sum.iter_mut().zip(row) {
-                *sum = (*sum + coefficient) * since;
-            }
-        }
-        sum
+    /// The state at its end.
+    pub fn last(&self) -> [f64; N] {
+        std::array::from_fn(|i| self.series[0][i] + self.increment[i])
     }
+}
+
+/// What the state has gained after `since` from the start of the series.
+#[inline]
+pub(crate) fn increment<const N: usize>(series: &Series<N>, since: f64) -> [f64; N] {
+    let mut sum = [0.0; N];
+    for row in series[1..].iter().rev() {
+        for (sum, coefficient) in sum.iter_mut().zip(row) {
+            *sum = (*sum + coefficient) * since;
+        }
+    }
+    sum
 }

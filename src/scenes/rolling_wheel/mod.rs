@@ -11,11 +11,12 @@
 //! | rates of the general motion, energy, contact force | [`Wheel::rates`], [`Wheel::energy`], [`Wheel::contact_force`] |
 //! | the two constants of the motion, and what follows from them | [`Wheel::constants`], [`Wheel::at_lean`] |
 //! | rates for a wheel that is almost flat | [`Wheel::rates_by_tilt`] |
-//! | the motion at any time from one wobble | [`Wheel::wobble`] |
+//! | the motion at any time from half a wobble | [`Wheel::wobble`] |
 
 mod motion;
 mod near_flat;
 mod steady;
+mod swing;
 mod wheel;
 mod wobble;
 

@@ -1,86 +1,134 @@
-//! The motion at any time from one wobble.
+//! The motion at any time from half a wobble.
 //!
 //! Lean and angular velocities come back after one wobble, whatever the heading and the place. So the wheel repeats one and the same
-//! path, turned and shifted: it is enough to integrate a single wobble.
+//! path, turned and shifted. And from a moment at which the lean turns, what follows is the mirror image of what came before. So it
+//! is enough to know the motion from there to the next such moment.
 
 use super::motion::Rolling;
+use super::swing::{Moment, Swing};
 use super::wheel::Wheel;
-use crate::integrate::{Direction, Dop853, Failure, InvalidTolerance, Outcome};
+use crate::branchless::{Clock, ROUNDABLE, sin_cos_quarters};
+use crate::frames::{InvalidFrames, fill};
+use crate::integrate::{Failure, InvalidTolerance, Taylor};
+use crate::quantity::{InvalidQuantity, Rule, Shown};
+use crate::rolling::{RollingSeries, sin_cos_tilt};
+use crate::two_part::TwoPart;
 use nalgebra::Complex;
 use std::error::Error;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt;
 
-/// How long, in units of √(a/g), a turning point of the lean is waited for.
-const PATIENCE: f64 = 1e4;
-
 /// A motion that repeats itself after one wobble.
-#[derive(Debug, Clone, Copy, PartialEq)]
+///
+/// ```
+/// use mechanics::scenes::rolling_wheel::Wheel;
+/// let disc = Wheel::disk(1.0, 0.1)?;
+/// let mut start = disc.steady(0.5, 0.3)?.state();
+/// start.lean_rate = 1.0;
+/// let wobble = disc.wobble(start, 1e-16)?;
+/// let late = wobble.at(1000.0 * wobble.period())?;
+/// assert!((late.lean - start.lean).abs() < 1e-11);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
 pub struct Wobble {
-    wheel: Wheel,
-    solver: Dop853,
-    start: Rolling,
-    period: f64,
+    radius: f64,
+    unit: f64,             // √(a/g), s
+    turning: f64,          // a moment at which the lean turns, s; then, in the room:
+    heading: f64,          //
+    spin: f64,             //
+    contact: Complex<f64>, // m
+    facing: Complex<f64>,  // e to the i times the heading of the swing's frame
+    swing: Swing,
     heading_advance: f64,
     spin_advance: f64,
-    step: Complex<f64>, // of the centre in one wobble, seen from the heading at its start
+    half_turns: Clock, // half of the heading's advance, less whole turns, for each wobble
+    stride: Stride,
+}
+
+/// How the contact moves on from wobble to wobble, in radii.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Stride {
+    /// This far in each: the heading is the same again.
+    Straight(f64),
+    /// Round a circle of this diameter.
+    Round(f64),
 }
 
 impl Wheel {
-    /// Integrates one wobble of the motion from `start`, to `tolerance` a step ([`Dop853`]).
-    ///
-    /// By the lean: a wheel that comes nearer to flat than about a millionth of a radian gets lost in its rounding and is refused after
-    /// much work; step such a one by [`Wheel::rates_by_tilt`].
+    /// The motion from `start`, from half a wobble by a Taylor method of order sixteen whose last terms are as small as `tolerance`
+    /// (in radii and √(a/g)).
     ///
     /// # Errors
-    /// [`NoWobble`] if the lean does not swing (a steady motion, or one that falls flat), the tolerance cannot be met, or the
-    /// integration fails.
+    /// [`NoWobble`] if a number of `start` cannot be computed with, the lean does not swing (a steady motion, or one that falls
+    /// flat), the tolerance cannot be met, or the integration fails.
     pub fn wobble(&self, start: Rolling, tolerance: f64) -> Result<Wobble, NoWobble> {
-        let solver = Dop853::new(tolerance)?;
-        let rates = |time: f64, state: &[f64; 8]| self.rates(time, state);
-        let patience = PATIENCE * (self.radius / self.gravity).sqrt();
-        let turning_point = |from: f64, state: [f64; 8], direction: Direction| {
-            let event = |_: f64, state: &[f64; 8]| state[1];
-            match solver.solve_until(rates, from, state, from + patience, event, direction) {
-                Ok(Outcome::Event(end)) => Ok(end),
-                Ok(Outcome::NoEvent(_)) => Err(NoWobble::Steady),
-                Err(failure) => Err(NoWobble::Integration(failure)),
-            }
-        };
-        if start.lean_rate == 0.0 && self.rates(0.0, &start.to_array())[1] == 0.0 {
-            return Err(NoWobble::Steady);
+        let solver = Taylor::new(tolerance)?;
+        let series = RollingSeries { across: 0.5 * self.factor, along: self.factor, drag: 0.0 };
+        let state = self.series_state(&start)?;
+        // First to a moment at which the lean turns, then half a wobble on.
+        let mut moment = Moment { state, contact: Complex::new(0.0, 0.0), facing: Complex::new(1.0, 0.0) };
+        let mut waited = 0.0;
+        if state[1] != 0.0 {
+            let swing = Swing::new(&solver, &series, state)?;
+            waited = swing.duration();
+            moment = swing.end();
         }
-        // By way of the other turning point: the located one may lie a hair before its zero, and would be found again.
-        let first = turning_point(0.0, start.to_array(), Direction::Falling)?;
-        let other = turning_point(first.time, first.state, Direction::Rising)?;
-        let second = turning_point(other.time, other.state, Direction::Falling)?;
-        let period = second.time - first.time;
-        // Between two equal turning points everything that repeats has repeated.
-        let [before, after] = [first, second].map(|end| Rolling::from_array(end.state));
-        let heading_advance = after.heading - before.heading;
-        // What happens in one wobble, a turn and a shift of the plane, is the same wherever in it one begins: found between the
-        // turning points, it gives the step of the centre from the start.
-        let [begin, before_centre, after_centre] =
-            [start.centre, before.centre, after.centre].map(|[x, y]| Complex::new(x, y));
-        let turn = Complex::from_polar(1.0, heading_advance);
-        let step = (after_centre - turn * before_centre) + (turn - 1.0) * begin;
-        let step = step * Complex::from_polar(1.0, -start.heading);
+        let [y, _, o, w, heading, spin, ..] = moment.state;
+        let swing = Swing::new(&solver, &series, [y, 0.0, o, w, 0.0, 0.0, 0.0, 0.0])?;
+        let Moment { state: half, contact, .. } = swing.end();
+
+        // Whole turns make no difference.
+        let angle = 2.0 * half[4] - TAU * (2.0 * half[4] / TAU).round();
+        let (sin, cos) = (0.5 * angle).sin_cos();
+        let stride = 2.0 * (contact.re * cos + contact.im * sin);
+        // The axes of the series are turned by π about the wheel's axis 2.
+        let facing = -Complex::cis(start.heading);
+        let unit = (self.radius / self.gravity).sqrt();
+        let [x, y] = self.contact_point(&start);
         Ok(Wobble {
-            wheel: *self,
-            solver,
-            start,
-            period,
-            heading_advance,
-            spin_advance: after.spin - before.spin,
-            step,
+            radius: self.radius,
+            unit,
+            turning: waited * unit,
+            heading: start.heading + heading,
+            spin: start.spin - spin,
+            contact: Complex::new(x, y) + facing * moment.contact * self.radius,
+            facing: facing * moment.facing,
+            swing,
+            heading_advance: 2.0 * half[4],
+            spin_advance: -2.0 * half[5],
+            half_turns: Clock::from_rate(TwoPart::from(0.5 * angle)),
+            stride: if sin == 0.0 { Stride::Straight(stride) } else { Stride::Round(stride / sin) },
         })
+    }
+
+    /// The state of [`RollingSeries`], with heading and spin zero.
+    fn series_state(&self, start: &Rolling) -> Result<[f64; 8], NoWobble> {
+        let Rolling { lean, lean_rate, across, along, heading, spin, centre: [x, y] } = *start;
+        let rule = Rule::LessThan(FRAC_PI_2);
+        InvalidQuantity::check("lean", lean, "rad")?;
+        InvalidQuantity::require(lean.abs() < FRAC_PI_2, "size of the lean", lean.abs(), "rad", rule)?;
+        for (name, value, unit) in [
+            ("rate of the lean", lean_rate, "rad/s"),
+            ("angular velocity about axis 2", across, "rad/s"),
+            ("angular velocity about axis 3", along, "rad/s"),
+            ("heading", heading, "rad"),
+            ("spin", spin, "rad"),
+            ("position of the centre", x, "m"),
+            ("position of the centre", y, "m"),
+        ] {
+            InvalidQuantity::check(name, value, unit)?;
+        }
+        let unit = (self.radius / self.gravity).sqrt();
+        let over = unit / lean.cos();
+        Ok([-lean.tan().asinh(), -lean_rate * over, across * over, -along * unit, 0.0, 0.0, 0.0, 0.0])
     }
 }
 
 impl Wobble {
     /// The time of one wobble, s.
     pub fn period(&self) -> f64 {
-        self.period
+        2.0 * self.swing.duration() * self.unit
     }
 
     /// How far the heading goes on in one wobble, rad.
@@ -93,59 +141,67 @@ impl Wobble {
         self.spin_advance
     }
 
-    /// The states at `times`, s, in any order and of either sign, at the cost of one wobble.
+    /// The state at `time`, s, of either sign.
     ///
     /// # Errors
-    /// [`NoWobble`] if a time is not finite, or the integration fails.
-    pub fn sample(&self, times: &[f64]) -> Result<Vec<Rolling>, NoWobble> {
-        if let Some(&time) = times.iter().find(|time| !time.is_finite()) {
+    /// [`NoWobble::Time`] if the time is not finite, or so far away that it cannot be said where in a wobble it falls.
+    pub fn at(&self, time: f64) -> Result<Rolling, NoWobble> {
+        let period = 2.0 * self.swing.duration();
+        let since = (time - self.turning) / self.unit;
+        let count = (since / period).round();
+        if count.is_nan() || count.abs() > ROUNDABLE {
             return Err(NoWobble::Time { time });
         }
-        let parts: Vec<(f64, f64)> = times
-            .iter()
-            .map(|time| {
-                let whole = (time / self.period).floor();
-                (whole, (time - whole * self.period).clamp(0.0, self.period))
-            })
-            .collect();
-        let mut order: Vec<usize> = (0..times.len()).collect();
-        order.sort_by(|&i, &j| parts[i].1.total_cmp(&parts[j].1));
-        let sorted: Vec<f64> = order.iter().map(|&i| parts[i].1).collect();
-        let rates = |time: f64, state: &[f64; 8]| self.wheel.rates(time, state);
-        let (within, _) =
-            self.solver.sample(rates, 0.0, self.start.to_array(), &sorted).map_err(NoWobble::Integration)?;
-        let mut states = vec![self.start; times.len()];
-        for (&place, state) in order.iter().zip(within) {
-            states[place] = self.moved(&Rolling::from_array(state), parts[place].0);
-        }
-        Ok(states)
-    }
+        // Less whole wobbles, and the second half as the first seen in a mirror.
+        let (whole, rest) = TwoPart::product(count, period).parts();
+        let within = (since - whole) - rest;
+        let Moment { state: [y, u, o, w, psi, phi, ..], mut contact, mut facing } =
+            self.swing.at(within.abs().min(self.swing.duration()));
+        let side = if within < 0.0 { -1.0 } else { 1.0 };
+        (contact.re, facing.im) = (side * contact.re, side * facing.im);
 
-    /// A state of the first wobble as it is so many wobbles later.
-    fn moved(&self, state: &Rolling, wobbles: f64) -> Rolling {
-        let turn = wobbles * self.heading_advance;
-        let origin = Complex::new(self.start.centre[0], self.start.centre[1]);
-        let here = Complex::new(state.centre[0], state.centre[1]) - origin;
-        let facing = Complex::from_polar(1.0, self.start.heading);
-        let centre = origin
-            + facing * self.step * turned_sum(self.heading_advance, wobbles)
-            + here * Complex::from_polar(1.0, turn);
-        Rolling {
-            heading: state.heading + turn,
-            spin: state.spin + wobbles * self.spin_advance,
+        // As many wobbles turn the frame and move it on.
+        let (high, low) = self.half_turns.at(count);
+        let (sin, cos) = sin_cos_quarters(high, low);
+        let half_turned = Complex::new(cos, sin);
+        let moved = match self.stride {
+            Stride::Straight(stride) => Complex::new(count * stride, 0.0),
+            Stride::Round(diameter) => half_turned * (diameter * sin),
+        };
+        let frame = self.facing * half_turned * half_turned;
+        let contact = self.contact + (self.facing * moved + frame * contact) * self.radius;
+        let facing = frame * facing;
+
+        let (sin_tilt, cos_tilt) = sin_cos_tilt(y);
+        // The centre is a sin θ from above the contact, to the left of the series' heading.
+        let centre = contact + Complex::new(-facing.im, facing.re) * (self.radius * cos_tilt);
+        Ok(Rolling {
+            lean: cos_tilt.atan2(sin_tilt),
+            lean_rate: -side * u * sin_tilt / self.unit,
+            across: o * sin_tilt / self.unit,
+            along: -w / self.unit,
+            heading: self.heading + count * self.heading_advance + side * psi,
+            spin: self.spin + count * self.spin_advance - side * phi,
             centre: [centre.re, centre.im],
-            ..*state
-        }
+        })
     }
-}
 
-/// `1 + e^{iα} + … + e^{i(N−1)α}`, for negative N its continuation.
-fn turned_sum(angle: f64, count: f64) -> Complex<f64> {
-    // Whole turns make no difference.
-    let angle = angle - TAU * (angle / TAU).round();
-    let half = 0.5 * angle;
-    let ratio = if half == 0.0 { count } else { (count * half).sin() / half.sin() };
-    Complex::from_polar(1.0, (count - 1.0) * half) * ratio
+    /// The states at each of `times`, s, in any order and of either sign, written to `frames` without allocating.
+    ///
+    /// # Errors
+    /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
+    /// [`InvalidFrames::Time`] at the first time that [`Wobble::at`] refuses.
+    pub fn fill(&self, times: &[f64], frames: &mut [Rolling]) -> Result<(), InvalidFrames<NoWobble>> {
+        fill(times, frames, |_, _| 0, |time| self.at(time))
+    }
+
+    /// The states at `times`, s, in any order and of either sign.
+    ///
+    /// # Errors
+    /// As [`Wobble::at`].
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Rolling>, NoWobble> {
+        times.iter().map(|&time| self.at(time)).collect()
+    }
 }
 
 /// Why there is no wobble.
@@ -154,15 +210,23 @@ fn turned_sum(angle: f64, count: f64) -> Complex<f64> {
 pub enum NoWobble {
     /// The lean does not swing.
     Steady,
-    /// A time is not a finite number.
+    /// A number of the start breaks its rule.
+    Quantity(InvalidQuantity),
+    /// A time is not finite, or so far away that it cannot be said where in a wobble it falls.
     Time {
         /// The time, s.
         time: f64,
     },
     /// The tolerance cannot be met.
     Tolerance(InvalidTolerance),
-    /// The integration stopped.
+    /// The integration stopped. Time and state are its own, in units of √(a/g).
     Integration(Failure<8>),
+}
+
+impl From<InvalidQuantity> for NoWobble {
+    fn from(error: InvalidQuantity) -> Self {
+        Self::Quantity(error)
+    }
 }
 
 impl From<InvalidTolerance> for NoWobble {
@@ -175,7 +239,10 @@ impl fmt::Display for NoWobble {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Steady => write!(out, "the lean does not swing: a steady motion has no wobble to repeat"),
-            Self::Time { time } => write!(out, "time {time} s is not a finite number"),
+            Self::Quantity(error) => error.fmt(out),
+            Self::Time { time } => {
+                write!(out, "time {} s must be finite, and at most 2^50 wobbles away", Shown(*time))
+            }
             Self::Tolerance(error) => error.fmt(out),
             Self::Integration(error) => error.fmt(out),
         }

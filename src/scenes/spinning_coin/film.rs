@@ -3,7 +3,7 @@
 use crate::frames::InvalidFrames;
 use crate::integrate::{Failure, InvalidTolerance, Taylor, TaylorStep};
 use crate::quantity::{InvalidQuantity, Rule, Shown};
-use crate::rolling::{RollingSeries, contact_path};
+use crate::rolling::{RollingSeries, from_anchor};
 use nalgebra::Complex;
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -206,21 +206,25 @@ impl EulersDisk {
         let unit = (self.radius / self.gravity).sqrt();
         let [x, y] = start.contact;
         let origin = Complex::new(x, y);
-        let (mut path, mut done) = (Complex::new(0.0, 0.0), 0);
+        let (mut here, mut turn, mut done) = (Complex::new(0.0, 0.0), Complex::cis(start.heading), 0);
         while done < times.len() && times[done] == 0.0 {
             frames[done] = *start;
             done += 1;
         }
-        let outcome = solver.solve_with(&series, 0.0, state, end / unit, |step: &TaylorStep<'_, 6>| {
+        let outcome = solver.solve_with(&series, 0.0, state, end / unit, |step: &TaylorStep<'_, 8>| {
+            let anchor = here - from_anchor(&step.series()[0]) * turn;
             while let Some(time) = times.get(done).map(|time| time / unit) {
                 if (time - step.end()) * step.length() > 0.0 {
                     break;
                 }
-                let here = origin + (path + contact_path(step.series(), step.since(time))) * self.radius;
-                frames[done] = self.sinking(&step.at(time), here, unit);
+                let state = step.at(time);
+                let place = anchor + from_anchor(&state) * Complex::cis(state[4]);
+                frames[done] = self.sinking(&state, origin + place * self.radius, unit);
                 done += 1;
             }
-            path += contact_path(step.series(), step.length());
+            let last = step.last();
+            turn = Complex::cis(last[4]);
+            here = anchor + from_anchor(&last) * turn;
             ControlFlow::Continue(())
         });
         match outcome {
@@ -230,7 +234,7 @@ impl EulersDisk {
     }
 
     /// The state of [`RollingSeries`].
-    fn state(&self, start: &Sinking) -> Result<[f64; 6], InvalidQuantity> {
+    fn state(&self, start: &Sinking) -> Result<[f64; 8], InvalidQuantity> {
         InvalidQuantity::check_positive("tilt from lying flat", start.tilt, "rad")?;
         let rule = Rule::LessThan(PI);
         InvalidQuantity::require(start.tilt < PI, "tilt from lying flat", start.tilt, "rad", rule)?;
@@ -254,10 +258,17 @@ impl EulersDisk {
             start.along * unit,
             start.heading,
             start.spin,
+            0.0,
+            0.0,
         ])
     }
 
-    fn sinking(&self, &[y, u, o, w, heading, spin]: &[f64; 6], contact: Complex<f64>, unit: f64) -> Sinking {
+    fn sinking(
+        &self,
+        &[y, u, o, w, heading, spin, ..]: &[f64; 8],
+        contact: Complex<f64>,
+        unit: f64,
+    ) -> Sinking {
         let sin = 1.0 / y.cosh() / unit;
         Sinking {
             tilt: 2.0 * y.exp().atan(),
@@ -285,7 +296,7 @@ pub enum NoSinking {
     /// The tolerance cannot be kept.
     Tolerance(InvalidTolerance),
     /// The motion could not be carried on: the disk has come to lie flat. Time and state are those of the integration, in √(a/g).
-    Flat(Failure<6>),
+    Flat(Failure<8>),
 }
 
 impl From<InvalidQuantity> for NoSinking {

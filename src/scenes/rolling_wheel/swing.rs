@@ -1,0 +1,123 @@
+//! From one turning point of the lean to the next.
+
+use super::wobble::NoWobble;
+use crate::integrate::{Series, Taylor, TaylorStep, increment};
+use crate::rolling::{RollingSeries, from_anchor};
+use nalgebra::Complex;
+use std::ops::ControlFlow;
+
+/// How long, in units of √(a/g), a turning point of the lean is waited for.
+const PATIENCE: f64 = 1e4;
+/// At how many moments of a step it is looked for.
+const LOOKS: u32 = 8;
+/// Newton's method has found it, or never will.
+const MOST_CORRECTIONS: u32 = 100;
+
+/// The motion from its start to the moment at which the lean turns, in units of the series.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Swing {
+    pieces: Vec<Piece>,
+    last: f64, // the length of the last piece
+}
+
+/// One step of it.
+#[derive(Debug, Clone, PartialEq)]
+struct Piece {
+    start: f64,
+    series: Series<8>,
+    anchor: Complex<f64>,
+}
+
+/// The state at a moment, with the contact's way from the start of the swing and e to the i times the heading.
+pub(super) struct Moment {
+    pub(super) state: [f64; 8],
+    pub(super) contact: Complex<f64>,
+    pub(super) facing: Complex<f64>,
+}
+
+impl Swing {
+    /// From a state of heading zero to the next moment at which the lean turns, not counting the start.
+    ///
+    /// # Errors
+    /// [`NoWobble::Steady`] if there is none, [`NoWobble::Integration`].
+    pub(super) fn new(solver: &Taylor, wheel: &RollingSeries, state: [f64; 8]) -> Result<Self, NoWobble> {
+        let mut pieces: Vec<Piece> = Vec::new();
+        let (mut here, mut facing) = (Complex::new(0.0, 0.0), Complex::new(1.0, 0.0));
+        let mut turning = None;
+        let observer = |step: &TaylorStep<'_, 8>| {
+            let series = *step.series();
+            let piece =
+                Piece { start: -step.since(0.0), series, anchor: here - from_anchor(&series[0]) * facing };
+            let rates = series.map(|row| row[1]); // of y, which turns with the lean
+            let at_rest = pieces.is_empty() && rates[0] == 0.0;
+            // A swing that starts at a turning point waits for the other zero.
+            let rates = if at_rest { &rates[1..] } else { &rates[..] };
+            turning = zero(rates, step.length());
+            let last = step.last();
+            facing = Complex::cis(last[4]);
+            here = piece.anchor + from_anchor(&last) * facing;
+            pieces.push(piece);
+            let stays = at_rest && rates[0] == 0.0;
+            if turning.is_some() || stays { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        solver.solve_with(wheel, 0.0, state, PATIENCE, observer).map_err(NoWobble::Integration)?;
+        turning.map(|last| Self { pieces, last }).ok_or(NoWobble::Steady)
+    }
+
+    /// How long it takes.
+    pub(super) fn duration(&self) -> f64 {
+        self.pieces.last().map_or(0.0, |piece| piece.start) + self.last
+    }
+
+    /// The end of it. (A wheel that turns back almost flat whirls round so fast that a rounded time would not do.)
+    pub(super) fn end(&self) -> Moment {
+        self.pieces[self.pieces.len() - 1].after(self.last)
+    }
+
+    /// The motion at a time after the start, up to the duration.
+    pub(super) fn at(&self, time: f64) -> Moment {
+        let place = self.pieces.partition_point(|piece| piece.start <= time).saturating_sub(1);
+        let piece = &self.pieces[place];
+        piece.after(time - piece.start)
+    }
+}
+
+impl Piece {
+    fn after(&self, since: f64) -> Moment {
+        let gained = increment(&self.series, since);
+        let state: [f64; 8] = std::array::from_fn(|i| self.series[0][i] + gained[i]);
+        let facing = Complex::cis(state[4]);
+        Moment { state, contact: self.anchor + from_anchor(&state) * facing, facing }
+    }
+}
+
+/// The first zero, up to `length`, of the polynomial with these coefficients, the constant first and not zero.
+fn zero(coefficients: &[f64], length: f64) -> Option<f64> {
+    let value_and_slope = |x: f64| {
+        coefficients
+            .iter()
+            .rev()
+            .fold((0.0, 0.0), |(value, slope), coefficient| (value * x + coefficient, slope * x + value))
+    };
+    let sign = coefficients[0] > 0.0;
+    let on_this_side = |x: f64| (value_and_slope(x).0 > 0.0) == sign;
+    let looks = (1..=LOOKS).map(|look| length * f64::from(look) / f64::from(LOOKS));
+    let mut high = looks.into_iter().find(|&x| !on_this_side(x))?;
+    let mut low = high - length / f64::from(LOOKS);
+    let mut x = 0.5 * (low + high);
+    for _ in 0..MOST_CORRECTIONS {
+        let (value, slope) = value_and_slope(x);
+        if (value > 0.0) == sign {
+            low = x;
+        } else {
+            high = x;
+        }
+        let correction = value / slope;
+        if correction.abs() <= f64::EPSILON * x {
+            break;
+        }
+        let next = x - correction;
+        x = if next > low && next < high { next } else { 0.5 * (low + high) };
+    }
+    Some(x)
+}
