@@ -61,14 +61,28 @@ pub(crate) fn sin_cos_quarters(high: f64, low: f64) -> (f64, f64) {
 /// e to the `x`, to about a unit in the last place, for `x` up to 709; below −708 it stays at e^−708.
 #[inline(always)]
 pub(crate) fn exp(x: f64) -> f64 {
+    let (less_one, bits) = reduced_exponential(x);
+    f64::from_bits((1.0 + less_one).to_bits().wrapping_add(bits << 52))
+}
+
+/// e to the `x` as [`exp`], and the same less one, to about a unit in its own last place.
+#[inline(always)]
+pub(crate) fn exp_and_exp_m1(x: f64) -> (f64, f64) {
+    let (less_one, bits) = reduced_exponential(x);
+    let power = f64::from_bits(1.0_f64.to_bits().wrapping_add(bits << 52));
+    (power * (1.0 + less_one), power * less_one + (power - 1.0))
+}
+
+/// `e^r − 1` for the rest r of `x` after whole multiples of ln 2, and the last bits of their number.
+#[inline(always)]
+fn reduced_exponential(x: f64) -> (f64, u64) {
     let x = if x > LEAST_EXPONENT { x } else { LEAST_EXPONENT };
     let (whole, bits) = nearest(x * std::f64::consts::LOG2_E);
     let (high, low) = (x - whole * LN_2_HIGH, whole * LN_2_LOW);
     let r = high - low;
     let square = r * r;
     let c = r - square * polynomial(&EXPONENTIAL, square);
-    let value = 1.0 - ((low - r * c / (2.0 - c)) - high);
-    f64::from_bits(value.to_bits().wrapping_add(bits << 52))
+    (high - (low - r * c / (2.0 - c)), bits)
 }
 
 const LEAST_EXPONENT: f64 = -708.0;
@@ -139,7 +153,7 @@ impl Clock {
 
 #[cfg(test)]
 mod tests {
-    use super::{Clock, exp, sin_cos_quarters};
+    use super::{Clock, exp, exp_and_exp_m1, sin_cos_quarters};
     use crate::two_part::TwoPart;
     use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -180,6 +194,13 @@ mod tests {
             assert!((exp(x) / x.exp() - 1.0).abs() < 4.0 * ULP, "{x}: {} {}", exp(x), x.exp());
         }
         assert_eq!(exp(0.0), 1.0);
+        for n in 0..100_000 {
+            let x = (random.f64() - 0.5) * 10_f64.powi(2 - n % 20);
+            let (whole, less_one) = exp_and_exp_m1(x);
+            assert_eq!(whole, exp(x));
+            assert!((less_one / x.exp_m1() - 1.0).abs() < 4.0 * ULP, "{x}: {less_one} {}", x.exp_m1());
+        }
+        assert_eq!(exp_and_exp_m1(0.0), (1.0, 0.0));
         assert!(exp(-800.0) < 1e-307 && exp(f64::NEG_INFINITY) < 1e-307);
     }
 

@@ -182,10 +182,8 @@ fn drag(entries: &mut Vec<Entry>) {
         let [w1, w2, w3] = problem.start;
         let moments = PrincipalMoments::new(0.25, 0.25, 0.5)?;
         let top = DraggedTop::new(moments, Drag::isotropic(1e-4), Vector3::new(w1, w2, w3))?;
-        frames.clear();
-        for &time in &problem.times {
-            frames.push(top.omega_body(time)?);
-        }
+        frames.resize(problem.times.len(), Vector3::zeros());
+        top.fill_omega_body(&problem.times, frames)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, |omega| (*omega).into()));

@@ -244,3 +244,14 @@ fn a_list_of_frames_has_a_frame_for_each_time() {
     assert_eq!(error.to_string(), "time number 35: time NaN s is not a finite number");
     assert_eq!(frames[34], top.at(3.0).expect("a time"));
 }
+
+#[test]
+fn a_list_of_angular_velocities_has_times_from_zero() {
+    let top = DraggedTop::new(disc(), Drag::isotropic(0.1), Vector3::new(1.0, 0.0, 2.0))
+        .expect("a body that turns");
+    let mut frames = [Vector3::zeros(); 2];
+    let error = top.fill_omega_body(&[1.0], &mut frames).unwrap_err();
+    assert_eq!(error, InvalidFrames::Length { times: 1, frames: 2 });
+    let error = top.fill_omega_body(&[1.0, -1.0], &mut frames).unwrap_err();
+    assert_eq!(error.to_string(), "time number 1: time -1 s is negative; it must be zero or more");
+}

@@ -3,7 +3,7 @@
 use crate::{FEW_ULPS, assert_slope, machine, number, relative, rows};
 use mechanics::integrate::{Dop853, Failure, Work, rk4};
 use mechanics::scenes::laundromat::{Machine, Shaft};
-use mechanics::scenes::rolling_wheel::{NoWobble, Rolling, Wheel};
+use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
 use nalgebra::Complex;
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI};

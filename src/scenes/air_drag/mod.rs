@@ -3,7 +3,10 @@
 //! The drag is a torque `−C₁ω₁, −C₁ω₂, −C₃ω₃` along the body's axes, 3 being the axis of symmetry; the source has one
 //! coefficient C for both.
 
+mod frames;
+
 use crate::euler::Turning;
+use crate::frames::{InvalidFrames, fill};
 use crate::free_rotation::InvalidTop;
 use crate::inertia::PrincipalMoments;
 use crate::integrate::{Dop853, Failure, InvalidTolerance};
@@ -112,6 +115,21 @@ impl DraggedTop {
         InvalidQuantity::check_time(time)?;
         InvalidQuantity::require(time >= 0.0, "time", time, "s", Rule::NotNegative)?;
         Ok(self.omega_after(time))
+    }
+
+    /// The angular velocity along the body's axes at each of `times`, s, written to `frames` without allocating, several at once.
+    ///
+    /// # Errors
+    /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
+    /// [`InvalidFrames::Time`] at the first time that [`DraggedTop::omega_body`] refuses.
+    pub fn fill_omega_body(
+        &self,
+        times: &[f64],
+        frames: &mut [Vector3<f64>],
+    ) -> Result<(), InvalidFrames<InvalidQuantity>> {
+        let quick =
+            |times: &[f64], frames: &mut [Vector3<f64>]| frames::Frames::new(self).fill(times, frames);
+        fill(times, frames, quick, |time| self.omega_body(time))
     }
 
     fn omega_after(&self, time: f64) -> Vector3<f64> {
