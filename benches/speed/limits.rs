@@ -8,6 +8,7 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::scenes::spinning_coin::EulersDisk;
 use mechanics::sweep::sweep;
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
 use std::hint::black_box;
@@ -102,6 +103,29 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
         Ok(())
     })?;
     rows.push(("hoop", "its functions", cost));
+
+    let [w1, w2, w3, w, i, j, k] = problems::toss().start;
+    let start = Turning {
+        world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
+        omega_body: Vector3::new(w1, w2, w3),
+    };
+    let top = FreeTop::new(PrincipalMoments::new(0.25, 0.25, 0.5)?, start)?;
+    rows.push(("toss", "a frame", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
+    let cost = nanoseconds(FRAMES, || {
+        for (number, &t) in numbers.iter_mut().zip(black_box(&times)) {
+            let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
+            *number = a * b + c * d;
+        }
+        black_box(&numbers);
+        Ok(())
+    })?;
+    rows.push(("toss", "its functions", cost));
+
+    let disk = EulersDisk::new(1.0, 0.5, 1.0, 1e-5)?;
+    let sinking = disk.steady(0.3)?;
+    let mut frame = [sinking];
+    let cost = nanoseconds(1, || Ok(disk.fill(black_box(&sinking), &[1e-3], 1e-11, &mut frame)?))?;
+    rows.push(("rest", "a step with its frame", cost));
 
     let wheel = Wheel::new(1.0, 1.0, 0.5, 1.0)?;
     let mut rolling = wheel.steady(0.5, 3.0)?.state();

@@ -68,12 +68,14 @@ pub(crate) fn rows(periods: &[u32]) -> Result<Vec<Row>, Cause> {
         let end = method.solve(&moments, Turning::from_array(state), time, steps)?;
         Ok((end.to_array(), method.turns_per_step() * steps))
     });
-    let methods: [(&str, &str, Advance); 6] = [
+    let methods: [(&str, &str, Advance); 8] = [
         ("RK4", "40 steps a period", runge_kutta(40)),
         ("RK4", "80 steps a period", runge_kutta(80)),
         ("DOP853", "tolerance 1e-6", adaptive(1e-6)),
         ("DOP853", "tolerance 1e-9", adaptive(1e-9)),
         ("DOP853", "tolerance 1e-12", adaptive(1e-12)),
+        ("DOP853", "tolerance 1e-13", adaptive(1e-13)),
+        ("DOP853", "tolerance 1e-14", adaptive(1e-14)),
         ("Blanes–Moan", "40 steps a period", splitting),
     ];
     let energy = moments.kinetic_energy(&start.omega_body);

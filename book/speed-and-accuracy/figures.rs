@@ -39,6 +39,9 @@ fn look((contestant, method): (&str, &str)) -> (String, Marker, Hue) {
         ("mechanics", "Taylor") => (method.into(), Marker::Triangle, Hue::Pink),
         ("mechanics", _) => (method.into(), Marker::Ring, Hue::Purple),
         ("heyoka", _) => (contestant.into(), Marker::Triangle, Hue::Muted),
+        ("ivp", _) => (contestant.into(), Marker::Disc, Hue::Muted),
+        ("differential-equations" | "mujoco", _) => (contestant.into(), Marker::Square, Hue::Muted),
+        ("ode_solvers", _) => (contestant.into(), Marker::Diamond, Hue::Muted),
         _ => (contestant.into(), Marker::Ring, Hue::Muted),
     }
 }
