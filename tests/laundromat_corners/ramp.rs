@@ -1,27 +1,11 @@
-//! A drum that speeds up: the closed form against integration, against 32 digits, and what theory says of slow sweeps.
+//! A drum that speeds up: the closed form against integration, its own symmetries, and what theory says of slow sweeps.
 
+use crate::{machine, start};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{InvalidRamp, Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{InvalidRamp, Machine, Shaft};
 use mechanics::{InvalidFrames, InvalidQuantity};
 use nalgebra::Complex;
 use std::f64::consts::PI;
-
-/// With ω₀ = b = 1.
-fn machine(damping: f64, spin: f64) -> Machine {
-    Machine::new(Parameters {
-        drum_mass: 0.0,
-        load_mass: 1.0,
-        load_radius: 1.0,
-        stiffness: 1.0,
-        damping,
-        spin,
-    })
-    .expect("a machine")
-}
-
-fn start() -> Shaft {
-    Shaft { position: Complex::new(0.3, -0.7), velocity: Complex::new(-0.2, 0.9) }
-}
 
 /// The largest difference from an integration to 1e-13 a step, over the size of the motion, at times after or before the start.
 fn departure(machine: &Machine, acceleration: f64, times: &[f64]) -> f64 {
