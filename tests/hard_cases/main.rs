@@ -15,6 +15,7 @@ mod vanishing;
 use mechanics::measure::observed_order;
 use mechanics::scenes::laundromat::{Machine, Parameters};
 use serde_json::Value;
+use std::ops::Range;
 use std::sync::OnceLock;
 
 /// A few units in the last place, after a dozen operations.
@@ -68,4 +69,13 @@ fn assert_slope(name: &str, pairs: &[(f64, f64)], predicted: f64, within: f64) {
     let fit = observed_order(pairs, 0.0).unwrap_or_else(|| panic!("{name}: too few points in {pairs:?}"));
     println!("{name}: slope {:.3} from {} points, predicted {predicted}", fit.slope, fit.points);
     assert!((fit.slope - predicted).abs() < within, "{name}: slope {} in {pairs:?}", fit.slope);
+}
+
+/// That the errors are, in their geometric mean, such a part of what the law predicts: one lucky rounding says nothing.
+fn assert_level(name: &str, pairs: &[(f64, f64)], law: impl Fn(f64) -> f64, part: Range<f64>) {
+    assert!(pairs.len() >= 3, "{name}: too few points in {pairs:?}");
+    let sum: f64 = pairs.iter().map(|(parameter, error)| (error / law(*parameter)).ln()).sum();
+    let mean = (sum / pairs.len() as f64).exp();
+    println!("{name}: {mean:.2e} of what is predicted");
+    assert!(part.contains(&mean), "{name}: {mean:e} of what is predicted, in {pairs:?}");
 }

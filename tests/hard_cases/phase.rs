@@ -1,6 +1,6 @@
 //! The phase Ωt after a long time: one rounding, and many.
 
-use crate::{ROUNDOFF, assert_slope, machine, number, rows};
+use crate::{ROUNDOFF, assert_level, assert_slope, machine, number, rows};
 use mechanics::scenes::laundromat::Machine;
 use nalgebra::Complex;
 
@@ -18,7 +18,7 @@ fn phases() -> impl Iterator<Item = (Machine, f64, Complex<f64>)> {
 #[test]
 fn direction_of_the_load_is_exact_for_a_billion_seconds_and_one_rounding_of_the_phase_costs_a_digit_a_decade()
 {
-    let mut errors = Vec::new();
+    let (mut errors, mut of_phase) = (Vec::new(), Vec::new());
     for (machine, t, exact) in phases() {
         assert!((machine.load_direction(t) - exact).norm() < 2.0 * ROUNDOFF, "t = {t:e}");
         let phase = machine.spin() * t;
@@ -26,9 +26,11 @@ fn direction_of_the_load_is_exact_for_a_billion_seconds_and_one_rounding_of_the_
         assert!(error < ROUNDOFF * phase + 2.0 * ROUNDOFF, "t = {t:e}: {error:e}");
         if t > 50.0 {
             errors.push((t, error));
+            of_phase.push((phase, error));
         }
     }
     assert_slope("one rounding", &errors, 1.0, 0.15);
+    assert_level("one rounding", &of_phase, |phase| ROUNDOFF * phase, 0.15..0.8);
     let last = errors.iter().filter(|(t, _)| *t > 9e8).map(|(_, error)| *error).fold(0.0, f64::max);
     assert!(last > 1e-7, "after 1e9 s the naive phase should be off by 1e-7 and more, and is by {last:e}");
 }

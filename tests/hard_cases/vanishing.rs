@@ -1,6 +1,6 @@
 //! Division by what vanishes: a shaft that passes the origin of its polar coordinates, a wheel that almost falls flat.
 
-use crate::{FEW_ULPS, assert_slope, machine, number, relative, rows};
+use crate::{FEW_ULPS, assert_level, assert_slope, machine, number, relative, rows};
 use mechanics::integrate::{Dop853, Failure, Work, rk4};
 use mechanics::scenes::laundromat::{Machine, Shaft};
 use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
@@ -43,6 +43,7 @@ fn polar_program_loses_four_digits_a_decade_and_the_cartesian_one_none() {
     // h⁴v⁴/d⁴ while that is small: between a decimetre and two and a half steps.
     errors.retain(|(miss, _)| *miss > 2e-3);
     assert_slope("polar against distance", &errors, -4.0, 0.15);
+    assert_level("polar against distance", &errors, |miss| (1e-3 / miss).powi(4), 0.004..0.016);
     assert!((1e-11..1e-9).contains(&errors[0].1), "a wide miss is no trouble: {errors:?}");
 
     let row = &rows("passes")[3]; // a centimetre
