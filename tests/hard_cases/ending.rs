@@ -1,9 +1,9 @@
 //! A motion that ends: the tilt of a spinning coin, with a loss that grows without bound.
 
-use crate::{FEW_ULPS, ROUNDOFF, assert_slope, number, relative, rows};
+use crate::{FEW_ULPS, ROUNDOFF, assert_level, assert_slope, number, relative, rows};
 use mechanics::integrate::{Dop853, Failure, rk4};
 use mechanics::scenes::spinning_coin::{InvalidSpinDown, Loss, SpinDown, SpinningCoin};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 const MASS: f64 = 0.4;
 
@@ -11,7 +11,7 @@ fn start() -> SpinningCoin {
     SpinningCoin::new(0.0375, 0.5, 9.81, 0.1).expect("a coin")
 }
 
-/// α̇ = −1/3α², the film's law in units of α₀ and t₀: α³ = 1 − t.
+/// α̇ = −1/(3α²), the film's law in units of α₀ and t₀: α³ = 1 − t.
 fn film(_t: f64, &[tilt]: &[f64; 1]) -> [f64; 1] {
     [-1.0 / (3.0 * tilt * tilt)]
 }
@@ -20,10 +20,11 @@ fn film(_t: f64, &[tilt]: &[f64; 1]) -> [f64; 1] {
 fn equal_steps_go_through_the_end_without_a_word() {
     for steps in [150, 1500, 15_000] {
         let [beyond] = rk4(film, 0.0, [1.0], 1.5, steps).unwrap();
-        assert!(beyond < -0.5, "half a life after the end the tilt should be negative, and is {beyond}");
+        // Half a life after the end: the third root of −1/2, and a little more.
+        assert!((-0.9..-0.793).contains(&beyond), "{steps} steps: {beyond}");
     }
     let careless = Dop853::new(1e-6).unwrap().solve(film, 0.0, [1.0], 1.5).unwrap();
-    assert!(careless.state[0] < -0.5);
+    assert!(relative(careless.state[0], -0.5_f64.cbrt()) < 1e-6);
     // A finer tolerance stops there, with a word about its step and none about the coin.
     let careful = Dop853::new(1e-9).unwrap().solve(film, 0.0, [1.0], 1.5).unwrap_err();
     assert!(matches!(careful, Failure::StepUnderflow { time, .. } if (time - 1.0).abs() < 1e-9), "{careful}");
@@ -36,6 +37,7 @@ fn equal_steps_lose_four_digits_a_decade_of_the_time_left() {
         (left, relative(tilt, left.cbrt()))
     });
     assert_slope("equal steps towards the end", &errors[1..], -4.0, 0.2);
+    assert_level("equal steps towards the end", &errors[1..], |left| (1e-4 / left).powi(4), 1e-4..4e-4);
 }
 
 #[test]
@@ -102,6 +104,25 @@ fn spin_down_is_exact_however_little_time_is_left() {
             assert!(error < FEW_ULPS + 3.0 * ROUNDOFF * life / left, "p = {exponent}, {left:e} s: {error:e}");
         }
     }
+}
+
+#[test]
+fn law_of_the_film_asks_the_centre_to_fall_faster_than_gravity_before_the_end() {
+    // Of the height a sin α by second differences, which know nothing of the law's powers.
+    let spin_down = SpinDown::new(start(), MASS, Loss::air_film(&start(), 1.78e-5).unwrap()).unwrap();
+    let fall = |left: f64| {
+        let height = |left: f64| 0.0375 * spin_down.with_time_left(left).unwrap().tilt().sin();
+        let h = 1e-3 * left;
+        (height(left + h) - 2.0 * height(left) + height(left - h)) / (h * h) / -9.81
+    };
+    // Moffatt's criterion: τ = (2a/9g)^{3/5} κ^{1/5} with κ = 2πμa/m.
+    let kappa = TAU * 1.78e-5 * 0.0375 / MASS;
+    let free = (2.0 * 0.0375 / (9.0 * 9.81_f64)).powf(0.6) * f64::powf(kappa, 0.2);
+    assert!(relative(free, 1.451e-3) < 1e-3 && relative(fall(free), 1.0) < 1e-4, "{free:e}, {}", fall(free));
+    // Where the coin would sink by its height within a radian of its round, with eight times gravity.
+    let round = free / 8_f64.powf(0.6);
+    let coin = spin_down.with_time_left(round).unwrap();
+    assert!(relative(3.0 * coin.turn_rate() * round, 1.0) < 1e-5 && relative(fall(round), 8.0) < 1e-4);
 }
 
 #[test]
