@@ -135,7 +135,7 @@ fn critical(id: &str) -> Outcome {
         let pushed = machine(damping, 0.0)?.transient(Shaft { velocity: 1.0.into(), ..Shaft::AT_REST })?;
         cured.push((beyond, relative(pushed.at(t)?.position.re, exact)));
     }
-    let beyond = Axis::log(1e-15, 1.0, 3)?.titled(r"$\Gamma/2\omega_0 - 1$");
+    let beyond = Axis::log(1e-15, 1.0, 3)?.titled(r"$\delta = \Gamma/(2\omega_0) - 1$");
     let error = Axis::log(1e-17, 1e-6, 2)?.titled("relative error of the position");
     let mut plot = Plot::new(&mut drawing, Rect::new(66.0, 34.0, 592.0, 252.0), beyond, error)?;
     plot.reference((1e-15, ROUNDOFF / 8e-15_f64.sqrt()), (1.0, ROUNDOFF / 8_f64.sqrt()), Stroke::Reference);
@@ -229,7 +229,7 @@ fn passes(id: &str) -> Outcome {
         let end = solver.solve(|t, y: &[f64; 8]| wheel.rates_by_tilt(t, y), 0.0, tilt, time)?;
         by_tilt.push((across, end.work.evaluations as f64));
     }
-    let across = Axis::log(1e-10, 1e-1, 3)?.titled(r"rate at the start, $\sqrt{g/a}$");
+    let across = Axis::log(1e-10, 1e-1, 3)?.titled(r"rate at the start, in $\sqrt{g/a}$");
     let work = Axis::log(1e2, 1e6, 1)?.titled("evaluations");
     let mut plot = Plot::new(&mut drawing, Rect::new(402.0, 34.0, 268.0, 262.0), across, work)?;
     plot.series("tilt", &by_tilt, Marker::Square, Hue::Blue);
@@ -282,9 +282,9 @@ fn drift(id: &str) -> Outcome {
     plot.series("length", &lengths, Marker::Triangle, Hue::Pink);
     plot.series("energy", &energies, Marker::Diamond, Hue::Purple);
     plot.series("closed", &closed, Marker::Square, Hue::Blue);
-    plot.label((1e4, 6e-1), Side::Right, "attitude", Hue::Orange)?;
+    plot.label((1.1e4, 6e-1), Side::Right, "attitude", Hue::Orange)?;
     plot.label((1.1e4, 3e-3), Side::Right, "energy", Hue::Purple)?;
-    plot.label((1.1e4, 2e-4), Side::Right, r"$\lvert q\rvert - 1$", Hue::Pink)?;
+    plot.label((1.1e4, 2e-4), Side::Right, r"$1 - \lvert q\rvert$", Hue::Pink)?;
     plot.label((1e2, 4e-15), Side::Above, "closed form: length and energy", Hue::Blue)?;
     Ok(drawing)
 }
@@ -329,7 +329,7 @@ fn rounding(id: &str) -> Outcome {
         "Smaller steps and tighter tolerances, down to rounding and below",
         "Two plots with logarithmic scales. Left, the error of one turn of an oscillator against the evaluations: by the Runge-Kutta method it falls with the power minus four to 1e-15 at thirty thousand \
          evaluations and rises again to 1e-13; DOP853 gets to 1e-15 with some hundred evaluations. Right, the error of two hundred turns of a washing machine by DOP853 against the tolerance: in \
-         proportion to it down to 1e-12, and from there on it stays between 1e-13 and 1e-11.",
+         proportion to it down to 1e-12, and from there on it stays between 1e-12 and 1e-11.",
     );
     let oscillator = |_: f64, &[x, v]: &[f64; 2]| [v, -x];
     let error = |[x, v]: [f64; 2]| (x - TAU.cos()).hypot(v + TAU.sin()).max(LEAST);
@@ -389,7 +389,8 @@ fn stiff(id: &str) -> Outcome {
         plot.series(name, &values, form, hue);
     }
     plot.series("closed", &log_steps(1.0, 1e4, 16).map(|damping| (damping, 1.0)).collect::<Vec<_>>(), Marker::Square, Hue::Blue);
-    plot.label((4e2, 5e5), Side::Left, "DOP853, at $10^{-4}$ and at $10^{-8}$", Hue::Orange)?;
+    plot.label((3e2, 8e5), Side::Left, "DOP853 at $10^{-4}$", Hue::Pink)?;
+    plot.label((3e2, 2.5e5), Side::Left, "DOP853 at $10^{-8}$", Hue::Orange)?;
     plot.label((1e2, 1.5), Side::Above, "closed form", Hue::Blue)?;
     Ok(drawing)
 }
