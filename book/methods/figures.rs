@@ -91,7 +91,7 @@ impl Fixed {
 fn polhodes(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 330.0).titled(
         "The direction of the angular momentum in the book, by Euler's method and by turns",
-        "Two spheres with the axes 1, 2 and 3 of the book. On the left a curve begins near axis 1 and spirals outwards until it meets the dashed separatrix, which passes through axis 2. \
+        "Two spheres with the axes 1, 2 and 3 of the book. On the left a curve begins near axis 1 and spirals outwards towards the dashed separatrix, which passes through axis 2 and which it does not reach. \
          On the right one closed curve about axis 1 that passes through the same starting point.",
     );
     let (moments, _) = book()?;
@@ -151,7 +151,7 @@ fn polhodes(id: &str) -> Outcome {
 fn amplitude(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Factor by which one step changes the amplitude of an oscillator",
-        "The factor from 0.4 to 1.6 against omega h from 0 to 7. Euler's method rises from one at once. RK4 stays near one up to 0.8, falls to one half at 2.6, and rises through one at \
+        "The factor from 0.4 to 1.6 against omega h from 0 to 7. Euler's method rises from one at once. RK4 stays near one up to 0.8, falls to one half at 2.45, and rises through one at \
          2.83. DOP853 stays near one up to 4, falls to 0.7 at 5.5 and rises through one just before 6.",
     );
     let swing = |_: f64, &[x, v]: &[f64; 2]| [v, -x];
@@ -224,7 +224,7 @@ fn steps(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 430.0).titled(
         "The steps that DOP853 chooses for the hoop pinned at 89.9 degrees",
         "Two panels against the time from 0 to 150. Above, the component of omega along the tangent: a third, then minus a third from 28 to 84, then a third again. Below, the length of the steps on a logarithmic \
-         scale from 0.3 to 10: about 1 during each flip, and up to eight times as long while the hoop waits.",
+         scale from 0.1 to 10: about 1 during each flip, and up to four times as long while the hoop waits.",
     );
     let hoop = Pinning::new(Shape::Hoop, 1.0, 1.0, 1.0, 89.9_f64.to_radians())?;
     let top = hoop.free_motion()?;
@@ -321,7 +321,7 @@ fn attitude(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 390.0).titled(
         "Attitude errors of four methods over ten thousand rounds",
         "Both scales are logarithmic: rounds of the polhode from 1 to 10000, and the largest error of the attitude so far, up to half a turn. RK4 and DOP853 rise with slope two, \
-         the two splittings with slope one; Strang's begins highest and ends beside them at half a turn, that of Blanes and Moan is the lowest in the end.",
+         the two splittings with slope one; Strang's begins highest and ends beside RK4 at half a turn, that of Blanes and Moan is the lowest in the end.",
     );
     let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds of the polhode");
     let error = Axis::log(1e-8, 10.0, 1)?.titled("largest error of the attitude so far, rad");

@@ -232,4 +232,7 @@ fn the_steps_of_the_hoop_tile_the_time_and_follow_its_tumbles() {
         within.map(|step| step.1).fold(f64::INFINITY, f64::min)
     };
     assert!(shortest(10.0, 20.0) > 2.0 && shortest(24.0, 34.0) < 1.5 && shortest(50.0, 70.0) > 2.5);
+    // About one in each flip, and four times as long at most, as its description says.
+    let longest = steps.iter().map(|step| step.1).fold(0.0, f64::max);
+    assert!((shortest(24.0, 34.0) - 1.15).abs() < 0.1 && (longest - 4.4).abs() < 0.2, "{longest}");
 }
