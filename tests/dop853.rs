@@ -254,6 +254,38 @@ fn too_much_work_says_how_far_it_got() {
 }
 
 #[test]
+fn the_next_step_follows_from_the_two_differences_of_a_step() {
+    // Prey and predators, 2 and 2, one step of 0.2. The state after it and its differences from those of orders 5 and 3 are
+    // those of the stages and weights of scipy 1.17.1 (`scipy.integrate._ivp`).
+    let rates = |_: f64, &[x, y]: &[f64; 2]| [x * (1.0 - y), y * (x - 1.0)];
+    let (before, after, h) = ([2.0, 2.0], [1.578_832_361_755_685_2, 2.342_984_296_936_917], 0.2);
+    let fifth = [-1.724_178_509_687_757e-7, 4.209_519_726_572_353e-7];
+    let third = [-7.818_600_257_559_761e-5, 2.494_832_600_716_923e-4];
+    for (relative, absolute) in [(1e-7, 1e-10), (1e-8, 1e-9), (1e-8, 1e-7)] {
+        let norm = |difference: [f64; 2]| {
+            let part = |i: usize| difference[i] / (absolute + relative * f64::max(before[i], after[i]));
+            (0.5 * (part(0).powi(2) + part(1).powi(2))).sqrt() // eq:error-norm
+        };
+        let (five, three) = (norm(fifth), norm(third));
+        let error = five * five / (five * five + three * three / 100.0).sqrt(); // eq:error-estimate
+        let mut steps = Vec::new();
+        let solver = Dop853::with_tolerances(relative, absolute).unwrap().with_first_step(h);
+        solver
+            .solve_with(rates, 0.0, before, 10.0, |step| {
+                steps.push((step.end() - step.start(), *step.final_state()));
+                if steps.len() < 2 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+            })
+            .unwrap();
+        assert!((steps[0].0 - h).abs() < 1e-15, "the step is good");
+        for (found, expected) in steps[0].1.iter().zip(after) {
+            assert!((found - expected).abs() < 1e-14);
+        }
+        let next = 0.9 * h * error.powf(-0.125); // eq:next-step
+        assert!((steps[1].0 / next - 1.0).abs() < 1e-8, "{} for {next}", steps[1].0);
+    }
+}
+
+#[test]
 fn a_tenth_of_the_tolerance_shortens_the_steps_by_its_eighth_root() {
     // On a circle every place is like every other: after the first few steps all are of one length, 0.9 of the longest
     // that would meet the tolerance (eq:next-step).

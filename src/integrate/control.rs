@@ -10,7 +10,7 @@ impl Dop853 {
         self.absolute + self.relative * y.abs()
     }
 
-    /// The estimated error of a step in units of the tolerance; at most one is good.
+    /// The estimated error of a step in units of the tolerance (`eq:error-estimate`); at most one is good.
     pub(super) fn error<const N: usize>(
         &self,
         y: &[f64; N],
@@ -27,6 +27,7 @@ impl Dop853 {
             if scale == 0.0 {
                 continue; // a component that is exactly zero before and after
             }
+            // eq:error-norm, but for the factor h/√N of the last line
             sum5 += (fifth[i] / scale).powi(2);
             sum3 += (third[i] / scale).powi(2);
         }
