@@ -255,6 +255,70 @@ fn any_motion_is_its_half_wobble_mirrored_turned_and_shifted() {
 }
 
 #[test]
+fn a_wobble_is_found_by_series_with_few_terms_of_use() {
+    // Loose tolerances make steps longer than half a wobble.
+    let mut random = fastrand::Rng::with_seed(13);
+    for _ in 0..200 {
+        let wheel = wheel(0.5);
+        let mut state = start(&mut random);
+        state.along += 8.0_f64.copysign(state.along); // fast enough for a wobble that is nearly harmonic
+        let [loose, tight] = [0.1, 1e-13].map(|tolerance| wheel.wobble(state, tolerance).unwrap().period());
+        assert_relative_eq!(loose, tight, max_relative = 0.1);
+    }
+}
+
+#[test]
+fn a_billion_wobbles_leave_the_phase_its_digits() {
+    // In units in which the time is not rounded, from a moment at which the lean turns.
+    let disc = Wheel::new(1.0, 1.0, 0.5, 1.0).unwrap();
+    let state = Rolling { lean_rate: 0.0, lean: 0.6, ..disc.steady(0.5, 3.0).unwrap().state() };
+    let wobble = disc.wobble(state, 1e-16).unwrap();
+    for count in [1e3, 1e6, 1e9, -1e9] {
+        let time = wobble.period() * (count + 0.3);
+        let rest = wobble.period().mul_add(-count, time); // exact
+        let [late, early] = [time, rest].map(|time| wobble.at(time).unwrap());
+        assert!((late.lean - early.lean).abs() < 1e-15, "{count:e}: {} and {}", late.lean, early.lean);
+        assert!((late.lean_rate - early.lean_rate).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn a_wheel_that_wobbles_about_the_upright_goes_straight_on() {
+    let hoop = wheel(1.0);
+    let state = Rolling {
+        lean: 0.0,
+        lean_rate: 0.2,
+        across: 0.0,
+        along: 20.0,
+        heading: 0.0,
+        spin: 0.0,
+        centre: [0.0; 2],
+    };
+    let wobble = hoop.wobble(state, 1e-16).unwrap();
+    assert!(wobble.heading_advance().abs() < 1e-14);
+    let [one, many] = [1.0, 1e6].map(|count| wobble.at(count * wobble.period()).unwrap().centre);
+    assert!(one[0].abs() > 1.0);
+    // Of where it begins, only the way across its path matters.
+    assert_relative_eq!(many[0], 1e6 * one[0], max_relative = 1e-10);
+    assert!((many[1] - 1e6 * one[1]).abs() < 1e-8 * many[0].abs());
+
+    // A trace of a turn makes it a circle, a very large one.
+    let state = Rolling { across: 0.1, ..state };
+    let wobble = hoop.wobble(state, 1e-16).unwrap();
+    let advance = wobble.heading_advance();
+    assert!((1e-5..1e-3).contains(&advance.abs()), "{advance}");
+    let time = 300.0 * wobble.period();
+    let judge = Dop853::new(1e-14)
+        .unwrap()
+        .solve(|t, y: &[f64; 8]| hoop.rates(t, y), 0.0, state.to_array(), time)
+        .unwrap()
+        .state;
+    for (found, judge) in wobble.at(time).unwrap().centre.into_iter().zip([judge[6], judge[7]]) {
+        assert_relative_eq!(found, judge, epsilon = 1e-7);
+    }
+}
+
+#[test]
 fn a_wobble_needs_a_lean_that_swings_and_times_that_mean_something() {
     let disc = wheel(0.5);
     let upright = Rolling {

@@ -42,17 +42,9 @@ pub struct Wobble {
     swing: Swing,
     heading_advance: f64,
     spin_advance: f64,
-    half_turns: Clock, // half of the heading's advance, less whole turns, for each wobble
-    stride: Stride,
-}
-
-/// How the contact moves on from wobble to wobble, in radii.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Stride {
-    /// This far in each: the heading is the same again.
-    Straight(f64),
-    /// Round a circle of this diameter.
-    Round(f64),
+    half_turns: Clock,  // half of the heading's advance, less whole turns, for each wobble
+    sin_half_turn: f64, // its sine after one
+    stride: f64,        // how far the contact moves on in a wobble, in radii
 }
 
 impl Wheel {
@@ -98,7 +90,8 @@ impl Wheel {
             heading_advance: 2.0 * half[4],
             spin_advance: -2.0 * half[5],
             half_turns: Clock::from_rate(TwoPart::from(0.5 * angle)),
-            stride: if sin == 0.0 { Stride::Straight(stride) } else { Stride::Round(stride / sin) },
+            sin_half_turn: sin,
+            stride,
         })
     }
 
@@ -156,7 +149,7 @@ impl Wobble {
         let (whole, rest) = TwoPart::product(count, period).parts();
         let within = (since - whole) - rest;
         let Moment { state: [y, u, o, w, psi, phi, ..], mut contact, mut facing } =
-            self.swing.at(within.abs().min(self.swing.duration()));
+            self.swing.at(within.abs());
         let side = if within < 0.0 { -1.0 } else { 1.0 };
         (contact.re, facing.im) = (side * contact.re, side * facing.im);
 
@@ -164,10 +157,9 @@ impl Wobble {
         let (high, low) = self.half_turns.at(count);
         let (sin, cos) = sin_cos_quarters(high, low);
         let half_turned = Complex::new(cos, sin);
-        let moved = match self.stride {
-            Stride::Straight(stride) => Complex::new(count * stride, 0.0),
-            Stride::Round(diameter) => half_turned * (diameter * sin),
-        };
+        // 1 + e^{iα} + … of so many terms is e^{i(N−1)α/2} times this.
+        let ratio = if self.sin_half_turn == 0.0 { count } else { sin / self.sin_half_turn };
+        let moved = half_turned * (self.stride * ratio);
         let frame = self.facing * half_turned * half_turned;
         let contact = self.contact + (self.facing * moved + frame * contact) * self.radius;
         let facing = frame * facing;
