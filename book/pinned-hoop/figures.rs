@@ -78,8 +78,8 @@ fn pinned_hoop(id: &str) -> Outcome {
     drawing.label(pin + Point::polar(76.0, upright - 0.5 * phi), Side::Above, r"$\varphi$", Hue::Ink)?;
     kit::angle(&mut drawing, pin, 38.0, direction.angle(), alpha, Heads::None, Hue::Ink);
     drawing.label(
-        pin + Point::polar(40.0, direction.angle() + 0.72 * alpha),
-        Side::AboveLeft,
+        pin + Point::polar(54.0, direction.angle() + 0.76 * alpha),
+        Side::Over,
         r"$\alpha$",
         Hue::Ink,
     )?;
@@ -119,9 +119,9 @@ fn speed_of_b(id: &str) -> Outcome {
         })
         .collect::<Result<Vec<_>, InvalidPinning>>()?;
     plot.curve("stated", stated, Stroke::DashedCurve, Hue::Pink);
-    plot.label((46.0, 0.98), Side::AboveRight, r"$B$ at $\theta - 90°$", Hue::Green)?;
-    plot.label((64.5, 0.365), Side::Over, "the stated answer", Hue::Pink)?;
-    plot.label((37.0, 0.55), Side::BelowLeft, r"$B$ at $\theta + 90°$", Hue::Blue)?;
+    plot.label((46.0, 0.98), Side::AboveRight, r"at $\theta - 90°$", Hue::Green)?;
+    plot.label((71.0, 0.27), Side::Over, "the stated answer", Hue::Pink)?;
+    plot.label((37.0, 0.55), Side::BelowLeft, r"$B$, at $\theta + 90°$", Hue::Blue)?;
     plot.label((59.0, 0.06), Side::Over, "71.57°", Hue::Blue)?;
     Ok(drawing)
 }
@@ -130,8 +130,8 @@ fn speed_of_b(id: &str) -> Outcome {
 fn polhodes(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 480.0, 400.0).titled(
         "Polhodes of the pinned hoop",
-        "An ellipsoid, longest along axis 2. Four closed curves on it circle axis 2: a small one for 30 degrees, larger ones for 60 and 80, and one for \
-         89 degrees that reaches almost to axis 1 on both sides, next to a dashed curve, the separatrix, that passes through axis 1.",
+        "An ellipsoid, longest along axis 2. Four closed curves on it, the paths of minus omega, circle axis 2: a small one for 30 degrees, larger ones for 60 and 80, and one for \
+         89 degrees that reaches almost to axis 1 and to its opposite, next to a dashed curve, the separatrix, that passes through axis 1.",
     );
     let moments = pinning(Shape::Hoop, 45.0)?.moments_about_pin().to_array();
     let semi = moments.map(|moment| 1.0 / moment.sqrt());
@@ -153,6 +153,14 @@ fn polhodes(id: &str) -> Outcome {
         let path = linear_steps(0.0, period, 720)
             .map(|time| Ok(-top.at(time)?.omega_body / size))
             .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+        // Named where there is room: at its highest point, inside its turn, or on the way up.
+        let on_the_way = path.iter().position(|point| point.x > 0.4 * path[360].x).ok_or("it crosses")?;
+        let (place, step, side) = match degrees {
+            80.0 => (360, at(2.0, 0.0), Side::Right),
+            89.0 => (on_the_way, at(2.0, -5.0), Side::AboveLeft),
+            _ => (180, at(0.0, 0.0), Side::Above),
+        };
+        stage.label_shifted(path[place], step, side, &format!("{degrees}°"), hue)?;
         stage.curve(Curve::smooth(path)?, Stroke::Curve, hue)?;
     }
     // The separatrix: L² = 2T I₁ on the ellipsoid, two plane curves through axis 1.
@@ -247,15 +255,15 @@ fn herpolhode(id: &str) -> Outcome {
 
 /// Paths of the centres of a hoop and of a sphere, pinned at the same place.
 fn hoop_and_sphere(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 660.0, 330.0).titled(
+    let mut drawing = Drawing::new(id, 660.0, 285.0).titled(
         "Paths of the centre of a hoop and of a sphere",
         "Two pictures, each with the pinned point A, the upright direction of the angular momentum and the path of the centre at unit distance from A. Left, the hoop's centre \
-         wanders over a band of the sphere about A in loops. Right, the sphere's centre goes round the upright on one circle.",
+         goes round the upright and nods, so that its path fills a band of the sphere about A. Right, the sphere's centre goes round the upright on one circle.",
     );
     for (x, shape, time, name) in
-        [(175.0, Shape::Hoop, 170.0, "hoop"), (490.0, Shape::Sphere, 22.0, "sphere")]
+        [(175.0, Shape::Hoop, 170.0, "hoop"), (490.0, Shape::Sphere, 40.0, "sphere")]
     {
-        let body = pinning(shape, 70.0)?;
+        let body = pinning(shape, 89.0)?;
         let (top, upright) = along_momentum(&body)?;
         let path = linear_steps(0.0, time, 4000)
             .map(|t| Ok(upright * (top.at(t)?.world_from_body * body.centre())))
@@ -273,11 +281,11 @@ fn hoop_and_sphere(id: &str) -> Outcome {
         stage.named_vector([0.0; 3], [0.0, 0.0, 1.15], r"$\boldsymbol{L}_A$", Hue::Green)?;
         stage.curve(Curve::segment([0.0; 3], last)?.hiding(Hiding::Ignored), Stroke::Outline, Hue::Blue)?;
         stage.dot([0.0; 3], 4.5, Hue::Pink)?;
-        stage.label_shifted([0.0; 3], at(-4.0, 4.0), Side::BelowLeft, "$A$", Hue::Pink)?;
-        stage.dot(first, 3.0, Hue::Muted)?;
+        stage.label_shifted([0.0; 3], at(3.0, 5.0), Side::BelowRight, "$A$", Hue::Pink)?;
+        stage.dot_in_front(first, 4.5, Hue::Muted)?;
         stage.dot(last, 4.5, Hue::Blue)?;
         stage.write(&mut drawing);
-        drawing.label(at(x, 312.0), Side::Over, name, Hue::Ink)?;
+        drawing.label(at(x, 267.0), Side::Over, name, Hue::Ink)?;
     }
     Ok(drawing)
 }
@@ -309,7 +317,7 @@ fn period_error(id: &str) -> Outcome {
     let mut plot = Plot::new(&mut drawing, Rect::new(66.0, 34.0, 592.0, 262.0), distance, error)?;
     plot.series("parameter", &naive, Marker::Disc, Hue::Orange);
     plot.series("complement", &better, Marker::Square, Hue::Blue);
-    plot.label((1e-7, 1e-3), Side::Right, "from the parameter $m$", Hue::Orange)?;
+    plot.label((1e-7, 1e-3), Side::Right, "from the parameter $k^2$", Hue::Orange)?;
     plot.label((1e-11, 1e-14), Side::Right, r"from the complement $k'^2$", Hue::Blue)?;
     Ok(drawing)
 }
