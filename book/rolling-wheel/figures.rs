@@ -30,7 +30,7 @@ fn wheel_circle(id: &str) -> Outcome {
         "The wheel on its circle",
         "A table with a circle, and a wheel that stands on it and leans inward by theta. Above the table a smaller dashed circle is the path of the centre, of radius b; the \
          upright axis through both carries Omega. At the centre of the wheel the axis 1 is level, along the path, 2 runs up the plane of the \
-         wheel, and 3, the axle, inward and down. The contact is marked P.",
+         wheel, and 3, the axle, inward and down. A dot marks the contact.",
     );
     let (lean, b) = (0.42_f64, 1.7);
     let (sin, cos) = lean.sin_cos();
@@ -62,17 +62,16 @@ fn wheel_circle(id: &str) -> Outcome {
     ] {
         stage.named_vector(centre, centre + axis * length, name, Hue::Ink)?;
     }
-    let upright = Curve::segment(contact, contact + Vector3::new(0.0, 0.0, 1.9))?;
+    let upright = Curve::segment(contact, contact + Vector3::new(0.0, 0.0, 2.4))?;
     stage.curve(upright, Stroke::Reference, Hue::Muted)?;
-    stage.angle(contact, Vector3::z(), axes[1], 1.62, "", Hue::Ink)?;
-    stage.label_shifted(contact + Vector3::z() * 1.9, at(6.0, 4.0), Side::Right, r"$\theta$", Hue::Ink)?;
+    stage.angle(contact, Vector3::z(), axes[1], 2.2, r"$\theta$", Hue::Ink)?;
     stage.curve(Curve::segment(centre, contact)?, Stroke::Outline, Hue::Muted)?;
     stage.label_shifted(centre - axes[1] * 0.5, at(-2.0, 0.0), Side::Left, "$a$", Hue::Ink)?;
     let radius = Curve::segment([0.0, 0.0, cos], centre)?;
     stage.curve(radius, Stroke::Outline, Hue::Muted)?;
     stage.label([0.0, 0.5, cos], Side::Above, "$b$", Hue::Ink)?;
-    stage.dot(contact, 4.5, Hue::Pink)?;
-    stage.label_shifted(contact, at(10.0, 0.0), Side::Right, "$P$", Hue::Pink)?;
+    stage.dot_in_front(contact, 4.5, Hue::Pink)?;
+    stage.label_shifted(contact, at(10.0, 0.0), Side::Right, "contact", Hue::Pink)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
@@ -85,7 +84,7 @@ fn turn_rate(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Rate of steady rolling against the radius of the circle",
         "The square of the turn rate, in g over a, against b over a from minus 0.2 to 1, for a disc leaning by 20, 45 and 70 degrees. Each curve falls from infinity at its own \
-         bound, a small negative b marked by a dotted line, towards zero; at each radius the larger lean has the larger rate.",
+         bound, a small negative b marked by a dotted line, towards zero. Where b is positive the larger lean has the larger rate; left of zero the curves cross.",
     );
     let b = Axis::linear(-0.2, 1.0, 0.2)?.minor(0.05).titled("radius of the centre's circle $b/a$");
     let rate = Axis::linear(0.0, 20.0, 5.0)?.minor(1.0).titled(r"$\Omega^2$, in $g/a$");
@@ -136,14 +135,14 @@ fn friction(id: &str) -> Outcome {
 fn tongue(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Where steady rolling is unstable",
-        "The lean in degrees, from 0 to 25, against b over a from 0 to 4, with a closed tongue for a hoop and one for a disc. Each begins along the axis of zero lean, rises to a tip near \
+        "The lean in degrees, from 0 to 25, against b over a from 0 to 4, with a curve for a hoop and one for a disc; below each the motion is unstable. Each rises from zero steeply to a tip near \
          19 degrees at small b, and comes down along a falling curve towards large b.",
     );
     let b = Axis::linear(0.0, 4.0, 1.0)?.minor(0.2).titled("radius of the centre's circle $b/a$");
     let lean = Axis::linear(0.0, 25.0, 5.0)?.minor(1.0).titled(r"lean $\theta$, degrees");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 540.0, 262.0), b, lean)?;
     for (factor, name, hue, place) in
-        [(1.0, "hoop", Hue::Orange, (1.2, 9.5)), (0.5, "disc", Hue::Blue, (0.45, 7.5))]
+        [(1.0, "hoop", Hue::Orange, (0.5, 20.8)), (0.5, "disc", Hue::Blue, (0.62, 16.6))]
     {
         let wheel = wheel(factor)?;
         // The largest unstable lean of each radius, found by halving between an unstable and a stable one.
@@ -241,7 +240,7 @@ fn near_flat(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Error of the energy after a near-flat turn",
         "Both scales are logarithmic: along x the turn q that the disc is given, from 1e-4 to 0.3; along y the relative error of the energy after it has come up. By RK4 with steps of a \
-         millisecond the error grows from 1e-13 to one as q falls to 0.003, and below that there is no value. By DOP853 it stays near 1e-11.",
+         thousandth of the root of a over g the error grows from about 1e-12 to ten as q falls to 0.0011, and below that there is no value. By DOP853 it stays just below 1e-12.",
     );
     let disc = wheel(0.5)?;
     let (mut naive, mut better) = (Vec::new(), Vec::new());
