@@ -97,7 +97,7 @@ fn an_equation_that_a_page_corrects_is_not_called_right_in_the_ledger() {
         let verdicts: Vec<&str> =
             numbers.split(' ').map(|n| rows[n.parse::<usize>().expect("a number") - 1][2].as_str()).collect();
         assert!(
-            verdicts.iter().any(|verdict| !verdict.starts_with("right")),
+            verdicts.iter().all(|verdict| !verdict.starts_with("right")),
             "eq:{label} corrects what the ledger calls right"
         );
         corrected += 1;
