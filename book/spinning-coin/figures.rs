@@ -26,7 +26,7 @@ fn coin_circle(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 500.0, 360.0).titled(
         "The coin and the circle of its contact",
         "A coin that leans on a table, its centre above the middle of a circle drawn on the table. Its lowest point touches the circle. The angular velocity points from the contact through the \
-         centre, axis 2; Omega points straight up from the centre. The tilt alpha is the angle between the coin and the table, the lean theta that between axis 2 and the upright.",
+         centre, along axis 2; axis 3 points down through the coin along its normal; Omega points straight up from the centre. The tilt alpha, drawn at the contact, is the angle between the coin and the table, the lean theta that between axis 2 and the upright.",
     );
     let tilt = 0.5_f64;
     let (sin, cos) = tilt.sin_cos();
@@ -47,12 +47,24 @@ fn coin_circle(id: &str) -> Outcome {
     stage.solid(Solid::disc(centre, normal, 1.0, 0.05)?, Hue::Blue)?;
     let axis = Curve::segment(centre, centre + second * 1.6)?;
     stage.arrow(axis.hiding(Hiding::Ignored), Stroke::Vector, drawing::kit::Heads::End, Hue::Orange)?;
-    stage.label(centre + second * 1.6, Side::Left, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    stage.label(centre + second * 1.6, Side::Left, r"$\boldsymbol{\omega}$, axis $\hat{\mathbf{2}}$", Hue::Orange)?;
+    let third = Curve::segment(centre, centre - normal * 0.45)?;
+    stage.arrow(third.hiding(Hiding::Dashed), Stroke::Vector, drawing::kit::Heads::End, Hue::Ink)?;
+    stage.label_shifted(centre - normal * 0.45, at(-4.0, 0.0), Side::Left, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
     let upright = Curve::segment(centre, centre + Vector3::z() * 1.15)?;
     stage.arrow(upright.hiding(Hiding::Ignored), Stroke::Vector, drawing::kit::Heads::End, Hue::Ink)?;
     stage.label(centre + Vector3::z() * 1.15, Side::Right, r"$\boldsymbol{\Omega}$", Hue::Ink)?;
     stage.angle(centre, Vector3::z(), second, 0.62, "", Hue::Ink)?;
     stage.label_shifted(centre + Vector3::z() * 0.62, at(4.0, -2.0), Side::Right, r"$\theta$", Hue::Ink)?;
+    // The tilt, between the line across the table and the one up the coin.
+    let across = Curve::segment(contact, [0.0, 0.12, 0.0])?;
+    stage.curve(across.hiding(Hiding::Ignored), Stroke::Reference, Hue::Muted)?;
+    let up_the_coin = Curve::segment(contact, centre)?;
+    stage.curve(up_the_coin.hiding(Hiding::Ignored), Stroke::Reference, Hue::Muted)?;
+    let tilted = Curve::between(contact, -Vector3::y(), second, 0.62)?;
+    stage.curve(tilted.hiding(Hiding::Ignored), Stroke::Outline, Hue::Ink)?;
+    let middle = Vector3::new(0.0, -(0.5 * tilt).cos(), (0.5 * tilt).sin());
+    stage.label(contact + middle * 0.62, Side::Left, r"$\alpha$", Hue::Ink)?;
     stage.dot(contact, 4.5, Hue::Pink)?;
     stage.label_shifted(contact, at(4.0, 2.0), Side::Right, "contact", Hue::Pink)?;
     stage.write(&mut drawing);
@@ -82,7 +94,7 @@ fn coin_rates(id: &str) -> Outcome {
         plot.curve(name, values, stroke, hue);
     }
     plot.label((1e-3, 2e3), Side::Right, r"contact, $\Omega$", Hue::Orange)?;
-    plot.label((1e-2, 8e-3), Side::BelowRight, r"figure, $\Omega - \omega_{rel}$", Hue::Blue)?;
+    plot.label((1e-2, 8e-3), Side::BelowRight, r"figure, $\Omega - \omega_\text{rel}$", Hue::Blue)?;
     plot.label((6e-3, 4e-2), Side::AboveLeft, r"at an instant, $\omega_z$", Hue::Green)?;
     Ok(drawing)
 }
