@@ -153,10 +153,10 @@ fn polhodes(id: &str) -> Outcome {
         let path = linear_steps(0.0, period, 720)
             .map(|time| Ok(-top.at(time)?.omega_body / size))
             .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
-        // Named where there is room: at its highest point, inside its turn, or on the way up.
+        // Named where there is room: above its highest point, inside its turn, or on the way up.
         let on_the_way = path.iter().position(|point| point.x > 0.4 * path[360].x).ok_or("it crosses")?;
         let (place, step, side) = match degrees {
-            80.0 => (360, at(2.0, 0.0), Side::Right),
+            60.0 | 80.0 => (360, at(2.0, 0.0), Side::Right),
             89.0 => (on_the_way, at(2.0, -5.0), Side::AboveLeft),
             _ => (180, at(0.0, 0.0), Side::Above),
         };

@@ -50,7 +50,7 @@ fn coin_circle(id: &str) -> Outcome {
     stage.label(centre + second * 1.6, Side::Left, r"$\boldsymbol{\omega}$, axis $\hat{\mathbf{2}}$", Hue::Orange)?;
     let third = Curve::segment(centre, centre - normal * 0.45)?;
     stage.arrow(third.hiding(Hiding::Dashed), Stroke::Vector, drawing::kit::Heads::End, Hue::Ink)?;
-    stage.label_shifted(centre - normal * 0.45, at(-4.0, 0.0), Side::Left, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
+    stage.label_shifted(centre - normal * 0.45, at(4.0, 3.0), Side::Right, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
     let upright = Curve::segment(centre, centre + Vector3::z() * 1.15)?;
     stage.arrow(upright.hiding(Hiding::Ignored), Stroke::Vector, drawing::kit::Heads::End, Hue::Ink)?;
     stage.label(centre + Vector3::z() * 1.15, Side::Right, r"$\boldsymbol{\Omega}$", Hue::Ink)?;
