@@ -211,27 +211,33 @@ fn potential(id: &str) -> Outcome {
     Ok(drawing)
 }
 
-/// The track of the contact over eleven wobbles, the first of them heavy.
+/// The track of the contact over eleven wobbles, half of the first of them heavy.
 fn contact_track(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 560.0, 420.0).titled(
         "Track of the contact of a wobbling disc",
-        "Seen from above, a track that goes round a circle several times in eleven equal waves, so that its rounds cross one another. One of the waves is drawn heavy.",
+        "Seen from above, a track that goes round a circle several times in eleven equal waves, so that its rounds cross one another. Half of a wave is drawn heavy, from a place farthest out to one farthest in.",
     );
     let disc = wheel(0.5)?;
     let mut start = disc.steady(0.55, 1.6)?.state();
     start.lean_rate = 0.3;
-    let wobble = disc.wobble(start, 1e-12)?;
+    let wobble = disc.wobble(start, 1e-16)?;
     let period = wobble.period();
     let track = |from: f64, to: f64, count: u32| -> Result<Vec<(f64, f64)>, Cause> {
         let times: Vec<f64> = linear_steps(from, to, count).collect();
         let states = wobble.sample(&times)?;
         Ok(states.iter().map(|state| disc.contact_point(state)).map(|[x, y]| (x, y)).collect())
     };
+    // The moment at which the lean turns, by bisection.
+    let (mut before, mut turns) = (0.0, 0.5 * period);
+    for _ in 0..50 {
+        let middle = 0.5 * (before + turns);
+        *(if wobble.at(middle)?.lean_rate > 0.0 { &mut before } else { &mut turns }) = middle;
+    }
     let mut plot = Plot::plane(&mut drawing, at(150.0, 181.0), 50.0, 4.0)?;
-    plot.curve("all", track(0.0, 11.0 * period, 4400)?, Stroke::Orbit, Hue::Blue);
-    plot.curve("one", track(0.0, period, 400)?, Stroke::Vector, Hue::Orange);
+    plot.curve("all", track(turns, turns + 11.0 * period, 4400)?, Stroke::Orbit, Hue::Blue);
+    plot.curve("half", track(turns, turns + 0.5 * period, 200)?, Stroke::Vector, Hue::Orange);
     plot.label((0.55, 0.0), Side::Over, "eleven wobbles", Hue::Ink)?;
-    plot.label((0.55, -0.35), Side::Over, "from one", Hue::Ink)?;
+    plot.label((0.55, -0.35), Side::Over, "from half of one", Hue::Ink)?;
     Ok(drawing)
 }
 
