@@ -1,7 +1,7 @@
 //! The pinned hoop, the rolling wheel and the spinning coin: formulas and equations of motion written out here.
 
 use crate::Range::{Linear, Log};
-use crate::{Frame, lies_on};
+use crate::{Frame, PIXELS, distance, lies_on, path};
 
 /// One Runge-Kutta step.
 pub(crate) fn step<const N: usize>(
@@ -82,4 +82,119 @@ fn the_rates_of_the_coin_are_straight_until_it_stands_up() {
     lies_on("coin-rates", "vertical", &frame, |tilt| contact(tilt) * tilt.sin().powi(2));
     let frame = Frame { place: [60.0, 34.0, 560.0, 262.0], x: Log(1e-6, 1.0), y: Log(1e-3, 10.0) };
     lies_on("mach", "mach", &frame, |tilt| contact(tilt) * radius * tilt.cos() / 343.0);
+}
+
+#[test]
+fn the_tongue_ends_where_the_well_of_the_potential_becomes_flat() {
+    for (k, name) in [(1.0, "hoop"), (0.5, "disc")] {
+        // The energy at a lean near a steady one, with the spins that the motion has there; its second difference.
+        let curvature = |b: f64, steady: f64| {
+            let rate = (2.0 * steady.tan() / (2.0 * (1.0 + k) * b + k * steady.sin())).sqrt();
+            let rates = |lean: f64, [across, along]: [f64; 2]| {
+                [across * lean.tan() + 2.0 * along, across / (1.0 + k)]
+            };
+            let energy = |lean: f64| {
+                let h = (lean - steady) / 10.0;
+                let [across, along] = (0..10).fold([rate * steady.cos(), rate * b], |spins, n| {
+                    step(rates, steady + h * f64::from(n), spins, h)
+                });
+                0.5 * (0.5 * k * across * across + (1.0 + k) * along * along) + lean.cos()
+            };
+            let h = 1e-3;
+            energy(steady + h) - 2.0 * energy(steady) + energy(steady - h)
+        };
+        let curve = path("tongue", name);
+        assert!(curve.len() > 50);
+        for &(x, y) in curve.iter().step_by(3) {
+            let (b, degrees) = ((x - 48.0) / 540.0 * 4.0, (296.0 - y) / 262.0 * 25.0);
+            let [below, above] = [-0.05, 0.05].map(|off: f64| curvature(b, (degrees + off).to_radians()));
+            assert!(below < 0.0 && above > 0.0, "{name}: b = {b}, {degrees}°: {below:e}, {above:e}");
+        }
+    }
+}
+
+#[test]
+fn the_rosette_is_drawn_by_eulers_equations() {
+    // Moments 3/2, 1/2 and 2 about the pin, attitude w, x, y, z, and ω along the body's axes.
+    let rates = |_: f64, [w, x, y, z, a, b, c]: [f64; 7]| {
+        [
+            -0.5 * (x * a + y * b + z * c),
+            0.5 * (w * a + y * c - z * b),
+            0.5 * (w * b + z * a - x * c),
+            0.5 * (w * c + x * b - y * a),
+            -b * c,
+            c * a,
+            0.5 * a * b,
+        ]
+    };
+    let cross = |[a, b, c]: [f64; 3], [x, y, z]: [f64; 3]| [b * z - c * y, c * x - a * z, a * y - b * x];
+    let add =
+        |a: [f64; 3], b: [f64; 3], factor: f64| -> [f64; 3] { std::array::from_fn(|n| a[n] + factor * b[n]) };
+    let (sin, cos) = 60_f64.to_radians().sin_cos();
+    let start = [1.0, 0.0, 0.0, 0.0, sin / 3.0, -cos, 0.0];
+    let length = (0.25 * sin * sin + 0.25 * cos * cos).sqrt();
+    let momentum = [0.5 * sin / length, -0.5 * cos / length, 0.0];
+    // The shortest turn that takes the momentum upright.
+    let axis = cross(momentum, [0.0, 0.0, 1.0]);
+    let curve = path("herpolhode", "rosette");
+    let (h, mut state) = (0.005, start);
+    for n in 1..16_000 {
+        state = step(rates, 0.0, state, h);
+        if n % 37 != 0 {
+            continue;
+        }
+        let [w, x, y, z, a, b, c] = state;
+        let twice = cross([x, y, z], [a, b, c]).map(|part| 2.0 * part);
+        let room = add(add([a, b, c], twice, w), cross([x, y, z], twice), 1.0);
+        let turned = add(add(room, cross(axis, room), 1.0), cross(axis, cross(axis, room)), 1.0);
+        let point = (218.0 + 400.0 * turned[0], 194.0 - 400.0 * turned[1]);
+        assert!(distance(&curve, point) < PIXELS, "{point:?}: {}", distance(&curve, point));
+    }
+}
+
+#[test]
+fn the_track_of_the_contact_is_that_of_all_wobbles_integrated() {
+    // A disc: lean, its rate, the other two angular velocities, heading, and the centre.
+    let rates = |_: f64, [lean, rate, across, along, heading, _, _]: [f64; 7]| {
+        let (sin, cos) = lean.sin_cos();
+        let frame = across * sin / cos;
+        let (s, c) = heading.sin_cos();
+        [
+            rate,
+            (sin - 1.5 * along * across - 0.25 * frame * across) / 1.25,
+            rate * (frame + 2.0 * along),
+            rate * across / 1.5,
+            across / cos,
+            -along * c + rate * cos * s,
+            -along * s - rate * cos * c,
+        ]
+    };
+    let contact = |[lean, _, _, _, heading, x, y]: [f64; 7]| {
+        let (s, c) = heading.sin_cos();
+        (150.0 + 50.0 * (x - s * lean.sin()), 181.0 - 50.0 * (y + c * lean.sin()))
+    };
+    let lean: f64 = 0.55;
+    let turn = (2.0 * lean.tan() / (3.0 * 1.6 + 0.5 * lean.sin())).sqrt();
+    let mut state = [lean, 0.3, turn * lean.cos(), turn * 1.6, 0.0, 0.0, 1.6];
+    let [all, half] = ["all", "half"].map(|name| path("contact-track", name));
+    let (h, mut turns) = (0.002, 0);
+    for n in 0.. {
+        let next = step(rates, 0.0, state, h);
+        if (next[1] > 0.0) != (state[1] > 0.0) {
+            turns += 1;
+            if turns <= 2 {
+                let end = if turns == 1 { half[0] } else { half[half.len() - 1] };
+                let off = (contact(next).0 - end.0).hypot(contact(next).1 - end.1);
+                assert!(off < 0.2, "{turns}: {off}"); // a step is 0.1 px
+            }
+        }
+        state = next;
+        if turns > 22 {
+            break;
+        }
+        if turns > 0 && n % 50 == 0 {
+            let off = distance(&all, contact(state));
+            assert!(off < PIXELS, "{turns} turns: {off}");
+        }
+    }
 }
