@@ -24,7 +24,9 @@ pub(crate) fn long_run(csv: &str) -> String {
         } else {
             work.parse().map_or_else(|_| "?".into(), |count: f64| format!("{count:.1e}"))
         };
-        text.push_str(&format!("| {name} | {work} | {length} | {energy} | {attitude} |\n"));
+        // A minus sign, which does not let a line end behind it.
+        let line = format!("| {name} | {work} | {length} | {energy} | {attitude} |\n").replace('-', "−");
+        text.push_str(&line);
     }
     text
 }

@@ -213,7 +213,7 @@ fn potential(id: &str) -> Outcome {
 
 /// The track of the contact over eleven wobbles, half of the first of them heavy.
 fn contact_track(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 560.0, 420.0).titled(
+    let mut drawing = Drawing::new(id, 560.0, 330.0).titled(
         "Track of the contact of a wobbling disc",
         "Seen from above, a track that goes round a circle several times in eleven equal waves, so that its rounds cross one another. Half of a wave is drawn heavy, from a place farthest out to one farthest in.",
     );
@@ -233,11 +233,11 @@ fn contact_track(id: &str) -> Outcome {
         let middle = 0.5 * (before + turns);
         *(if wobble.at(middle)?.lean_rate > 0.0 { &mut before } else { &mut turns }) = middle;
     }
-    let mut plot = Plot::plane(&mut drawing, at(150.0, 181.0), 50.0, 4.0)?;
+    let mut plot = Plot::plane(&mut drawing, at(233.0, 160.0), 50.0, 4.0)?;
     plot.curve("all", track(turns, turns + 11.0 * period, 4400)?, Stroke::Orbit, Hue::Blue);
     plot.curve("half", track(turns, turns + 0.5 * period, 200)?, Stroke::Vector, Hue::Orange);
-    plot.label((0.55, 0.0), Side::Over, "eleven wobbles", Hue::Ink)?;
-    plot.label((0.55, -0.35), Side::Over, "from half of one", Hue::Ink)?;
+    plot.label((0.94, 0.0), Side::Over, "eleven wobbles", Hue::Ink)?;
+    plot.label((0.94, -0.35), Side::Over, "from half of one", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -274,6 +274,6 @@ fn near_flat(id: &str) -> Outcome {
     plot.series("rk4", &naive, Marker::Disc, Hue::Orange);
     plot.series("dop853", &better, Marker::Square, Hue::Blue);
     plot.label((2e-2, 1e-3), Side::Right, "RK4", Hue::Orange)?;
-    plot.label((2e-4, 1e-8), Side::Right, "DOP853", Hue::Blue)?;
+    plot.label((2e-4, 1e-11), Side::Right, "DOP853", Hue::Blue)?;
     Ok(drawing)
 }

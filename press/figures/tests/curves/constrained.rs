@@ -171,7 +171,7 @@ fn the_track_of_the_contact_is_that_of_all_wobbles_integrated() {
     };
     let contact = |[lean, _, _, _, heading, x, y]: [f64; 7]| {
         let (s, c) = heading.sin_cos();
-        (150.0 + 50.0 * (x - s * lean.sin()), 181.0 - 50.0 * (y + c * lean.sin()))
+        (233.0 + 50.0 * (x - s * lean.sin()), 160.0 - 50.0 * (y + c * lean.sin()))
     };
     let lean: f64 = 0.55;
     let turn = (2.0 * lean.tan() / (3.0 * 1.6 + 0.5 * lean.sin())).sqrt();
