@@ -1,7 +1,9 @@
 //! Many frames at once: the rule that all slices of frames share.
 
+use crate::branchless::at_full_width;
 use std::error::Error;
 use std::fmt;
+use std::ops::RangeInclusive;
 
 /// Why a list of frames cannot be filled; `E` is why a single time has no answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,6 +63,40 @@ pub(crate) fn in_blocks<F>(
         done += times.len();
     }
     done
+}
+
+/// Later times, of whatever unit, are no times of this world; what refuses them is asked one by one.
+const LARGEST_TIME: f64 = 1e50;
+
+/// The constants of a motion whose frames are computed without a branch.
+pub(crate) trait Branchless: Copy {
+    /// What is computed.
+    type Frame;
+
+    /// The frame at a time. To be marked `#[inline(always)]`: a call would not be compiled for wide registers.
+    fn at(&self, time: f64) -> Self::Frame;
+}
+
+/// Fills frames as [`in_blocks`], several with the same instructions. The constants come by value: for all the compiler knows, a
+/// frame that is written might change what is borrowed.
+#[inline(always)]
+pub(crate) fn several_at_once<C: Branchless>(
+    constants: C,
+    reach: RangeInclusive<f64>,
+    times: &[f64],
+    frames: &mut [C::Frame],
+) -> usize {
+    let reached = |time: f64| reach.contains(&time) && time.abs() <= LARGEST_TIME;
+    in_blocks(times, frames, reached, |times, frames| {
+        at_full_width(
+            #[inline(always)]
+            || {
+                for (&time, frame) in times.iter().zip(frames) {
+                    *frame = constants.at(time);
+                }
+            },
+        );
+    })
 }
 
 impl<E: fmt::Display> fmt::Display for InvalidFrames<E> {

@@ -1,8 +1,8 @@
 //! Many frames of a body whose attitude is a steady turn about **L** and one about its own axis.
 
-use crate::branchless::{Clock, at_full_width, sin_cos_quarters};
+use crate::branchless::{Clock, sin_cos_quarters};
 use crate::euler::Turning;
-use crate::frames::in_blocks;
+use crate::frames::{Branchless, several_at_once};
 use crate::two_part::TwoPart;
 use nalgebra::{Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 
@@ -42,23 +42,16 @@ impl TwoTurns {
         }
     }
 
-    /// Fills the frames at times within reach and says how many, as [`in_blocks`] does.
+    /// Fills the frames at times within reach and says how many, as [`several_at_once`] does.
     pub(super) fn fill(&self, times: &[f64], frames: &mut [Turning]) -> usize {
         let reach = self.about_first.reach().min(self.about_second.reach());
-        let reached = |time: f64| time.abs() <= reach;
-        in_blocks(times, frames, reached, |times, frames| {
-            at_full_width(
-                #[inline(always)]
-                || {
-                    for (&time, frame) in times.iter().zip(frames) {
-                        *frame = self.at(time);
-                    }
-                },
-            );
-        })
+        several_at_once(*self, -reach..=reach, times, frames)
     }
+}
 
-    /// One frame, without a branch: the loop above does several in one instruction.
+impl Branchless for TwoTurns {
+    type Frame = Turning;
+
     #[inline(always)]
     fn at(&self, time: f64) -> Turning {
         let (high, low) = self.about_first.at(time);

@@ -255,3 +255,15 @@ fn a_list_of_angular_velocities_has_times_from_zero() {
     let error = top.fill_omega_body(&[1.0, -1.0], &mut frames).unwrap_err();
     assert_eq!(error.to_string(), "time number 1: time -1 s is negative; it must be zero or more");
 }
+
+#[test]
+fn a_body_at_rest_has_no_infinite_times_either() {
+    for moments in [disc(), brick()] {
+        let top = FreeTop::new(moments, turning(Vector3::zeros())).expect("a body at rest");
+        let mut frames = [top.start()];
+        for time in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 1e60] {
+            let error = top.fill(&[time], &mut frames).unwrap_err();
+            assert_eq!(error.to_string(), format!("time number 0: {}", top.at(time).unwrap_err()));
+        }
+    }
+}

@@ -1,12 +1,13 @@
 //! Many angular velocities at once.
 
 use super::DraggedTop;
-use crate::branchless::{Clock, at_full_width, exp, exp_and_exp_m1, sin_cos_quarters};
-use crate::frames::in_blocks;
+use crate::branchless::{Clock, exp, exp_and_exp_m1, sin_cos_quarters};
+use crate::frames::{Branchless, several_at_once};
 use crate::two_part::TwoPart;
 use nalgebra::Vector3;
 
 /// What a frame is made of.
+#[derive(Clone, Copy)]
 pub(super) struct Frames {
     clock: Clock, // of the phase, in the time that the spin would have needed at its first rate
     start: Vector3<f64>,
@@ -24,27 +25,15 @@ impl Frames {
         }
     }
 
-    /// Fills the frames at times from zero to within reach and says how many, as [`in_blocks`] does.
+    /// Fills the frames at times from zero to within reach and says how many, as [`several_at_once`] does.
     pub(super) fn fill(&self, times: &[f64], frames: &mut [Vector3<f64>]) -> usize {
-        let reach = 0.0..=self.clock.reach().min(f64::MAX);
-        in_blocks(
-            times,
-            frames,
-            |time| reach.contains(&time),
-            |times, frames| {
-                at_full_width(
-                    #[inline(always)]
-                    || {
-                        for (&time, frame) in times.iter().zip(frames) {
-                            *frame = self.at(time);
-                        }
-                    },
-                );
-            },
-        )
+        several_at_once(*self, 0.0..=self.clock.reach(), times, frames)
     }
+}
 
-    /// One frame, without a branch: the loop above does several in one instruction.
+impl Branchless for Frames {
+    type Frame = Vector3<f64>;
+
     #[inline(always)]
     fn at(&self, time: f64) -> Vector3<f64> {
         let x = self.axial_decay * time;

@@ -3,8 +3,8 @@
 use super::oscillator::{Oscillator, Roots};
 use super::shaft::Shaft;
 use super::transient::{Form, Transient};
-use crate::branchless::{Clock, at_full_width, exp, sin_cos_quarters};
-use crate::frames::in_blocks;
+use crate::branchless::{Clock, exp, sin_cos_quarters};
+use crate::frames::{Branchless, several_at_once};
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 
@@ -90,22 +90,15 @@ impl Frames {
         })
     }
 
-    /// Fills the frames at times within reach and says how many, as [`in_blocks`] does.
+    /// Fills the frames at times within reach and says how many, as [`several_at_once`] does.
     pub(super) fn fill(&self, times: &[f64], frames: &mut [Shaft]) -> usize {
-        let reached = |time: f64| time.abs() <= self.reach;
-        in_blocks(times, frames, reached, |times, frames| {
-            at_full_width(
-                #[inline(always)]
-                || {
-                    for (&time, frame) in times.iter().zip(frames) {
-                        *frame = self.at(time);
-                    }
-                },
-            );
-        })
+        several_at_once(*self, -self.reach..=self.reach, times, frames)
     }
+}
 
-    /// One frame, without a branch: the loop above does several in one instruction.
+impl Branchless for Frames {
+    type Frame = Shaft;
+
     #[inline(always)]
     fn at(&self, time: f64) -> Shaft {
         let (high, low) = self.load.at(time);
