@@ -121,3 +121,48 @@ impl<E: Error + 'static> Error for InvalidFrames<E> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Branchless, several_at_once};
+    use crate::branchless::{Clock, exp, sin_cos_quarters};
+    use crate::two_part::TwoPart;
+
+    /// A decaying oscillation.
+    #[derive(Clone, Copy)]
+    struct Decay(Clock);
+
+    impl Branchless for Decay {
+        type Frame = [f64; 2];
+
+        #[inline(always)]
+        fn at(&self, time: f64) -> [f64; 2] {
+            let (high, low) = self.0.at(time);
+            let (sin, cos) = sin_cos_quarters(high, low);
+            [exp(-0.1 * time) * cos, exp(-0.1 * time) * sin]
+        }
+    }
+
+    #[test]
+    fn frames_are_the_same_in_registers_of_any_width() {
+        let decay = Decay(Clock::from_rate(TwoPart::from(1.3)));
+        let times: Vec<f64> = (0..1000).map(|n| 0.37 * f64::from(n)).collect();
+        let mut frames = vec![[0.0; 2]; times.len()];
+        assert_eq!(several_at_once(decay, 0.0..=1e9, &times, &mut frames), 1000);
+        for (frame, &time) in frames.iter().zip(&times) {
+            assert_eq!(*frame, decay.at(time));
+        }
+    }
+
+    #[test]
+    fn a_block_with_a_time_out_of_reach_is_left_alone() {
+        let decay = Decay(Clock::from_rate(TwoPart::from(1.3)));
+        for bad in [-1.0, 2e9, f64::NAN, f64::INFINITY] {
+            let mut times = [1.0; 100];
+            times[70] = bad;
+            let mut frames = [[7.0; 2]; 100];
+            assert_eq!(several_at_once(decay, 0.0..=1e9, &times, &mut frames), 64);
+            assert!(frames[63] == decay.at(1.0) && frames[64] == [7.0; 2]);
+        }
+    }
+}
