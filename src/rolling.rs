@@ -27,8 +27,19 @@ pub(crate) struct RollingSeries {
     pub(crate) drag: f64,
 }
 
-/// Where the contact is, seen from the anchor along the heading.
-pub(crate) fn from_anchor(&[.., re, im]: &[f64; 8]) -> Complex<f64> {
+/// The anchor of a series that begins with the contact `here` and with the heading `facing`, e to the i times it.
+pub(crate) fn anchor(series: &Series<8>, here: Complex<f64>, facing: Complex<f64>) -> Complex<f64> {
+    here - from_anchor(&series[0]) * facing
+}
+
+/// Where the contact is in a state of the series with this anchor, and e to the i times the heading.
+pub(crate) fn contact(anchor: Complex<f64>, state: &[f64; 8]) -> (Complex<f64>, Complex<f64>) {
+    let facing = Complex::cis(state[4]);
+    (anchor + from_anchor(state) * facing, facing)
+}
+
+/// The number z of a state.
+fn from_anchor(&[.., re, im]: &[f64; 8]) -> Complex<f64> {
     Complex::new(re, im)
 }
 

@@ -1,8 +1,8 @@
 //! What a frame costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and on all.
 
 use crate::contest::Cause;
+use crate::ours::turning;
 use crate::problems;
-use mechanics::euler::Turning;
 use mechanics::faddeeva::faddeeva;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
@@ -10,7 +10,7 @@ use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::EulersDisk;
 use mechanics::sweep::sweep;
-use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::Complex;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -38,6 +38,18 @@ fn nanoseconds(count: usize, mut work: impl FnMut() -> Result<(), Cause>) -> Res
     Ok(1e9 * rounds[ROUNDS / 2] / count as f64)
 }
 
+/// Nanoseconds for one value of `functions`, computed one by one.
+fn by_themselves(times: &[f64], functions: impl Fn(f64) -> f64) -> Result<f64, Cause> {
+    let mut values = vec![0.0; times.len()];
+    nanoseconds(times.len(), || {
+        for (value, &time) in values.iter_mut().zip(black_box(times)) {
+            *value = functions(time);
+        }
+        black_box(&values);
+        Ok(())
+    })
+}
+
 fn machine(damping: f64, spin: f64) -> Result<Machine, Cause> {
     let (drum_mass, load_mass, load_radius, stiffness) = (0.0, 1.0, 1.0, 1.0);
     Ok(Machine::new(Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })?)
@@ -53,7 +65,6 @@ type Row = (&'static str, &'static str, f64);
 pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     let times: Vec<f64> = (0..FRAMES).map(|n| 0.37 * n as f64).collect();
     let mut shafts = vec![Shaft::AT_REST; FRAMES];
-    let mut numbers = vec![0.0; FRAMES];
     let mut rows = Vec::new();
 
     let motion = machine(0.01, 3.0)?.transient(Shaft::AT_REST)?;
@@ -62,64 +73,39 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
         "a frame",
         nanoseconds(FRAMES, || Ok(motion.fill(black_box(&times), &mut shafts)?))?,
     ));
-    let cost = nanoseconds(FRAMES, || {
-        for (number, &t) in numbers.iter_mut().zip(black_box(&times)) {
-            let ((a, b), (c, d)) = ((3.0 * t).sin_cos(), t.sin_cos());
-            *number = a + b + (c + d) * (-0.005 * t).exp();
-        }
-        black_box(&numbers);
-        Ok(())
+    let functions = by_themselves(&times, |t| {
+        let ((a, b), (c, d)) = ((3.0 * t).sin_cos(), t.sin_cos());
+        a + b + (c + d) * (-0.005 * t).exp()
     })?;
-    rows.push(("washer", "its functions", cost));
+    rows.push(("washer", "its functions", functions));
 
     let ramp = machine(0.01, 0.0)?.ramp(0.01, Shaft::AT_REST)?;
     rows.push(("ramp", "a frame", nanoseconds(FRAMES, || Ok(ramp.fill(black_box(&times), &mut shafts)?))?));
-    let cost = nanoseconds(FRAMES, || {
-        for (number, &t) in numbers.iter_mut().zip(black_box(&times)) {
-            let past = 0.05 * (t - 100.0).abs();
-            let (near, far) = (faddeeva(Complex::new(past, past)), faddeeva(Complex::new(past, 5.0 + past)));
-            let ((a, b), (c, d)) = ((0.005 * t * t).sin_cos(), t.sin_cos());
-            *number = near.re + far.im + a + b + (c + d) * (-0.005 * t).exp();
-        }
-        black_box(&numbers);
-        Ok(())
+    let functions = by_themselves(&times, |t| {
+        let past = 0.05 * (t - 100.0).abs();
+        let (near, far) = (faddeeva(Complex::new(past, past)), faddeeva(Complex::new(past, 5.0 + past)));
+        let ((a, b), (c, d)) = ((0.005 * t * t).sin_cos(), t.sin_cos());
+        near.re + far.im + a + b + (c + d) * (-0.005 * t).exp()
     })?;
-    rows.push(("ramp", "its functions", cost));
+    rows.push(("ramp", "its functions", functions));
 
-    let [w1, w2, w3, w, i, j, k] = problems::hoop().start;
-    let start = Turning {
-        world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
-        omega_body: Vector3::new(w1, w2, w3),
-    };
+    let start = turning(&problems::hoop());
     let top = FreeTop::new(PrincipalMoments::new(1.5, 0.5, 2.0)?, start)?;
     let mut turnings = vec![start; FRAMES];
     rows.push(("hoop", "a frame", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
-    let cost = nanoseconds(FRAMES, || {
-        for (number, &t) in numbers.iter_mut().zip(black_box(&times)) {
-            let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
-            *number = (a + b * c + 3.0).sqrt() + (b - a * d + 3.0).sqrt() / (2.0 + a);
-        }
-        black_box(&numbers);
-        Ok(())
+    let functions = by_themselves(&times, |t| {
+        let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
+        (a + b * c + 3.0).sqrt() + (b - a * d + 3.0).sqrt() / (2.0 + a)
     })?;
-    rows.push(("hoop", "its functions", cost));
+    rows.push(("hoop", "its functions", functions));
 
-    let [w1, w2, w3, w, i, j, k] = problems::toss().start;
-    let start = Turning {
-        world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
-        omega_body: Vector3::new(w1, w2, w3),
-    };
-    let top = FreeTop::new(PrincipalMoments::new(0.25, 0.25, 0.5)?, start)?;
+    let top = FreeTop::new(PrincipalMoments::new(0.25, 0.25, 0.5)?, turning(&problems::toss()))?;
     rows.push(("toss", "a frame", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
-    let cost = nanoseconds(FRAMES, || {
-        for (number, &t) in numbers.iter_mut().zip(black_box(&times)) {
-            let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
-            *number = a * b + c * d;
-        }
-        black_box(&numbers);
-        Ok(())
+    let functions = by_themselves(&times, |t| {
+        let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
+        a * b + c * d
     })?;
-    rows.push(("toss", "its functions", cost));
+    rows.push(("toss", "its functions", functions));
 
     let disk = EulersDisk::new(1.0, 0.5, 1.0, 1e-5)?;
     let sinking = disk.steady(0.3)?;

@@ -1,6 +1,7 @@
 //! A million periods of the pinned hoop: what is left of the quaternion's length, of the energy and of the attitude.
 
 use crate::contest::Cause;
+use crate::ours::turning;
 use crate::problems;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
@@ -8,7 +9,7 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::geometric::Splitting;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, Vector3};
 use std::fmt;
 
 /// After how many periods of the angular velocity one looks.
@@ -42,11 +43,7 @@ type Advance = Box<dyn Fn([f64; 7], f64, u32) -> Result<([f64; 7], usize), Cause
 /// Whatever a method says.
 pub(crate) fn rows(periods: &[u32]) -> Result<Vec<Row>, Cause> {
     let moments = PrincipalMoments::new(1.5, 0.5, 2.0)?;
-    let [w1, w2, w3, w, i, j, k] = problems::hoop().start;
-    let start = Turning {
-        world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
-        omega_body: Vector3::new(w1, w2, w3),
-    };
+    let start = turning(&problems::hoop());
     let top = FreeTop::new(moments, start)?;
     let period = top.period().ok_or("the hoop tumbles")?;
     let free = move || euler::turning_rates(moments, |_, _| Vector3::zeros());

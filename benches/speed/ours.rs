@@ -114,6 +114,15 @@ fn ramp(entries: &mut Vec<Entry>) {
     steppers(entries, &problem, problems::ramp_rates, RK4_WASHER);
 }
 
+/// How the body of a problem starts.
+pub(crate) fn turning(problem: &Problem<7>) -> Turning {
+    let [w1, w2, w3, w, i, j, k] = problem.start;
+    Turning {
+        world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
+        omega_body: Vector3::new(w1, w2, w3),
+    }
+}
+
 /// A free body, by its closed form, and stepped.
 fn body(
     entries: &mut Vec<Entry>,
@@ -124,11 +133,7 @@ fn body(
 ) {
     let problem = Rc::new(problem);
     let solve = move |problem: &Problem<7>, frames: &mut Vec<Turning>| {
-        let [w1, w2, w3, w, i, j, k] = problem.start;
-        let start = Turning {
-            world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k)),
-            omega_body: Vector3::new(w1, w2, w3),
-        };
+        let start = turning(problem);
         frames.resize(problem.times.len(), start);
         FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, start)?.fill(&problem.times, frames)?;
         Ok(None)

@@ -2,7 +2,7 @@
 
 use super::wobble::NoWobble;
 use crate::integrate::{Series, Taylor, TaylorStep, increment};
-use crate::rolling::{RollingSeries, from_anchor};
+use crate::rolling::{RollingSeries, anchor, contact};
 use nalgebra::Complex;
 use std::ops::ControlFlow;
 
@@ -46,16 +46,13 @@ impl Swing {
         let mut turning = None;
         let observer = |step: &TaylorStep<'_, 8>| {
             let series = *step.series();
-            let piece =
-                Piece { start: -step.since(0.0), series, anchor: here - from_anchor(&series[0]) * facing };
+            let piece = Piece { start: -step.since(0.0), series, anchor: anchor(&series, here, facing) };
             let rates = series.map(|row| row[1]); // of y, which turns with the lean
             let at_rest = pieces.is_empty() && rates[0] == 0.0;
             // A swing that starts at a turning point waits for the other zero.
             let rates = if at_rest { &rates[1..] } else { &rates[..] };
             turning = zero(rates, step.length());
-            let last = step.last();
-            facing = Complex::cis(last[4]);
-            here = piece.anchor + from_anchor(&last) * facing;
+            (here, facing) = contact(piece.anchor, &step.last());
             pieces.push(piece);
             let stays = at_rest && rates[0] == 0.0;
             if turning.is_some() || stays { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -86,8 +83,8 @@ impl Piece {
     fn after(&self, since: f64) -> Moment {
         let gained = increment(&self.series, since);
         let state: [f64; 8] = std::array::from_fn(|i| self.series[0][i] + gained[i]);
-        let facing = Complex::cis(state[4]);
-        Moment { state, contact: self.anchor + from_anchor(&state) * facing, facing }
+        let (contact, facing) = contact(self.anchor, &state);
+        Moment { state, contact, facing }
     }
 }
 
@@ -100,14 +97,14 @@ fn zero(coefficients: &[f64], length: f64) -> Option<f64> {
             .fold((0.0, 0.0), |(value, slope), coefficient| (value * x + coefficient, slope * x + value))
     };
     let sign = coefficients[0] > 0.0;
-    let on_this_side = |x: f64| (value_and_slope(x).0 > 0.0) == sign;
-    let looks = (1..=LOOKS).map(|look| length * f64::from(look) / f64::from(LOOKS));
-    let mut high = looks.into_iter().find(|&x| !on_this_side(x))?;
+    let before = |value: f64| (value > 0.0) == sign;
+    let mut looks = (1..=LOOKS).map(|look| length * f64::from(look) / f64::from(LOOKS));
+    let mut high = looks.find(|&x| !before(value_and_slope(x).0))?;
     let mut low = high - length / f64::from(LOOKS);
     let mut x = 0.5 * (low + high);
     for _ in 0..MOST_CORRECTIONS {
         let (value, slope) = value_and_slope(x);
-        if (value > 0.0) == sign {
+        if before(value) {
             low = x;
         } else {
             high = x;

@@ -33,12 +33,14 @@ use std::fmt;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wobble {
     radius: f64,
-    unit: f64,             // √(a/g), s
-    turning: f64,          // a moment at which the lean turns, s; then, in the room:
-    heading: f64,          //
-    spin: f64,             //
+    unit: f64,    // √(a/g), s
+    turning: f64, // a moment at which the lean turns, s
+    // Of that moment, in the room:
+    heading: f64,
+    spin: f64,
     contact: Complex<f64>, // m
     facing: Complex<f64>,  // e to the i times the heading of the swing's frame
+    // What follows it, in radii and √(a/g):
     swing: Swing,
     heading_advance: f64,
     spin_advance: f64,

@@ -3,7 +3,7 @@
 use crate::frames::InvalidFrames;
 use crate::integrate::{Failure, InvalidTolerance, Taylor, TaylorStep};
 use crate::quantity::{InvalidQuantity, Rule, Shown};
-use crate::rolling::{RollingSeries, from_anchor};
+use crate::rolling::{RollingSeries, anchor, contact, sin_cos_tilt};
 use nalgebra::Complex;
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -206,25 +206,23 @@ impl EulersDisk {
         let unit = (self.radius / self.gravity).sqrt();
         let [x, y] = start.contact;
         let origin = Complex::new(x, y);
-        let (mut here, mut turn, mut done) = (Complex::new(0.0, 0.0), Complex::cis(start.heading), 0);
+        let (mut here, mut facing, mut done) = (Complex::new(0.0, 0.0), Complex::cis(start.heading), 0);
         while done < times.len() && times[done] == 0.0 {
             frames[done] = *start;
             done += 1;
         }
         let outcome = solver.solve_with(&series, 0.0, state, end / unit, |step: &TaylorStep<'_, 8>| {
-            let anchor = here - from_anchor(&step.series()[0]) * turn;
+            let anchor = anchor(step.series(), here, facing);
             while let Some(time) = times.get(done).map(|time| time / unit) {
                 if (time - step.end()) * step.length() > 0.0 {
                     break;
                 }
                 let state = step.at(time);
-                let place = anchor + from_anchor(&state) * Complex::cis(state[4]);
+                let (place, _) = contact(anchor, &state);
                 frames[done] = self.sinking(&state, origin + place * self.radius, unit);
                 done += 1;
             }
-            let last = step.last();
-            turn = Complex::cis(last[4]);
-            here = anchor + from_anchor(&last) * turn;
+            (here, facing) = contact(anchor, &step.last());
             ControlFlow::Continue(())
         });
         match outcome {
@@ -269,7 +267,7 @@ impl EulersDisk {
         contact: Complex<f64>,
         unit: f64,
     ) -> Sinking {
-        let sin = 1.0 / y.cosh() / unit;
+        let sin = sin_cos_tilt(y).0 / unit;
         Sinking {
             tilt: 2.0 * y.exp().atan(),
             tilt_rate: u * sin,
