@@ -1,0 +1,162 @@
+//! A search for the case in which a promise is kept worst.
+
+use std::collections::BTreeMap;
+
+/// How many of the worst random cases are walked on from.
+const WALKS: usize = 12;
+/// How far a walk steps at first, in the unit cube, and where it ends.
+const FIRST_STEP: f64 = 0.2;
+const LAST_STEP: f64 = 1e-7;
+
+/// Numbers drawn one after the other, each from one coordinate of a point of the unit cube: a small step of the point is a small
+/// step of the parameters.
+pub(crate) struct Draw<'a> {
+    point: &'a mut Vec<f64>,
+    next: usize,
+    random: &'a mut fastrand::Rng,
+}
+
+impl Draw<'_> {
+    fn coordinate(&mut self) -> f64 {
+        if self.next == self.point.len() {
+            self.point.push(self.random.f64());
+        }
+        self.next += 1;
+        self.point[self.next - 1]
+    }
+
+    /// Anything from `low` to `high`.
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.coordinate()
+    }
+
+    /// Anything from `low` to `high`, every decade as likely as any other.
+    pub(crate) fn decades(&mut self, low: f64, high: f64) -> f64 {
+        let exponent = self.between(low.ln(), high.ln());
+        exponent.exp().clamp(low, high)
+    }
+
+    /// The same with either sign, and sometimes zero.
+    pub(crate) fn signed(&mut self, low: f64, high: f64) -> f64 {
+        let size = self.decades(low, high);
+        match self.below(9) {
+            0 => 0.0,
+            1..=4 => -size,
+            _ => size,
+        }
+    }
+
+    /// A whole number below `count`.
+    pub(crate) fn below(&mut self, count: usize) -> usize {
+        ((self.coordinate() * count as f64) as usize).min(count - 1)
+    }
+
+    /// One of these.
+    pub(crate) fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
+        choices[self.below(choices.len())]
+    }
+
+    /// Near `value` on either side, by a part of it between one and a unit in the last place; sometimes the value itself.
+    pub(crate) fn beside(&mut self, value: f64) -> f64 {
+        let part = self.decades(f64::EPSILON, 1.0);
+        match self.below(7) {
+            0 => value,
+            1..=3 => value * (1.0 - part),
+            _ => value * (1.0 + part),
+        }
+    }
+}
+
+/// What was found of one case.
+pub(crate) struct Case {
+    /// The error over what is promised; infinite for an answer that is not a number or a refusal that is not documented.
+    pub(crate) ratio: f64,
+    /// Which of the ways the case goes; each way that a test names has to be gone.
+    pub(crate) way: &'static str,
+    /// The parameters and what came out.
+    pub(crate) said: String,
+}
+
+/// The worst of many cases.
+pub(crate) struct Worst {
+    /// The case.
+    pub(crate) case: Case,
+    /// How often each way was gone.
+    pub(crate) ways: BTreeMap<&'static str, usize>,
+}
+
+/// Judges `count` random cases, times the environment's `WORST_CASES`, walks on from the worst, and prints and returns the worst of all. A draw
+/// that makes no case is `None`.
+pub(crate) fn search(name: &str, count: usize, judge: impl Fn(&mut Draw<'_>) -> Option<Case>) -> Worst {
+    let longer: f64 = std::env::var("WORST_CASES").map_or(1.0, |factor| factor.parse().expect("a number"));
+    let count = (count as f64 * longer).ceil() as usize;
+    let mut random = fastrand::Rng::with_seed(
+        name.bytes().fold(longer.to_bits(), |hash, byte| hash.wrapping_mul(31).wrapping_add(u64::from(byte))),
+    );
+    let mut ways = BTreeMap::new();
+    let mut judged = |point: &mut Vec<f64>, random: &mut fastrand::Rng| {
+        let case = judge(&mut Draw { point, next: 0, random })?;
+        *ways.entry(case.way).or_insert(0) += 1;
+        let ratio = if case.ratio.is_nan() { f64::INFINITY } else { case.ratio };
+        Some(Case { ratio, ..case })
+    };
+
+    let mut found: Vec<(Vec<f64>, Case)> = Vec::new();
+    for _ in 0..count {
+        let mut point = Vec::new();
+        if let Some(case) = judged(&mut point, &mut random) {
+            found.push((point, case));
+        }
+    }
+    // The worst few of each way, so that one bad way does not hide another.
+    found.sort_by(|(_, a), (_, b)| b.ratio.total_cmp(&a.ratio));
+    let mut taken: BTreeMap<&str, usize> = BTreeMap::new();
+    found.retain(|(_, case)| {
+        let taken = taken.entry(case.way).or_insert(0);
+        *taken += 1;
+        *taken <= WALKS
+    });
+    let tries = (count / WALKS / taken.len().max(1)).max(20);
+    for (point, case) in &mut found {
+        let mut step = FIRST_STEP;
+        for _ in 0..tries {
+            let mut near = point.clone();
+            let moved = random.usize(..near.len());
+            for (n, coordinate) in near.iter_mut().enumerate() {
+                if n == moved || random.f64() < 0.3 {
+                    *coordinate = (*coordinate + step * (2.0 * random.f64() - 1.0)).clamp(0.0, 1.0);
+                }
+            }
+            match judged(&mut near, &mut random) {
+                Some(worse) if worse.ratio > case.ratio => {
+                    (*point, *case) = (near, worse);
+                    step = (2.0 * step).min(FIRST_STEP);
+                }
+                _ => step = (0.8 * step).max(LAST_STEP),
+            }
+        }
+    }
+    found.sort_by(|(_, a), (_, b)| b.ratio.total_cmp(&a.ratio));
+    let mut shown: Vec<&str> = Vec::new();
+    for (_, case) in &found {
+        if !shown.contains(&case.way) {
+            println!("{name}, {}: {:.3} of the promise at {}", case.way, case.ratio, case.said);
+            shown.push(case.way);
+        }
+    }
+    println!("{name}: {ways:?}");
+    Worst { case: found.swap_remove(0).1, ways }
+}
+
+impl Worst {
+    /// The promise is kept in the worst case, and every one of these ways was gone, and no other.
+    pub(crate) fn keeps_its_promise(&self, ways: &[&str]) {
+        let gone: Vec<&str> = self.ways.keys().copied().collect();
+        let mut named = ways.to_vec();
+        named.sort_unstable();
+        assert_eq!(gone, named, "the ways that were gone");
+        let rarest = self.ways.iter().min_by_key(|(_, count)| **count);
+        assert!(rarest.is_some_and(|(_, count)| *count >= 20), "a way that was hardly gone: {:?}", self.ways);
+        assert!(self.case.ratio < 1.0, "{:.3} of the promise: {}", self.case.ratio, self.case.said);
+    }
+}

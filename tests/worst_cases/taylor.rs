@@ -1,0 +1,157 @@
+//! A judge with 32 digits: Taylor series of any system made of sums, products and quotients.
+//!
+//! Sines and exponentials are states of their own: the sine of φ and its cosine obey s′ = φ′c, c′ = −φ′s.
+
+use crate::long::{Long, long};
+
+/// The order of the series, and the size of its last terms.
+const ORDER: usize = 30;
+const TOLERANCE: f64 = 1e-31;
+/// A judge that needs more steps has been asked too much.
+const MOST_STEPS: usize = 100_000;
+
+/// A system of rates, written down once as a list of operations on series.
+pub(crate) struct System {
+    states: usize,
+    operations: Vec<Operation>,
+    rates: Vec<Vec<(Long, Term)>>,
+}
+
+/// A state, or what an operation gives.
+#[derive(Clone, Copy)]
+pub(crate) struct Term(usize);
+
+enum Operation {
+    Sum(Vec<(Long, Term)>),
+    Product(Term, Term),
+    Quotient(Term, Term),
+}
+
+impl System {
+    /// A system of so many states, whose terms are given.
+    pub(crate) fn new<const N: usize>() -> (Self, [Term; N]) {
+        let system = Self { states: N, operations: Vec::new(), rates: vec![Vec::new(); N] };
+        (system, std::array::from_fn(Term))
+    }
+
+    fn push(&mut self, operation: Operation) -> Term {
+        self.operations.push(operation);
+        Term(self.states + self.operations.len() - 1)
+    }
+
+    /// A sum of terms with constant factors.
+    pub(crate) fn sum(&mut self, terms: &[(Long, Term)]) -> Term {
+        self.push(Operation::Sum(terms.to_vec()))
+    }
+
+    /// A product.
+    pub(crate) fn product(&mut self, a: Term, b: Term) -> Term {
+        self.push(Operation::Product(a, b))
+    }
+
+    /// A quotient.
+    pub(crate) fn quotient(&mut self, a: Term, b: Term) -> Term {
+        self.push(Operation::Quotient(a, b))
+    }
+
+    /// The rate of a state, as a sum of terms with constant factors.
+    pub(crate) fn rate(&mut self, state: Term, terms: &[(Long, Term)]) {
+        self.rates[state.0] = terms.to_vec();
+    }
+
+    /// The states at `times`, which run away from zero in one direction, from `start` at zero.
+    pub(crate) fn sample(&self, start: &[Long], times: &[Long]) -> Vec<Vec<Long>> {
+        let mut samples: Vec<Vec<Long>> = Vec::new();
+        let mut state = start.to_vec();
+        let mut now = long(0.0);
+        for _ in 0..MOST_STEPS {
+            if samples.len() == times.len() {
+                return samples;
+            }
+            let series = self.series(&state);
+            let length = step(&series[..self.states]);
+            let direction = if times[samples.len()].rounded() < 0.0 { -1.0 } else { 1.0 };
+            while let Some(&time) = times.get(samples.len()) {
+                let since = time - now;
+                if since.abs() > long(length) {
+                    break;
+                }
+                samples.push(series[..self.states].iter().map(|row| value(row, since)).collect());
+            }
+            let length = long(direction * length);
+            state = series[..self.states].iter().map(|row| value(row, length)).collect();
+            now = now + length;
+        }
+        panic!("the judge gave up at {} of {times:?}", now.rounded());
+    }
+
+    /// The coefficients of all states and operations.
+    fn series(&self, state: &[Long]) -> Vec<[Long; ORDER + 1]> {
+        let mut rows = vec![[long(0.0); ORDER + 1]; self.states + self.operations.len()];
+        for (row, &value) in rows.iter_mut().zip(state) {
+            row[0] = value;
+        }
+        for n in 0..=ORDER {
+            for (place, operation) in self.operations.iter().enumerate() {
+                let coefficient = match operation {
+                    Operation::Sum(terms) => weighted(terms, &rows, n),
+                    Operation::Product(a, b) => (0..=n).map(|j| rows[a.0][j] * rows[b.0][n - j]).sum(),
+                    Operation::Quotient(a, b) => {
+                        let known =
+                            (0..n).map(|j| rows[self.states + place][j] * rows[b.0][n - j]).sum::<Long>();
+                        (rows[a.0][n] - known) / rows[b.0][0]
+                    }
+                };
+                rows[self.states + place][n] = coefficient;
+            }
+            if n < ORDER {
+                for (place, terms) in self.rates.iter().enumerate() {
+                    rows[place][n + 1] = weighted(terms, &rows, n) / (n + 1) as f64;
+                }
+            }
+        }
+        rows
+    }
+}
+
+fn weighted(terms: &[(Long, Term)], rows: &[[Long; ORDER + 1]], n: usize) -> Long {
+    terms.iter().map(|(factor, term)| *factor * rows[term.0][n]).sum()
+}
+
+/// How far the series are good, from their last two terms beside the largest value.
+fn step(rows: &[[Long; ORDER + 1]]) -> f64 {
+    let size = |n: usize| rows.iter().map(|row| row[n].rounded().abs()).fold(0.0, f64::max);
+    let scale = TOLERANCE * size(0);
+    let by = |n: usize| (scale / size(n)).powf(1.0 / n as f64);
+    let length = by(ORDER).min(by(ORDER - 1));
+    assert!(length > 0.0, "the judge stands still: {:?}", rows.iter().map(|row| row[0]).collect::<Vec<_>>());
+    length.min(1e300)
+}
+
+fn value(row: &[Long; ORDER + 1], since: Long) -> Long {
+    row.iter().rev().fold(long(0.0), |sum, &coefficient| sum * since + coefficient)
+}
+
+#[test]
+fn the_judge_knows_what_is_known() {
+    // x″ = −x over ten turns, and y′ = y²/(1 + y), whose solution obeys ln y − 1/y = t − 1.
+    let (mut system, [x, v, y]) = System::new();
+    let one = long(1.0);
+    system.rate(x, &[(one, v)]);
+    system.rate(v, &[(-one, x)]);
+    let unit = {
+        // A term that is constantly one: y over y.
+        system.quotient(y, y)
+    };
+    let square = system.product(y, y);
+    let below = system.sum(&[(one, unit), (one, y)]);
+    let slope = system.quotient(square, below);
+    system.rate(y, &[(one, slope)]);
+    let times = [0.0, 0.3, 62.9].map(long);
+    for (sample, time) in system.sample(&[one, long(0.0), one], &times).iter().zip(times) {
+        assert!((sample[0] - time.sin_cos().1).abs() < long(1e-27), "{sample:?}");
+        assert!((sample[2].ln() - one / sample[2] - time + 1.0).abs() < long(1e-27), "{sample:?}");
+    }
+    let back = system.sample(&[one, long(0.0), one], &[long(-1.5)]);
+    assert!((back[0][0] - 1.5_f64.cos()).abs() < long(1e-15));
+}
