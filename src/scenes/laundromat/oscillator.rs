@@ -86,13 +86,16 @@ impl Oscillator {
                 }
             }
             Roots::Real { slow, fast, gap } => {
-                // Take out the exponential that dominates; what is left is between 0 and 1 in size.
-                let (rate, gap) = if t >= 0.0 { (slow, gap) } else { (fast, -gap) };
+                // Take out the exponential that dominates; what is left of the other is between 0 and 1 in size. Of the ways
+                // to write position and velocity, those without a difference of what may be almost equal.
+                let ([rate, other], gap) = if t >= 0.0 { ([slow, fast], gap) } else { ([fast, slow], -gap) };
                 let left = (-gap * t).exp();
                 let passed = if gap == 0.0 { t } else { -(-gap * t).exp_m1() / gap }; // ∫ of `left` over time
-                let kick = velocity + position * rate;
-                let inner = position + kick * passed;
-                Scaled { position: inner, velocity: kick * left - inner * rate, exponent: -rate * t }
+                Scaled {
+                    position: position * left + (velocity + position * other) * passed,
+                    velocity: velocity * left - (position * self.stiffness + velocity * rate) * passed,
+                    exponent: -rate * t,
+                }
             }
         }
     }

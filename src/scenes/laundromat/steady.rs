@@ -5,7 +5,6 @@ use crate::quantity::Shown;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 use std::error::Error;
-use std::f64::consts::SQRT_2;
 use std::fmt;
 
 /// The steady motion z = Z e<sup>iΩt</sup>: the shaft goes round O once for each turn of the drum.
@@ -90,16 +89,18 @@ impl Machine {
     /// The spin with the largest steady circle, and that circle's radius (`eq:peak`).
     ///
     /// `None` if there is no such spin: with Γ ≥ √2 ω₀ the radius grows with the spin towards b, and without damping
-    /// it has no bound. The machine's own spin does not matter. Accurate to a few units in the last place, except
-    /// that the peak moves off to infinite spin as Γ approaches √2 ω₀, which costs digits of `spin` there.
+    /// it has no bound. The machine's own spin does not matter. Accurate to a few units in the last place.
     pub fn peak(&self) -> Option<Peak> {
         let [natural, damping] = [self.natural_frequency(), self.damping_rate()];
-        let ratio = damping / natural;
-        if damping == 0.0 || ratio >= SQRT_2 {
+        // 2ω₀² − Γ² to 32 digits, of which 16 are left when the peak moves off to infinite spin.
+        let (square, rate) = (self.stiffness_rate(), self.precise_damping_rate());
+        let below = (square * 2.0 - rate * rate).rounded();
+        if damping == 0.0 || below <= 0.0 {
             return None;
         }
-        let spin = natural / ((1.0 - ratio / SQRT_2) * (1.0 + ratio / SQRT_2)).sqrt();
-        let radius = self.offset() * (natural / damping) / ((1.0 - ratio / 2.0) * (1.0 + ratio / 2.0)).sqrt();
+        let spin = square.rounded() * (2.0 / below).sqrt();
+        let half_ratio = 0.5 * damping / natural;
+        let radius = self.offset() * (natural / damping) / ((1.0 - half_ratio) * (1.0 + half_ratio)).sqrt();
         Some(Peak { spin, radius })
     }
 }
