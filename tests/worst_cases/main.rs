@@ -9,6 +9,7 @@
 
 mod linear;
 mod long;
+mod ramp;
 mod search;
 mod taylor;
 mod transient;

@@ -22,6 +22,7 @@ pub(crate) struct System {
 pub(crate) struct Term(usize);
 
 enum Operation {
+    Constant(Long),
     Sum(Vec<(Long, Term)>),
     Product(Term, Term),
     Quotient(Term, Term),
@@ -37,6 +38,11 @@ impl System {
     fn push(&mut self, operation: Operation) -> Term {
         self.operations.push(operation);
         Term(self.states + self.operations.len() - 1)
+    }
+
+    /// A constant.
+    pub(crate) fn constant(&mut self, value: Long) -> Term {
+        self.push(Operation::Constant(value))
     }
 
     /// A sum of terms with constant factors.
@@ -94,6 +100,13 @@ impl System {
         for n in 0..=ORDER {
             for (place, operation) in self.operations.iter().enumerate() {
                 let coefficient = match operation {
+                    Operation::Constant(value) => {
+                        if n == 0 {
+                            *value
+                        } else {
+                            long(0.0)
+                        }
+                    }
                     Operation::Sum(terms) => weighted(terms, &rows, n),
                     Operation::Product(a, b) => (0..=n).map(|j| rows[a.0][j] * rows[b.0][n - j]).sum(),
                     Operation::Quotient(a, b) => {
@@ -139,10 +152,7 @@ fn the_judge_knows_what_is_known() {
     let one = long(1.0);
     system.rate(x, &[(one, v)]);
     system.rate(v, &[(-one, x)]);
-    let unit = {
-        // A term that is constantly one: y over y.
-        system.quotient(y, y)
-    };
+    let unit = system.constant(one);
     let square = system.product(y, y);
     let below = system.sum(&[(one, unit), (one, y)]);
     let slope = system.quotient(square, below);

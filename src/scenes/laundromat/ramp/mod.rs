@@ -1,16 +1,19 @@
 //! A drum that speeds up steadily, through its resonance.
 
 mod drum;
+mod early;
+mod pair;
 mod root;
 
 use super::frames::Swing;
 use super::machine::Machine;
-use super::oscillator::{InvalidTime, Oscillator, check_time};
+use super::oscillator::{InvalidTime, Oscillator, Roots, check_time};
 use super::shaft::{InvalidStart, Shaft};
 use crate::branchless::at_full_width;
 use crate::frames::{BLOCK, InvalidFrames, fill, in_blocks};
 use crate::quantity::{InvalidQuantity, Rule};
 use drum::{Drum, Forced};
+use early::Early;
 use nalgebra::Complex;
 use root::Root;
 use std::error::Error;
@@ -46,6 +49,7 @@ pub struct Ramp {
     velocity: Complex<f64>,
     swing: Option<Swing>,
     forced: Forced,
+    early: Option<Early>,
 }
 
 impl Machine {
@@ -73,11 +77,17 @@ impl Machine {
         );
         let free = Oscillator::new(self.precise_damping_rate(), self.stiffness_rate());
         let forced = drum.forced(&free);
+        let [begin, begin_rate] = [reflect(start.position), reflect(start.velocity)];
         let (position, velocity) = drum.motion(&forced, 0.0);
-        let (displacement, velocity) =
-            (reflect(start.position) - position, reflect(start.velocity) - velocity);
+        let (displacement, velocity) = (begin - position, begin_rate - velocity);
         let swing = Swing::new(&free, displacement, velocity);
-        Ok(Ramp { mirrored, drum, free, displacement, velocity, swing, forced })
+        let early = match free.roots() {
+            Roots::Turning { frequency } => {
+                Early::new(&drum, (0.5 * self.damping_rate(), frequency), begin, begin_rate)
+            }
+            Roots::Real { .. } => None,
+        };
+        Ok(Ramp { mirrored, drum, free, displacement, velocity, swing, forced, early })
     }
 
     /// Rates of `[x, y, ẋ, ẏ]` at time `t`, s, while the drum turns with `φ = Ωt + ½αt²` (`eq:ramp-equation`), for an integrator. SI
@@ -112,19 +122,27 @@ impl Ramp {
         check_time(t)?;
         let earliest = match &self.forced {
             Forced::Apart([one, other]) => one.earliest().max(other.earliest()),
-            Forced::Together { .. } => f64::NEG_INFINITY,
+            Forced::Together(_) => f64::NEG_INFINITY,
         };
         if t < earliest || t.abs() > self.drum.reach() {
             return Err(InvalidTime { time: t });
         }
-        let (s, s_dot) = self.free.at(self.displacement, self.velocity, t).multiplied();
-        let (position, velocity) = self.drum.motion(&self.forced, t);
+        let ([displacement, rate], [position, velocity]) = match self.early(t) {
+            Some(early) => ([early.displacement, early.velocity], early.motion(&self.drum, t)),
+            None => ([self.displacement, self.velocity], self.drum.motion(&self.forced, t).into()),
+        };
+        let (s, s_dot) = self.free.at(displacement, rate, t).multiplied();
         let shaft = self.reflected(position + s, velocity + s_dot);
         if shaft.to_array().iter().all(|value| value.is_finite()) {
             Ok(shaft)
         } else {
             Err(InvalidTime { time: t })
         }
+    }
+
+    /// The form for the time before the drum has left its resonance, if it is that early.
+    fn early(&self, t: f64) -> Option<&Early> {
+        self.early.as_ref().filter(|early| t.abs() < early.reach)
     }
 
     /// The shaft at each of `times`, s, written to `frames` without allocating; lightly damped machines several frames at once.
@@ -143,7 +161,7 @@ impl Ramp {
     fn fill_swinging(&self, swing: &Swing, roots: &[Root; 2], times: &[f64], frames: &mut [Shaft]) -> usize {
         let reach = swing.reach().min(self.drum.reach());
         let earliest = roots[0].earliest().max(roots[1].earliest());
-        let reached = |time: f64| time.abs() <= reach && time >= earliest;
+        let reached = |time: f64| time.abs() <= reach && time >= earliest && self.early(time).is_none();
         in_blocks(times, frames, reached, |times, frames| {
             let mut padded = [0.0; BLOCK];
             padded[..times.len()].copy_from_slice(times);

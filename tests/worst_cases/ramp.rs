@@ -1,0 +1,134 @@
+//! A drum that speeds up or slows down steadily.
+
+use crate::long::{Long, long};
+use crate::search::{Case, Draw, search};
+use crate::taylor::System;
+use crate::transient::{damping, machine, start};
+use mechanics::scenes::laundromat::Shaft;
+
+/// The documented error, in units in the last place of what the documentation names.
+const UNITS: f64 = 40.0 * f64::EPSILON;
+
+/// x, y, ẋ, ẏ at a time, and what the free motion makes by then of one metre and of one metre a second, position and velocity.
+struct Truth {
+    state: [Long; 4],
+    of_place: [f64; 2],
+    of_rate: [f64; 2],
+}
+
+fn truth(damping: f64, spin: f64, acceleration: f64, start: Shaft, time: f64) -> Truth {
+    let (mut system, [x, y, vx, vy, c, s, p, p_rate, q, q_rate, turning]) = System::new();
+    let [none, one, damping, acceleration] = [0.0, 1.0, damping, acceleration].map(long);
+    for (place, rate) in [(x, vx), (y, vy), (p, p_rate), (q, q_rate)] {
+        system.rate(place, &[(one, rate)]);
+    }
+    let [turned_c, turned_s] = [system.product(turning, c), system.product(turning, s)];
+    let [inward_c, inward_s] = [system.product(turning, turned_c), system.product(turning, turned_s)];
+    system.rate(vx, &[(one, inward_c), (acceleration, s), (-one, x), (-damping, vx)]);
+    system.rate(vy, &[(one, inward_s), (-acceleration, c), (-one, y), (-damping, vy)]);
+    for (place, rate) in [(p, p_rate), (q, q_rate)] {
+        system.rate(rate, &[(-one, place), (-damping, rate)]);
+    }
+    system.rate(c, &[(-one, turned_s)]);
+    system.rate(s, &[(one, turned_c)]);
+    let unit = system.constant(one);
+    system.rate(turning, &[(acceleration, unit)]);
+    let [a, b, d, e] = start.to_array().map(long);
+    let from = [a, b, d, e, one, none, one, none, none, one, long(spin)];
+    let end = system.sample(&from, &[long(time)]).remove(0);
+    let size = |i: usize| end[i].abs().rounded();
+    Truth {
+        state: [end[0], end[1], end[2], end[3]],
+        of_place: [size(6), size(7)],
+        of_rate: [size(8), size(9)],
+    }
+}
+
+#[test]
+fn the_ramp_is_exact_to_units_of_the_offset_the_motion_and_what_the_start_makes_of_itself() {
+    let worst = search("ramp", 1500, |draw| {
+        let damping = damping(draw);
+        let spin = match draw.below(3) {
+            0 => draw.beside(1.0),
+            1 => -draw.beside(1.0),
+            _ => draw.signed(1e-3, 1e2),
+        };
+        let size = if draw.below(2) == 0 {
+            draw.beside(1.0) * 100.0 * (1.0 - 0.25 * damping * damping).abs()
+        } else {
+            draw.decades(1e-12, 1e6)
+        };
+        let acceleration = size.clamp(1e-12, 1e12) * draw.one_of(&[-1.0, 1.0]);
+        let start = start(draw);
+        let machine = machine(damping, spin);
+        // About the passing of a resonance or of standing still, or a few turns of what is quickest.
+        let quickest = 1.0 + spin.abs() + damping + acceleration.abs().sqrt();
+        let time = match draw.below(5) {
+            0 => draw.beside(-spin / acceleration),
+            1 => draw.beside((1.0 - spin) / acceleration),
+            2 => draw.beside((-1.0 - spin) / acceleration),
+            3 => draw.signed(1e-3, 30.0),
+            _ => draw.signed(1e-3, 30.0) / quickest,
+        };
+        let turned = (spin.abs() + (spin + acceleration * time).abs()) * time.abs();
+        if turned + time.abs() > 200.0 || damping * time.abs() > 100.0 {
+            return None; // too long for the judge
+        }
+        let truth = truth(damping, spin, acceleration, start, time);
+        let motion = machine.ramp(acceleration, start).expect("a motion");
+        let said = |what: &str, ours: Shaft| {
+            format!("Γ {damping:?}, Ω {spin:?}, α {acceleration:?}, {start:?}, t {time:?}: {what}, {ours:?}")
+        };
+        let way = way(damping, acceleration, time);
+        let Ok(ours) = motion.at(time) else {
+            return Some(Case { ratio: f64::INFINITY, way, said: said("refused", start) });
+        };
+        let mut many = [Shaft::AT_REST];
+        motion.fill(&[time], &mut many).expect("an answer");
+
+        let fastest =
+            1.0 + damping + spin.abs() + (spin + acceleration * time).abs() + acceleration.abs().sqrt();
+        let [place, rate] = [start.position.norm() + 1.0, start.velocity.norm() + fastest];
+        let carried = |i: usize| place * (truth.of_place[i] + 1e-9) + rate * (truth.of_rate[i] + 1e-9);
+        // What a change of the time by a unit in its last place does.
+        let later = |i: usize| (truth.state[i].rounded() * time).abs();
+        let places = 1.0 + carried(0) + later(2).max(later(3));
+        let rates = fastest + carried(1) + damping * later(2).max(later(3)) + later(0).max(later(1));
+        let (mut ratio, mut what) = (0.0_f64, "");
+        for (names, shaft) in
+            [(["x", "y", "ẋ", "ẏ"], ours), (["many x", "many y", "many ẋ", "many ẏ"], many[0])]
+        {
+            for (i, size) in [places, places, rates, rates].into_iter().enumerate() {
+                let away = (truth.state[i] - shaft.to_array()[i]).abs().rounded();
+                let away = away / (size + truth.state[i].abs().rounded()) / UNITS;
+                if !(away <= ratio) {
+                    (ratio, what) = (away, names[i]);
+                }
+            }
+        }
+        Some(Case { ratio, way, said: said(what, ours) })
+    });
+    worst.keeps_its_promise(&[
+        "real, after",
+        "real, before",
+        "together, after",
+        "together, before",
+        "turning, after",
+        "turning, before",
+    ]);
+}
+
+/// Which form the library takes.
+fn way(damping: f64, acceleration: f64, time: f64) -> &'static str {
+    let half_difference = (1.0 - 0.25 * damping * damping).abs().sqrt();
+    let largest = 0.5 * damping + half_difference;
+    let width = acceleration.abs().sqrt().max(0.5 * damping).max(half_difference);
+    match (largest * largest > 8.0 * half_difference * width, damping < 2.0, time < 0.0) {
+        (true, _, false) => "together, after",
+        (true, _, true) => "together, before",
+        (false, true, false) => "turning, after",
+        (false, true, true) => "turning, before",
+        (false, false, false) => "real, after",
+        (false, false, true) => "real, before",
+    }
+}
