@@ -25,19 +25,24 @@ pub enum InvalidFrames<E> {
     },
 }
 
-/// Fills the frames at `times`: as many as `quick` says it has done at once, and the rest one by one.
+/// Fills the frames at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone one by one, and so on.
 pub(crate) fn fill<F, E>(
     times: &[f64],
     frames: &mut [F],
-    quick: impl FnOnce(&[f64], &mut [F]) -> usize,
+    quick: impl Fn(&[f64], &mut [F]) -> usize,
     single: impl Fn(f64) -> Result<F, E>,
 ) -> Result<(), InvalidFrames<E>> {
     if times.len() != frames.len() {
         return Err(InvalidFrames::Length { times: times.len(), frames: frames.len() });
     }
-    let done = quick(times, frames);
-    for (index, (frame, &time)) in frames.iter_mut().zip(times).enumerate().skip(done) {
-        *frame = single(time).map_err(|error| InvalidFrames::Time { index, error })?;
+    let mut done = 0;
+    while done < times.len() {
+        done += quick(&times[done..], &mut frames[done..]);
+        let block = done..times.len().min(done + BLOCK);
+        for index in block {
+            frames[index] = single(times[index]).map_err(|error| InvalidFrames::Time { index, error })?;
+            done += 1;
+        }
     }
     Ok(())
 }
@@ -46,20 +51,19 @@ pub(crate) fn fill<F, E>(
 pub(crate) const BLOCK: usize = 32;
 
 /// Does `work` block by block, as many frames as there are times, and says so; leaves alone, and counts not, the block in which a
-/// time is not `reached` or not a number, and what follows it.
+/// time is not `reached` or not a number or of which `work` says that it has not come out, and what follows it.
 #[inline(always)]
 pub(crate) fn in_blocks<F>(
     times: &[f64],
     frames: &mut [F],
     reached: impl Fn(f64) -> bool,
-    mut work: impl FnMut(&[f64], &mut [F]),
+    mut work: impl FnMut(&[f64], &mut [F]) -> bool,
 ) -> usize {
     let mut done = 0;
     for (times, frames) in times.chunks(BLOCK).zip(frames.chunks_mut(BLOCK)) {
-        if !times.iter().all(|&time| reached(time)) {
+        if !times.iter().all(|&time| reached(time)) || !work(times, frames) {
             break;
         }
-        work(times, frames);
         done += times.len();
     }
     done
@@ -75,6 +79,12 @@ pub(crate) trait Branchless: Copy {
 
     /// The frame at a time. To be marked `#[inline(always)]`: a call would not be compiled for wide registers.
     fn at(&self, time: f64) -> Self::Frame;
+
+    /// Whether a frame is within the range of numbers, for a motion that can leave it.
+    #[inline(always)]
+    fn is_finite(_frame: &Self::Frame) -> bool {
+        true
+    }
 }
 
 /// Fills frames as [`in_blocks`], several with the same instructions. The constants come by value: for all the compiler knows, a
@@ -91,11 +101,12 @@ pub(crate) fn several_at_once<C: Branchless>(
         at_full_width(
             #[inline(always)]
             || {
-                for (&time, frame) in times.iter().zip(frames) {
+                for (&time, frame) in times.iter().zip(frames.iter_mut()) {
                     *frame = constants.at(time);
                 }
             },
         );
+        frames.iter().all(C::is_finite)
     })
 }
 
@@ -124,9 +135,11 @@ impl<E: Error + 'static> Error for InvalidFrames<E> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Branchless, several_at_once};
+    use super::{BLOCK, Branchless, fill, several_at_once};
     use crate::branchless::{Clock, exp, sin_cos_quarters};
     use crate::two_part::TwoPart;
+    use std::cell::Cell;
+    use std::convert::Infallible;
 
     /// A decaying oscillation.
     #[derive(Clone, Copy)]
@@ -163,6 +176,24 @@ mod tests {
             let mut frames = [[7.0; 2]; 100];
             assert_eq!(several_at_once(decay, 0.0..=1e9, &times, &mut frames), 64);
             assert!(frames[63] == decay.at(1.0) && frames[64] == [7.0; 2]);
+        }
+    }
+    #[test]
+    fn only_the_blocks_that_are_out_of_reach_are_filled_one_by_one() {
+        let decay = Decay(Clock::from_rate(TwoPart::from(1.3)));
+        let mut times: Vec<f64> = (0..10 * BLOCK).map(|n| 0.1 * n as f64).collect();
+        (times[BLOCK + 3], times[5 * BLOCK]) = (-1.0, -2.0);
+        let mut frames = vec![[0.0; 2]; times.len()];
+        let singles = Cell::new(0);
+        let single = |time: f64| {
+            singles.set(singles.get() + 1);
+            Ok::<_, Infallible>(decay.at(time))
+        };
+        let quick = |times: &[f64], frames: &mut [[f64; 2]]| several_at_once(decay, 0.0..=1e9, times, frames);
+        fill(&times, &mut frames, quick, single).unwrap();
+        assert_eq!(singles.get(), 2 * BLOCK);
+        for (frame, &time) in frames.iter().zip(&times) {
+            assert_eq!(*frame, decay.at(time));
         }
     }
 }

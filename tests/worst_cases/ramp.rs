@@ -3,7 +3,8 @@
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search};
 use crate::taylor::System;
-use crate::transient::{damping, machine, start};
+use crate::transient::{agreement, damping, hostile, machine, start};
+use mechanics::InvalidFrames;
 use mechanics::scenes::laundromat::Shaft;
 
 /// The documented error, in units in the last place of what the documentation names.
@@ -131,4 +132,77 @@ fn way(damping: f64, acceleration: f64, time: f64) -> &'static str {
         (false, false, false) => "real, after",
         (false, false, true) => "real, before",
     }
+}
+
+#[test]
+fn the_ramp_is_as_exact_where_no_integrator_comes() {
+    let cases: serde_json::Value = serde_json::from_str(include_str!("../data/ramp.json")).unwrap();
+    let mut worst = (0.0, String::new());
+    let cases = cases.as_array().unwrap();
+    assert_eq!(cases.len(), 240);
+    for case in cases {
+        let number = |name: &str| case[name].as_f64().unwrap();
+        let numbers = |name: &str| -> [f64; 4] {
+            std::array::from_fn(|i| {
+                let value = &case[name][i];
+                value.as_f64().unwrap_or_else(|| value.as_str().unwrap().parse().unwrap())
+            })
+        };
+        let [damping, spin, acceleration, time] = ["damping", "spin", "acceleration", "time"].map(number);
+        let (state, free, start) = (numbers("state"), numbers("free"), Shaft::from_array(numbers("start")));
+        let ours = machine(damping, spin).ramp(acceleration, start).unwrap().at(time);
+        let ours = ours.unwrap_or_else(|error| panic!("{error}: {case}"));
+        let fastest =
+            1.0 + damping + spin.abs() + (spin + acceleration * time).abs() + acceleration.abs().sqrt();
+        let [place, rate] = [start.position.norm() + 1.0, start.velocity.norm() + fastest];
+        let places = 1.0 + state[0].hypot(state[1]) + place * free[0] + rate * free[2];
+        let rates = fastest + state[2].hypot(state[3]) + place * free[1] + rate * free[3];
+        for (i, size) in [places, places, rates, rates].into_iter().enumerate() {
+            let ratio = (ours.to_array()[i] - state[i]).abs() / size / UNITS;
+            if !(ratio < 0.5) {
+                println!("{ratio:.3} {i} {case}\n  {:?}", ours.to_array());
+            }
+            if !(ratio <= worst.0) {
+                worst = (ratio, format!("{i} of {case}: {ours:?}"));
+            }
+        }
+    }
+    println!("ramp, far away: {:.3} of the promise at {}", worst.0, worst.1);
+    assert!(worst.0 < 1.0, "{worst:?}");
+}
+
+#[test]
+fn every_ramp_answers_at_its_start() {
+    let worst = search("start of a ramp", 20_000, |draw| {
+        let damping = if draw.below(2) == 0 { draw.decades(1e-50, 1e50) } else { damping(draw) };
+        let spin = draw.signed(1e-50, 1e50);
+        let acceleration = draw.decades(1e-12, 1e12) * draw.one_of(&[-1.0, 1.0]);
+        let start = start(draw);
+        let ours = machine(damping, spin).ramp(acceleration, start).expect("a motion").at(0.0);
+        let size = 1.0 + start.position.norm();
+        let ratio = ours.map_or(f64::INFINITY, |ours| (ours.position - start.position).norm() / size / UNITS);
+        Some(Case {
+            ratio,
+            way: "any",
+            said: format!("Γ {damping:?}, Ω {spin:?}, α {acceleration:?}: {ours:?}"),
+        })
+    });
+    worst.keeps_its_promise(&["any"]);
+}
+
+#[test]
+fn no_ramp_answers_with_what_is_no_number_and_many_at_once_refuse_what_one_does() {
+    let worst = search("hostile ramp", 10_000, |draw| {
+        let (machine, start, times) = hostile(draw)?;
+        let acceleration = machine.natural_frequency().powi(2) * draw.decades(1e-12, 1e12);
+        let motion = machine.ramp(acceleration * draw.one_of(&[-1.0, 1.0]), start).ok()?;
+        let fill = |times: &[f64], frames: &mut [Shaft]| match motion.fill(times, frames) {
+            Err(InvalidFrames::Time { index, .. }) => Some(index),
+            outcome => outcome.map(|()| None).expect("as many frames as times"),
+        };
+        let ratio = agreement(&times, |time| motion.at(time).ok(), fill);
+        let way = if fill(&times, &mut [Shaft::AT_REST; 40]).is_some() { "refused" } else { "answered" };
+        Some(Case { ratio, way, said: format!("{machine:?}, {acceleration:?}, {start:?}, {times:?}") })
+    });
+    worst.keeps_its_promise(&["answered", "refused"]);
 }

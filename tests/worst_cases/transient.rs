@@ -3,6 +3,7 @@
 use crate::linear::carried;
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search};
+use mechanics::InvalidFrames;
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 use nalgebra::Complex;
 
@@ -139,4 +140,62 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
         "real roots, after",
         "real roots, before",
     ]);
+}
+
+/// A machine and a start of any size at all, and times near enough to be reached or not.
+pub(crate) fn hostile(draw: &mut Draw<'_>) -> Option<(Machine, Shaft, [f64; 40])> {
+    let parameters = Parameters {
+        drum_mass: draw.decades(1e-50, 1e50),
+        load_mass: draw.decades(1e-50, 1e50),
+        load_radius: draw.decades(1e-50, 1e50),
+        stiffness: draw.decades(1e-50, 1e50),
+        damping: draw.signed(1e-50, 1e50).abs(),
+        spin: draw.signed(1e-50, 1e50),
+    };
+    let machine = Machine::new(parameters).ok()?;
+    let start = Shaft::from_array(std::array::from_fn(|_| draw.signed(1e-50, 1e50)));
+    // Where the motion has grown or died by hundreds of powers of e, or been through many turns, or neither.
+    let scale = match draw.below(4) {
+        0 => 1.0 / machine.damping_rate().max(1e-60),
+        1 => 1.0 / machine.natural_frequency(),
+        2 => 1.0 / machine.spin().abs().max(1e-60),
+        _ => draw.decades(1e-50, 1e50),
+    };
+    let times = std::array::from_fn(|_| draw.signed(1e-3, 2e3) * scale);
+    Some((machine, start, times))
+}
+
+/// Infinite unless `at` and many at once refuse the same time first and all that they answer is finite.
+pub(crate) fn agreement(
+    times: &[f64],
+    at: impl Fn(f64) -> Option<Shaft>,
+    fill: impl Fn(&[f64], &mut [Shaft]) -> Option<usize>,
+) -> f64 {
+    let mut frames = vec![Shaft::AT_REST; times.len()];
+    let singles: Vec<Shaft> = times.iter().map_while(|&time| at(time)).collect();
+    let refused = (singles.len() < times.len()).then_some(singles.len());
+    let same = fill(times, &mut frames) == refused;
+    let answered = frames[..singles.len()].iter().chain(&singles);
+    let finite = answered.flat_map(Shaft::to_array).all(f64::is_finite);
+    if same && finite { 0.0 } else { f64::INFINITY }
+}
+
+#[test]
+fn no_transient_answers_with_what_is_no_number_and_many_at_once_refuse_what_one_does() {
+    let worst = search("hostile transient", 30_000, |draw| {
+        let (machine, start, times) = hostile(draw)?;
+        let motion = machine.transient(start).expect("a motion");
+        let fill = |times: &[f64], frames: &mut [Shaft]| match motion.fill(times, frames) {
+            Err(InvalidFrames::Time { index, .. }) => Some(index),
+            outcome => outcome.map(|()| None).expect("as many frames as times"),
+        };
+        let ratio = agreement(&times, |time| motion.at(time).ok(), fill);
+        let said = format!("{machine:?}, {start:?}, {times:?}");
+        Some(Case {
+            ratio,
+            way: if fill(&times, &mut [Shaft::AT_REST; 40]).is_some() { "refused" } else { "answered" },
+            said,
+        })
+    });
+    worst.keeps_its_promise(&["answered", "refused"]);
 }

@@ -128,6 +128,7 @@ impl Asymmetric {
             for (n, frame) in frames.iter_mut().enumerate() {
                 *frame = self.turning(std::array::from_fn(|i| block[i][n]));
             }
+            true
         })
     }
 

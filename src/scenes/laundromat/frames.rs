@@ -107,4 +107,9 @@ impl Branchless for Frames {
         let number = |i: usize| (self.circle_cos[i] * cos + self.circle_sin[i] * sin) + free[i];
         Shaft { position: Complex::new(number(0), number(1)), velocity: Complex::new(number(2), number(3)) }
     }
+
+    #[inline(always)]
+    fn is_finite(frame: &Shaft) -> bool {
+        frame.is_finite()
+    }
 }

@@ -37,6 +37,7 @@ impl Shaft {
     }
 
     /// To `[x, y, ẋ, ẏ]` in m and m/s.
+    #[inline]
     pub fn to_array(&self) -> [f64; 4] {
         [self.position.re, self.position.im, self.velocity.re, self.velocity.im]
     }
@@ -62,6 +63,12 @@ impl Shaft {
         let r_dot = self.velocity.re * cos + self.velocity.im * sin;
         let across = self.velocity.im * cos - self.velocity.re * sin;
         [r, theta, r_dot, across / r]
+    }
+
+    /// Whether all four numbers are finite.
+    #[inline(always)]
+    pub(super) fn is_finite(&self) -> bool {
+        self.to_array().iter().all(|number| number.is_finite())
     }
 
     /// Refuses a start that is not finite or further out or faster than the closed forms can follow.

@@ -143,11 +143,7 @@ impl Transient {
                 Shaft { position, velocity }
             }
         };
-        if shaft.to_array().iter().all(|value| value.is_finite()) {
-            Ok(shaft)
-        } else {
-            Err(InvalidTime { time: t })
-        }
+        if shaft.is_finite() { Ok(shaft) } else { Err(InvalidTime { time: t }) }
     }
 
     /// Position of the centre of mass of drum and load at time `t`, s, in the laboratory, m

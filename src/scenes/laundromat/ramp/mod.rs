@@ -133,11 +133,7 @@ impl Ramp {
         };
         let (s, s_dot) = self.free.at(displacement, rate, t).multiplied();
         let shaft = self.reflected(position + s, velocity + s_dot);
-        if shaft.to_array().iter().all(|value| value.is_finite()) {
-            Ok(shaft)
-        } else {
-            Err(InvalidTime { time: t })
-        }
+        if shaft.is_finite() { Ok(shaft) } else { Err(InvalidTime { time: t }) }
     }
 
     /// The form for the time before the drum has left its resonance, if it is that early.
@@ -174,6 +170,7 @@ impl Ramp {
                 let [x, y, vx, vy] = std::array::from_fn(|i| forced[i][n] + free[i]);
                 *frame = self.reflected(Complex::new(x, y), Complex::new(vx, vy));
             }
+            frames.iter().all(Shaft::is_finite)
         })
     }
 

@@ -1,7 +1,7 @@
 //! What the force of a drum that speeds up does through one root of the suspension.
 
 use super::drum::Drum;
-use crate::branchless::{exp, sin_cos_quarters};
+use crate::branchless::{ROUNDABLE, exp, sin_cos_quarters};
 use crate::faddeeva::upper_half;
 use crate::scenes::laundromat::frames::LARGEST_EXPONENT;
 use crate::two_part::TwoPart;
@@ -33,6 +33,9 @@ impl Root {
         // The phase of what is left behind: Im λ t + ((Re λ)² − (Im λ − Ω)²)/2α.
         let square = TwoPart::product(decay, decay) - ahead * ahead;
         let quarters = TwoPart::from(2.0) / TwoPart::PI;
+        let phase = square / (alpha * 2.0) * quarters;
+        // A phase that cannot be reduced is that of a passing beyond reach, or of one that damping leaves nothing of.
+        let phase = if phase.rounded().abs() < ROUNDABLE { phase } else { TwoPart::from(0.0) };
         let kappa = Complex::new(1.0, 1.0) * (PI.sqrt() / (2.0 * width));
         let position = root * root * kappa / difference;
         let velocity = position * root;
@@ -45,7 +48,7 @@ impl Root {
             left_behind: numbers.map(|number| 2.0 * number),
             beside: numbers,
             phase_rate: turning * quarters,
-            phase: square / (alpha * 2.0) * quarters,
+            phase,
             late: if passing.rounded() < 0.0 { 1.0 } else { 0.0 },
         }
     }
