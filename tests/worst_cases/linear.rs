@@ -5,12 +5,12 @@ use crate::long::{Long, long};
 type Matrix<const N: usize> = [[Long; N]; N];
 
 /// The state at `time` from `state` at zero, for the rates `matrix · state`.
-pub(crate) fn carried<const N: usize>(matrix: &[[Long; N]; N], state: &[Long; N], time: f64) -> [Long; N] {
+pub(crate) fn carried<const N: usize>(matrix: &[[Long; N]; N], state: &[Long; N], time: Long) -> [Long; N] {
     let size = matrix.iter().flatten().map(|number| number.abs().rounded()).fold(0.0, f64::max);
     // A step so short that the series converges in a few terms, and the rest by doubling it. The exponential less one is what
     // is doubled, so that a short step loses nothing beside the one.
-    let doublings = (size * time.abs() * 4.0).log2().ceil().max(0.0) as i32;
-    let step = long(time) / 2.0_f64.powi(doublings);
+    let doublings = (size * time.abs().rounded() * 4.0).log2().ceil().max(0.0) as i32;
+    let step = time / 2.0_f64.powi(doublings);
     let mut power = unit::<N>();
     let mut grown = [[long(0.0); N]; N];
     for term in 1..30 {
@@ -47,7 +47,7 @@ fn the_exponential_is_what_the_series_say() {
     system.rate(v, &[(-one, x), (-damping, v)]);
     for time in [-20.0, 1e-9, 0.5, 40.0] {
         let judge = system.sample(&[one, one], &[long(time)]).remove(0);
-        let ours = carried(&matrix, &[one, one], time);
+        let ours = carried(&matrix, &[one, one], long(time));
         for (ours, judge) in ours.iter().zip(judge) {
             assert!(
                 (*ours - judge).abs() < long(1e-27 * (1.0 + (-0.3 * time).exp())),
@@ -58,6 +58,6 @@ fn the_exponential_is_what_the_series_say() {
     // A thousand million turns.
     let swing = [[nothing, one], [-one, nothing]];
     let (sin, cos) = long(6e9).sin_cos();
-    let [x, v] = carried(&swing, &[one, nothing], 6e9);
+    let [x, v] = carried(&swing, &[one, nothing], long(6e9));
     assert!((x - cos).abs() < long(1e-19) && (v + sin).abs() < long(1e-19), "{x:?} {cos:?}");
 }

@@ -7,9 +7,11 @@
 //!
 //! `WORST_CASES=50 cargo test --test worst_cases` looks fifty times as long.
 
+mod faddeeva;
 mod linear;
 mod long;
 mod ramp;
 mod search;
+mod steady;
 mod taylor;
 mod transient;

@@ -51,7 +51,7 @@ fn truth(damping: f64, spin: f64, start: Shaft, time: f64) -> Truth {
     }
     (matrix[8][9], matrix[9][8]) = (-spin, spin);
     let [x, y, vx, vy] = start.to_array().map(long);
-    let end = carried(&matrix, &[x, y, vx, vy, one, none, none, one, one, none], time);
+    let end = carried(&matrix, &[x, y, vx, vy, one, none, none, one, one, none], long(time));
     let size = |i: usize| end[i].abs().rounded();
     Truth {
         state: [end[0], end[1], end[2], end[3]],

@@ -24,6 +24,9 @@ pub(super) enum Roots {
     Real { slow: f64, fast: f64, gap: f64 },
 }
 
+/// Two real exponentials further apart than e to this are out of all proportion.
+const STEEP: f64 = 350.0;
+
 /// A displacement and its rate, both still to be multiplied by e^{exponent}.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scaled {
@@ -86,13 +89,18 @@ impl Oscillator {
                 }
             }
             Roots::Real { slow, fast, gap } => {
-                // Take out the exponential that dominates; what is left of the other is between 0 and 1 in size. Of the ways
-                // to write position and velocity, those without a difference of what may be almost equal.
-                let ([rate, other], gap) = if t >= 0.0 { ([slow, fast], gap) } else { ([fast, slow], -gap) };
+                // Take out the slow exponential; long before the start, where the other is out of all proportion, that one.
+                let steep = -gap * t > STEEP;
+                let (rate, gap) = if steep { (fast, -gap) } else { (slow, gap) };
                 let left = (-gap * t).exp();
                 let passed = if gap == 0.0 { t } else { -(-gap * t).exp_m1() / gap }; // ∫ of `left` over time
                 Scaled {
-                    position: position * left + (velocity + position * other) * passed,
+                    // Twice the same number, each time without a difference of what may be almost equal.
+                    position: if steep {
+                        position * left + (velocity + position * slow) * passed
+                    } else {
+                        position + (velocity + position * slow) * passed
+                    },
                     velocity: velocity * left - (position * self.stiffness + velocity * rate) * passed,
                     exponent: -rate * t,
                 }
