@@ -186,11 +186,14 @@ fn the_locked_motion_is_exact_to_units_of_what_takes_part() {
         // A place counts for as much as the velocity with which it would be lost by damping.
         let place = start[0].abs() + radius;
         let speed = start[1].abs() / natural + place * damping.rounded() / natural;
+        // What a change of the time, or of the damping, by a unit in the last place does.
+        let grown = 1.0 + (damping * time).abs().rounded();
         let later = |i: usize| (truth[i] * at).abs().rounded();
-        let places = radius + place * part(0, 0) + speed * part(1, 0) + truth[0].abs().rounded() + later(1);
+        let places =
+            radius + place * part(0, 0) + speed * part(1, 0) + truth[0].abs().rounded() * grown + later(1);
         let speeds = place * part(0, 1)
             + speed * part(1, 1)
-            + truth[1].abs().rounded()
+            + truth[1].abs().rounded() * grown
             + quickest / natural * (later(1) + later(0))
             + radius * 1e-9;
         let error = ((truth[0] - r).abs().rounded() / places)
