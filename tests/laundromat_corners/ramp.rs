@@ -125,6 +125,22 @@ fn a_drum_at_full_speed_runs_down_as_it_ran_up() {
 }
 
 #[test]
+fn the_spin_is_the_rate_of_the_loads_angle() {
+    for spin in [0.0, 0.6, -2.0] {
+        for acceleration in [0.5, -0.05] {
+            let machine = machine(0.3, spin);
+            let ramp = machine.ramp(acceleration, start()).unwrap();
+            for t in [-3.0, 0.0, 0.7, 40.0] {
+                assert!(
+                    (ramp.spin(t) - (spin + acceleration * t)).abs() < 1e-15 * (1.0 + t.abs()),
+                    "{spin} {t}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn a_speed_that_hardly_changes_is_a_steady_one() {
     for (damping, spin) in [(0.2, 0.7), (0.01, 3.0), (3.0, 1.0), (2.0, 0.5)] {
         let steady = machine(damping, spin).transient(start()).unwrap();

@@ -77,6 +77,11 @@ pub(crate) struct Case {
     pub(crate) said: String,
 }
 
+/// Whether an error is worse than another; one that is not a number is worse than any.
+pub(crate) fn worse(error: f64, than: f64) -> bool {
+    error.is_nan() || error > than
+}
+
 /// The worst of many cases.
 pub(crate) struct Worst {
     /// The case.

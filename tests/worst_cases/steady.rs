@@ -2,7 +2,7 @@
 
 use crate::linear::carried;
 use crate::long::{Long, long};
-use crate::search::{Case, Draw, search};
+use crate::search::{Case, Draw, search, worse};
 use mechanics::scenes::laundromat::{Machine, Parameters};
 
 /// The documented error.
@@ -48,7 +48,7 @@ fn subject(draw: &mut Draw<'_>) -> Subject {
 /// The largest relative error of some numbers.
 fn worst(pairs: &[(f64, Long)]) -> f64 {
     let relative = |&(ours, truth): &(f64, Long)| ((truth - ours) / truth).abs().rounded();
-    pairs.iter().map(relative).fold(0.0, |most, error| if error <= most { most } else { error })
+    pairs.iter().map(relative).fold(0.0, |most, error| if worse(error, most) { error } else { most })
 }
 
 #[test]
@@ -177,7 +177,7 @@ fn the_locked_motion_is_exact_to_units_of_what_takes_part() {
         let truth = carried(&matrix, &[long(start[0]), long(start[1]) / rate, one], at);
         let basis = [carried(&free, &[one, none, none], at), carried(&free, &[none, one, none], at)];
         let Ok([r, r_dot]) =
-            machine.locked(start[0], start[1]).and_then(|motion| Ok(motion.at(time).expect("an answer")))
+            machine.locked(start[0], start[1]).map(|motion| motion.at(time).expect("an answer"))
         else {
             return None;
         };

@@ -9,7 +9,7 @@ use std::fmt;
 
 /// The steady motion z = Z e<sup>iΩt</sup>: the shaft goes round O once for each turn of the drum.
 ///
-/// From [`Machine::steady`]. All quantities are accurate to a few units in the last place at any spin, near
+/// From [`Machine::steady`]. All quantities are accurate to eight units in the last place at any spin, near
 /// resonance too; a torque or power beyond the largest `f64` is infinite.
 ///
 /// ```
@@ -89,7 +89,8 @@ impl Machine {
     /// The spin with the largest steady circle, and that circle's radius (`eq:peak`).
     ///
     /// `None` if there is no such spin: with Γ ≥ √2 ω₀ the radius grows with the spin towards b, and without damping
-    /// it has no bound. The machine's own spin does not matter. Accurate to a few units in the last place.
+    /// it has no bound. The machine's own spin does not matter. Accurate to eight units in the last place, also
+    /// where the peak moves off to infinite spin.
     pub fn peak(&self) -> Option<Peak> {
         let [natural, damping] = [self.natural_frequency(), self.damping_rate()];
         // 2ω₀² − Γ² to 32 digits, of which 16 are left when the peak moves off to infinite spin.

@@ -7,15 +7,15 @@ use nalgebra::Complex;
 use std::f64::consts::{PI, SQRT_2};
 
 /// Points on a circle about the mean of the roots.
-const POINTS: usize = 24;
+const POINTS: usize = 32;
 /// Roots further apart than this part of the circle's radius are far enough apart for a plain difference; if they are nearer, the
-/// mean over the circle is exact to `0.2^24`.
-const APART: f64 = 0.2;
+/// mean over the circle is exact to `0.3^32`.
+const APART: f64 = 0.3;
 /// The radius, in units of 1/q, of a circle on which `e^{qλ}` is tame, and of one on which `e^{iλ²/2}` is: together their terms of
-/// order 24 are below rounding. And of one on which Faddeeva's function is, in its argument.
-const EXPONENTIAL: f64 = 1.2;
-const GAUSSIAN: f64 = 0.4;
-const FADDEEVA: f64 = 0.45;
+/// order 32 are below rounding. And of one on which Faddeeva's function is, in its argument.
+const EXPONENTIAL: f64 = 2.0;
+const GAUSSIAN: f64 = 0.7;
+const FADDEEVA: f64 = 0.7;
 
 /// The roots, and what is constant.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -101,9 +101,9 @@ impl Pair {
     }
 }
 
-/// The radius of a circle about an argument of this size on which Faddeeva's function is tame: there it is almost the algebraic i/√π z, a
-/// fifth of the way to whose pole is near enough, and beside that as `e^{−z²}` on the real axis.
+/// The radius of a circle about an argument of this size on which Faddeeva's function is tame: there it is almost the algebraic i/√π z, of
+/// the way to whose pole a part is near enough, and beside that as `e^{−z²}` on the real axis.
 fn radius(size: f64) -> f64 {
-    let gaussian = (size * size / POINTS as f64).exp() / size;
-    (0.2 * size).min(gaussian).max(FADDEEVA)
+    let gaussian = 1.8 * (size * size / POINTS as f64).exp() / size;
+    (APART * size).min(gaussian).max(FADDEEVA)
 }
