@@ -1,4 +1,4 @@
-"""Writes ramp.json: a drum that speeds up, at times too far away for an integrator. mpmath 1.3, 60 digits and more.
+"""Writes ramp.json: a drum that speeds up, at times too far away for an integrator. mpmath 1.3, 70 digits.
 
 z = -b (g + (l1^2 P1 - l2^2 P2)/(l1 - l2)) + free motion, with P the integral of e^{l (t - s)} e^{i phi(s)} from the start, as a
 difference of error functions; where it can be afforded, checked against quadrature of the force with Green's function.
