@@ -236,6 +236,8 @@ fn what_is_not_a_number_between_the_ends_of_a_step_is_refused() {
         assert_eq!(solver.solve_until(holed, 0.0, [0.0], 1.0, event, Direction::Rising).unwrap_err(), whole);
     }
     // The ends themselves need no dense output.
+    let outcome = solver.solve_until(holed, 0.0, [0.0], 3.0, |t, _| t - 1.0, Direction::Rising).unwrap();
+    assert!(matches!(outcome, Outcome::Event(found) if found.time == 1.0 && found.state[0].is_finite()));
     assert!((solver.sample(holed, 0.0, [0.0], &[1.0]).unwrap().0[0][0] - 1.0).abs() < 1e-15);
 }
 

@@ -116,7 +116,7 @@ fn locate<const N: usize, F: Rates<N>>(
     let mut part = 0.5_f64;
     for _ in 0..MOST_LOOKS {
         let resolution = 2.0 * f64::EPSILON * new.abs().max(across.abs()) / (across - new).abs();
-        if f_new == 0.0 || f_across == 0.0 || resolution.is_nan() || resolution > 0.5 {
+        if f_new == 0.0 || resolution > 0.5 {
             break;
         }
         let next = new + part.clamp(resolution, 1.0 - resolution) * (across - new);
@@ -148,8 +148,13 @@ fn locate<const N: usize, F: Rates<N>>(
         };
     }
     let time = if f_new.abs() <= f_across.abs() { new } else { across };
-    let state = step.at(time);
-    if is_finite(&state) { Ok((time, state)) } else { Err(step.not_finite()) }
+    // The ends are known without looking between them, where it has been looked already.
+    let state = match time {
+        end if end == step.end() => *step.final_state(),
+        start if start == step.start() => *step.initial_state(),
+        between => step.at(between),
+    };
+    Ok((time, state))
 }
 
 /// What to say where the event is not a number.
