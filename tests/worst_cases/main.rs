@@ -7,7 +7,11 @@
 //!
 //! `WORST_CASES=50 cargo test --test worst_cases` looks fifty times as long.
 
+mod chaplygin;
+mod conical;
 mod long;
+mod rolling;
 mod search;
 mod taylor;
 mod transient;
+mod wobble;

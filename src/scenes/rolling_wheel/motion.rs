@@ -148,8 +148,11 @@ impl Wheel {
     }
 }
 
+/// What π/2 has beyond its `f64`.
+const REST_OF_RIGHT_ANGLE: f64 = 6.123_233_995_736_766e-17;
+
 /// 1 − |sin θ| without loss near ±π/2.
 fn gap(lean: f64) -> f64 {
-    let half = 0.5 * (std::f64::consts::FRAC_PI_2 - lean.abs());
+    let half = 0.5 * ((std::f64::consts::FRAC_PI_2 - lean.abs()) + REST_OF_RIGHT_ANGLE);
     2.0 * half.sin() * half.sin()
 }

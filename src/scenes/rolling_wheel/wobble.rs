@@ -48,9 +48,8 @@ pub struct Wobble {
     // From there, in radii and √(a/g), back to where the lean turned (nothing, if it turns at the start) and ahead to where it turns:
     back: Option<Swing>,
     ahead: Swing,
-    opening: f64,   // when it turned, zero or less
-    turned: Moment, // and the state in which it did
-    half: f64,      // from there to the next turn
+    turned: (f64, Moment), // when it turned, zero or less, and the state in which it did
+    turns: (f64, Moment),  // when it turns, and how
     heading_advance: f64,
     spin_advance: f64,
     half_turns: Clock,  // half of the heading's advance, less whole turns, for each wobble
@@ -85,13 +84,13 @@ impl Wheel {
         let opening = back.as_ref().map_or(0.0, Swing::duration);
         let at_start = Moment { state, contact: Complex::new(0.0, 0.0), facing: Complex::new(1.0, 0.0) };
         let turned = back.as_ref().map_or(at_start, Swing::end);
-        let turning = ahead.end();
+        let turns = ahead.end();
 
         // Whole turns make no difference.
-        let half_advance = turning.state[4] - turned.state[4];
+        let half_advance = turns.state[4] - turned.state[4];
         let half_turn = half_advance - PI * (half_advance / PI).round();
         let (sin, cos) = half_turn.sin_cos();
-        let way = (turning.contact - turned.contact) * turned.facing.conj();
+        let way = (turns.contact - turned.contact) * turned.facing.conj();
         let [x, y] = self.contact_point(&start);
         Ok(Wobble {
             radius: self.radius,
@@ -101,16 +100,15 @@ impl Wheel {
             contact: Complex::new(x, y),
             // The axes of the series are turned by π about the wheel's axis 2.
             facing: -Complex::cis(start.heading),
-            half: ahead.duration() - opening,
             heading_advance: 2.0 * half_advance,
-            spin_advance: -2.0 * (turning.state[5] - turned.state[5]),
+            spin_advance: -2.0 * (turns.state[5] - turned.state[5]),
             half_turns: Clock::from_rate(TwoPart::from(half_turn)),
             sin_half_turn: sin,
             stride: 2.0 * (way.re * cos + way.im * sin),
+            turned: (opening, turned),
+            turns: (ahead.duration(), turns),
             back,
             ahead,
-            opening,
-            turned,
         })
     }
 
@@ -140,7 +138,7 @@ impl Wheel {
 impl Wobble {
     /// The time of one wobble, s.
     pub fn period(&self) -> f64 {
-        2.0 * self.half * self.unit
+        2.0 * (self.turns.0 - self.turned.0) * self.unit
     }
 
     /// How far the heading goes on in one wobble, rad.
@@ -158,17 +156,24 @@ impl Wobble {
     /// # Errors
     /// [`NoWobble::Time`] if the time is not finite, or so far away that it cannot be said where in a wobble it falls.
     pub fn at(&self, time: f64) -> Result<Rolling, NoWobble> {
-        let (now, period) = (time / self.unit, 2.0 * self.half);
-        // Between a turn of the lean ahead of the start and that of a wobble before.
-        let count = ((now - self.opening - self.half) / period).ceil() + 0.0;
+        let (turned, turns) = (&self.turned, &self.turns);
+        let (now, period) = (time / self.unit, 2.0 * (turns.0 - turned.0));
+        // Whole wobbles, each from turn to turn of the lean, so that what one adds is not taken off again.
+        let count = if now < 0.0 {
+            ((now - turns.0) / period).ceil() + 0.0 // and not −0
+        } else {
+            ((now - turned.0) / period).floor()
+        };
         if count.is_nan() || count.abs() > ROUNDABLE {
             return Err(NoWobble::Time { time });
         }
-        // Less whole wobbles, and the first half as the second seen in a mirror.
+        // The rest: what follows a turn of the lean is what came before it, seen in a mirror.
         let (whole, rest) = TwoPart::product(count, period).parts();
         let since = (now - whole) - rest;
-        let moment = if since < self.opening {
-            self.turned.mirror(self.between_turns(2.0 * self.opening - since))
+        let moment = if since < turned.0 {
+            turned.1.mirror(self.between_turns(2.0 * turned.0 - since))
+        } else if since > turns.0 {
+            turns.1.mirror(self.between_turns(2.0 * turns.0 - since))
         } else {
             self.between_turns(since)
         };
@@ -181,8 +186,8 @@ impl Wobble {
         // 1 + e^{iα} + … of so many terms is e^{i(N−1)α/2} times this.
         let ratio = if self.sin_half_turn == 0.0 { count } else { sin / self.sin_half_turn };
         // From where the lean turned; and 1 − e^{iNα} times the way there.
-        let stride = self.turned.facing * (self.stride * ratio);
-        let moved = half_turned * (stride - self.turned.contact * Complex::new(0.0, 2.0 * sin));
+        let stride = turned.1.facing * (self.stride * ratio);
+        let moved = half_turned * (stride - turned.1.contact * Complex::new(0.0, 2.0 * sin));
         let turn = half_turned * half_turned;
         let contact = self.contact + self.facing * (moved + turn * contact) * self.radius;
         let facing = self.facing * turn * facing;
