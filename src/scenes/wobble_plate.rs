@@ -260,7 +260,8 @@ impl Engine {
     /// The torque about the plate's centre that the frame gives plate and pistons, through bearings and cylinder walls together,
     /// in the room, N·m: the rate of [`Engine::angular_momentum`]. For three and more pistons its length is `eq:residual-torque`.
     ///
-    /// At the balancing mass at most 1e-15 of the plate's own torque is left, up to a tilt of 89.99°.
+    /// At the balancing mass at most 2e-15 of the plate's own torque is left, up to ten pistons and a tilt of 89.99°; 1e-14 for more
+    /// pistons.
     pub fn frame_torque(&self, phase: f64, spin: f64) -> Vector3<f64> {
         in_room(&self.plate.bearing_torque_rotating(spin), phase)
             + self.piston_sum(|n| self.acceleration(n, phase, spin))

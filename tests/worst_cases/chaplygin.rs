@@ -8,7 +8,7 @@ use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
 use std::f64::consts::FRAC_PI_2;
 
 /// Units in the last place of the sums without their signs.
-const PROMISE: f64 = 60.0;
+const PROMISE: f64 = 40.0;
 
 /// q and n at another lean: dn/dθ = q/(1 + k), dq/dθ = q tan θ + 2n, by series in y = artanh sin θ, in which nothing is singular.
 fn judge(k: f64, lean: f64, [q, n]: [f64; 2], other: f64) -> [Long; 2] {

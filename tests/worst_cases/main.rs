@@ -9,9 +9,11 @@
 
 mod chaplygin;
 mod conical;
+mod film;
 mod long;
 mod rolling;
 mod search;
+mod steady_wheel;
 mod taylor;
 mod transient;
 mod wobble;

@@ -108,7 +108,7 @@ impl SpinningCoin {
         round * lean * spun
     }
 
-    /// The tilt, rad, at which the contact of such a coin runs with the speed `sound`, m/s (`eq:mach-tilt`). To a few units in the
+    /// The tilt, rad, at which the contact of such a coin runs with the speed `sound`, m/s (`eq:mach-tilt`). To 4 units in the
     /// last place, however slow or fast.
     ///
     /// # Errors

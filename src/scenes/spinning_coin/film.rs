@@ -24,7 +24,7 @@ const MOST_DAMPING: f64 = 1000.0;
 ///
 /// In this model the disk never lies flat. The film's rate of damping, `K/(½k sin³ β)` in √(g/a), outgrows that of steady rolling,
 /// `1/√(½k sin β)`; soon all turning has died out, and the disk creeps on as in glue, β̇ = −β³/K, for ever. The motion is over when
-/// damping is a thousand times faster than rolling would be, at `sin β = (K/1000√(½k))^(2/5)`: for the toy below a tenth of a
+/// damping is a thousand times faster than rolling would be, at `sin β = (K/1000√(½k))^(2/5)`: for the toy an eighth of a
 /// milliradian, with its high edge nine micrometres up.
 ///
 /// ```
@@ -48,6 +48,9 @@ pub struct EulersDisk {
 
 /// The disk at one instant. Axis 1 is level, in its plane; axis 2 runs up the steepest line of its plane; axis 3 is its upward
 /// normal.
+///
+/// Axes 1 and 3 are those of a rolling wheel ([`crate::scenes::rolling_wheel`]) the other way round: of one and the same motion β̇, ω₃ and
+/// φ are −θ̇, −n and −ψ there, and the headings differ by half a turn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sinking {
     /// The tilt β from lying flat, rad, between 0 and π.
@@ -67,7 +70,7 @@ pub struct Sinking {
 }
 
 impl Sinking {
-    /// The eight numbers that an integrator steps: β, ω₁, ω₂, ω₃, ψ, φ, x, y.
+    /// The eight numbers that an integrator steps: β, ω₁, ω₂, ω₃, ψ, φ, x, y. The angle φ comes before the place; many write it last.
     pub fn to_array(&self) -> [f64; 8] {
         let [x, y] = self.contact;
         [self.tilt, self.tilt_rate, self.across, self.along, self.heading, self.spin, x, y]
@@ -113,7 +116,8 @@ impl EulersDisk {
         self.film
     }
 
-    /// The steady motion about a centre at rest at this tilt, rad, as it would be without the film (`eq:coin-rate`).
+    /// The steady motion about a centre at rest at this tilt, rad, as it would be without the film (`eq:coin-rate`). The centre is above
+    /// the origin and axis 1 along x, so that the contact is at (0, −a cos β).
     ///
     /// # Errors
     /// [`InvalidQuantity`] unless the tilt is more than zero and less than π/2.
@@ -130,7 +134,7 @@ impl EulersDisk {
             along: 0.0,
             heading: 0.0,
             spin: 0.0,
-            contact: [0.0, -self.radius * cos], // axis 2 lies along y
+            contact: [0.0, -self.radius * cos], // the level part of axis 2 lies along y
         })
     }
 
@@ -174,6 +178,10 @@ impl EulersDisk {
 
     /// The disk at `times`, s, which must run from 0 in one direction, by a Taylor method of order sixteen whose last terms are as
     /// small as `tolerance`, from 1e-17 to 1 (in radii and in √(a/g)).
+    ///
+    /// An error is at most 30 times what a change of the start and of the time by a part ε makes, and of 30 ε of the numbers themselves
+    /// and of one in the units a, √(g/a) and rad, where ε is the tolerance or 2.2e-16, whichever is larger; the place has in addition 30 ε
+    /// radii for each radian by which the heading has gone on.
     ///
     /// # Errors
     /// As [`EulersDisk::fill`], except for the lengths.
