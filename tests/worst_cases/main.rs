@@ -16,4 +16,5 @@ mod search;
 mod steady_wheel;
 mod taylor;
 mod transient;
+mod turning;
 mod wobble;
