@@ -88,7 +88,7 @@ impl Conical {
     }
 
     /// Both solutions at `x` between −1 and 1, where `gap` is `1 − |x|`, more exact than `x` itself can give it near the
-    /// ends. Each to 4 units in its last place about the centre, |X| ≤ ½, and to 20 towards the ends. NaN or infinite outside.
+    /// ends. Each to 4 units in its last place about the centre, |X| ≤ ½, and to 30 towards the ends. NaN or infinite outside.
     pub fn at(&self, x: f64, gap: f64) -> Values {
         if x.abs() <= 0.5 {
             return self.about_centre(x);

@@ -39,6 +39,9 @@ fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() 
         let lost = (kk * (ratio * c).abs() + kk * 0.5 * (s * c).abs() + (ratio * c).abs())
             / (momentum + forces).abs();
         let lost = lost.rounded().max(parts.rounded());
+        if lost > 0.1 / f64::EPSILON {
+            return None; // the bound itself, to rounding, and nothing is left
+        }
         let turn = square.sqrt();
         let turn_error = ((turn - steady.turn_rate()) / turn).abs().rounded() / (1.0 + lost);
         let spin_error = (turn * (ratio + s) - steady.relative_spin()).abs().rounded()
