@@ -1,9 +1,11 @@
 //! Conical functions: Legendre's equation with a complex index, as a rolling disk has it.
 //!
-//! The solutions of `(1 − X²) n″ − 2X n′ − a n = 0` for `a > 1/4` on −1 < X < 1 (`eq:legendre`): an even and an odd one, with
+//! The solutions of `(1 − X²) n″ − 2X n′ − a n = 0` for `a` up to 2 on −1 < X < 1 (`eq:legendre`): an even and an odd one, with
 //! their slopes. Near the ends they grow like a logarithm of the gap `1 − |X|`, which is therefore an argument of its own. Power
 //! series about 0 and about the ends, matched at ½ (*Digital Library of Mathematical Functions*, §14.20 and §15.8).
 
+/// The largest `a` that a rolling disk has, whose moments nearly vanish; then they lose a digit, and more for larger ones.
+const LARGEST: f64 = 2.0;
 /// Terms after which both series have converged to rounding at |X| = ½.
 const TERMS: usize = 34;
 
@@ -32,7 +34,10 @@ pub struct Values {
 }
 
 impl Conical {
-    /// The solutions for this `a`, which has to be positive.
+    /// The solutions for this `a`, more than zero and at most 2.
+    ///
+    /// # Panics
+    /// If `a` is not in that range: the series from the ends nearly cancel for larger ones.
     ///
     /// ```
     /// use mechanics::conical::Conical;
@@ -46,6 +51,10 @@ impl Conical {
     /// }
     /// ```
     pub fn new(a: f64) -> Self {
+        assert!(
+            a > 0.0 && a <= LARGEST,
+            "a of the conical functions is {a}; it must be more than 0 and at most 2"
+        );
         let series = |next: &dyn Fn(f64) -> f64| {
             let mut terms = [1.0; TERMS];
             for j in 1..TERMS {
@@ -79,7 +88,7 @@ impl Conical {
     }
 
     /// Both solutions at `x` between −1 and 1, where `gap` is `1 − |x|`, more exact than `x` itself can give it near the
-    /// ends. To a few units in the last place; NaN or infinite outside.
+    /// ends. Each to 4 units in its last place about the centre, |X| ≤ ½, and to 30 towards the ends. NaN or infinite outside.
     pub fn at(&self, x: f64, gap: f64) -> Values {
         if x.abs() <= 0.5 {
             return self.about_centre(x);

@@ -43,12 +43,13 @@ fn from_anchor(&[.., re, im]: &[f64; 8]) -> Complex<f64> {
     Complex::new(re, im)
 }
 
-/// Sine and cosine of β.
+/// Sine and cosine of β, each to rounding: the cosine too, which is small where the wheel stands upright.
 pub(crate) fn sin_cos_tilt(y: f64) -> (f64, f64) {
-    let growing = y.exp();
+    let less_one = y.abs().exp_m1();
+    let growing = less_one + 1.0;
     let falling = growing.recip();
     let sin = 2.0 / (growing + falling);
-    (sin, 0.5 * (falling - growing) * sin)
+    (sin, (0.5 * (less_one + less_one * falling) * sin).copysign(-y))
 }
 
 /// How many products the rates consist of, and room to spare.
@@ -98,11 +99,9 @@ impl WithSimd for Expansion<'_> {
         let (ratio, wheel) = (along / a, along + 1.0);
         let (over_a, over_a1, over_c1) = (1.0 / a, 1.0 / (a + 1.0), 1.0 / wheel);
         let [y0, u0, o0, w0, ..] = series[0];
-        let growing = y0.exp();
-        let falling = growing.recip();
-        let q0 = 0.5 * (growing + falling); // 1/sin β
-        let h0 = (q0 * q0).recip(); // sin² β
-        let c0 = 0.5 * (falling - growing) / q0; // cos β
+        let (sin, c0) = sin_cos_tilt(y0);
+        let q0 = sin.recip();
+        let h0 = sin * sin;
         let k0 = drag * q0 * q0 * q0;
         let curved = (w0 - o0 * c0) * o0 / (o0 * o0 + SLOW_HEADING * SLOW_HEADING);
         (series[0][6], series[0][7]) = (0.0, curved);

@@ -186,6 +186,77 @@ fn event_is_found_to_the_accuracy_of_the_integration() {
 }
 
 #[test]
+fn only_passages_of_the_direction_asked_for_count_and_a_zero_at_the_end_of_a_step_is_one() {
+    let solver = Dop853::new(1e-13).unwrap();
+    let circle = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
+    let event = |_t: f64, y: &[f64; 2]| y[0];
+    // −sin t rises at π and falls at 2π; sin t the other way round.
+    for (start, direction) in [([0.0, -1.0], Direction::Falling), ([0.0, 1.0], Direction::Rising)] {
+        let outcome = solver.solve_until(circle, 0.0, start, 20.0, event, direction).unwrap();
+        let Outcome::Event(found) = outcome else { panic!("no event") };
+        assert!((found.time - 2.0 * PI).abs() < 2e-12, "{direction:?}: {}", found.time);
+    }
+    // The second of steps of a half meets t = 1 exactly.
+    let halves = solver.with_first_step(0.5).with_max_step(0.5);
+    for (sign, direction) in [(1.0, Direction::Rising), (-1.0, Direction::Falling)] {
+        for direction in [direction, Direction::Either] {
+            let event = |t: f64, _: &[f64; 1]| sign * (t - 1.0);
+            let outcome = halves.solve_until(|_, _| [1.0], 0.0, [0.0], 3.0, event, direction).unwrap();
+            assert!(matches!(outcome, Outcome::Event(found) if found.time == 1.0), "{outcome:?}");
+        }
+    }
+}
+
+#[test]
+fn events_are_found_to_a_few_units_in_the_last_place_of_the_time() {
+    // A function of the time alone whose zero is known exactly, and which no interpolation hits at once.
+    let mut random = fastrand::Rng::with_seed(4);
+    let solver = Dop853::new(1e-10).unwrap().with_first_step(10.0);
+    for n in 0..300 {
+        let start = [0.0, 1.0, 1e3, -1e6][n % 4];
+        let root = start + 10.0 * random.f64();
+        let (stretch, bend) = (10_f64.powf(6.0 * random.f64() - 3.0), 20.0 * random.f64() - 10.0);
+        let event = |t: f64, _: &[f64; 1]| stretch * (bend * (t - root)).exp_m1() * bend.signum();
+        let outcome =
+            solver.solve_until(|_, _| [1.0], start, [0.0], start + 10.0, event, Direction::Rising).unwrap();
+        let Outcome::Event(found) = outcome else { panic!("no event at {root}") };
+        let units = (found.time - root).abs() / (f64::EPSILON * root.abs());
+        assert!(units <= 2.0, "{units} units in the last place of {root}");
+    }
+}
+
+#[test]
+fn what_is_not_a_number_between_the_ends_of_a_step_is_refused() {
+    // A hole at a tenth of the first step, where only the dense output looks.
+    let holed = |t: f64, _: &[f64; 1]| [if (t - 0.1).abs() < 1e-3 { f64::NAN } else { 1.0 }];
+    let solver = Dop853::new(1e-10).unwrap().with_first_step(1.0);
+    let whole = Failure::NotFinite { time: 0.0, state: [0.0], step: 1.0 };
+    assert_eq!(solver.sample(holed, 0.0, [0.0], &[0.5, 1.0]).unwrap_err(), whole);
+    for event in [|t: f64, _: &[f64; 1]| t - 0.5, |_: f64, &[x]: &[f64; 1]| x - 0.5] {
+        assert_eq!(solver.solve_until(holed, 0.0, [0.0], 1.0, event, Direction::Rising).unwrap_err(), whole);
+    }
+    // The ends themselves need no dense output.
+    let outcome = solver.solve_until(holed, 0.0, [0.0], 3.0, |t, _| t - 1.0, Direction::Rising).unwrap();
+    assert!(matches!(outcome, Outcome::Event(found) if found.time == 1.0 && found.state[0].is_finite()));
+    assert!((solver.sample(holed, 0.0, [0.0], &[1.0]).unwrap().0[0][0] - 1.0).abs() < 1e-15);
+}
+
+#[test]
+fn a_given_first_step_is_taken_in_either_direction() {
+    let circle = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
+    for direction in [1.0, -1.0] {
+        let mut first = None;
+        let solver = Dop853::new(1e-8).unwrap().with_first_step(0.125);
+        let end = solver.solve_with(circle, 0.0, [1.0, 0.0], 3.0 * direction, |step| {
+            first.get_or_insert(step.end() - step.start());
+            ControlFlow::Continue(())
+        });
+        assert_eq!(first, Some(0.125 * direction));
+        assert!((end.unwrap().state[0] - 3.0_f64.cos()).abs() < 1e-6);
+    }
+}
+
+#[test]
 fn steep_events_are_found_too() {
     // A function of the state that is flat, then very steep: false position alone would creep.
     let drift = |_t: f64, _: &[f64; 1]| [1.0];

@@ -1,13 +1,27 @@
 //! Euler's disk on a film of air: the Taylor series against the rates, the rates against a rolling wheel's, and what is lost.
 
 use mechanics::InvalidFrames;
-use mechanics::integrate::Dop853;
+use mechanics::integrate::{Dop853, InvalidTolerance, Taylor};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{EulersDisk, NoSinking, Sinking};
 use std::f64::consts::{FRAC_PI_2, TAU};
+use std::time::{Duration, Instant};
 
 const A: f64 = 0.04;
 const G: f64 = 9.81;
+/// What an answer to a question without a sense may take, on a busy machine.
+const AT_ONCE: Duration = Duration::from_secs(3);
+
+/// Let go from rest.
+const REST: Sinking = Sinking {
+    tilt: 0.5,
+    tilt_rate: 0.0,
+    across: 0.0,
+    along: 0.0,
+    heading: 0.0,
+    spin: 0.0,
+    contact: [0.0; 2],
+};
 
 fn disk(film: f64) -> EulersDisk {
     EulersDisk::new(A, 0.5, G, film).expect("a disk")
@@ -56,7 +70,7 @@ fn the_series_is_the_integration_of_the_rates() {
 fn a_tighter_tolerance_gives_a_smaller_error_down_to_rounding() {
     let disk = disk(1e-4);
     let start = disk.steady(0.3).unwrap();
-    let times = [1.0, 2.0, 3.0];
+    let times = [1.0, 2.0, 2.9]; // it ends at 2.95 s
     let exact = disk.sample(&start, &times, 1e-17).unwrap();
     let error = |tolerance: f64| {
         let frames = disk.sample(&start, &times, tolerance).unwrap();
@@ -210,6 +224,104 @@ fn the_table_never_lets_go_in_this_model() {
     println!("least support {least}, last tilt {last}");
     assert!(last < 0.02, "the disk has sunk to {last}");
     assert!((0.5..1.0).contains(&least), "{least}");
+}
+
+#[test]
+fn the_centre_of_a_steady_disk_rests_above_the_origin() {
+    let disk = disk(0.0);
+    for tilt in [0.05, 0.7, 1.4] {
+        let start = disk.steady(tilt).unwrap();
+        for s in disk.sample(&start, &[0.0, 0.1, 0.33], 1e-16).unwrap() {
+            // From the contact the centre lies a cos β to the left of axis 1.
+            let (sin, cos) = s.heading.sin_cos();
+            let [x, y] = [s.contact[0] - sin * A * s.tilt.cos(), s.contact[1] + cos * A * s.tilt.cos()];
+            assert!(x.hypot(y) < 1e-13 * A, "tilt {tilt}: {x} {y}");
+        }
+    }
+}
+
+#[test]
+fn the_table_carries_what_lifts_the_centre() {
+    // N/mg = 1 + z̈/g with the height z = a sin β, from three moments of the motion.
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for film in [0.0, 0.02] {
+        let disk = disk(film);
+        let h = 3e-4 * (A / G).sqrt();
+        for n in 1..40 {
+            let t = 0.002 * f64::from(n);
+            let frames = disk.sample(&rough(), &[t - h, t, t + h], 1e-17).unwrap();
+            let [before, now, after] = [0, 1, 2].map(|i| A * frames[i].tilt.sin());
+            let lifted = 1.0 + (after - 2.0 * now + before) / (h * h) / G;
+            let found = disk.support_over_weight(&frames[1]);
+            assert!(
+                (found - lifted).abs() < 1e-5 * (1.0 + found.abs()),
+                "film {film}, {t} s: {found}, {lifted}"
+            );
+            let centrifugal = A / G * frames[1].tilt_rate.powi(2) * frames[1].tilt.sin();
+            (least, most) = (least.min(centrifugal), most.max(centrifugal));
+        }
+    }
+    assert!(least < 1e-3 && most > 0.03, "the square of the rate takes part: {least} to {most}");
+}
+
+#[test]
+fn what_lies_past_the_end_is_refused_at_once() {
+    let toy = EulersDisk::in_air(0.4, 0.0375, G, 1.78e-5).unwrap();
+    let start = toy.steady(0.1).unwrap();
+    let mut frames = [start; 3];
+    let clock = Instant::now();
+    let refused = toy.fill(&start, &[95.8, 96.0, 1e9], 1e-13, &mut frames).unwrap_err();
+    assert!(clock.elapsed() < AT_ONCE);
+    let InvalidFrames::Time { index: 1, error: NoSinking::Over { time, tilt } } = refused else {
+        panic!("{refused}")
+    };
+    // Moffatt's law gives it 95.37 s; near the end it is the slower, as the disk falls no faster than g lets it.
+    assert!((95.8..96.0).contains(&time), "{refused}");
+    assert!((tilt.sin() / (toy.film() / 500.0).powf(0.4) - 1.0).abs() < 0.1, "{refused}");
+    // All turning has died out by then.
+    assert!(frames[0].across.abs() < 1e-8 && frames[0].tilt > tilt);
+    assert!(refused.to_string().contains("the motion ends at 95.8"), "{refused}");
+    // Right after the end there is nothing, right before there is; it does not hang on the tolerance.
+    assert!(toy.sample(&start, &[time - 1e-3], 1e-16).is_ok());
+    assert!(matches!(toy.sample(&start, &[time + 1e-3], 1e-9), Err(NoSinking::Over { .. })));
+
+    // Films as thick as glue, and as thin as nothing; disks held from the start, and from rest.
+    for film in [1e-30, 1e-6, 1e-3, 1.0, 1e30] {
+        for tilt in [1e-4, 1.5] {
+            let disk = disk(film);
+            for start in [disk.steady(tilt).unwrap(), Sinking { tilt, ..REST }] {
+                let clock = Instant::now();
+                let refused = disk.sample(&start, &[1e20], 1e-13).unwrap_err();
+                let held = film > 500.0 * tilt.sin().powf(2.5);
+                match refused {
+                    NoSinking::Over { time, .. } => assert_eq!(time == 0.0, held, "{film} {tilt}: {refused}"),
+                    NoSinking::Integration(_) => assert!(film < 1e-3 && !held, "{film} {tilt}: {refused}"),
+                    _ => panic!("{refused}"),
+                }
+                assert!(clock.elapsed() < AT_ONCE, "{film} {tilt}: {:?}", clock.elapsed());
+                assert_eq!(disk.sample(&start, &[0.0], 1e-13).unwrap(), [start]);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_motion_is_given_up_after_so_many_series_as_the_caller_says() {
+    let disk = disk(0.0);
+    let (start, mut frame) = (disk.steady(0.01).unwrap(), [REST]);
+    let by = |most: usize, frame: &mut [Sinking]| {
+        disk.fill_by(&start, &[100.0], &Taylor::new(1e-13).unwrap().with_max_expansions(most), frame)
+    };
+    let refused = by(1000, &mut frame).unwrap_err();
+    assert!(
+        matches!(refused, InvalidFrames::Time { index: 0, error: NoSinking::Integration(_) }),
+        "{refused}"
+    );
+    assert!(by(1_000_000, &mut frame).is_ok() && (frame[0].tilt - 0.01).abs() < 1e-9);
+    for tolerance in [2.0, 1e300] {
+        let refused = disk.sample(&start, &[1.0], tolerance).unwrap_err();
+        assert!(matches!(refused, NoSinking::Tolerance(InvalidTolerance::TooLoose { .. })), "{refused}");
+    }
 }
 
 #[test]

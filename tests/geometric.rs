@@ -180,7 +180,7 @@ fn the_lie_group_method_adds_angular_velocities_like_rk4_and_turns_better() {
     }
     ratios.sort_by(f64::total_cmp);
     println!("{ratios:?}");
-    // "Two to five times" of the documentation.
+    // "1.5 to 7 times" of the documentation, for the brick.
     assert!(ratios[0] > 1.5 && ratios[39] < 7.0, "{ratios:?}");
     assert!((2.0..4.0).contains(&ratios[20]), "{ratios:?}");
 }

@@ -25,7 +25,7 @@ fn error_of_what_is_not_a_number_is_not_a_number() {
 
 #[test]
 fn drift_is_measured_from_the_first_value_and_in_units_of_the_scale() {
-    assert_eq!(drift(&[2.0, 2.5, 1.0, 2.0], 4.0), 0.25);
+    assert_eq!(drift(&[2.0, 2.5, 1.0, 2.25], 4.0), 0.25);
     assert_eq!(drift(&[7.0], 1.0), 0.0);
     assert_eq!(drift(&[], 1.0), 0.0);
 }
@@ -68,4 +68,7 @@ fn an_order_is_not_read_from_errors_that_are_not_numbers() {
     let pairs = [(0.1, 1e-2), (0.05, 1e-3), (0.025, 1e-4), (0.0125, f64::NAN)];
     assert!(observed_order(&pairs, 0.0).is_none());
     assert!(observed_order(&pairs[..3], 0.0).is_some());
+    // Nor from a step that is not one, though the others would do.
+    let steps = [(0.1, 1e-2), (0.05, 1e-3), (0.025, 1e-4), (f64::NAN, 1e-5)];
+    assert!(observed_order(&steps, 0.0).is_none());
 }

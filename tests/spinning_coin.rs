@@ -196,3 +196,22 @@ fn tilts_and_numbers_that_no_coin_has_are_refused() {
     assert!(SpinningCoin::new(A, 1.5, G, 0.1).unwrap_err().to_string().contains("it must be at most 1"));
     assert!(coin(0.5, 0.1).tilt_for_contact_speed(0.0).is_err());
 }
+
+#[test]
+fn the_tilt_at_any_speed_of_the_contact_runs_with_that_speed() {
+    // From creeping, almost upright, to speeds of which only the range of numbers knows.
+    for exponent in -45..=49 {
+        let speed = 10_f64.powi(exponent);
+        let tilt = coin(0.5, 0.1).tilt_for_contact_speed(speed).unwrap();
+        assert!(tilt > 0.0 && tilt <= FRAC_PI_2, "{speed:e} m/s: {tilt}");
+        // c² sin α = (2ga/k) cos²α.
+        let square = 2.0 * G * A / 0.5;
+        let (sin, cos) = tilt.sin_cos();
+        let error = (speed * speed * sin / (square * cos * cos) - 1.0).abs();
+        // Of an almost right angle the last bit is a large part of its cosine.
+        assert!(error < 1e-14 + 4e-16 / cos, "{speed:e} m/s: {tilt}, {error:e}");
+    }
+    let huge = SpinningCoin::new(1e-50, 1.0, 1e-50, 0.1).unwrap();
+    let tilt = huge.tilt_for_contact_speed(1e50).unwrap();
+    assert!((tilt / 2e-200 - 1.0).abs() < 1e-14, "{tilt}");
+}

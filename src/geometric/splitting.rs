@@ -14,9 +14,9 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// weights that make the method symmetric and of its order. Where two moments are equal one term vanishes, and the result is exact at
 /// any step.
 ///
-/// Kept to rounding: the angular momentum in the room, the unit length of the attitude, the volume of phase space, and the way back:
-/// the same steps backwards lead to the start. The energy is off by a power of the step that does not grow with the time
-/// (`eq:modified-energy`); the phase along the polhode is off in proportion to the time.
+/// Kept to rounding: the angular momentum in the room and the unit length of the attitude, to three units in the last place a turn at
+/// most; the volume of phase space; and the way back: the same steps backwards lead to the start. The energy is off by a power of the
+/// step that does not grow with the time (`eq:modified-energy`); the phase along the polhode is off in proportion to the time.
 ///
 /// Touma & Wisdom, *Astronomical Journal* **107** (1994) 1189; McLachlan, *Physical Review Letters* **71** (1993) 3043.
 ///

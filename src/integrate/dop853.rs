@@ -82,7 +82,7 @@ impl Dop853 {
             return Err(InvalidTolerance::NotPositive { value: relative });
         }
         if relative < SMALLEST_TOLERANCE {
-            return Err(InvalidTolerance::BelowRounding { value: relative });
+            return Err(InvalidTolerance::BelowRounding { value: relative, least: SMALLEST_TOLERANCE });
         }
         if !(absolute.is_finite() && absolute >= 0.0) {
             return Err(InvalidTolerance::NotPositive { value: absolute });
@@ -154,6 +154,7 @@ impl Dop853 {
         while states.len() < times.len() && times[states.len()] == start {
             states.push(state);
         }
+        let mut fault = None;
         let last = self.solve_with(rates, start, state, end, |step| {
             let forward = step.length > 0.0;
             while let Some(&time) = times.get(states.len()) {
@@ -161,10 +162,18 @@ impl Dop853 {
                     break;
                 }
                 let exact = time == step.end();
-                states.push(if exact { *step.final_state() } else { step.at(time) });
+                let state = if exact { *step.final_state() } else { step.at(time) };
+                if !is_finite(&state) {
+                    fault = Some(step.not_finite());
+                    return ControlFlow::Break(());
+                }
+                states.push(state);
             }
             ControlFlow::Continue(())
         })?;
+        if let Some(fault) = fault {
+            return Err(fault);
+        }
         while states.len() < times.len() {
             states.push(last.state); // the last step ends within rounding of the last time
         }
@@ -295,6 +304,6 @@ fn stages<const N: usize>(
     advance!(y, h, B, k; 0, 5, 6, 7, 8, 9, 10, 11)
 }
 
-fn is_finite<const N: usize>(values: &[f64; N]) -> bool {
+pub(super) fn is_finite<const N: usize>(values: &[f64; N]) -> bool {
     values.iter().all(|value| value.is_finite())
 }

@@ -1,5 +1,6 @@
 //! The moment at which a function of the state passes zero.
 
+use super::dop853::is_finite;
 use super::{Dop853, End, Failure, Rates, Step};
 use std::ops::ControlFlow;
 
@@ -46,7 +47,8 @@ impl Dop853 {
     /// [`Dop853::with_max_step`] is the cure. A zero exactly at the start is not an event.
     ///
     /// # Errors
-    /// As [`Dop853::solve`]; also [`Failure::EventNotANumber`] if the event function is NaN.
+    /// As [`Dop853::solve`], also if the state at a moment that is looked at is not finite; and [`Failure::EventNotANumber`] if the
+    /// event function is NaN.
     ///
     /// ```
     /// use mechanics::integrate::{Direction, Dop853, Outcome};
@@ -76,21 +78,21 @@ impl Dop853 {
         let last = self.solve_with(rates, start, state, end, |step| {
             let after = event(step.end(), step.final_state());
             if after.is_nan() {
-                fault = Some((step.start(), *step.initial_state()));
+                fault = Some(not_a_number(step));
                 return ControlFlow::Break(());
             }
             if direction.counts(before, after) {
-                found = locate(step, &mut event, before, after);
-                if found.is_none() {
-                    fault = Some((step.start(), *step.initial_state()));
+                match locate(step, &mut event, before, after) {
+                    Ok(event) => found = Some(event),
+                    Err(failure) => fault = Some(failure),
                 }
                 return ControlFlow::Break(());
             }
             before = after;
             ControlFlow::Continue(())
         })?;
-        if let Some((time, state)) = fault {
-            return Err(Failure::EventNotANumber { time, state });
+        if let Some(failure) = fault {
+            return Err(failure);
         }
         Ok(match found {
             Some((time, state)) => Outcome::Event(End { time, state, ..last }),
@@ -100,27 +102,31 @@ impl Dop853 {
 }
 
 /// The zero within a step, by Chandrupatla's method (*Advances in Engineering Software* 28 (1997) 145): inverse quadratic
-/// interpolation where three points show that it can be trusted, else bisection; always bracketed. `None` if the event is not a
-/// number on the way.
+/// interpolation where three points show that it can be trusted, else bisection; always bracketed. Fails if the state or the event is
+/// not a number on the way.
 fn locate<const N: usize, F: Rates<N>>(
     step: &mut Step<'_, N, F>,
     event: &mut impl FnMut(f64, &[f64; N]) -> f64,
     before: f64,
     after: f64,
-) -> Option<(f64, [f64; N])> {
+) -> Result<(f64, [f64; N]), Failure<N>> {
     // The newest point, the one across the zero from it, and the one that was given up last.
     let (mut new, mut f_new) = (step.end(), after);
     let (mut across, mut f_across) = (step.start(), before);
     let mut part = 0.5_f64;
     for _ in 0..MOST_LOOKS {
         let resolution = 2.0 * f64::EPSILON * new.abs().max(across.abs()) / (across - new).abs();
-        if f_new == 0.0 || f_across == 0.0 || resolution.is_nan() || resolution > 0.5 {
+        if f_new == 0.0 || resolution > 0.5 {
             break;
         }
         let next = new + part.clamp(resolution, 1.0 - resolution) * (across - new);
-        let f_next = event(next, &step.at(next));
+        let state = step.at(next);
+        if !is_finite(&state) {
+            return Err(step.not_finite());
+        }
+        let f_next = event(next, &state);
         if f_next.is_nan() {
-            return None;
+            return Err(not_a_number(step));
         }
         let (given_up, f_given_up) = if (f_next > 0.0) == (f_new > 0.0) {
             (new, f_new)
@@ -142,5 +148,16 @@ fn locate<const N: usize, F: Rates<N>>(
         };
     }
     let time = if f_new.abs() <= f_across.abs() { new } else { across };
-    Some((time, step.at(time)))
+    // The ends are known without looking between them, where it has been looked already.
+    let state = match time {
+        end if end == step.end() => *step.final_state(),
+        start if start == step.start() => *step.initial_state(),
+        between => step.at(between),
+    };
+    Ok((time, state))
+}
+
+/// What to say where the event is not a number.
+fn not_a_number<const N: usize, F: Rates<N>>(step: &Step<'_, N, F>) -> Failure<N> {
+    Failure::EventNotANumber { time: step.start(), state: *step.initial_state() }
 }

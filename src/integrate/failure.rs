@@ -107,10 +107,19 @@ pub enum InvalidTolerance {
         /// The tolerance as it was given.
         value: f64,
     },
-    /// Below the rounding of `f64`.
+    /// Below what a method can use of the digits of `f64`.
     BelowRounding {
         /// The tolerance as it was given.
         value: f64,
+        /// The least that the method takes.
+        least: f64,
+    },
+    /// As large as what is computed, or larger.
+    TooLoose {
+        /// The tolerance as it was given.
+        value: f64,
+        /// The largest that makes sense.
+        most: f64,
     },
 }
 
@@ -120,11 +129,14 @@ impl fmt::Display for InvalidTolerance {
             Self::NotPositive { value } => {
                 write!(out, "tolerance {value} must be positive and finite")
             }
-            Self::BelowRounding { value } => write!(
+            Self::BelowRounding { value, least } => write!(
                 out,
-                "relative tolerance {value:e} is below 1e-15: rounding errors of 1.1e-16 a step would be taken for \
+                "tolerance {value:e} is below {least:e}: rounding errors of 1.1e-16 a step would be taken for \
                  errors of the method, and more work would bring a larger error"
             ),
+            Self::TooLoose { value, most } => {
+                write!(out, "tolerance {value:e} is too large; it must be at most {most:e}")
+            }
         }
     }
 }

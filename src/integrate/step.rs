@@ -1,7 +1,7 @@
 //! One accepted step of DOP853, and the polynomial that runs through it.
 
 use super::tableau::{A, C, D};
-use super::{Rates, Work};
+use super::{Failure, Rates, Work};
 
 /// The sum of a state and of `h` times a weighted sum of stages; the weights name the tableau's row.
 macro_rules! advance {
@@ -60,7 +60,8 @@ impl<const N: usize, F: Rates<N>> Step<'_, N, F> {
     ///
     /// Accurate between [`Step::start`] and [`Step::end`]; outside it extrapolates. The step control watches the ends only.
     /// Where a fast decay and not accuracy limits the step, at about five times the shortest decay time, the state between
-    /// the ends can be digits worse than at them; [`super::Dop853::with_max_step`] helps.
+    /// the ends can be digits worse than at them; [`super::Dop853::with_max_step`] helps. Not a number where the three evaluations
+    /// are not.
     pub fn at(&mut self, time: f64) -> [f64; N] {
         let x = (time - self.start) / self.length;
         let y0 = self.y0;
@@ -72,6 +73,11 @@ impl<const N: usize, F: Rates<N>> Step<'_, N, F> {
             }
             y0[i] + value
         })
+    }
+
+    /// What to say where the state between the ends is not finite.
+    pub(super) fn not_finite(&self) -> Failure<N> {
+        Failure::NotFinite { time: self.start, state: *self.y0, step: self.length }
     }
 
     /// The coefficients of the polynomial in the nested products of x and 1 − x.

@@ -76,9 +76,23 @@ impl Taylor {
             return Err(InvalidTolerance::NotPositive { value: tolerance });
         }
         if tolerance < SMALLEST_TOLERANCE {
-            return Err(InvalidTolerance::BelowRounding { value: tolerance });
+            return Err(InvalidTolerance::BelowRounding { value: tolerance, least: SMALLEST_TOLERANCE });
         }
         Ok(Self { tolerance, max_step: f64::INFINITY, max_expansions: DEFAULT_EXPANSIONS })
+    }
+
+    /// The same with no step longer than `length`, unless it has a shorter limit already.
+    pub(crate) fn with_step_at_most(self, length: f64) -> Self {
+        Self { max_step: self.max_step.min(length), ..self }
+    }
+
+    /// Refuses a tolerance above the size of what is computed.
+    pub(crate) fn check_at_most(&self, size: f64) -> Result<(), InvalidTolerance> {
+        if self.tolerance <= size {
+            Ok(())
+        } else {
+            Err(InvalidTolerance::TooLoose { value: self.tolerance, most: size })
+        }
     }
 
     /// The same with no step longer than `length`; a length that is zero or NaN sets no limit.
@@ -145,7 +159,7 @@ impl Taylor {
             let last = length.abs() >= left.abs();
             let length = if last { left } else { length };
             let (next, next_rest) = if last { (end, 0.0) } else { add(time, time_rest, length) };
-            if next == time && !last {
+            if next == time {
                 return Err(Failure::StepUnderflow { time, state: series[0], step: length });
             }
             work.accepted += 1;

@@ -109,6 +109,9 @@ impl Plate {
     }
 }
 
+/// A sum over so many pistons takes less than a tenth of a millisecond.
+const MOST_PISTONS: u32 = 1000;
+
 /// Pistons of equal mass, evenly spaced round the shaft, their rods pressed against the plate.
 ///
 /// Piston n of N stands at the azimuth `2πn/N − π/2`. A rod's end keeps its distance from the shaft and stays on the plate's
@@ -122,15 +125,18 @@ pub struct Pistons {
 }
 
 impl Pistons {
-    /// `count` pistons, one at least, each of `mass`, kg, at `distance`, m, from the shaft, with centres `rod`, m, below the
+    /// `count` pistons, from one to a thousand, each of `mass`, kg, at `distance`, m, from the shaft, with centres `rod`, m, below the
     /// rods' ends.
     ///
     /// # Errors
-    /// [`InvalidEngine`] for no piston, a negative mass or rod, a distance that is not positive, or a number that is not
+    /// [`InvalidEngine`] for no piston or too many, a negative mass or rod, a distance that is not positive, or a number that is not
     /// finite.
     pub fn new(count: u32, mass: f64, distance: f64, rod: f64) -> Result<Self, InvalidEngine> {
         if count == 0 {
             return Err(InvalidEngine::NoPistons);
+        }
+        if count > MOST_PISTONS {
+            return Err(InvalidEngine::TooManyPistons { count });
         }
         InvalidQuantity::check_not_negative("piston mass", mass, "kg")?;
         InvalidQuantity::check_positive("distance of the pistons", distance, "m")?;
@@ -254,7 +260,8 @@ impl Engine {
     /// The torque about the plate's centre that the frame gives plate and pistons, through bearings and cylinder walls together,
     /// in the room, N·m: the rate of [`Engine::angular_momentum`]. For three and more pistons its length is `eq:residual-torque`.
     ///
-    /// At the balancing mass at most 1e-15 of the plate's own torque is left, up to a tilt of 89.99°.
+    /// At the balancing mass at most 2e-15 of the plate's own torque is left, up to ten pistons and a tilt of 89.99°; 1e-14 for more
+    /// pistons.
     pub fn frame_torque(&self, phase: f64, spin: f64) -> Vector3<f64> {
         in_room(&self.plate.bearing_torque_rotating(spin), phase)
             + self.piston_sum(|n| self.acceleration(n, phase, spin))
@@ -307,6 +314,11 @@ pub enum InvalidEngine {
     Quantity(InvalidQuantity),
     /// There is no piston.
     NoPistons,
+    /// There are more than a thousand pistons.
+    TooManyPistons {
+        /// How many.
+        count: u32,
+    },
 }
 
 impl From<InvalidMoments> for InvalidEngine {
@@ -327,6 +339,12 @@ impl fmt::Display for InvalidEngine {
             Self::Plate(error) => error.fmt(out),
             Self::Quantity(error) => error.fmt(out),
             Self::NoPistons => write!(out, "0 pistons: an engine has at least one"),
+            Self::TooManyPistons { count } => {
+                write!(
+                    out,
+                    "{count} pistons: an engine has at most {MOST_PISTONS}, as sums run over all of them"
+                )
+            }
         }
     }
 }

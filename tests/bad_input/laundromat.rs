@@ -214,7 +214,7 @@ fn frames_must_match_times() {
 #[test]
 fn tolerances_below_rounding_are_refused_with_the_reason() {
     let error = Dop853::new(1e-16).unwrap_err();
-    assert_eq!(error, InvalidTolerance::BelowRounding { value: 1e-16 });
+    assert_eq!(error, InvalidTolerance::BelowRounding { value: 1e-16, least: 1e-15 });
     let message = error.to_string();
     assert!(
         message.contains("1e-16") && message.contains("below 1e-15") && message.contains("rounding"),

@@ -19,6 +19,10 @@ fn plates_and_pistons_that_cannot_be_say_why() {
         (message(Plate::thin(-2.0, 0.1, 0.4)), "mass -2 kg is not positive; it must be more than zero"),
         (message(Plate::thick(2.0, 0.1, -1.0, 0.4)), "thickness -1 m is negative; it must be zero or more"),
         (message(Pistons::new(0, 1.0, 0.1, 0.1)), "0 pistons: an engine has at least one"),
+        (
+            message(Pistons::new(1001, 1.0, 0.1, 0.1)),
+            "1001 pistons: an engine has at most 1000, as sums run over all of them",
+        ),
         (message(Pistons::new(3, -1.0, 0.1, 0.1)), "piston mass -1 kg is negative; it must be zero or more"),
         (
             message(Pistons::new(3, 1.0, 0.0, 0.1)),
@@ -26,6 +30,7 @@ fn plates_and_pistons_that_cannot_be_say_why() {
         ),
         (message(Pistons::new(3, 1.0, 0.1, f64::NAN)), "rod length NaN m is not a finite number"),
     ];
+    assert!(Pistons::new(1000, 1.0, 0.1, 0.1).is_ok());
     for (found, expected) in cases {
         assert_eq!(found, expected);
     }

@@ -55,7 +55,7 @@ fn tighter_tolerances_help_until_rounding_and_then_only_cost() {
 fn tolerances_that_no_number_can_keep_are_refused_with_the_reason() {
     for tolerance in [9e-16, 1e-16, 1e-300] {
         let refusal = Dop853::new(tolerance).unwrap_err();
-        assert!(matches!(refusal, InvalidTolerance::BelowRounding { value } if value == tolerance));
+        assert!(matches!(refusal, InvalidTolerance::BelowRounding { value, .. } if value == tolerance));
         assert!(refusal.to_string().contains("more work would bring a larger error"), "{refusal}");
     }
 }

@@ -1,6 +1,7 @@
 //! The rolling wheel: equations (72) to (90) and (5), each by a route that shares no code with it, and the general motion.
 
 mod general;
+mod start;
 mod steady;
 mod whole_body;
 

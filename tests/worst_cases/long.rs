@@ -66,7 +66,7 @@ impl Long {
 
     pub(crate) fn exp(self) -> Self {
         let twos = (self.high / LN_2.high).round();
-        if twos.is_nan() || twos.abs() > 1050.0 {
+        if twos.is_nan() || twos.abs() >= 1050.0 {
             return long(self.high.exp());
         }
         // The series of a 256th, less one, squared up again.

@@ -7,11 +7,18 @@
 //!
 //! `WORST_CASES=50 cargo test --test worst_cases` looks fifty times as long.
 
+mod chaplygin;
+mod conical;
 mod faddeeva;
+mod film;
 mod linear;
 mod long;
 mod ramp;
+mod rolling;
 mod search;
 mod steady;
+mod steady_wheel;
 mod taylor;
 mod transient;
+mod turning;
+mod wobble;

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
-/// How many of the worst random cases are walked on from.
+/// How many of the worst random cases of each way are walked on from, at most, and how many cases there are for each.
 const WALKS: usize = 12;
+const CASES_PER_WALK: usize = 20;
 /// How far a walk steps at first, in the unit cube, and where it ends.
 const FIRST_STEP: f64 = 0.2;
 const LAST_STEP: f64 = 1e-7;
@@ -114,14 +115,15 @@ pub(crate) fn search(name: &str, count: usize, judge: impl Fn(&mut Draw<'_>) -> 
         }
     }
     // The worst few of each way, so that one bad way does not hide another.
+    let walks = (count / CASES_PER_WALK).clamp(1, WALKS);
     found.sort_by(|(_, a), (_, b)| b.ratio.total_cmp(&a.ratio));
     let mut taken: BTreeMap<&str, usize> = BTreeMap::new();
     found.retain(|(_, case)| {
         let taken = taken.entry(case.way).or_insert(0);
         *taken += 1;
-        *taken <= WALKS
+        *taken <= walks
     });
-    let tries = (count / WALKS / taken.len().max(1)).max(20);
+    let tries = (count / walks / taken.len().max(1)).max(20);
     for (point, case) in &mut found {
         let mut step = FIRST_STEP;
         for _ in 0..tries {

@@ -7,6 +7,8 @@ use crate::long::{Long, long};
 /// The order of the series, and the size of its last terms.
 const ORDER: usize = 30;
 const TOLERANCE: f64 = 1e-31;
+/// How much shorter the unit of time becomes if coefficients leave the range of numbers.
+const SHORTER: f64 = 1e-4;
 /// A judge that needs more steps has been asked too much.
 const MOST_STEPS: usize = 100_000;
 
@@ -70,29 +72,41 @@ impl System {
         let mut samples: Vec<Vec<Long>> = Vec::new();
         let mut state = start.to_vec();
         let mut now = long(0.0);
+        let mut unit = 1.0;
         for _ in 0..MOST_STEPS {
             if samples.len() == times.len() {
                 return samples;
             }
-            let series = self.series(&state);
-            let length = step(&series[..self.states]);
+            let series = self.series(&state, unit);
+            let part = step(&series[..self.states]);
+            if part == 0.0 {
+                unit *= SHORTER; // the coefficients have left the range
+                assert!(
+                    unit > f64::MIN_POSITIVE,
+                    "the judge stands still at {:?} of {times:?}: {state:?}",
+                    now.rounded()
+                );
+                continue;
+            }
+            let length = part * unit;
             let direction = if times[samples.len()].rounded() < 0.0 { -1.0 } else { 1.0 };
             while let Some(&time) = times.get(samples.len()) {
                 let since = time - now;
                 if since.abs() > long(length) {
                     break;
                 }
-                samples.push(series[..self.states].iter().map(|row| value(row, since)).collect());
+                samples.push(series[..self.states].iter().map(|row| value(row, since / unit)).collect());
             }
             let length = long(direction * length);
-            state = series[..self.states].iter().map(|row| value(row, length)).collect();
+            state = series[..self.states].iter().map(|row| value(row, length / unit)).collect();
             now = now + length;
+            unit = length.abs().rounded().min(1.0);
         }
         panic!("the judge gave up at {} of {times:?}", now.rounded());
     }
 
-    /// The coefficients of all states and operations.
-    fn series(&self, state: &[Long]) -> Vec<[Long; ORDER + 1]> {
+    /// The coefficients of all states and operations, in powers of the time over `unit`.
+    fn series(&self, state: &[Long], unit: f64) -> Vec<[Long; ORDER + 1]> {
         let mut rows = vec![[long(0.0); ORDER + 1]; self.states + self.operations.len()];
         for (row, &value) in rows.iter_mut().zip(state) {
             row[0] = value;
@@ -119,7 +133,7 @@ impl System {
             }
             if n < ORDER {
                 for (place, terms) in self.rates.iter().enumerate() {
-                    rows[place][n + 1] = weighted(terms, &rows, n) / (n + 1) as f64;
+                    rows[place][n + 1] = weighted(terms, &rows, n) * unit / (n + 1) as f64;
                 }
             }
         }
@@ -131,14 +145,13 @@ fn weighted(terms: &[(Long, Term)], rows: &[[Long; ORDER + 1]], n: usize) -> Lon
     terms.iter().map(|(factor, term)| *factor * rows[term.0][n]).sum()
 }
 
-/// How far the series are good, from their last two terms beside the largest value.
+/// How far the series are good, from their last two terms beside the largest value; zero if they are not numbers.
 fn step(rows: &[[Long; ORDER + 1]]) -> f64 {
     let size = |n: usize| rows.iter().map(|row| row[n].rounded().abs()).fold(0.0, f64::max);
     let scale = TOLERANCE * size(0);
     let by = |n: usize| (scale / size(n)).powf(1.0 / n as f64);
     let length = by(ORDER).min(by(ORDER - 1));
-    assert!(length > 0.0, "the judge stands still: {:?}", rows.iter().map(|row| row[0]).collect::<Vec<_>>());
-    length.min(1e300)
+    if length.is_nan() { 0.0 } else { length.min(1e300) }
 }
 
 fn value(row: &[Long; ORDER + 1], since: Long) -> Long {

@@ -34,7 +34,7 @@ impl Wheel {
     }
 
     /// The angle, rad, by which the contact runs round when the wheel is let go almost flat, falls, just misses lying flat and
-    /// gets up again: `π√(1 + 2/k)`, in the limit of a near miss (`eq:near-flat-turn`).
+    /// gets up again: `π√(1 + 2/k)`, in the limit of a near miss (`eq:near-flat-turn`). To 2 units in the last place.
     pub fn near_flat_turn(&self) -> f64 {
         PI * (1.0 + 2.0 / self.factor).sqrt()
     }

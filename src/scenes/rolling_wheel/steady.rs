@@ -31,6 +31,9 @@ impl Wheel {
     /// Steady rolling with a lean θ, rad, and the centre on a circle of radius `centre_radius`, m; negative if the centre is
     /// beyond the axis (`eq:steady-rolling`). Of the two senses, the one with positive Ω.
     ///
+    /// Rates and [`SteadyRolling::wobble_square`] are exact to 4 units in the last place, of the largest term where terms cancel, and lose
+    /// what `2(1 + k)b + ka sin θ` loses near the least radius, where it vanishes.
+    ///
     /// # Errors
     /// [`NoSteadyRolling`] for an upright or a flat wheel, and where no turn rate balances the lean.
     pub fn steady(&self, lean: f64, centre_radius: f64) -> Result<SteadyRolling, NoSteadyRolling> {

@@ -1,4 +1,4 @@
-//! From one turning point of the lean to the next.
+//! From a start to the turning point of the lean before or after it.
 
 use super::wobble::NoWobble;
 use crate::integrate::{Series, Taylor, TaylorStep, increment};
@@ -8,16 +8,19 @@ use std::ops::ControlFlow;
 
 /// How long, in units of √(a/g), a turning point of the lean is waited for.
 const PATIENCE: f64 = 1e4;
+/// The longest step, in that unit. A wheel that hardly leans falls like e^t at most, and the series of that has then converged to rounding
+/// of itself, however small it is beside the tolerance.
+const LONGEST_STEP: f64 = 0.75;
 /// At how many moments of a step it is looked for.
 const LOOKS: u32 = 8;
 /// Newton's method has found it, or never will.
 const MOST_CORRECTIONS: u32 = 100;
 
-/// The motion from its start to the moment at which the lean turns, in units of the series.
+/// The motion from its start to the next moment at which the lean turns, or back to the last, in units of the series.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Swing {
     pieces: Vec<Piece>,
-    last: f64, // the length of the last piece
+    last: f64, // how long the last piece is followed
 }
 
 /// One step of it.
@@ -29,6 +32,7 @@ struct Piece {
 }
 
 /// The state at a moment, with the contact's way from the start of the swing and e to the i times the heading.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Moment {
     pub(super) state: [f64; 8],
     pub(super) contact: Complex<f64>,
@@ -36,32 +40,44 @@ pub(super) struct Moment {
 }
 
 impl Swing {
-    /// From a state of heading zero to the next moment at which the lean turns, not counting the start.
+    /// From a state of heading zero to the next moment at which the lean turns, or back to the last if `direction` is negative, not
+    /// counting the start.
     ///
     /// # Errors
     /// [`NoWobble::Steady`] if there is none, [`NoWobble::Integration`].
-    pub(super) fn new(solver: &Taylor, wheel: &RollingSeries, state: [f64; 8]) -> Result<Self, NoWobble> {
+    pub(super) fn new(
+        solver: &Taylor,
+        wheel: &RollingSeries,
+        state: [f64; 8],
+        direction: f64,
+    ) -> Result<Self, NoWobble> {
         let mut pieces: Vec<Piece> = Vec::new();
         let (mut here, mut facing) = (Complex::new(0.0, 0.0), Complex::new(1.0, 0.0));
         let mut turning = None;
         let observer = |step: &TaylorStep<'_, 8>| {
             let series = *step.series();
             let piece = Piece { start: -step.since(0.0), series, anchor: anchor(&series, here, facing) };
-            let rates = series.map(|row| row[1]); // of y, which turns with the lean
+            let mut rates = series.map(|row| row[1]); // of y, which turns with the lean
             let at_rest = pieces.is_empty() && rates[0] == 0.0;
+            if direction < 0.0 {
+                rates.iter_mut().skip(1).step_by(2).for_each(|odd| *odd = -*odd);
+            }
             // A swing that starts at a turning point waits for the other zero.
             let rates = if at_rest { &rates[1..] } else { &rates[..] };
-            turning = zero(rates, step.length());
+            turning = zero(rates, step.length().abs());
             (here, facing) = contact(piece.anchor, &step.last());
             pieces.push(piece);
             let stays = at_rest && rates[0] == 0.0;
             if turning.is_some() || stays { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        solver.solve_with(wheel, 0.0, state, PATIENCE, observer).map_err(NoWobble::Integration)?;
-        turning.map(|last| Self { pieces, last }).ok_or(NoWobble::Steady)
+        solver
+            .with_step_at_most(LONGEST_STEP)
+            .solve_with(wheel, 0.0, state, PATIENCE.copysign(direction), observer)
+            .map_err(NoWobble::Integration)?;
+        turning.map(|last| Self { pieces, last: last.copysign(direction) }).ok_or(NoWobble::Steady)
     }
 
-    /// How long it takes.
+    /// How long it takes, negative backwards.
     pub(super) fn duration(&self) -> f64 {
         self.pieces.last().map_or(0.0, |piece| piece.start) + self.last
     }
@@ -71,11 +87,25 @@ impl Swing {
         self.pieces[self.pieces.len() - 1].after(self.last)
     }
 
-    /// The motion at a time after the start, up to the duration.
+    /// The motion at a time from the start, 0, to the duration.
     pub(super) fn at(&self, time: f64) -> Moment {
-        let place = self.pieces.partition_point(|piece| piece.start <= time).saturating_sub(1);
+        let reached = |piece: &Piece| piece.start.abs() <= time.abs();
+        let place = self.pieces.partition_point(reached).saturating_sub(1);
         let piece = &self.pieces[place];
         piece.after(time - piece.start)
+    }
+}
+
+impl Moment {
+    /// Another moment as in a mirror, with this one, at which the lean turns, between the two.
+    pub(super) fn mirror(&self, Moment { state, contact, facing }: Moment) -> Moment {
+        let [y, u, o, w, psi, phi, re, im] = state;
+        let double = self.facing * self.facing;
+        Moment {
+            state: [y, -u, o, w, 2.0 * self.state[4] - psi, 2.0 * self.state[5] - phi, re, im],
+            contact: self.contact - double * (contact - self.contact).conj(),
+            facing: double * facing.conj(),
+        }
     }
 }
 

@@ -1,0 +1,73 @@
+//! The Taylor method: its clock, its limits, and what it refuses.
+
+use mechanics::integrate::{Expand, Failure, InvalidTolerance, Series, TAYLOR_ORDER, Taylor};
+use std::ops::ControlFlow;
+
+/// ẋ = 1: the state is the time since the start.
+struct Clock;
+
+impl Expand<1> for Clock {
+    fn expand(&self, series: &mut Series<1>) {
+        series[1] = [1.0];
+        series[2..].fill([0.0]);
+    }
+}
+
+/// ẏ = y², which from 1 reaches infinity at t = 1.
+struct Runaway;
+
+impl Expand<1> for Runaway {
+    fn expand(&self, series: &mut Series<1>) {
+        for n in 0..TAYLOR_ORDER {
+            let square: f64 = (0..=n).map(|j| series[j][0] * series[n - j][0]).sum();
+            series[n + 1] = [square / (n + 1) as f64];
+        }
+    }
+}
+
+#[test]
+fn thousands_of_steps_lose_nothing_of_a_late_time() {
+    // A millionth second, of which a tenth cannot be told from its neighbours by 1e-10, and ten thousand steps of about a tenth.
+    let (start, end) = (1e6, 1e6 + 1000.0);
+    for direction in [1.0, -1.0] {
+        let (start, end) = (direction * start, direction * end);
+        let solver = Taylor::new(1e-16).unwrap().with_max_step(0.1);
+        let mut looked = 0;
+        let reached = solver
+            .solve_with(&Clock, start, [0.0], end, |step| {
+                let middle = 0.5 * (step.start() + step.end());
+                assert!(
+                    (step.at(middle)[0] - (middle - start)).abs() < 3e-13,
+                    "{} at {middle}",
+                    step.at(middle)[0]
+                );
+                assert!((step.since(middle) / step.length() - 0.5).abs() < 1e-8);
+                looked += 1;
+                ControlFlow::Continue(())
+            })
+            .unwrap();
+        assert!((10_000..10_010).contains(&looked), "{looked}");
+        assert_eq!((reached.time, reached.state), (end, [end - start]));
+    }
+}
+
+#[test]
+fn running_into_a_singularity_stops_at_once() {
+    let solver = Taylor::new(1e-16).unwrap().with_max_expansions(10_000);
+    let failure = solver.solve(&Runaway, 0.0, [1.0], 2.0).unwrap_err();
+    let Failure::StepUnderflow { time, state: [y], step } = failure else { panic!("{failure}") };
+    assert!((time - 1.0).abs() < 1e-13 && y > 1e13 && step.abs() < 1e-15, "{failure}");
+}
+
+#[test]
+fn a_limit_of_series_and_tolerances_without_sense_say_so() {
+    let short = Taylor::new(1e-16).unwrap().with_max_step(0.1).with_max_expansions(7);
+    let failure = short.solve(&Clock, 0.0, [0.0], 9.0).unwrap_err();
+    let Failure::TooMuchWork { time, evaluations: 7, .. } = failure else { panic!("{failure}") };
+    assert!((time - 0.7).abs() < 1e-15);
+    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(Taylor::new(tolerance), Err(InvalidTolerance::NotPositive { .. })));
+    }
+    let message = Taylor::new(1e-18).unwrap_err().to_string();
+    assert!(message.starts_with("tolerance 1e-18 is below 1e-17"), "{message}");
+}

@@ -1,0 +1,142 @@
+//! Closed forms without a time: steady rolling, the turn of a wheel that is almost flat, the tilt for a speed, the balanced engine.
+
+use crate::long::{Long, PI, long};
+use crate::search::{Case, search};
+use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::scenes::spinning_coin::SpinningCoin;
+use mechanics::scenes::wobble_plate::{Engine, Pistons, Plate};
+use std::f64::consts::FRAC_PI_2;
+
+/// Units in the last place.
+const FEW: f64 = 4.0 * f64::EPSILON;
+
+#[test]
+fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() {
+    let worst = search("steady rolling", 4000, |draw| {
+        let k = if draw.below(2) == 0 { draw.one_of(&[0.5, 1.0]) } else { draw.decades(1e-10, 1.0) };
+        let (radius, gravity) = (draw.decades(1e-3, 1e3), draw.decades(1e-3, 1e3));
+        let sign = draw.one_of(&[-1.0, 1.0]);
+        let lean = sign
+            * match draw.below(3) {
+                0 => draw.between(1e-6, FRAC_PI_2 - 1e-6),
+                1 => draw.decades(1e-40, 1.0),
+                _ => FRAC_PI_2 - draw.decades(1e-15, 1.0),
+            };
+        let bound = -k * radius * lean.sin() / (2.0 * (1.0 + k));
+        let (b, way) = match draw.below(2) {
+            0 => (draw.beside(bound), "near the bound"),
+            _ => (radius * draw.signed(1e-6, 1e6), "any circle"),
+        };
+        let wheel = Wheel::new(1.0, radius, k, gravity).ok()?;
+        let steady = wheel.steady(lean, b).ok()?;
+        // Per mass and square of the radius, along axis 1: Ωẑ × L with L₂ = ½kΩ cos θ, L₃ = kΩb/a, and r × F with the force −Ω²b
+        // inward and g upward.
+        let ((s, c), ratio, kk) = (long(lean).sin_cos(), long(b) / radius, long(k));
+        let momentum = kk * ratio * c + kk * 0.5 * s * c;
+        let forces = ratio * c;
+        let square = long(gravity) / radius * s / (momentum + forces);
+        let parts = (momentum.abs() + forces.abs()) / (momentum + forces).abs();
+        let lost = (kk * (ratio * c).abs() + kk * 0.5 * (s * c).abs() + (ratio * c).abs())
+            / (momentum + forces).abs();
+        let lost = lost.rounded().max(parts.rounded());
+        if lost > 0.1 / f64::EPSILON {
+            return None; // the bound itself, to rounding, and nothing is left
+        }
+        let turn = square.sqrt();
+        let turn_error = ((turn - steady.turn_rate()) / turn).abs().rounded() / (1.0 + lost);
+        let spin_error = (turn * (ratio + s) - steady.relative_spin()).abs().rounded()
+            / (turn * (ratio.abs() + s.abs())).rounded()
+            / (1.0 + lost);
+        // −dθ̈/dθ along the motions of the same two constants, whose q and n change by dq/dθ = q tan θ + 2n and dn/dθ = q/(1 + k).
+        let (q, n, tan) = (turn * c, turn * ratio, s / c);
+        let (dq, dn) = (q * tan + n * 2.0, q / (kk + 1.0));
+        let terms = [
+            -(long(gravity) / radius * c),
+            (kk + 1.0) * dn * q,
+            (kk + 1.0) * n * dq,
+            kk * q * dq * tan,
+            kk * 0.5 * q * q,
+            kk * 0.5 * q * q * tan * tan,
+        ]
+        .map(|term| term / (kk * 0.5 + 1.0));
+        let (sum, size) = (terms.into_iter().sum::<Long>(), terms.into_iter().map(Long::abs).sum::<Long>());
+        let wobble_error = ((sum - steady.wobble_square()).abs() / size).rounded() / (1.0 + lost);
+        Some(Case {
+            ratio: turn_error.max(spin_error).max(wobble_error) / FEW,
+            way,
+            said: format!(
+                "k {k:?}, a {radius:?}, g {gravity:?}, lean {lean:?}, b {b:?}: {turn_error:e} {spin_error:e} {wobble_error:e}, {lost}"
+            ),
+        })
+    });
+    worst.keeps_its_promise(&["any circle", "near the bound"]);
+}
+
+#[test]
+fn the_turn_of_a_wheel_that_is_almost_flat_has_all_its_digits() {
+    let worst = search("near-flat turn", 1000, |draw| {
+        let k = draw.decades(1e-50, 1.0);
+        let turn = PI * (long(2.0) / k + 1.0).sqrt();
+        let found = Wheel::new(1.0, 1.0, k, 1.0).ok()?.near_flat_turn();
+        let error = ((turn - found) / turn).abs().rounded();
+        Some(Case {
+            ratio: error / (2.0 * f64::EPSILON),
+            way: "any wheel",
+            said: format!("k {k:?}: {found:?}"),
+        })
+    });
+    worst.keeps_its_promise(&["any wheel"]);
+}
+
+#[test]
+fn the_tilt_for_a_speed_has_all_its_digits() {
+    let worst = search("tilt for a speed", 2000, |draw| {
+        let k = draw.decades(1e-3, 1.0);
+        let (radius, gravity) = (draw.decades(1e-20, 1e20), draw.decades(1e-20, 1e20));
+        let of_unit = (2.0 * gravity * radius / k).sqrt();
+        let speed =
+            if draw.below(2) == 0 { draw.beside(of_unit) } else { of_unit * draw.decades(1e-20, 1e20) };
+        let found = SpinningCoin::new(radius, k, gravity, 0.1).ok()?.tilt_for_contact_speed(speed).ok()?;
+        // s sin α = cos²α with s = kc²/2ga; one step of Newton's method says how far α is off.
+        let s = long(k) * speed * speed / (long(gravity) * radius * 2.0);
+        let (sin, cos) = long(found).sin_cos();
+        let error = ((s * sin - cos * cos) / (s * cos + sin * cos * 2.0)).abs().rounded() / found;
+        let way = if s.rounded() < 1.0 { "steep" } else { "flat" };
+        Some(Case {
+            ratio: error / (4.0 * f64::EPSILON),
+            way,
+            said: format!("k {k:?}, a {radius:?}, g {gravity:?}, {speed:?} m/s: {found:?}"),
+        })
+    });
+    worst.keeps_its_promise(&["flat", "steep"]);
+}
+
+#[test]
+fn a_balanced_engine_shakes_by_rounding_only() {
+    let worst = search("balanced engine", 1000, |draw| {
+        let tilt = match draw.below(3) {
+            0 => draw.between(0.01, 1.5),
+            1 => draw.decades(1e-20, 1.0),
+            _ => FRAC_PI_2 - draw.decades(1.75e-4, 1.0), // 89.99°
+        };
+        let radius = draw.decades(1e-3, 1e3);
+        let plate =
+            Plate::thick(draw.decades(1e-3, 1e3), radius, radius * draw.signed(1e-3, 1.7).abs(), tilt)
+                .ok()?;
+        let (count, way) =
+            if draw.below(2) == 0 { (3 + draw.below(8), "few") } else { (3 + draw.below(998), "many") };
+        let pistons = Pistons::new(u32::try_from(count).ok()?, 1.0, draw.decades(1e-3, 1e3), 0.1).ok()?;
+        let mass = plate.balancing_mass(&pistons).ok()?;
+        let engine = Engine::new(plate, pistons.with_mass(mass).ok()?);
+        let (phase, spin) = (draw.between(-10.0, 10.0), draw.decades(1e-3, 1e3));
+        let own = plate.bearing_torque_rotating(spin).norm();
+        let error = engine.frame_torque(phase, spin).norm() / own;
+        let promise = if count <= 10 { 2e-15 } else { 1e-14 };
+        Some(Case {
+            ratio: error / promise,
+            way,
+            said: format!("{count} pistons, tilt {tilt:?}, phase {phase:?}: {engine:?}"),
+        })
+    });
+    worst.keeps_its_promise(&["few", "many"]);
+}
