@@ -112,16 +112,35 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
         // Not the sum, which may be too large for f64.
         let mean = x / 3.0 + y / 3.0 + z / 3.0;
         let (dx, dy) = ((mean - x) / mean, (mean - y) / mean);
-        let dz = -(dx + dy);
-        if dx.abs().max(dy.abs()).max(dz.abs()) <= SPREAD {
-            let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
-            return (1.0 + (-0.1 + e2 / 24.0 - 3.0 / 44.0 * e3) * e2 + e3 / 14.0) / mean.sqrt() * enlarged;
+        if dx.abs().max(dy.abs()).max((dx + dy).abs()) <= SPREAD {
+            return (1.0 + series(dx, dy)) / mean.sqrt() * enlarged;
         }
         // x + √x√y + √y√z + √z√x is a product, and so are the two others.
         let [rx, ry, rz] = [x, y, z].map(|value| 0.5 * value.sqrt());
         let (xy, yz, zx) = (rx + ry, ry + rz, rz + rx);
         (x, y, z) = (xy * zx, xy * yz, yz * zx);
     }
+}
+
+/// The same to some twenty digits, for numbers from zero to about one.
+pub(crate) fn carlson_rf_in_two_parts([mut x, mut y, mut z]: [TwoPart; 3]) -> TwoPart {
+    loop {
+        let mean = (x + y + z) / TwoPart::from(3.0);
+        let [dx, dy] = [x, y].map(|value| (mean - value).rounded() / mean.rounded());
+        if dx.abs().max(dy.abs()).max((dx + dy).abs()) <= 0.25 * SPREAD {
+            return (TwoPart::from(1.0) + series(dx, dy)) / mean.sqrt();
+        }
+        let [rx, ry, rz] = [x, y, z].map(|value| value.sqrt() * 0.5);
+        let (xy, yz, zx) = (rx + ry, ry + rz, rz + rx);
+        (x, y, z) = (xy * zx, xy * yz, yz * zx);
+    }
+}
+
+/// R_F times the root of the mean, less one, from how far two of its arguments are from the mean.
+fn series(dx: f64, dy: f64) -> f64 {
+    let dz = -(dx + dy);
+    let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
+    (-0.1 + e2 / 24.0 - 3.0 / 44.0 * e3) * e2 + e3 / 14.0
 }
 
 /// The series is exact to a thousandth of the sixth power of how far the arguments differ from their mean.
