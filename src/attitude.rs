@@ -7,8 +7,24 @@
 //! Angular velocities and momenta are along the body's axes (`_body`) or the room's (`_world`), as their names say; both
 //! are those of the body relative to the room.
 
+use crate::quantity::{InvalidQuantity, Rule};
 use crate::two_part::TwoPart;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+/// How far from one the length of a unit quaternion may be: what thousands of roundings do.
+const UNIT: f64 = 1e-12;
+
+/// Checks that an attitude is one: four finite numbers, of length one to rounding.
+pub(crate) fn check_attitude(world_from_body: &UnitQuaternion<f64>) -> Result<(), InvalidQuantity> {
+    for component in world_from_body.coords.iter() {
+        InvalidQuantity::require_finite("component of the attitude", *component, "")?;
+    }
+    let length = world_from_body.coords.norm();
+    let is_one = (length - 1.0).abs() <= UNIT;
+    let quantity = "length of the quaternion of the attitude";
+    InvalidQuantity::require(is_one, quantity, length, "", Rule::EqualTo(1.0))?;
+    Ok(())
+}
 
 /// The rate of change of a quaternion `world_from_body`, 1/s, of a body with angular velocity `omega_body`, rad/s, along the
 /// body's axes: `½ q ω` (`eq:quaternion-rate`).

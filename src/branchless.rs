@@ -15,8 +15,8 @@ use std::f64::consts::FRAC_PI_2;
 /// Adding this and taking it off again rounds to the nearest whole number; what is in between holds that number in its last bits.
 const WHOLE: f64 = 6_755_399_441_055_744.0; // 1.5 · 2^52
 
-/// Numbers below this in size can be rounded so.
-pub(crate) const ROUNDABLE: f64 = 1_125_899_906_842_624.0; // 2^50
+/// Numbers below this in size can be rounded so, and what rounding has left of them, half a unit in the last place, is small.
+pub(crate) const ROUNDABLE: f64 = 140_737_488_355_328.0; // 2^47
 
 /// Runs a loop compiled for the widest registers that the processor has. The answer is the same on all of them, to the last bit: nothing
 /// is fused or reordered.

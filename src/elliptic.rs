@@ -10,8 +10,8 @@ use crate::two_part::TwoPart;
 
 /// Jacobi's sn, cn and dn of `u` for the complementary parameter `complement` = k'² between 0 and 1.
 ///
-/// Good to a few units in the last place of one for `|u|` up to K; outside of that the rounding of `u` counts as for a sine.
-/// A complement outside 0 to 1 gives NaN.
+/// Each to 1e-15 for `|u|` up to K. Beyond, the rounding of the period counts as often as there are periods in `u`: to `1e-15 (1 + |u|)`.
+/// A complement outside 0 to 1 gives NaN, and so does an argument that is not finite.
 ///
 /// ```
 /// use mechanics::elliptic::jacobi;
@@ -26,6 +26,9 @@ pub fn jacobi(u: f64, complement: f64) -> [f64; 3] {
     if complement == 0.0 {
         let sech = u.cosh().recip();
         return [u.tanh(), sech, sech];
+    }
+    if u.abs() < SMALL {
+        return [u, 1.0, 1.0]; // below, 1/u² is too large for f64 sooner or later
     }
     // Arithmetic and geometric means, until they agree to half of the digits: one more step would agree to all.
     let (mut arithmetic, mut geometric) = ([0.0; MEANS], [0.0; MEANS]);
@@ -61,12 +64,15 @@ pub fn jacobi(u: f64, complement: f64) -> [f64; 3] {
     [sn, c * sn, dn]
 }
 
+/// The square of an argument below this is lost beside one.
+const SMALL: f64 = 1e-9;
 /// Steps of the means: enough for every complement that `f64` has.
 const MEANS: usize = 16;
 /// The square root of half a unit in the last place.
 const HALF_OF_THE_DIGITS: f64 = 1e-8;
 
-/// The quarter period `K` for the complementary parameter k'² between 0 and 1, to rounding; infinite at 0, NaN outside.
+/// The quarter period `K` for the complementary parameter k'² between 0 and 1, with a relative error below 1e-15; infinite at 0, NaN
+/// outside.
 ///
 /// ```
 /// use mechanics::elliptic::quarter_period;
@@ -87,8 +93,8 @@ pub fn quarter_period(complement: f64) -> f64 {
     std::f64::consts::PI / (a + g)
 }
 
-/// Carlson's symmetric integral `R_F(x, y, z)` for arguments of zero or more, at most one of them zero, to a few units in the last
-/// place. Infinite if two are zero, NaN for negative ones.
+/// Carlson's symmetric integral `R_F(x, y, z)` for arguments of zero or more, at most one of them zero, of any size, with a relative
+/// error below 1.5e-15. Infinite if two are zero, zero if one is infinite, NaN for negative ones.
 pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
     if !(x >= 0.0 && y >= 0.0 && z >= 0.0) {
         return f64::NAN;
@@ -96,22 +102,51 @@ pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
     if [x, y, z].iter().filter(|&&value| value == 0.0).count() > 1 {
         return f64::INFINITY;
     }
-    let (mut x, mut y, mut z) = (x, y, z);
-    let mut mean = (x + y + z) / 3.0;
-    // The series below is exact to (spread/mean)^6/1000 or so.
-    let mut spread = (x - mean).abs().max((y - mean).abs()).max((z - mean).abs());
-    while spread > 2e-3 * mean {
-        let (rx, ry, rz) = (x.sqrt(), y.sqrt(), z.sqrt());
-        let shift = rx * ry + ry * rz + rz * rx;
-        (x, y, z) = (0.25 * (x + shift), 0.25 * (y + shift), 0.25 * (z + shift));
-        mean = 0.25 * (mean + shift);
-        spread *= 0.25;
+    if x.max(y).max(z) == f64::INFINITY {
+        return 0.0;
     }
-    let (dx, dy) = ((mean - x) / mean, (mean - y) / mean);
+    // Where all three are tiny their products are lost: R_F(λx, λy, λz) = R_F(x, y, z)/√λ.
+    let enlarged = if x.max(y).max(z) < TINY { ENLARGED } else { 1.0 };
+    let [mut x, mut y, mut z] = [x, y, z].map(|value| value * enlarged * enlarged);
+    loop {
+        // Not the sum, which may be too large for f64.
+        let mean = x / 3.0 + y / 3.0 + z / 3.0;
+        let (dx, dy) = ((mean - x) / mean, (mean - y) / mean);
+        if dx.abs().max(dy.abs()).max((dx + dy).abs()) <= SPREAD {
+            return (1.0 + series(dx, dy)) / mean.sqrt() * enlarged;
+        }
+        // x + √x√y + √y√z + √z√x is a product, and so are the two others.
+        let [rx, ry, rz] = [x, y, z].map(|value| 0.5 * value.sqrt());
+        let (xy, yz, zx) = (rx + ry, ry + rz, rz + rx);
+        (x, y, z) = (xy * zx, xy * yz, yz * zx);
+    }
+}
+
+/// The same to some twenty digits, for numbers from zero to about one.
+pub(crate) fn carlson_rf_in_two_parts([mut x, mut y, mut z]: [TwoPart; 3]) -> TwoPart {
+    loop {
+        let mean = (x + y + z) / TwoPart::from(3.0);
+        let [dx, dy] = [x, y].map(|value| (mean - value).rounded() / mean.rounded());
+        if dx.abs().max(dy.abs()).max((dx + dy).abs()) <= 0.25 * SPREAD {
+            return (TwoPart::from(1.0) + series(dx, dy)) / mean.sqrt();
+        }
+        let [rx, ry, rz] = [x, y, z].map(|value| value.sqrt() * 0.5);
+        let (xy, yz, zx) = (rx + ry, ry + rz, rz + rx);
+        (x, y, z) = (xy * zx, xy * yz, yz * zx);
+    }
+}
+
+/// R_F times the root of the mean, less one, from how far two of its arguments are from the mean.
+fn series(dx: f64, dy: f64) -> f64 {
     let dz = -(dx + dy);
     let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);
-    (1.0 + (-0.1 + e2 / 24.0 - 3.0 / 44.0 * e3) * e2 + e3 / 14.0) / mean.sqrt()
+    (-0.1 + e2 / 24.0 - 3.0 / 44.0 * e3) * e2 + e3 / 14.0
 }
+
+/// The series is exact to a thousandth of the sixth power of how far the arguments differ from their mean.
+const SPREAD: f64 = 2e-3;
+const TINY: f64 = 1e-250;
+const ENLARGED: f64 = 1_267_650_600_228_229_401_496_703_205_376.0; // 2^100
 
 /// Bulirsch's complete integral `cel(k', p, a, b) = ∫₀^{π/2} (a cos² + b sin²)/((cos² + p sin²)√(cos² + k'² sin²)) dθ` for `p > 0` and
 /// `k' > 0`, to about 30 digits.

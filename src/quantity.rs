@@ -49,6 +49,8 @@ pub enum Rule {
     AtMost(f64),
     /// It is less than so much.
     LessThan(f64),
+    /// It is so much, to rounding.
+    EqualTo(f64),
 }
 
 impl InvalidQuantity {
@@ -133,6 +135,7 @@ impl fmt::Display for InvalidQuantity {
             Rule::AtLeast(least) => write!(out, "is too small; it must be at least {}{unit}", Shown(least)),
             Rule::AtMost(limit) => write!(out, "is too large; it must be at most {}{unit}", Shown(limit)),
             Rule::LessThan(limit) => write!(out, "is too large; it must be less than {}{unit}", Shown(limit)),
+            Rule::EqualTo(only) => write!(out, "is not {}{unit} to rounding", Shown(only)),
         }
     }
 }
@@ -154,7 +157,7 @@ pub(crate) struct Shown(pub(crate) f64);
 impl fmt::Display for Shown {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(value) = *self;
-        if value == 0.0 || !value.is_finite() || (1e-4..1e7).contains(&value.abs()) {
+        if value == 0.0 || (1e-4..1e7).contains(&value.abs()) {
             write!(out, "{value}")
         } else {
             write!(out, "{value:e}")

@@ -67,6 +67,12 @@ impl TwoPart {
         Self::quick_sum(root, rest.high / (2.0 * root))
     }
 
+    /// The exponential, rounded.
+    pub(crate) fn exp(self) -> f64 {
+        let power = self.high.exp();
+        if self.high.abs() < LARGEST_EXPONENT { power * (1.0 + self.low) } else { power }
+    }
+
     /// Sine and cosine of this angle in radians, each to a unit in the last place or so of one, however many turns the
     /// angle makes.
     pub(crate) fn sin_cos(self) -> (f64, f64) {
@@ -81,6 +87,8 @@ impl TwoPart {
     }
 }
 
+/// Beyond this an exponential is zero or infinite.
+const LARGEST_EXPONENT: f64 = 1e3;
 /// Below this an angle's square is lost in rounding.
 const SMALL_ANGLE: f64 = 1e-9;
 

@@ -319,3 +319,19 @@ fn frames_at_once_are_the_frames_one_by_one() {
         }
     }
 }
+
+#[test]
+fn a_body_that_turns_exactly_along_or_across_its_axis_keeps_doing_so() {
+    for ratio in [0.1, 1.0, 2.0] {
+        let moments = PrincipalMoments::symmetric(1.0, ratio).unwrap();
+        for omega in [Vector3::new(3.0, -1.0, 0.0), Vector3::new(0.0, 2.0, 0.0), Vector3::new(0.0, 0.0, -5.0)]
+        {
+            let top = DraggedTop::new(moments, Drag::isotropic(0.1), omega).unwrap();
+            assert_eq!(top.fate(), Fate::Unchanged);
+            assert_eq!(top.axis_angle(7.0).unwrap(), top.axis_angle(0.0).unwrap());
+        }
+        // A hair to the side it does not.
+        let top = DraggedTop::new(moments, Drag::isotropic(0.1), Vector3::new(1.0, 0.0, 1e-50)).unwrap();
+        assert_eq!(top.fate() == Fate::Unchanged, ratio == 1.0);
+    }
+}

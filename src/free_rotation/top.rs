@@ -3,20 +3,21 @@
 use super::asymmetric::Asymmetric;
 use super::symmetric::{FreeSymmetricTop, renamed_back};
 use super::two_turns::TwoTurns;
-use crate::attitude::turn;
+use crate::attitude::{check_attitude, turn};
 use crate::euler::Turning;
 use crate::frames::{InvalidFrames, fill};
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{UnitQuaternion, Vector2, Vector3};
 
 /// A body of any shape that turns with no torque about its centre of mass (or about a point held fixed, with the moments
 /// about that point), in closed form, attitude included.
 ///
 /// With three different moments the angular velocity is made of Jacobi's elliptic functions and the attitude of theta
 /// functions. All constants come from exact differences and are kept to 30 digits, and the parameter is the
-/// complementary one, so that neither a motion next to the separatrix nor a hundred million periods cost digits.
+/// complementary one, so that neither a motion next to the separatrix nor a hundred million periods cost digits
+/// ([`FreeTop::at`] says how exact it is).
 ///
 /// ```
 /// use mechanics::{euler::Turning, free_rotation::FreeTop, inertia::Body};
@@ -55,14 +56,13 @@ impl FreeTop {
     /// A body of these moments, and its attitude and angular velocity at time zero. A body at rest is allowed.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if a number of `start` is not finite or of a size that cannot be computed with.
+    /// [`InvalidQuantity`] if a number of `start` is not finite or of a size that cannot be computed with, or if its quaternion is not
+    /// of length one to 1e-12.
     pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidQuantity> {
         for component in &start.omega_body {
             InvalidQuantity::check("angular velocity", *component, "rad/s")?;
         }
-        for component in start.world_from_body.coords.iter() {
-            InvalidQuantity::require_finite("component of the attitude", *component, "")?;
-        }
+        check_attitude(&start.world_from_body)?;
         let motion = Self::motion(moments, start);
         Ok(Self { moments, start, motion })
     }
@@ -85,22 +85,21 @@ impl FreeTop {
             return Asymmetric::new(moments, &start).map_or_else(steady, Motion::Asymmetric);
         };
         let renamed_from_body = cyclic(shift);
-        let renamed = |v: [f64; 3]| [v[shift], v[(shift + 1) % 3], v[(shift + 2) % 3]];
-        let [first, second, third] = renamed(moments.to_array());
         let turning = Turning {
             world_from_body: start.world_from_body * renamed_from_body.inverse(),
-            omega_body: renamed(omega.into()).into(),
+            omega_body: Vector3::from_fn(|axis, _| omega[(axis + shift) % 3]),
         };
-        PrincipalMoments::new(first, second, third)
-            .ok()
-            .and_then(|moments| FreeSymmetricTop::new(moments, turning).ok())
-            .map_or_else(steady, |top| Motion::Symmetric { top, renamed_from_body, shift })
+        let top = FreeSymmetricTop::from_checked(moments.renamed(shift), turning);
+        Motion::Symmetric { top, renamed_from_body, shift }
     }
 
-    /// Attitude and angular velocity at `time`, s, to rounding at any time up to 1e50 s in size.
+    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until the body has turned
+    /// by 1e15 rad (by its quickest motion). Then the 32 digits of the rates run out; each further decade costs one, and from 1e30 rad
+    /// on only what is constant is known. Next to the separatrix, where the period hangs on a small difference, they run out at `1e17 k'²` rad if
+    /// that is earlier.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] for a time that is not finite or larger than that.
+    /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
     pub fn at(&self, time: f64) -> Result<Turning, InvalidQuantity> {
         InvalidQuantity::check_time(time)?;
         Ok(match &self.motion {
@@ -141,14 +140,14 @@ impl FreeTop {
         fill(times, frames, quick, |time| self.at(time))
     }
 
-    /// The time after which the angular velocity, seen from the body, is the same again, s. `None` if it never changes, or,
-    /// on the separatrix, never comes back.
+    /// The time after which the angular velocity, seen from the body, is the same again, s, with a relative error below 4e-16. `None` if it
+    /// never changes, or, on the separatrix, never comes back.
     pub fn period(&self) -> Option<f64> {
         match &self.motion {
             Motion::Steady { .. } => None,
             Motion::Symmetric { top, .. } => {
-                let rate = top.body_rate().abs();
-                (rate > 0.0 && top.omega_angle() > 0.0).then(|| std::f64::consts::TAU / rate)
+                let (rate, across) = (top.body_rate().abs(), top.start().omega_body.xy());
+                (rate > 0.0 && across != Vector2::zeros()).then(|| std::f64::consts::TAU / rate)
             }
             Motion::Asymmetric(motion) => Some(motion.period()).filter(|period| period.is_finite()),
         }

@@ -66,6 +66,11 @@ impl PrincipalMoments {
         (first == second).then_some((first, axial))
     }
 
+    /// The same body with the names of its axes moved on: its axis 1 is the present axis number `shift`, counted from 0.
+    pub(crate) fn renamed(self, shift: usize) -> Self {
+        Self { moments: std::array::from_fn(|axis| self.moments[(axis + shift) % 3]) }
+    }
+
     /// The angular momentum `L = Iω` about the centre of mass, kg·m²/s, along the body's axes, for an angular velocity
     /// `omega_body` along the same axes, rad/s (`eq:spin-momentum`).
     pub fn angular_momentum(self, omega_body: &Vector3<f64>) -> Vector3<f64> {

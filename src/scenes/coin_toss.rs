@@ -8,6 +8,7 @@ use crate::euler::Turning;
 use crate::free_rotation::{FreeSymmetricTop, InvalidTop};
 use crate::inertia::PrincipalMoments;
 use crate::quantity::{InvalidQuantity, Shown};
+use crate::two_part::TwoPart;
 use nalgebra::{UnitQuaternion, Vector3};
 use std::error::Error;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
@@ -58,11 +59,11 @@ impl Toss {
         };
         let top = FreeSymmetricTop::new(moments, start)?;
         let [i1, _, i3] = moments.to_array();
-        // L₁ and L₃ over I₁; the square of the larger is taken out, so that nothing overflows.
-        let (across, along) = (omega_1, omega_3 * (i3 / i1));
-        let length = across.hypot(along);
-        let cosine_of_double_angle = (along - across) / length * ((along + across) / length);
-        Ok(Self { top, cosine_of_double_angle })
+        // (L₃ − L₁)(L₃ + L₁)/L², with exact products.
+        let (across, along) = (TwoPart::product(i1, omega_1), TwoPart::product(i3, omega_3));
+        let square = along * along + across * across;
+        let cosine_of_double_angle = (along - across) * (along + across) / square;
+        Ok(Self { top, cosine_of_double_angle: cosine_of_double_angle.rounded() })
     }
 
     /// Attitude and angular velocity at `time`, s.

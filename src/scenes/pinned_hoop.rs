@@ -54,6 +54,9 @@ impl Pinning {
     /// A body of mass, kg, and radius, m, that turns with `spin`, rad/s, of either sign, about a diameter, and the angle θ,
     /// rad, from 0 to π, of the pinned point from the axis of rotation.
     ///
+    /// Near a right angle the motion afterwards hangs on the cosine of θ, and few digits of it survive the rounding of θ in radians: at
+    /// 89.999° eleven. [`Pinning::at_point`] takes both components as they are and keeps all.
+    ///
     /// # Errors
     /// [`InvalidPinning`] if a number breaks its rule.
     pub fn new(shape: Shape, mass: f64, radius: f64, spin: f64, angle: f64) -> Result<Self, InvalidPinning> {

@@ -51,6 +51,9 @@ fn moments_must_be_those_of_a_body() {
         message(PrincipalMoments::new(f64::NAN, 1.0, 1.0)),
         "principal moment NaN kg·m² is not a finite number"
     );
+    // A flat body's largest moment may exceed the sum of the others by a few roundings, and by no more.
+    assert!(PrincipalMoments::new(1.0, 1.0, 2.0 * (1.0 + 4.0 * f64::EPSILON)).is_ok());
+    assert!(PrincipalMoments::new(1.0, 1.0, 2.0 * (1.0 + 6.0 * f64::EPSILON)).is_err());
     assert_eq!(
         message(PrincipalMoments::symmetric(1e60, 1e60)),
         "principal moment 1e60 kg·m² is outside the range from 1e-50 to 1e50 kg·m² in size that is computed with"
@@ -122,6 +125,64 @@ fn a_free_symmetric_top_needs_an_axis_and_numbers() {
     assert!(top.at(1e-300).is_ok() && top.at(-1e50).is_ok());
 }
 
+/// What is not a rotation at all, or one only roughly.
+fn no_attitudes() -> impl Iterator<Item = (UnitQuaternion<f64>, &'static str)> {
+    [0.0, 0.5, 1.0 + 1e-11, 1e200]
+        .into_iter()
+        .zip(["0", "0.5", "1.00000000001", "inf"])
+        .map(|(w, shown)| (UnitQuaternion::new_unchecked(Quaternion::new(w, 0.0, 0.0, 0.0)), shown))
+}
+
+#[test]
+fn an_attitude_is_a_quaternion_of_length_one() {
+    let omega_body = Vector3::new(0.1, 0.2, 0.3);
+    let drag = DraggedTop::new(disc(), Drag::isotropic(0.1), omega_body).unwrap();
+    for (world_from_body, shown) in no_attitudes() {
+        let start = Turning { world_from_body, omega_body };
+        let expected = format!("length of the quaternion of the attitude {shown} is not 1 to rounding");
+        assert_eq!(message(FreeTop::new(brick(), start)), expected);
+        assert_eq!(message(FreeTop::new(disc(), start)), expected);
+        assert_eq!(message(FreeSymmetricTop::new(disc(), start)), expected);
+        assert_eq!(message(drag.sample(world_from_body, &[1.0], 1e-9)), expected);
+    }
+    // Thousands of products leave some roundings behind: that is no reason to refuse.
+    let worn = UnitQuaternion::new_unchecked(Quaternion::new(1.0 - 1e-13, 0.0, 0.0, 0.0));
+    let start = Turning { world_from_body: worn, omega_body };
+    assert!(FreeTop::new(brick(), start).is_ok() && FreeTop::new(disc(), start).is_ok());
+    assert!(drag.sample(worn, &[1.0], 1e-9).is_ok());
+}
+
+#[test]
+fn times_beyond_the_range_are_refused_however_slow_the_body_and_by_lists_as_well() {
+    for moments in [brick(), disc()] {
+        let top = FreeTop::new(moments, turning(Vector3::new(1e-50, 2e-50, 1e-50))).unwrap();
+        let mut frames = [top.start(); 40];
+        for time in [1.1e50, -1e60, 1e300] {
+            let error = top.fill(&[time; 40], &mut frames).unwrap_err();
+            assert_eq!(error.to_string(), format!("time number 0: {}", top.at(time).unwrap_err()));
+        }
+        assert!(top.fill(&[1e50; 40], &mut frames).is_ok());
+    }
+}
+
+#[test]
+fn a_drag_that_never_ends_is_sampled_up_to_a_limit() {
+    // A spin of a million turns a second for an hour.
+    let top = DraggedTop::new(disc(), Drag::isotropic(0.0), Vector3::new(1.0, 0.0, 6e6)).unwrap();
+    let start = std::time::Instant::now();
+    let stopped = top.sample(UnitQuaternion::identity(), &[3600.0], 1e-12);
+    assert!(message(stopped).starts_with("the limit of evaluations was reached after 10000"));
+    assert!(start.elapsed().as_secs() < 10, "far less than a second, if nothing else runs");
+    let solver = mechanics::integrate::Dop853::new(1e-9).unwrap().with_max_evaluations(100);
+    let by_hand = top.sample_by(&solver, UnitQuaternion::identity(), &[3600.0]);
+    assert!(message(by_hand).starts_with("the limit of evaluations was reached after 1"));
+    let solver = solver.with_max_evaluations(10_000_000);
+    let [found] = &top.sample_by(&solver, UnitQuaternion::identity(), &[1e-6]).unwrap()[..] else {
+        panic!("one")
+    };
+    assert_eq!(found.omega_body, top.omega_body(1e-6).unwrap());
+}
+
 #[test]
 fn a_toss_needs_a_coin_that_turns_and_a_catch_that_it_reaches() {
     assert_eq!(Toss::new(disc(), 0.0, 0.0), Err(InvalidToss::NoSpin));
@@ -175,6 +236,12 @@ fn a_station_turns_and_a_blow_is_finite() {
     let strong = Station::ring(1e-10, 1.0, 1.0).unwrap().struck(1.0, 1e45);
     assert!(message(strong).contains("e55 rad/s is outside the range"));
     assert!(station.struck(1.0, 0.0).is_ok() && station.struck(0.0, 1.0).is_ok());
+    let struck = station.struck(1.0, 0.5).unwrap();
+    assert_eq!(
+        message(struck.position(&Vector3::new(0.0, f64::NAN, 0.0), 1.0)),
+        "position of the point NaN m is not a finite number"
+    );
+    assert!(struck.position(&Vector3::x(), f64::INFINITY).is_err());
 }
 
 #[test]
@@ -226,6 +293,12 @@ fn a_pinned_body_spins_and_its_point_lies_on_it() {
     assert_eq!(message(at([0.0, 0.5])), "the point at 0.5 m from the centre is not on the rim, at 1 m");
     assert_eq!(message(at([f64::INFINITY, 0.0])), "position of the point inf m is not a finite number");
     assert!(at([0.6, -0.8]).is_ok());
+    // To rounding, and not beyond, on either side of the surface.
+    for (distance, lies_on_it) in
+        [(1.0 + 5e-13, true), (1.0 - 5e-13, true), (1.0 + 2e-12, false), (1.0 - 2e-12, false)]
+    {
+        assert_eq!(at([0.0, distance]).is_ok(), lies_on_it, "{distance}");
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Dop853;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
+use std::f64::consts::TAU;
 
 /// The judge, Euler's equations to 1e-13 a step, over some twenty radians.
 const JUDGE: f64 = 2e-11;
@@ -225,6 +226,32 @@ fn rotation_about_a_principal_axis_is_steady_and_a_hair_off_it_is_not() {
             let (omega, attitude) = errors(moments, &start, 4.0);
             assert!(omega < JUDGE && attitude < JUDGE, "axis {axis}, {hair:e}: {omega:e} {attitude:e}");
         }
+    }
+}
+
+#[test]
+fn the_period_of_a_symmetric_body_is_that_of_its_wobble_whatever_the_sense() {
+    // I₃ = 2 I₁: ω goes round the axis at σ = ω₃, whichever axis it is.
+    for axis in 0..3 {
+        let mut moments = [1.0; 3];
+        moments[axis] = 2.0;
+        let [i1, i2, i3] = moments;
+        let moments = PrincipalMoments::new(i1, i2, i3).unwrap();
+        let period = |spin: f64, wobble: f64, next: usize| {
+            let mut omega_body = Vector3::zeros();
+            omega_body[axis] = spin;
+            omega_body[(axis + next) % 3] = wobble;
+            FreeTop::new(moments, Turning { world_from_body: UnitQuaternion::identity(), omega_body })
+                .unwrap()
+                .period()
+        };
+        for spin in [5.0, -5.0] {
+            assert_eq!(period(spin, 0.0, 1), None, "steady about its axis");
+            for (wobble, next) in [(0.3, 1), (-0.3, 1), (0.3, 2), (1e-50, 2)] {
+                assert_relative_eq!(period(spin, wobble, next).unwrap(), TAU / 5.0, max_relative = 4e-16);
+            }
+        }
+        assert_eq!(period(0.0, 1.0, 1), None, "steady across its axis");
     }
 }
 

@@ -136,6 +136,23 @@ fn an_odd_ratio_of_moments_keeps_its_digits_too() {
 }
 
 #[test]
+fn the_angle_of_the_rotation_is_that_between_two_vectors() {
+    let mut random = fastrand::Rng::with_seed(9);
+    for n in 0..300 {
+        let mut start = turning(&mut random, 1.0);
+        start.omega_body[n % 3] = 0.0;
+        let top = FreeSymmetricTop::new(symmetric_moments(&mut random), start).unwrap();
+        assert_relative_eq!(
+            top.omega_angle(),
+            angle_between(&start.omega_body, &Vector3::z()),
+            epsilon = FEW_ULP
+        );
+        let momentum = top.moments().angular_momentum(&start.omega_body);
+        assert_relative_eq!(top.momentum_angle(), angle_between(&momentum, &Vector3::z()), epsilon = FEW_ULP);
+    }
+}
+
+#[test]
 fn a_sphere_turns_about_its_axis_and_a_body_at_rest_stays() {
     let ball = PrincipalMoments::symmetric(2.0, 2.0).unwrap();
     let omega_body = Vector3::new(1.0, 2.0, 2.0);

@@ -9,13 +9,17 @@
 
 mod chaplygin;
 mod conical;
+mod drag;
+mod elliptic;
 mod faddeeva;
 mod film;
+mod free_tops;
 mod linear;
 mod long;
 mod ramp;
 mod rolling;
 mod search;
+mod spin_down;
 mod steady;
 mod steady_wheel;
 mod taylor;

@@ -4,10 +4,11 @@
 
 mod wave;
 
-use crate::elliptic::{carlson_rf, complete_integral, quarter_period};
+use crate::elliptic::{carlson_rf, carlson_rf_in_two_parts, complete_integral, quarter_period};
 use crate::euler::Turning;
 use crate::frames::{BLOCK, in_blocks};
 use crate::inertia::PrincipalMoments;
+use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
 use nalgebra::{Matrix3, Matrix4, Quaternion, Rotation3, UnitQuaternion, Vector3, Vector4};
 use wave::{Constants, Wave};
@@ -61,18 +62,18 @@ impl Asymmetric {
         let n = minus(a, b) * c / (minus(b, c) * a);
         let one_and_n = minus(a, c) * b / (minus(b, c) * a);
 
-        let amplitude = |numerator: TwoPart, moment: f64, difference: TwoPart| {
-            (numerator / (difference * moment)).sqrt().rounded()
-        };
+        let amplitude =
+            |numerator: TwoPart, moment: f64, difference: TwoPart| (numerator / (difference * moment)).sqrt();
         let amplitudes =
             [amplitude(dc, a, minus(a, c)), amplitude(dc, b, minus(b, c)), amplitude(da, c, minus(c, a))];
         let momentum = (TwoPart::product(a, wa) * TwoPart::product(a, wa)
             + TwoPart::product(b, wb) * TwoPart::product(b, wb)
             + TwoPart::product(c, wc) * TwoPart::product(c, wc))
         .sqrt();
+        // What is rounded here is late for ever, and where two moments nearly agree a small lateness is a large angle.
         let [cn, sn, dn] =
-            [wa / amplitudes[0], sense * wb / amplitudes[1], wc / amplitudes[2]].map(|x| x.clamp(-1.0, 1.0));
-        let first_argument = sn * carlson_rf(cn * cn, dn * dn, 1.0);
+            [(wa, 0), (sense * wb, 1), (wc, 2)].map(|(w, axis)| TwoPart::from(w) / amplitudes[axis]);
+        let first_argument = sn * carlson_rf_in_two_parts([cn * cn, dn * dn, TwoPart::from(1.0)]);
 
         let (half_period, quarter, turn_rate) = if complement.rounded() == 0.0 {
             (TwoPart::from(f64::INFINITY), TwoPart::from(f64::INFINITY), momentum / TwoPart::from(b))
@@ -87,7 +88,7 @@ impl Asymmetric {
         };
         let wave = Wave::new(&Constants {
             moments: [a, b, c],
-            amplitudes,
+            amplitudes: amplitudes.map(TwoPart::rounded),
             momentum: momentum.rounded(),
             sense,
             rate,
@@ -122,7 +123,8 @@ impl Asymmetric {
     /// Fills the frames at times within reach and says how many, as [`in_blocks`] does.
     pub(super) fn fill(&self, times: &[f64], frames: &mut [Turning]) -> usize {
         let mut block = [[0.0; BLOCK]; 7];
-        let reached = |time: f64| time.abs() <= self.wave.reach();
+        let reached =
+            |time: f64| time.abs() <= self.wave.reach() && InvalidQuantity::check_time(time).is_ok();
         in_blocks(times, frames, reached, |times, frames| {
             self.wave.fill(times, &mut block);
             for (n, frame) in frames.iter_mut().enumerate() {

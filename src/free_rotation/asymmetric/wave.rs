@@ -4,7 +4,7 @@
 //! theta function of the attitude, and half the steady angle about **L**. Of the angle that the theta function adds, the half is
 //! found without the angle: a complex number Z has the same direction as the square of `|Z| + Z`.
 
-use crate::branchless::{Clock, ROUNDABLE, at_full_width, exp, nearest, sin_cos_quarters};
+use crate::branchless::{Clock, ROUNDABLE, at_full_width, exp, exp_and_exp_m1, nearest, sin_cos_quarters};
 use crate::frames::BLOCK;
 use crate::two_part::TwoPart;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
@@ -21,15 +21,15 @@ pub(super) struct Constants {
     pub(super) moments: [f64; 3],
     pub(super) amplitudes: [f64; 3],
     pub(super) momentum: f64,
-    pub(super) sense: f64,           // σ
-    pub(super) rate: TwoPart,        // p
-    pub(super) scale: f64,           // a power of two
-    pub(super) first_argument: f64,  // u at the start
-    pub(super) half_period: TwoPart, // 2K/p; infinite on the separatrix
-    pub(super) quarter: TwoPart,     // K
-    pub(super) other_quarter: f64,   // K'
-    pub(super) parameter: f64,       // k²
-    pub(super) turn_rate: TwoPart,   // Λ
+    pub(super) sense: f64,              // σ
+    pub(super) rate: TwoPart,           // p
+    pub(super) scale: f64,              // a power of two
+    pub(super) first_argument: TwoPart, // u at the start
+    pub(super) half_period: TwoPart,    // 2K/p; infinite on the separatrix
+    pub(super) quarter: TwoPart,        // K
+    pub(super) other_quarter: f64,      // K'
+    pub(super) parameter: f64,          // k²
+    pub(super) turn_rate: TwoPart,      // Λ
     pub(super) zeta: f64,
     pub(super) tilt: f64, // √(1 + n)
 }
@@ -38,7 +38,7 @@ pub(super) struct Constants {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Wave {
     argument: Clock, // u in quarter turns of the theta functions, or in half periods, or as it is: see `Side`
-    first_argument: f64,
+    first_argument: TwoPart,
     half_turn: Clock, // half the steady angle about L
     reach: f64,
     sense: f64,
@@ -89,12 +89,12 @@ struct Fast {
     limit: f64,   // πK/K', infinite on the separatrix
     wraps: f64,   // 1, or 0 on the separatrix, where nothing comes back
     drift: f64,   // the angle that grows with u, in quarter turns of its half, for each half period
-    odd: Parts,   // sinh series
+    odd: Parts,   // sinh series, over sinh
     even: Parts,  // cosh series
     third: Parts,
     fourth: Parts,
     re: Parts,
-    im: Parts,
+    im: Parts,        // a sinh series, over sinh
     scales: [f64; 3], // of cn, sn, dn
 }
 
@@ -113,14 +113,13 @@ fn cubic([c0, c1, c2, c3]: &Cubic, x: f64) -> f64 {
 impl Wave {
     pub(super) fn new(constants: &Constants) -> Self {
         let Constants { moments, amplitudes, momentum, scale, first_argument, half_period, .. } = *constants;
-        let quarter = constants.quarter.rounded();
         let (side, argument, first_argument) = if constants.parameter <= 0.5 {
             // v in quarter turns is u/K.
             let rate = TwoPart::from(2.0 * scale) / half_period;
-            (Side::Slow(Slow::new(constants)), rate, first_argument / quarter)
-        } else if quarter.is_finite() {
+            (Side::Slow(Slow::new(constants)), rate, first_argument / constants.quarter)
+        } else if constants.quarter.rounded().is_finite() {
             let rate = TwoPart::from(scale) / half_period;
-            (Side::Fast(Fast::new(constants)), rate, 0.5 * first_argument / quarter)
+            (Side::Fast(Fast::new(constants)), rate, first_argument / (constants.quarter * 2.0))
         } else {
             (Side::Fast(Fast::new(constants)), constants.rate * scale, first_argument)
         };
@@ -189,7 +188,8 @@ impl Wave {
         (high, low): (f64, f64),
         (turn_high, turn_low): (f64, f64),
     ) -> [f64; 7] {
-        let (argument, argument_low) = (TwoPart::sum(high, self.first_argument) + low).parts();
+        let (first, first_low) = self.first_argument.parts();
+        let (argument, argument_low) = (TwoPart::sum(high, first) + (low + first_low)).parts();
         let Values { jacobi: [cn, sn, dn], theta: [re, im], flip, drift } = theta.at(argument, argument_low);
         // Z, the number whose direction is the angle beyond the steady turn, and |Z| + Z, without a difference.
         let (x, y) = (re * cn + im * self.tilt * sn, im * cn - re * self.tilt * sn);
@@ -246,10 +246,17 @@ impl Fast {
         let nome = (-limit).exp();
         let power = |n: usize| nome.powi(n as i32);
         let angle = FRAC_PI_2 / constants.other_quarter * constants.zeta;
-        // For a sum of q'^{j(j+1)} a_j (e^{(2j+1)w} ± e^{−(2j+1)w}), times e^{−w}; and of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
-        let odd = |sign: f64, weight: &dyn Fn(usize) -> f64| Parts {
+        // For a sum of q'^{j(j+1)} a_j (e^{(2j+1)w} + e^{−(2j+1)w}), times e^{−w}; of the same with a minus, over e^w − e^{−w}, which is the sum of all
+        // q'^{j(j+1)} a_j e^{2iw} with |i| ≤ j and keeps the digits of a small w; and of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
+        let cosh = |weight: &dyn Fn(usize) -> f64| Parts {
             up: std::array::from_fn(|j| weight(j) * power(j * j)),
-            down: std::array::from_fn(|j| sign * weight(j) * power(j * (j + 1))),
+            down: std::array::from_fn(|j| weight(j) * power(j * (j + 1))),
+        };
+        let sinh = |weight: &dyn Fn(usize) -> f64| {
+            let from = |i: usize, less: usize| {
+                (i..TERMS).rev().map(|j| weight(j) * power(j * (j + 1) - less)).sum::<f64>()
+            };
+            Parts { up: std::array::from_fn(|i| from(i, i)), down: std::array::from_fn(|i| from(i + 1, 0)) }
         };
         let even = |weight: &dyn Fn(usize) -> f64| Parts {
             up: std::array::from_fn(|j| weight(j + 1) * power(j * (j + 1))),
@@ -265,12 +272,12 @@ impl Fast {
             limit,
             wraps: if comes_back { 1.0 } else { 0.0 },
             drift: if comes_back { FRAC_2_PI * angle } else { 0.0 },
-            odd: odd(-1.0, &alternating),
-            even: odd(1.0, &|_| 1.0),
+            odd: sinh(&alternating),
+            even: cosh(&|_| 1.0),
             third: even(&|_| 1.0),
             fourth: even(&alternating),
-            re: odd(1.0, &|j| alternating(j) * ((2 * j + 1) as f64 * angle).sin()),
-            im: odd(-1.0, &|j| alternating(j) * ((2 * j + 1) as f64 * angle).cos()),
+            re: cosh(&|j| alternating(j) * ((2 * j + 1) as f64 * angle).sin()),
+            im: sinh(&|j| alternating(j) * ((2 * j + 1) as f64 * angle).cos()),
             scales: [2.0 * at_2 / at_4, at_3 / at_4, 2.0 * at_2 / at_3],
         }
     }
@@ -302,8 +309,9 @@ impl Theta for Fast {
         let rest = (high - self.wraps * whole) + low;
         let flip = if self.wraps == 0.0 { 0 } else { bits << 63 };
         let w = self.stretch * rest.abs();
-        let falling = exp(-w);
+        let (falling, less_one) = exp_and_exp_m1(-w);
         let down = falling * falling;
+        let from_one = -less_one * (1.0 + falling); // 1 − e^{−2w}
         let up = exp(2.0 * w - self.limit);
         let odd = |parts: &Parts| cubic(&parts.up, up) + down * cubic(&parts.down, down);
         let even = |parts: &Parts| 1.0 + (up * cubic(&parts.up, up) + down * cubic(&parts.down, down));
@@ -311,10 +319,10 @@ impl Theta for Fast {
         let [cn, sn, dn] = self.scales;
         let jacobi = [
             cn * falling * over * even(&self.fourth),
-            (sn * over * odd(&self.odd)).copysign(rest),
+            (sn * over * from_one * odd(&self.odd)).copysign(rest),
             dn * falling * over * even(&self.third),
         ];
-        let im = odd(&self.im);
+        let im = from_one * odd(&self.im);
         let im = f64::from_bits(im.to_bits() ^ (rest.to_bits() & (1 << 63)));
         Values { jacobi, theta: [odd(&self.re), im], flip, drift: self.drift * rest }
     }

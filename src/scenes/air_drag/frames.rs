@@ -3,7 +3,6 @@
 use super::DraggedTop;
 use crate::branchless::{Clock, exp, exp_and_exp_m1, sin_cos_quarters};
 use crate::frames::{Branchless, several_at_once};
-use crate::two_part::TwoPart;
 use nalgebra::Vector3;
 
 /// What a frame is made of.
@@ -18,7 +17,7 @@ pub(super) struct Frames {
 impl Frames {
     pub(super) fn new(top: &DraggedTop) -> Self {
         Self {
-            clock: Clock::from_rate(TwoPart::from(top.body_rate)),
+            clock: Clock::from_rate(top.body_rate),
             start: top.start,
             transverse_decay: top.transverse_decay,
             axial_decay: top.axial_decay,
