@@ -92,11 +92,6 @@ fn the_contact_keeps_a_radius_from_the_centre_along_the_slope() {
     // The centre, found from the wheel's own equations, and the contact, found from ours, stay a radius apart.
     let (disk, wheel) = (disk(0.0), Wheel::new(2.0, A, 0.5, G).unwrap());
     let start = rough();
-    let centre = |s: &Sinking| {
-        let (sin, cos) = s.heading.sin_cos();
-        let level = A * s.tilt.cos();
-        [s.contact[0] - sin * level, s.contact[1] + cos * level]
-    };
     let [_, w1, w2, w3, ..] = start.to_array();
     let [x, y] = centre(&start);
     let begin = [FRAC_PI_2 - start.tilt, -w1, w2, -w3, start.heading + TAU / 2.0, 0.0, x, y];
@@ -157,15 +152,58 @@ fn the_cube_of_the_tilt_falls_in_proportion_to_the_time() {
     );
 }
 
+/// Where the centre is over the table.
+fn centre(s: &Sinking) -> [f64; 2] {
+    let ((sin, cos), level) = (s.heading.sin_cos(), A * s.tilt.cos());
+    [s.contact[0] - sin * level, s.contact[1] + cos * level]
+}
+
+/// Radius of the circle that the centre draws in one round of the contact from `time` on, from its places alone.
+fn circle(disk: &EulersDisk, start: &Sinking, time: f64) -> (f64, f64) {
+    let begin = disk.sample(start, &[time], 1e-14).unwrap()[0];
+    let round = TAU * begin.tilt.sin() / begin.across; // 2π/Ω, since ω₂ = Ω sin β
+    let times: Vec<f64> = (0..64).map(|n| round * f64::from(n) / 64.0).collect();
+    let places: Vec<[f64; 2]> = disk.sample(&begin, &times, 1e-14).unwrap().iter().map(centre).collect();
+    let mean = |i: usize| places.iter().map(|place| place[i]).sum::<f64>() / 64.0;
+    let middle = [mean(0), mean(1)];
+    let radius = |place: &[f64; 2]| (place[0] - middle[0]).hypot(place[1] - middle[1]);
+    (begin.tilt, places.iter().map(radius).sum::<f64>() / 64.0)
+}
+
 #[test]
-fn as_it_sinks_the_disk_opens_its_circle() {
+fn the_circle_of_a_sinking_disk_opens_and_closes_again() {
+    // Sinking slowly through steady motions: (1 + C) dω₃ = ω₂ dβ with ω₂ = 2√β, and b = aω₃/Ω with Ω = 2/√β, in units of g and a.
+    let unit = (A / G).sqrt();
+    for (tilt, film) in [(0.1_f64, 1e-7), (0.05, 1e-8)] {
+        let disk = disk(film);
+        let start = disk.steady(tilt).unwrap();
+        let life = tilt.powi(3) / (8.0 * film) * unit;
+        let (mut widest, mut at) = (0.0, 0.0);
+        for part in (4..=38).map(|n| 0.025 * f64::from(n)) {
+            let (now, radius) = circle(&disk, &start, (1.0 - f64::powi(part, 3)) * life);
+            let law = 4.0 / 9.0 * A * (tilt.powf(1.5) * now.sqrt() - now * now);
+            assert!((radius / law - 1.0).abs() < 0.03, "{radius} m for {law} m at {now}");
+            if radius > widest {
+                (widest, at) = (radius, now / tilt);
+            }
+        }
+        // It opens until two fifths of the tilt are left, 4^{−2/3}, and closes from there on.
+        assert!((at - 0.397).abs() < 0.03);
+        assert!((widest / (0.21 * A * tilt * tilt) - 1.0).abs() < 0.03, "{widest}");
+        let (late, narrow) = circle(&disk, &start, (1.0 - 0.1_f64.powi(3)) * life);
+        assert!(late < 0.2 * tilt && narrow < 0.85 * widest, "{narrow} m at {late}");
+    }
+}
+
+#[test]
+fn a_disk_that_sinks_has_the_turn_that_its_spin_asks_for() {
     let disk = disk(1e-5);
     let start = disk.steady(0.2).unwrap();
     let times: Vec<f64> = (1..=9).map(|n| 10.0 * f64::from(n) * (A / G).sqrt()).collect();
     let frames = disk.sample(&start, &times, 1e-14).unwrap();
     for frame in &frames {
-        // Sinking turns some of the spin into the axle, so that the circle opens. With that spin the steady balance, A cot β ω₂²
-        // − (1 + C) ω₃ω₂ = (g/a) cos β, gives ω₂.
+        // Sinking turns some of the spin into the axle. With that spin the steady balance, A cot β ω₂² − (1 + C) ω₃ω₂ = (g/a)
+        // cos β, gives ω₂.
         let (sin, cos) = frame.tilt.sin_cos();
         let (a, b) = (0.25 * cos / sin, -1.5 * frame.along);
         let steady = (-b + (b * b + 4.0 * a * cos * G / A).sqrt()) / (2.0 * a);
