@@ -101,10 +101,18 @@ fn eq23_the_modes_solve_the_linearised_equations() {
 
 #[test]
 fn eq24_sines_and_cosines_to_first_order() {
-    let phi0 = 1.1_f64;
-    for delta in [1e-3, 1e-5] {
-        assert!(((phi0 - delta).cos() - (phi0.cos() + delta * phi0.sin())).abs() < delta * delta);
-        assert!(((phi0 - delta).sin() - (phi0.sin() - delta * phi0.cos())).abs() < delta * delta);
+    for machine in machines(24, 200) {
+        let (phi0, push) = (machine.steady().unwrap().phase(), bend(&machine).norm());
+        let slopes = [phi0.sin(), -phi0.cos()];
+        for delta in [1e-3, 1e-5] {
+            assert!(((phi0 - delta).cos() - (phi0.cos() + delta * slopes[0])).abs() < delta * delta);
+            assert!(((phi0 - delta).sin() - (phi0.sin() + delta * slopes[1])).abs() < delta * delta);
+        }
+        // They are all that the angle does in the two rows of the library's matrix.
+        let matrix = machine.stability_matrix();
+        for (row, slope) in [1, 3].into_iter().zip(slopes) {
+            assert!((matrix[(row, 2)] - push * slope).abs() < 1e-11 * push, "row {row}");
+        }
     }
 }
 

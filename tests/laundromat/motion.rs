@@ -67,6 +67,11 @@ fn eq07_position_of_the_load_in_polar_components() {
         let lead = WASHER.spin * t - theta(t);
         let a = WASHER.load_radius;
         assert_same(Complex::new(x, y), r(t) + a * lead.cos(), a * lead.sin(), theta(t));
+        // The library's centre of mass lies between drum and this load.
+        let shaft = Complex::from_polar(r(t), theta(t));
+        let centre = washer().centre_of_mass(t, &Shaft { position: shaft, velocity: 0.0.into() });
+        let between = shaft * WASHER.drum_mass + Complex::new(x, y) * WASHER.load_mass;
+        assert!((centre * washer().total_mass() - between).norm() < ROUNDING * between.norm());
     }
 }
 
@@ -86,6 +91,12 @@ fn eq08_velocity_of_the_load_by_dual_numbers() {
         let (sin, cos) = (WASHER.spin * t - theta).sin_cos();
         let speed = WASHER.load_radius * WASHER.spin;
         assert_same(Complex::new(vx, vy), r_dot - speed * sin, r * theta_dot + speed * cos, theta);
+        // The library's energy is that of drum, of a load with this velocity, and of the spring.
+        let energy = 0.5 * WASHER.drum_mass * (r_dot.powi(2) + (r * theta_dot).powi(2))
+            + 0.5 * WASHER.load_mass * (vx * vx + vy * vy)
+            + 0.5 * WASHER.stiffness * r * r;
+        let shaft = Shaft::from_polar([r, theta, r_dot, theta_dot]);
+        assert_relative_eq!(washer().energy(t, &shaft), energy, max_relative = ROUNDING);
     }
 }
 
@@ -100,6 +111,14 @@ fn eq09_acceleration_of_the_load_by_dual_numbers() {
         let radial = r_ddot - r * theta_dot.powi(2) - pull * cos;
         let azimuthal = r * theta_ddot + 2.0 * r_dot * theta_dot - pull * sin;
         assert_same(Complex::new(ax, ay), radial, azimuthal, theta);
+        // With the library's r̈ and θ̈ at this place and speed, the same components make Newton's law (6) hold.
+        let [_, _, r_ddot, theta_ddot] = washer().polar_rates(t, &[r, theta, r_dot, theta_dot]);
+        let drum = Complex::new(r_ddot - r * theta_dot.powi(2), r * theta_ddot + 2.0 * r_dot * theta_dot);
+        let load = drum - Complex::new(pull * cos, pull * sin);
+        let suspension =
+            Complex::from(r) * WASHER.stiffness + Complex::new(r_dot, r * theta_dot) * WASHER.damping;
+        let sum = drum * WASHER.drum_mass + load * WASHER.load_mass + suspension;
+        assert!(sum.norm() < ROUNDING * (suspension.norm() + WASHER.load_mass * pull), "{sum} N are left");
     }
 }
 

@@ -49,8 +49,11 @@ fn eq32_the_amplitudes_are_in_the_ratio_i_at_any_spin_and_the_printed_correction
             // The source's high spin, in units of Γ/Ω, the size of its correction.
             if spin > 3.0 * machine.natural_frequency() && w.re > 0.0 {
                 let correction = 1.0 - I * gamma / (2.0 * spin) - gamma * gamma / (8.0 * spin * w.re);
-                let printed = I / correction;
-                fast.push(((shape - I).norm() * spin / gamma, (shape - printed).norm() * spin / gamma));
+                let (corrected, printed) = (I, I / correction);
+                fast.push((
+                    (shape - corrected).norm() * spin / gamma,
+                    (shape - printed).norm() * spin / gamma,
+                ));
             }
         }
     }
