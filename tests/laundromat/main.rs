@@ -2,12 +2,16 @@
 //!
 //! Where the source is wrong the same test shows that the printed form fails.
 
+mod linear;
 mod motion;
 mod orbit;
+#[path = "../printed/mod.rs"]
+mod printed;
 mod stability;
 mod steady;
 
 use mechanics::scenes::laundromat::{Machine, Parameters};
+use nalgebra::Complex;
 
 /// The machine of the chapter: ω₀ = 10 rad/s, Γ = 3 s⁻¹, b = 1/60 m, Ω = 30 rad/s.
 const WASHER: Parameters = Parameters {
@@ -46,6 +50,15 @@ fn machines(seed: u64, count: usize) -> impl Iterator<Item = Machine> {
         })
         .expect("random machines are valid")
     })
+}
+
+/// Newton's law (6) for two bodies, by the raw parameters alone: `M r̈ + m (r̈ + ä) = −k r − γ ṙ`, where the load goes round
+/// the shaft with `ä = −Ω²a`. Rates of [x, y, ẋ, ẏ].
+fn newton(p: &Parameters, t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
+    let a = Complex::from_polar(p.load_radius, p.spin * t);
+    let suspension = -Complex::new(x, y) * p.stiffness - Complex::new(vx, vy) * p.damping;
+    let acceleration = (suspension + a * (p.load_mass * p.spin * p.spin)) / (p.drum_mass + p.load_mass);
+    [vx, vy, acceleration.re, acceleration.im]
 }
 
 /// The constants of a machine by their letters on the page: ω₀, b, Γ, Ω.

@@ -1,6 +1,9 @@
 //! The rolling wheel: equations (72) to (90) and (5), each by a route that shares no code with it, and the general motion.
 
+mod coin;
 mod general;
+#[path = "../printed/mod.rs"]
+mod printed;
 mod start;
 mod steady;
 mod whole_body;

@@ -120,6 +120,35 @@ fn moments_of_the_shapes_are_the_sums_over_their_mass() {
 }
 
 #[test]
+fn the_table_of_moments_is_the_integral_over_the_mass() {
+    // The rows of the page as they stand there, I₁ and I₃ of a mass m: integrated, without the library's formulas.
+    let mut random = fastrand::Rng::with_seed(340);
+    for _ in 0..50 {
+        let [m, a, b, height] = std::array::from_fn(|_| between(&mut random, 0.1, 10.0));
+        let ring: Elements = around().map(|(sin, cos)| (1.0, Vector3::new(a * cos, a * sin, 0.0))).collect();
+        let disc: Elements = gauss(0.0, a)
+            .flat_map(|(weight, r)| {
+                around().map(move |(sin, cos)| (weight * r, Vector3::new(r * cos, r * sin, 0.0)))
+            })
+            .collect();
+        let shell: Elements = shell_directions().into_iter().map(|(weight, n)| (weight, n * a)).collect();
+        let square = m * a * a;
+        for (row, elements, first, third) in [
+            ("hoop", ring, square / 2.0, square),
+            ("thin disc", disc, square / 4.0, square / 2.0),
+            ("thick disc", tube(0.0, a, height), m * (a * a / 4.0 + height * height / 12.0), square / 2.0),
+            ("ball", spheroid(a, a), 0.4 * square, 0.4 * square),
+            ("shell", shell, square / 1.5, square / 1.5),
+            ("spheroid", spheroid(a, b), 0.2 * m * (a * a + b * b), 0.4 * square),
+        ] {
+            let sum = inertia(m, &elements, &Vector3::zeros());
+            let stated = Matrix3::from_diagonal(&Vector3::new(first, first, third));
+            assert!((sum - stated).amax() < ROUNDING * stated.amax(), "{row}: {sum} for {stated}");
+        }
+    }
+}
+
+#[test]
 fn inertia_about_any_point_and_along_any_axes_is_the_sum_over_the_mass() {
     let mut random = fastrand::Rng::with_seed(35);
     for _ in 0..50 {

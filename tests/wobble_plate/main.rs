@@ -2,6 +2,8 @@
 
 mod engine;
 mod plate;
+#[path = "../printed/mod.rs"]
+mod printed;
 
 use mechanics::scenes::wobble_plate::{Engine, Pistons, Plate};
 use nalgebra::Vector3;
