@@ -159,7 +159,7 @@ impl Taylor {
             let last = length.abs() >= left.abs();
             let length = if last { left } else { length };
             let (next, next_rest) = if last { (end, 0.0) } else { add(time, time_rest, length) };
-            if next == time {
+            if (next, next_rest) == (time, time_rest) {
                 return Err(Failure::StepUnderflow { time, state: series[0], step: length });
             }
             work.accepted += 1;
@@ -229,6 +229,11 @@ impl<const N: usize> TaylorStep<'_, N> {
     /// The time from the step's start to `time`. More exact than their difference: the start is kept in two parts.
     pub fn since(&self, time: f64) -> f64 {
         (time - self.start) - self.start_rest
+    }
+
+    /// The start in its two parts.
+    pub(crate) fn start_in_two(&self) -> (f64, f64) {
+        (self.start, self.start_rest)
     }
 
     /// How long it is, negative backwards.

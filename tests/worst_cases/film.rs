@@ -80,7 +80,11 @@ fn a_sinking_disk_is_as_good_as_its_start_its_time_and_its_tolerance() {
         };
         let gravity_over_radius = long(gravity) / radius;
         let disc = Disc { k, gravity_over_radius, film: gravity_over_radius.sqrt() * film };
-        let (truth, change) = disc.with_conditioning(&numbers(&start, radius), time);
+        let judged = disc.with_conditioning(&numbers(&start, radius), time);
+        if judged.is_none() && time < 0.0 {
+            return None; // driven by the film it takes too many steps
+        }
+        let (truth, change) = judged.expect("the judge follows what sinks");
         let turned = (truth[4] - start.heading).abs().rounded();
         let given = start.to_array();
         let mut worst = (0.0, 0);

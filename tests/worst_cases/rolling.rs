@@ -16,8 +16,9 @@ pub(crate) type Numbers = [Long; 8];
 
 impl Disc {
     /// The motion from a start, at times that run from zero in one direction. Momentum about the contact with axes that follow the
-    /// heading and the tilt β from lying flat: axis 1 level, 3 the upward normal, ω₃ − ω₂ cot β = φ̇.
-    pub(crate) fn motion(&self, start: &Numbers, times: &[Long]) -> Vec<Numbers> {
+    /// heading and the tilt β from lying flat: axis 1 level, 3 the upward normal, ω₃ − ω₂ cot β = φ̇. Nothing if
+    /// the judge gives up.
+    pub(crate) fn motion(&self, start: &Numbers, times: &[Long]) -> Option<Vec<Numbers>> {
         let &Self { k, gravity_over_radius: gravity, film } = self;
         let (mut system, terms): (System, [Term; 12]) = System::new();
         let [tilt, w1, w2, w3, heading, spin, x, y, sin, cos, cos_heading, sin_heading] = terms;
@@ -56,16 +57,16 @@ impl Disc {
         system.rate(sin_heading, &[(one, s)]);
         let ((s, c), (sh, ch)) = (start[0].sin_cos(), start[4].sin_cos());
         let begin: Vec<Long> = start.iter().copied().chain([s, c, ch, sh]).collect();
-        let samples = system.sample(&begin, times);
-        samples.into_iter().map(|sample| std::array::from_fn(|i| sample[i])).collect()
+        let samples = system.attempt(&begin, times)?;
+        Some(samples.into_iter().map(|sample| std::array::from_fn(|i| sample[i])).collect())
     }
 
     /// The numbers at a time, and by how much each changes if the first four of the start, and the time, change by a unit in the last
     /// place.
-    pub(crate) fn with_conditioning(&self, start: &Numbers, time: f64) -> (Numbers, [f64; 8]) {
+    pub(crate) fn with_conditioning(&self, start: &Numbers, time: f64) -> Option<(Numbers, [f64; 8])> {
         let ulp = f64::EPSILON;
         let after = long(time) * (long(1.0) + ulp);
-        let mut samples = self.motion(start, &[long(time), after]);
+        let mut samples = self.motion(start, &[long(time), after])?;
         let (later, truth) = (samples.remove(1), samples.remove(0));
         let mut change: [f64; 8] = std::array::from_fn(|i| (later[i] - truth[i]).abs().rounded());
         // Two draws of signs, so that no two changes cancel twice.
@@ -74,11 +75,11 @@ impl Disc {
                 std::array::from_fn(
                     |i| if i < 4 { start[i] * (long(1.0) + ulp * signs[i]) } else { start[i] },
                 );
-            let there = self.motion(&moved, &[long(time)]).remove(0);
+            let there = self.motion(&moved, &[long(time)])?.remove(0);
             for i in 0..8 {
                 change[i] += (there[i] - truth[i]).abs().rounded();
             }
         }
-        (truth, change)
+        Some((truth, change))
     }
 }

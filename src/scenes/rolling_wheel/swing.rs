@@ -26,7 +26,8 @@ pub(super) struct Swing {
 /// One step of it.
 #[derive(Debug, Clone, PartialEq)]
 struct Piece {
-    start: f64,
+    start: (f64, f64), // in two parts: near flat a step may be shorter than the rounding of the time
+    length: f64,
     series: Series<8>,
     anchor: Complex<f64>,
 }
@@ -56,7 +57,12 @@ impl Swing {
         let mut turning = None;
         let observer = |step: &TaylorStep<'_, 8>| {
             let series = *step.series();
-            let piece = Piece { start: -step.since(0.0), series, anchor: anchor(&series, here, facing) };
+            let piece = Piece {
+                start: step.start_in_two(),
+                length: step.length(),
+                series,
+                anchor: anchor(&series, here, facing),
+            };
             let mut rates = series.map(|row| row[1]); // of y, which turns with the lean
             let at_rest = pieces.is_empty() && rates[0] == 0.0;
             if direction < 0.0 {
@@ -79,7 +85,7 @@ impl Swing {
 
     /// How long it takes, negative backwards.
     pub(super) fn duration(&self) -> f64 {
-        self.pieces.last().map_or(0.0, |piece| piece.start) + self.last
+        self.pieces.last().map_or(0.0, |Piece { start: (high, low), .. }| high + (low + self.last))
     }
 
     /// The end of it. (A wheel that turns back almost flat whirls round so fast that a rounded time would not do.)
@@ -89,10 +95,12 @@ impl Swing {
 
     /// The motion at a time from the start, 0, to the duration.
     pub(super) fn at(&self, time: f64) -> Moment {
-        let reached = |piece: &Piece| piece.start.abs() <= time.abs();
+        let reached = |piece: &Piece| piece.start.0.abs() <= time.abs();
         let place = self.pieces.partition_point(reached).saturating_sub(1);
         let piece = &self.pieces[place];
-        piece.after(time - piece.start)
+        let since = (time - piece.start.0) - piece.start.1;
+        // A series says nothing beyond its step, where a rounded time may lie.
+        piece.after(if since.abs() > piece.length.abs() { piece.length } else { since })
     }
 }
 

@@ -66,7 +66,7 @@ impl Wheel {
     ///
     /// # Errors
     /// [`NoWobble`] if a number of `start` cannot be computed with, the lean does not swing (a steady motion, one whose lean does not
-    /// turn within ten thousand √(a/g), or one that falls flat), the tolerance cannot be met, or the integration fails.
+    /// turn within ten thousand √(a/g), or one that falls flat to about 1e-16), the tolerance cannot be met, or the integration fails.
     pub fn wobble(&self, start: Rolling, tolerance: f64) -> Result<Wobble, NoWobble> {
         self.wobble_by(start, &Taylor::new(tolerance)?.with_max_expansions(MOST_SERIES))
     }
