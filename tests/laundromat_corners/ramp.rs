@@ -179,3 +179,40 @@ fn what_cannot_be_is_refused() {
     assert!(matches!(ramp.fill(&[1.0], &mut frames), Err(InvalidFrames::Length { times: 1, frames: 2 })));
     assert!(matches!(ramp.fill(&[1.0, f64::NAN], &mut frames), Err(InvalidFrames::Time { index: 1, .. })));
 }
+
+#[test]
+fn times_beyond_reach_are_refused_one_by_one_and_many_at_once() {
+    let refused = |ramp: &mechanics::scenes::laundromat::Ramp, t: f64| {
+        let alone = ramp.at(t).is_err();
+        assert_eq!(ramp.fill(&[t], &mut [Shaft::AT_REST]).is_err(), alone, "{t}");
+        alone
+    };
+    // Without damping as long as the load's angle can be reduced: 1e14 turns.
+    for acceleration in [0.02, -0.02] {
+        let ramp = machine(0.0, 1.5).ramp(acceleration, start()).unwrap();
+        for t in [1e7, -1e7] {
+            assert!(!refused(&ramp, t) && refused(&ramp, 20.0 * t), "{t}");
+        }
+    }
+    // With it, before the start, as long as what has grown backwards is a number. There |v + ½Γz|² + ω₁²|z|² grows by e a second.
+    let size = |shaft: Shaft| {
+        let [z, v] = [shaft.position, shaft.velocity].map(|part| part * 1e-280);
+        ((v + z * 0.5).norm_sqr() + 0.75 * z.norm_sqr()).ln()
+    };
+    for spin in [0.0, 3.0] {
+        let ramp = machine(1.0, spin).ramp(0.5, start()).unwrap();
+        let mut last = size(ramp.at(-1200.0).unwrap());
+        let mut answered = 0;
+        for t in 1201..2000 {
+            if refused(&ramp, -f64::from(t)) {
+                continue;
+            }
+            assert_eq!(t, 1201 + answered, "an answer behind a refusal");
+            answered += 1;
+            let now = size(ramp.at(-f64::from(t)).unwrap());
+            assert!((now - last - 1.0).abs() < 1e-9, "{t}: {now} after {last}");
+            last = now;
+        }
+        assert!((90..250).contains(&answered), "{answered}");
+    }
+}

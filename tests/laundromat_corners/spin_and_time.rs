@@ -2,7 +2,7 @@
 
 use crate::{FEW_ULPS, machine, start};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{LockedError, Machine, Parameters, Shaft};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 
@@ -145,6 +145,52 @@ fn free_swing_is_exact_after_a_billion_seconds_too() {
         let naive = (2.0_f64.sqrt() * t as f64).cos();
         assert!((naive - phase.cos()).abs() > 1e-10, "the rounded root should be out of phase");
     }
+}
+
+#[test]
+fn jacobi_integral_is_energy_less_spin_times_angular_momentum() {
+    // Of drum and load, in the laboratory; over the mass, and less what the load at rest about O has of it.
+    let mut random = fastrand::Rng::with_seed(31);
+    for _ in 0..1000 {
+        let mut number = || 3.0 * random.f64() - 1.5;
+        let (time, shaft) = (5.0 * number(), Shaft::from_array(std::array::from_fn(|_| number())));
+        let parameters = Parameters {
+            drum_mass: 2.0 + number(),
+            load_mass: 2.0 + number(),
+            load_radius: 2.0 + number(),
+            stiffness: 2.0 + number(),
+            damping: 0.0,
+            spin: number(),
+        };
+        let Parameters { drum_mass, load_mass, load_radius, stiffness, spin, .. } = parameters;
+        let arm = Complex::from_polar(load_radius, spin * time);
+        let load = [shaft.position + arm, shaft.velocity + Complex::i() * spin * arm];
+        let momentum = |[place, rate]: [Complex<f64>; 2]| (place.conj() * rate).im;
+        let momentum = drum_mass * momentum([shaft.position, shaft.velocity]) + load_mass * momentum(load);
+        let energy = drum_mass * shaft.velocity.norm_sqr()
+            + load_mass * load[1].norm_sqr()
+            + stiffness * shaft.position.norm_sqr();
+        let at_centre = load_mass * (load_radius * spin).powi(2);
+        let expected = (0.5 * energy - spin * momentum + 0.5 * at_centre) / (drum_mass + load_mass);
+        let ours = Machine::new(parameters).unwrap().jacobi_integral(time, &shaft);
+        assert!((ours - expected).abs() < 1e-13, "{parameters:?}: {ours} for {expected}");
+    }
+}
+
+#[test]
+fn times_that_are_none_are_refused_by_every_motion_of_the_drum() {
+    let machine = machine(0.5, 3.0);
+    let transient = machine.transient(start()).unwrap();
+    let (ramp, locked) = (machine.ramp(0.1, start()).unwrap(), machine.locked(1.0, 0.0).unwrap());
+    // The last of them is so long before the start that the motion there is beyond the largest number.
+    for t in [f64::NAN, f64::INFINITY, -f64::INFINITY, 1e151, -1e151, -1e4] {
+        assert!(transient.at(t).is_err() && transient.centre_of_mass(t).is_err(), "{t}");
+        assert!(ramp.at(t).is_err() && locked.at(t).is_err(), "{t}");
+    }
+    assert!(transient.at(1e150).is_ok() && transient.centre_of_mass(1e150).is_ok());
+    let resting = Machine::new(Parameters { spin: 0.5, ..machine.parameters() }).unwrap();
+    assert!(resting.locked(1.0, 0.0).unwrap().at(1e150).is_ok());
+    assert!(matches!(machine.locked(f64::NAN, 0.0), Err(LockedError::Start(_))));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::long::{Long, long};
 use crate::search::{Case, search, worse};
 use crate::taylor::System;
-use crate::transient::{agreement, damping, hostile, machine, start};
+use crate::transient::{Units, agreement, damping, hostile, start};
 use mechanics::InvalidFrames;
 use mechanics::scenes::laundromat::Shaft;
 
@@ -80,7 +80,7 @@ fn the_ramp_is_exact_to_units_of_the_offset_the_motion_and_what_the_start_makes_
         if turned + time.abs() > 200.0 || damping * time.abs() > 100.0 {
             return None; // too long for the judge
         }
-        Some(case(damping, spin, acceleration, start, time))
+        Some(case(Units::drawn(draw), damping, spin, acceleration, start, time))
     });
     worst.keeps_its_promise(&[
         "real, after",
@@ -93,18 +93,22 @@ fn the_ramp_is_exact_to_units_of_the_offset_the_motion_and_what_the_start_makes_
 }
 
 /// One motion at one time beside the judge.
-fn case(damping: f64, spin: f64, acceleration: f64, start: Shaft, time: f64) -> Case {
+fn case(units: Units, damping: f64, spin: f64, acceleration: f64, start: Shaft, time: f64) -> Case {
     let truth = truth(damping, spin, acceleration, start, time);
-    let motion = machine(damping, spin).ramp(acceleration, start).expect("a motion");
+    let (then, rate) = (time * units.time, acceleration / (units.time * units.time));
+    let motion = units.machine(damping, spin).ramp(rate, units.si(start)).expect("a motion");
     let said = |what: &str, ours: Shaft| {
-        format!("Γ {damping:?}, Ω {spin:?}, α {acceleration:?}, {start:?}, t {time:?}: {what}, {ours:?}")
+        format!(
+            "{units:?}, Γ {damping:?}, Ω {spin:?}, α {acceleration:?}, {start:?}, t {time:?}: {what}, {ours:?}"
+        )
     };
     let way = way(damping, acceleration, time);
-    let Ok(ours) = motion.at(time) else {
+    let Ok(ours) = motion.at(then) else {
         return Case { ratio: f64::INFINITY, way, said: said("refused", start) };
     };
     let mut many = [Shaft::AT_REST];
-    motion.fill(&[time], &mut many).expect("an answer");
+    motion.fill(&[then], &mut many).expect("an answer");
+    let (ours, many) = (units.own(ours), units.own(many[0]));
 
     let fastest = 1.0 + damping + spin.abs() + (spin + acceleration * time).abs() + acceleration.abs().sqrt();
     let [place, rate] = [start.position.norm() + 1.0, start.velocity.norm() + fastest];
@@ -114,7 +118,7 @@ fn case(damping: f64, spin: f64, acceleration: f64, start: Shaft, time: f64) -> 
     let places = 1.0 + carried(0) + later(2).max(later(3));
     let rates = fastest + carried(1) + damping * later(2).max(later(3)) + later(0).max(later(1));
     let (mut ratio, mut what) = (0.0_f64, "");
-    for (names, shaft) in [(["x", "y", "ẋ", "ẏ"], ours), (["many x", "many y", "many ẋ", "many ẏ"], many[0])]
+    for (names, shaft) in [(["x", "y", "ẋ", "ẏ"], ours), (["many x", "many y", "many ẋ", "many ẏ"], many)]
     {
         for (i, size) in [places, places, rates, rates].into_iter().enumerate() {
             let away = (truth.state[i] - shaft.to_array()[i]).abs().rounded();
@@ -145,7 +149,7 @@ fn what_was_wrong_once_is_right() {
         (1e-6, -0.9999, -1e-9, -20.0),
     ] {
         for start in [Shaft::AT_REST, start] {
-            let case = case(damping, spin, acceleration, start, time);
+            let case = case(Units::SI, damping, spin, acceleration, start, time);
             assert!(case.ratio < 1.0, "{:.3} of the promise: {}", case.ratio, case.said);
         }
     }
@@ -182,7 +186,7 @@ fn the_ramp_is_as_exact_where_no_integrator_comes() {
         };
         let [damping, spin, acceleration, time] = ["damping", "spin", "acceleration", "time"].map(number);
         let (state, free, start) = (numbers("state"), numbers("free"), Shaft::from_array(numbers("start")));
-        let ours = machine(damping, spin).ramp(acceleration, start).unwrap().at(time);
+        let ours = Units::SI.machine(damping, spin).ramp(acceleration, start).unwrap().at(time);
         let ours = ours.unwrap_or_else(|error| panic!("{error}: {case}"));
         let fastest =
             1.0 + damping + spin.abs() + (spin + acceleration * time).abs() + acceleration.abs().sqrt();
@@ -207,7 +211,7 @@ fn every_ramp_answers_at_its_start() {
         let spin = draw.signed(1e-50, 1e50);
         let acceleration = draw.decades(1e-12, 1e12) * draw.one_of(&[-1.0, 1.0]);
         let start = start(draw);
-        let ours = machine(damping, spin).ramp(acceleration, start).expect("a motion").at(0.0);
+        let ours = Units::SI.machine(damping, spin).ramp(acceleration, start).expect("a motion").at(0.0);
         let size = 1.0 + start.position.norm();
         let ratio = ours.map_or(f64::INFINITY, |ours| (ours.position - start.position).norm() / size / UNITS);
         Some(Case {

@@ -24,11 +24,45 @@ pub(crate) fn start(draw: &mut Draw<'_>) -> Shaft {
     Shaft::from_array(std::array::from_fn(|_| draw.signed(1e-3, 10.0)))
 }
 
-/// A machine with ω₀ = b = 1.
-pub(crate) fn machine(damping: f64, spin: f64) -> Machine {
-    let (drum_mass, load_mass, load_radius) = (0.0, 1.0, 1.0);
-    let parameters = Parameters { drum_mass, load_mass, load_radius, stiffness: 1.0, damping, spin };
-    Machine::new(parameters).expect("a machine")
+/// Units of mass, length and time, powers of two, so that a motion in other units is the same to the last bit.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Units {
+    mass: f64,
+    length: f64,
+    pub(crate) time: f64,
+}
+
+impl Units {
+    pub(crate) const SI: Self = Self { mass: 1.0, length: 1.0, time: 1.0 };
+
+    pub(crate) fn drawn(draw: &mut Draw<'_>) -> Self {
+        let mut power = || 2.0_f64.powi(draw.below(61) as i32 - 30);
+        Self { mass: power(), length: power(), time: power() }
+    }
+
+    /// A machine with ω₀ = b = 1 in these units.
+    pub(crate) fn machine(&self, damping: f64, spin: f64) -> Machine {
+        let parameters = Parameters {
+            drum_mass: 0.5 * self.mass,
+            load_mass: 0.5 * self.mass,
+            load_radius: 2.0 * self.length,
+            stiffness: self.mass / (self.time * self.time),
+            damping: damping * self.mass / self.time,
+            spin: spin / self.time,
+        };
+        Machine::new(parameters).expect("a machine")
+    }
+
+    /// A state in SI units, from one in these.
+    pub(crate) fn si(&self, shaft: Shaft) -> Shaft {
+        let speed = self.length / self.time;
+        Shaft { position: shaft.position * self.length, velocity: shaft.velocity * speed }
+    }
+
+    /// A state in these units, from one in SI.
+    pub(crate) fn own(&self, shaft: Shaft) -> Shaft {
+        Units { length: self.length.recip(), time: self.time.recip(), ..*self }.si(shaft)
+    }
 }
 
 /// x, y, ẋ, ẏ at a time, and what the free motion makes by then of one metre and of one metre a second, position and velocity.
@@ -81,7 +115,8 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
         let damping = damping(draw);
         let spin = if draw.below(2) == 0 { draw.beside(1.0) } else { draw.signed(1e-3, 1e2) };
         let start = start(draw);
-        let machine = machine(damping, spin);
+        let units = Units::drawn(draw);
+        let machine = units.machine(damping, spin);
         // A few turns of what is quickest, either way, or of what is slow, or a million of them.
         let quickest = 1.0 + spin.abs() + damping;
         let time = match draw.below(3) {
@@ -93,16 +128,19 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
             return None; // a motion that is gone, or grown beyond the judge
         }
         let truth = truth(damping, spin, start, time);
-        let motion = machine.transient(start).expect("a motion");
-        let ours = motion.at(time).expect("an answer");
-        let centre = motion.centre_of_mass(time).expect("an answer");
+        let motion = machine.transient(units.si(start)).expect("a motion");
+        let then = time * units.time;
+        let shaft = motion.at(then).expect("an answer");
+        let centre = motion.centre_of_mass(then).expect("an answer") / units.length;
+        let formed = machine.centre_of_mass(then, &shaft) / units.length;
         let mut many = [Shaft::AT_REST];
-        motion.fill(&[time], &mut many).expect("an answer");
+        motion.fill(&[then], &mut many).expect("an answer");
+        let (ours, many) = (units.own(shaft), units.own(many[0]));
 
         // The circles, or near resonance what they have become by then.
         let grown = 1.0 + spin * spin * time.abs() * (1.0 + time.abs());
         let [circle, its_centre] = machine.steady().map_or([grown; 2], |steady| {
-            [steady.radius(), steady.centre_of_mass_radius()].map(|radius| radius.min(grown))
+            [steady.radius(), steady.centre_of_mass_radius()].map(|radius| (radius / units.length).min(grown))
         });
         let [place, rate] = [start.position.norm() + circle, start.velocity.norm() + spin.abs() * circle];
         // The judge has no digits of what has died out.
@@ -119,8 +157,7 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
                 (ratio, what) = (away, name);
             }
         };
-        for (names, shaft) in
-            [(["x", "y", "ẋ", "ẏ"], ours), (["many x", "many y", "many ẋ", "many ẏ"], many[0])]
+        for (names, shaft) in [(["x", "y", "ẋ", "ẏ"], ours), (["many x", "many y", "many ẋ", "many ẏ"], many)]
         {
             for (i, size) in [places, places, rates, rates].into_iter().enumerate() {
                 see(names[i], shaft.to_array()[i], truth.state[i], size);
@@ -134,12 +171,11 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
         let around =
             its_centre + place * (truth.of_place[0] + 1e-9) + rate * (truth.of_rate[0] + 1e-9) + moved;
         // And the one that is formed from the shaft, of which one expects no more than its sum has.
-        let formed = machine.centre_of_mass(time, &ours);
         see("shaft and load", formed.re, truth.state[0] + cos, places + 1.0);
         see("shaft and load", formed.im, truth.state[1] + sin, places + 1.0);
         see("centre of mass", centre.re, truth.state[0] + cos, around);
         see("centre of mass", centre.im, truth.state[1] + sin, around);
-        let said = format!("Γ {damping:?}, Ω {spin:?}, {start:?}, t {time:?}: {what}, {ours:?}");
+        let said = format!("{units:?}, Γ {damping:?}, Ω {spin:?}, {start:?}, t {time:?}: {what}, {ours:?}");
         Some(Case { ratio, way: way(damping, spin, time), said })
     });
     worst.keeps_its_promise(&[

@@ -56,15 +56,13 @@ impl Pair {
             let argument = self.argument(from_passing, aside);
             load * if before { faddeeva(argument) } else { -faddeeva(-argument) }
         });
-        // What the passing leaves behind; if it lay before the start, what would have to be taken away before it.
-        let late = self.passing.rounded() < 0.0;
-        let counts = f64::from(u8::from(!before)) - f64::from(u8::from(late));
+        // What the passing leaves behind. (If it lay before the start, the free motion that is added knows of it.)
         let mut left = [Complex::new(0.0, 0.0); 2];
-        if counts != 0.0 {
+        if !before {
             let (exponent, rate) = (self.mean * since, Complex::new(since, self.mean / alpha));
             left = self.divided_difference((EXPONENTIAL / rate.norm()).min(GAUSSIAN * self.width), |aside| {
                 let square = Complex::<f64>::i() * aside * aside / (2.0 * alpha);
-                self.left_behind * (aside * rate + square + exponent).exp() * counts
+                self.left_behind * (aside * rate + square + exponent).exp()
             });
         }
         std::array::from_fn(|n| kappa * (beside[n] + left[n]))
