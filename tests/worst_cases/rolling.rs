@@ -62,8 +62,13 @@ impl Disc {
     }
 
     /// The numbers at a time, and by how much each changes if the first four of the start, and the time, change by a unit in the last
-    /// place.
-    pub(crate) fn with_conditioning(&self, start: &Numbers, time: f64) -> Option<(Numbers, [f64; 8])> {
+    /// place: of their own, or of `least` where that is larger. Nothing if the judge gives up.
+    pub(crate) fn with_conditioning(
+        &self,
+        start: &Numbers,
+        time: f64,
+        least: [f64; 4],
+    ) -> Option<(Numbers, [f64; 8])> {
         let ulp = f64::EPSILON;
         let after = long(time) * (long(1.0) + ulp);
         let mut samples = self.motion(start, &[long(time), after])?;
@@ -71,10 +76,10 @@ impl Disc {
         let mut change: [f64; 8] = std::array::from_fn(|i| (later[i] - truth[i]).abs().rounded());
         // Two draws of signs, so that no two changes cancel twice.
         for signs in [[1.0, 1.0, 1.0, 1.0], [1.0, -1.0, 1.0, -1.0]] {
-            let moved: Numbers =
-                std::array::from_fn(
-                    |i| if i < 4 { start[i] * (long(1.0) + ulp * signs[i]) } else { start[i] },
-                );
+            let mut moved = *start;
+            for i in 0..4 {
+                moved[i] = moved[i] + ulp * signs[i] * least[i].max(start[i].rounded().abs());
+            }
             let there = self.motion(&moved, &[long(time)])?.remove(0);
             for i in 0..8 {
                 change[i] += (there[i] - truth[i]).abs().rounded();

@@ -139,7 +139,7 @@ fn a_wobble_is_as_good_as_its_start_and_its_time() {
             film: long(0.0),
         };
         let (truth, change) =
-            disc.with_conditioning(&numbers(&wheel, &start), time).expect("the judge follows it");
+            disc.with_conditioning(&numbers(&wheel, &start), time, [0.0; 4]).expect("the judge follows it");
         let truth = rolling(&truth);
         let ours = wobble.at(time).ok()?;
         let given = start.to_array();
