@@ -60,3 +60,45 @@ fn a_coin_that_spins_down_has_mass_time_and_tilt() {
         assert!(message(spin_down.time_to(tilt)).starts_with("tilt from lying flat"));
     }
 }
+
+#[test]
+fn a_time_of_a_tilt_is_a_number_or_an_error() {
+    // Far below the start the difference of the two sines was more than all of the first: the logarithm of a negative number.
+    let start = SpinningCoin::new(0.0375, 0.5, 9.81, 0.06).unwrap();
+    let spin_down = SpinDown::new(start, 0.4, Loss::new(1e-6, 2.0).unwrap()).unwrap();
+    assert_eq!(spin_down.time_to(1e-20), Ok(spin_down.life()));
+    for tilt in [1e-50, 1e-20, 1e-10, 1e-3, 0.02, 0.03, 0.06, 0.09, 1.57] {
+        for exponent in [0.0, 1.0, 2.0, 3.3, 10.0] {
+            let spin_down = SpinDown::new(start, 0.4, Loss::new(1e-6, exponent).unwrap()).unwrap();
+            let time = spin_down.time_to(tilt).unwrap();
+            assert!(time.is_finite() && (time <= 0.0) == (tilt >= 0.06), "{tilt:e}, {exponent}: {time}");
+        }
+    }
+    // Too short for a number, and as long as any.
+    let steep = SpinDown::new(start, 0.4, Loss::new(1e-6, 10.0).unwrap()).unwrap();
+    assert!(
+        message(steep.time_left(1e-50))
+            .starts_with("time left 0 s is too small; it must be at least 2.2250738585072014e-308 s")
+    );
+    let short = SpinningCoin::new(1.0, 0.5, 9.81, 1e-40).unwrap();
+    let short = SpinDown::new(short, 1e50, Loss::new(1e-50, 2.0).unwrap()).unwrap();
+    assert!(short.time_to(1.5).is_ok_and(|time| time < -1e100));
+    assert_eq!(
+        message(spin_down.with_time_left(1e-320)).split(';').next(),
+        Some("time left 1e-320 s is too small")
+    );
+    assert!(
+        message(spin_down.with_time_left(-3.0))
+            .starts_with(&format!("time {} s is too late", spin_down.life() + 3.0))
+    );
+}
+
+#[test]
+fn no_speed_of_the_contact_is_beyond_all_tilts() {
+    let coin = coin();
+    for speed in [1e-50, 1e-9, 343.0, 1e42, 1e50] {
+        let tilt = coin.tilt_for_contact_speed(speed).unwrap();
+        assert!(tilt > 0.0 && tilt <= std::f64::consts::FRAC_PI_2, "{speed:e}: {tilt:e}");
+    }
+    assert!(coin.tilt_for_contact_speed(1e60).is_err());
+}

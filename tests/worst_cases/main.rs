@@ -12,5 +12,6 @@ mod elliptic;
 mod free_tops;
 mod long;
 mod search;
+mod spin_down;
 mod taylor;
 mod transient;

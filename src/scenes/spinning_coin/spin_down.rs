@@ -5,6 +5,7 @@
 
 use super::coin::SpinningCoin;
 use crate::quantity::{InvalidQuantity, Rule, Shown};
+use crate::two_part::TwoPart;
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt;
@@ -42,9 +43,11 @@ impl Loss {
         Self::new(PI * viscosity * coin.gravity * coin.radius * coin.radius, 2.0)
     }
 
-    /// The power lost at a tilt, W.
-    fn power(&self, sin: f64) -> f64 {
-        self.coefficient / sin.powf(self.exponent)
+    /// The time, s, from a tilt with this sine to the end, for a coin whose energy is `weight`, J, times the sine (`eq:spin-down`).
+    fn time(&self, weight: f64, sin: f64) -> f64 {
+        // The power of the sine in two halves: as a whole it may be too small for f64 where the time is not.
+        let half = sin.powf(0.5 * self.exponent);
+        weight * sin / (self.coefficient * (self.exponent + 1.0)) * half * half
     }
 }
 
@@ -77,7 +80,7 @@ impl SpinDown {
     pub fn new(start: SpinningCoin, mass: f64, loss: Loss) -> Result<Self, InvalidSpinDown> {
         InvalidQuantity::check_positive("mass", mass, "kg")?;
         let weight = 1.5 * mass * start.gravity * start.radius; // eq:coin-energy
-        let life = weight * start.sin / loss.power(start.sin) / (loss.exponent + 1.0); // eq:spin-down
+        let life = loss.time(weight, start.sin);
         InvalidQuantity::check_positive("life of the coin", life, "s")?;
         Ok(Self { start, loss, weight, life })
     }
@@ -94,8 +97,8 @@ impl SpinDown {
 
     /// The coin at `time`, s, from zero to t₀ (`eq:spin-down`).
     ///
-    /// A time is rounded, and so is t₀: as the end comes near, their difference has fewer and fewer digits, and the tilt too. From
-    /// [`SpinDown::with_time_left`] it has all of them.
+    /// A time is rounded, and so is t₀: as the end comes near, their difference has fewer and fewer digits, and the tilt too. But for that it
+    /// is good to 9e-16 of itself. From [`SpinDown::with_time_left`] it has all its digits.
     ///
     /// # Errors
     /// [`InvalidSpinDown::Over`] from t₀ on; [`InvalidSpinDown::Quantity`] if the time is negative or not finite.
@@ -105,31 +108,34 @@ impl SpinDown {
         if time >= self.life {
             return Err(InvalidSpinDown::Over { time, life: self.life });
         }
-        self.coin((self.life - time) / self.life, (-time / self.life).ln_1p())
+        self.coin(self.life - time, time)
     }
 
-    /// The coin when so much time, s, is left (`eq:spin-down`): to a few units in the last place, however little it is.
+    /// The coin when so much time, s, is left (`eq:spin-down`): the tilt to 9e-16 of itself, however little it is.
     ///
     /// # Errors
-    /// [`InvalidSpinDown::Over`] if no time is left; [`InvalidSpinDown::Quantity`] if it is more than t₀, or so little that the tilt
-    /// is below 1e-50.
+    /// [`InvalidSpinDown::Over`] if no time is left; [`InvalidSpinDown::Quantity`] if it is more than t₀, less than 2.2e-308 t₀, or so
+    /// little that the tilt is below 1e-50.
     pub fn with_time_left(&self, left: f64) -> Result<SpinningCoin, InvalidSpinDown> {
         InvalidQuantity::require_finite("time left", left, "s")?;
         InvalidQuantity::require(left <= self.life, "time left", left, "s", Rule::AtMost(self.life))?;
         if left <= 0.0 {
             return Err(InvalidSpinDown::Over { time: self.life - left, life: self.life });
         }
-        let part = left / self.life;
-        self.coin(part, part.ln())
+        let least = Rule::AtLeast(f64::MIN_POSITIVE * self.life);
+        InvalidQuantity::require(left / self.life >= f64::MIN_POSITIVE, "time left", left, "s", least)?;
+        self.coin(left, self.life - left)
     }
 
-    /// The coin when a part of its life is left, given with its logarithm.
-    fn coin(&self, part: f64, logarithm: f64) -> Result<SpinningCoin, InvalidSpinDown> {
+    /// The coin when so much of its life, s, is left, and so much gone; the smaller of the two is the exact one.
+    fn coin(&self, left: f64, gone: f64) -> Result<SpinningCoin, InvalidSpinDown> {
         let SpinningCoin { radius, factor, gravity, sin: sin_start, cos: cos_start, .. } = self.start;
-        let order = self.loss.exponent + 1.0;
-        let power = 1.0 / order;
+        let (part, gone) = (left / self.life, gone / self.life);
+        let logarithm = if gone < 0.5 { (-gone).ln_1p() } else { part.ln() };
+        let order = TwoPart::sum(self.loss.exponent, 1.0);
+        let exact_power = TwoPart::from(1.0) / order;
         // The rounding of the power counts as often as the part of the life has e-foldings: put it back.
-        let rest = (-power).mul_add(order, 1.0) / order;
+        let (power, rest) = exact_power.parts();
         let sin = sin_start * part.powf(power) * (1.0 + rest * logarithm); // eq:spin-down
         // cos² α = cos² α₀ + (sin² α₀ − sin² α), a sum of positive numbers: an upright start loses no digits.
         let gained = -(2.0 * power * logarithm).exp_m1();
@@ -137,24 +143,29 @@ impl SpinDown {
         Ok(SpinningCoin::new(radius, factor, gravity, sin.atan2(cos))?)
     }
 
-    /// The time, s, that is left when the coin has this tilt, rad: to a few units in the last place at any tilt, up to π/2.
+    /// The time, s, that is left when the coin has this tilt, rad, at any tilt up to π/2: to `2.2e-16 (9 + p)` of itself.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] unless the tilt is positive and less than π/2.
+    /// [`InvalidQuantity`] unless the tilt is positive and less than π/2, and if the time is too short for a number.
     pub fn time_left(&self, tilt: f64) -> Result<f64, InvalidQuantity> {
         let sin = checked(tilt)?.sin();
-        Ok(self.weight * sin / self.loss.power(sin) / (self.loss.exponent + 1.0))
+        let left = self.loss.time(self.weight, sin);
+        let least = Rule::AtLeast(f64::MIN_POSITIVE);
+        InvalidQuantity::require(left >= f64::MIN_POSITIVE, "time left", left, "s", least)
     }
 
-    /// The time, s, from the start to this tilt, rad; negative for a tilt above that of the start. Without loss however near the
-    /// start.
+    /// The time, s, from the start to this tilt, rad; negative for a tilt above that of the start. However near the
+    /// start, to 1.4e-15 of itself; above it, where the law goes back by many e-foldings, that times one more than their number.
     ///
     /// # Errors
     /// [`InvalidQuantity`] unless the tilt is positive and less than π/2.
     pub fn time_to(&self, tilt: f64) -> Result<f64, InvalidQuantity> {
         let start = self.start.tilt();
-        let difference = 2.0 * (0.5 * (checked(tilt)? + start)).cos() * (0.5 * (tilt - start)).sin();
-        let logarithm = (difference / self.start.sin).ln_1p(); // of the ratio of the sines
+        // Of the sines, by the cosines: near upright the mean of two tilts has no digits to spare.
+        let difference = (checked(tilt)?.cos() + self.start.cos) * (0.5 * (tilt - start)).tan();
+        let change = difference / self.start.sin;
+        // Of the ratio of the sines: near the start by their difference, far from it by the ratio itself.
+        let logarithm = if change.abs() < 0.5 { change.ln_1p() } else { (tilt.sin() / self.start.sin).ln() };
         Ok(-self.life * ((self.loss.exponent + 1.0) * logarithm).exp_m1())
     }
 }
