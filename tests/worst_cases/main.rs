@@ -7,6 +7,7 @@
 //!
 //! `WORST_CASES=50 cargo test --test worst_cases` looks fifty times as long.
 
+mod attitude;
 mod drag;
 mod elliptic;
 mod free_tops;
