@@ -19,7 +19,7 @@ pub struct Station {
     spin: f64,
 }
 
-/// The station after the blow: a free symmetric top whose centre drifts.
+/// The station after the blow: a free symmetric top whose centre drifts. Its angles and rates are good to 9e-16 of themselves.
 ///
 /// ```
 /// use mechanics::scenes::space_station::Station;
@@ -147,8 +147,11 @@ impl Struck {
     /// The position at `time`, s, of the point of the station that was at `point_body`, m, along its axes, in the room.
     ///
     /// # Errors
-    /// As [`Struck::at`].
+    /// As [`Struck::at`], and for a point that is not finite or of a size that cannot be computed with.
     pub fn position(&self, point_body: &Vector3<f64>, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
+        for component in point_body {
+            InvalidQuantity::check("position of the point", *component, "m")?;
+        }
         Ok(self.centre_velocity() * time + self.at(time)?.world_from_body * point_body)
     }
 }

@@ -8,6 +8,7 @@
 //! `WORST_CASES=50 cargo test --test worst_cases` looks fifty times as long.
 
 mod attitude;
+mod blows;
 mod coin_toss;
 mod drag;
 mod elliptic;
