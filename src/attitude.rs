@@ -35,8 +35,8 @@ pub fn quaternion_rate(world_from_body: &Quaternion<f64>, omega_body: &Vector3<f
     world_from_body * Quaternion::from_imag(0.5 * omega_body)
 }
 
-/// The angle between two vectors, rad, from 0 to π, in full relative accuracy at both ends: `atan2(|a × b|, a·b)`
-/// (`eq:safe-angle`).
+/// The angle between two vectors of any size, rad, from 0 to π, to 9e-16 of itself however small: `atan2(|a × b|, a·b)`
+/// (`eq:safe-angle`), where the differences in the cross product are those of exact products. Near π the same holds of π.
 ///
 /// The inverse cosine of the normed scalar product has an error of 1e-8 near 0 and π. Zero if one of them is zero.
 ///
@@ -48,15 +48,34 @@ pub fn quaternion_rate(world_from_body: &Quaternion<f64>, omega_body: &Vector3<f
 /// assert_eq!((a.dot(&b) / (a.norm() * b.norm())).acos(), 0.0); // lost
 /// ```
 pub fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
-    a.cross(b).norm().atan2(a.dot(b))
+    let [a, b] = [a, b].map(near_one);
+    let minor = |i: usize, j: usize| TwoPart::product(a[i], b[j]) - TwoPart::product(a[j], b[i]);
+    length([minor(1, 2), minor(2, 0), minor(0, 1)]).atan2(a.dot(&b))
+}
+
+/// A vector whose largest component is about one, by a power of two, which changes no digit.
+fn near_one(vector: &Vector3<f64>) -> Vector3<f64> {
+    let largest = vector.amax();
+    if largest > 0.0 { vector / largest.log2().floor().exp2() } else { *vector }
+}
+
+/// The length of three rounded components, however small.
+fn length(components: [TwoPart; 3]) -> f64 {
+    components.map(TwoPart::rounded).into_iter().fold(0.0, f64::hypot)
 }
 
 /// The angle, rad, from 0 to π, of the shortest rotation from one attitude to another: how far apart they are.
 ///
-/// Relative accuracy near zero; the sign of a quaternion does not matter.
+/// To 9e-16 of itself however small; the sign of a quaternion does not matter.
 pub fn rotation_between(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
-    let between = a.inverse() * b;
-    2.0 * between.imag().norm().atan2(between.w.abs())
+    // The imaginary part of a⁻¹b, a sum of differences of exact products.
+    let minor = |p: f64, q: f64, r: f64, s: f64| TwoPart::product(p, s) - TwoPart::product(q, r);
+    let imaginary = [
+        minor(a.w, a.i, b.w, b.i) - minor(a.j, a.k, b.j, b.k),
+        minor(a.w, a.j, b.w, b.j) - minor(a.k, a.i, b.k, b.i),
+        minor(a.w, a.k, b.w, b.k) - minor(a.i, a.j, b.i, b.j),
+    ];
+    2.0 * length(imaginary).atan2(a.coords.dot(&b.coords).abs())
 }
 
 /// The rotation about a unit vector through `angle`, in radians, of any number of turns without loss.

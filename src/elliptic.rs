@@ -136,7 +136,7 @@ pub(crate) fn carlson_rf_in_two_parts([mut x, mut y, mut z]: [TwoPart; 3]) -> Tw
     }
 }
 
-/// R_F times the root of the mean, less one, from how far two of its arguments are from the mean.
+/// `R_F` times the root of the mean, less one, from how far two of its arguments are from the mean.
 fn series(dx: f64, dy: f64) -> f64 {
     let dz = -(dx + dy);
     let (e2, e3) = (dx * dy - dz * dz, dx * dy * dz);

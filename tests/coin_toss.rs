@@ -227,3 +227,39 @@ fn a_coin_is_caught_when_it_comes_down() {
     }
     assert!(Flight::new(1.0, 9.81, 0.06).is_err());
 }
+
+#[test]
+fn a_coin_whose_normal_is_level_stands_on_edge() {
+    // At the time of the edge the height is a rounding above zero, one below, or none.
+    let mut faces = [0; 3];
+    for n in 1..2000 {
+        let toss = Toss::new(coin(), f64::from(n), 0.3).unwrap();
+        let time = toss.first_edge().unwrap();
+        let height = toss.normal_height(time).unwrap();
+        assert!(height.abs() < 2e-15);
+        let (expected, place) = match height {
+            h if h > 0.0 => (Face::Same, 0),
+            h if h < 0.0 => (Face::Other, 1),
+            _ => (Face::Edge, 2),
+        };
+        assert_eq!(toss.face(time).unwrap(), expected);
+        faces[place] += 1;
+    }
+    assert!(faces.iter().all(|&count| count > 10), "{faces:?}");
+}
+
+#[test]
+fn a_coin_that_keeps_its_face_shows_no_other_at_any_time() {
+    // At the threshold, half a precession after the start, the height is zero: a rounding below would be the other face.
+    let mut random = fastrand::Rng::with_seed(10);
+    for _ in 0..300 {
+        let spin = f64::from(random.u32(1..1000));
+        let toss = Toss::new(coin(), 2.0 * spin, spin).unwrap();
+        assert!(toss.keeps_its_face());
+        let half = PI / toss.precession_rate();
+        for n in 0..20 {
+            let time = half * f64::from(2 * n + 1) * (1.0 + f64::EPSILON * f64::from(n % 5 - 2));
+            assert_ne!(toss.face(time).unwrap(), Face::Other, "{spin}, {n}");
+        }
+    }
+}

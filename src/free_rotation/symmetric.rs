@@ -78,9 +78,8 @@ impl FreeSymmetricTop {
     /// # Errors
     /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
     pub fn at(&self, time: f64) -> Result<Turning, InvalidQuantity> {
-        InvalidQuantity::check_time(time)?;
+        let about_momentum = turn(&self.momentum_direction_body, self.precession(time)?);
         let body_turn = self.body_rate * time;
-        let about_momentum = turn(&self.momentum_direction_body, self.precession_rate * time);
         let about_axis = turn(&Vector3::z(), -body_turn);
         let world_from_body = self.start.world_from_body * about_momentum * about_axis; // eq:top-motion
         let (sin, cos) = body_turn.sin_cos();
@@ -119,9 +118,13 @@ impl FreeSymmetricTop {
     /// # Errors
     /// As [`FreeSymmetricTop::at`].
     pub fn axis_world(&self, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
-        InvalidQuantity::check_time(time)?;
-        let about_momentum = turn(&self.momentum_direction_body, self.precession_rate * time);
+        let about_momentum = turn(&self.momentum_direction_body, self.precession(time)?);
         Ok(self.start.world_from_body * (about_momentum * Vector3::z()))
+    }
+
+    /// The angle, rad, through which the axis has gone round **L** at `time`, s.
+    pub(crate) fn precession(&self, time: f64) -> Result<TwoPart, InvalidQuantity> {
+        Ok(self.precession_rate * InvalidQuantity::check_time(time)?)
     }
 
     /// The moments of the body.

@@ -74,7 +74,7 @@ impl Toss {
         self.top.at(time)
     }
 
-    /// The normal of the side that was up, in the room, at `time`, s (`eq:axis-motion`).
+    /// The normal of the side that was up, in the room, at `time`, s (`eq:axis-motion`); as exact as [`FreeSymmetricTop::at`].
     ///
     /// # Errors
     /// As [`Toss::at`].
@@ -82,12 +82,15 @@ impl Toss {
         self.top.axis_world(time)
     }
 
-    /// How high the normal points, `n_z = cos²ψ + sin²ψ cos Λt`, at `time`, s (`eq:normal-height`).
+    /// How high the normal points, `n_z = cos²ψ + sin²ψ cos Λt`, at `time`, s (`eq:normal-height`): to 2e-15 for as long as
+    /// [`FreeSymmetricTop::at`] has its digits. Never below zero if the coin keeps its face.
     ///
     /// # Errors
     /// As [`Toss::at`].
     pub fn normal_height(&self, time: f64) -> Result<f64, InvalidQuantity> {
-        Ok(self.normal(time)?.z)
+        // Above the lowest by 2 sin²ψ cos² ½Λt, which is not negative.
+        let (_, cos) = (self.top.precession(time)? * 0.5).sin_cos();
+        Ok(self.cosine_of_double_angle + (1.0 - self.cosine_of_double_angle) * cos * cos)
     }
 
     /// What is seen from above at `time`, s.
@@ -115,7 +118,8 @@ impl Toss {
         self.top.precession_rate()
     }
 
-    /// The lowest height of the normal, `cos 2ψ`, reached half a precession after the start (`eq:lowest-normal`).
+    /// The lowest height of the normal, `cos 2ψ`, reached half a precession after the start (`eq:lowest-normal`). To 9e-16 of itself, next to
+    /// the threshold too, where it vanishes; and so are the time and the probability that follow from it.
     pub fn lowest_normal(&self) -> f64 {
         self.cosine_of_double_angle
     }
@@ -219,7 +223,8 @@ impl Flight {
         Ok(Self { speed, gravity, duration: (speed + square.sqrt()) / gravity })
     }
 
-    /// The time from hand to hand, s (`eq:flight-time`).
+    /// The time from hand to hand, s (`eq:flight-time`), to 9e-16 of itself. Just below the highest point it hangs on the root of what is missing,
+    /// and has half the digits of the height of the catch.
     pub fn duration(&self) -> f64 {
         self.duration
     }

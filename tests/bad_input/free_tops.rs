@@ -61,6 +61,20 @@ fn moments_must_be_those_of_a_body() {
 }
 
 #[test]
+fn a_number_is_shown_in_plain_digits_from_a_ten_thousandth_to_ten_million() {
+    for (mass, shown) in [
+        (-1e-4, "-0.0001"),
+        (-9.5e-5, "-9.5e-5"),
+        (-9999999.0, "-9999999"),
+        (-1e7, "-1e7"),
+        (-0.0, "-0"),
+        (f64::NEG_INFINITY, "-inf"),
+    ] {
+        assert!(message(Body::hoop(mass, 1.0)).starts_with(&format!("mass {shown} kg is not")), "{mass:e}");
+    }
+}
+
+#[test]
 fn shapes_say_which_number_is_wrong() {
     let cases = [
         (message(Body::hoop(0.0, 1.0)), "mass 0 kg is not positive; it must be more than zero"),

@@ -7,7 +7,10 @@
 //!
 //! `WORST_CASES=50 cargo test --test worst_cases` looks fifty times as long.
 
+mod attitude;
+mod blows;
 mod chaplygin;
+mod coin_toss;
 mod conical;
 mod drag;
 mod elliptic;

@@ -1,0 +1,119 @@
+//! A struck station and a pinned body: what the blow leaves behind, in 32 digits.
+
+use crate::long::{Long, long};
+use crate::search::{Case, search};
+use mechanics::inertia::Body;
+use mechanics::scenes::pinned_hoop::{Pinning, Shape};
+use mechanics::scenes::space_station::Station;
+
+const EPS: f64 = f64::EPSILON;
+
+/// How far an angle is off that of these two components, relative to itself.
+fn off((sin, cos): (Long, Long), angle: f64) -> f64 {
+    let length = (sin * sin + cos * cos).sqrt();
+    let (s, c) = long(angle).sin_cos();
+    let error = ((s * cos - c * sin) / length).abs().rounded();
+    if error == 0.0 { 0.0 } else { error / angle }
+}
+
+#[test]
+fn a_struck_station_leans_and_nods_to_a_few_units() {
+    let worst = search("struck station", 3000, |draw| {
+        let (mass, size) = (draw.decades(1e-15, 1e15), draw.decades(1e-12, 1e12));
+        let body = match draw.below(4) {
+            0 => Body::hoop(mass, size),
+            1 => Body::rod(mass, size, size * draw.decades(1e-4, 1e3)),
+            2 => Body::spheroid(mass, size, draw.beside(size)),
+            _ => Body::thin_disk(mass, size),
+        };
+        let body = body.ok()?;
+        let spin = draw.one_of(&[-1.0, 1.0]) * draw.decades(1e-9, 1e9);
+        let [across, _, along] = body.moments().to_array().map(long);
+        // From hardly to a blow that is all.
+        let gained = spin * draw.signed(1e-12, 1e12);
+        let (radius, impulse) = (size, gained * across.rounded() / size);
+        let struck = Station::new(body, spin).ok()?.struck(radius, impulse).ok()?;
+        let omega = long(radius) * impulse / across;
+        let spin = long(spin);
+        let axis = off((omega.abs(), spin.abs()), struck.axis_angle());
+        let momentum = off(((omega * across).abs(), (spin * along).abs()), struck.momentum_angle());
+        let part = along / across * spin;
+        let rates = [
+            ((omega * omega + part * part).sqrt(), struck.nodding_rate()),
+            (spin * (along - across) / across, struck.body_rate()),
+            (omega, struck.added_rate()),
+            (long(impulse) / mass, struck.centre_velocity().z),
+        ];
+        let relative = |(truth, found): (Long, f64)| {
+            if truth == long(found) { 0.0 } else { ((truth - found) / truth).abs().rounded() }
+        };
+        let error = rates.map(relative).into_iter().fold(axis.max(momentum), f64::max);
+        let way = match (spin > long(0.0), omega.abs() > spin.abs()) {
+            (true, false) => "a nudge",
+            (true, true) => "a blow",
+            (false, false) => "a nudge, turning backwards",
+            (false, true) => "a blow, turning backwards",
+        };
+        Some(Case { ratio: error / (4.0 * EPS), way, said: format!("{struck:?}: off {error:e}") })
+    });
+    worst.keeps_its_promise(&[
+        "a nudge",
+        "a blow",
+        "a nudge, turning backwards",
+        "a blow, turning backwards",
+    ]);
+}
+
+#[test]
+fn a_pinned_body_keeps_what_it_keeps_to_a_few_units() {
+    let worst = search("pinned body", 3000, |draw| {
+        let (shape, kappa) =
+            draw.one_of(&[(Shape::Hoop, [1.0, 3.0]), (Shape::Disk, [1.0, 5.0]), (Shape::Sphere, [2.0, 7.0])]);
+        let (mass, radius) = (draw.decades(1e-15, 1e15), draw.decades(1e-15, 1e15));
+        let spin = draw.one_of(&[-1.0, 1.0]) * draw.decades(1e-9, 1e9);
+        // By the angle anywhere; by the point next to the right angle and to the poles, on either side.
+        let (pinning, sin, cos, way) = if draw.below(2) == 0 {
+            let angle = if draw.below(2) == 0 {
+                draw.beside(std::f64::consts::FRAC_PI_2)
+            } else {
+                draw.between(0.0, std::f64::consts::PI)
+            };
+            let (sin, cos) = long(angle).sin_cos();
+            (Pinning::new(shape, mass, radius, spin, angle).ok()?, sin, cos, "by the angle")
+        } else {
+            let small = radius * draw.decades(1e-14, 0.7);
+            let large = (radius * radius - small * small).sqrt();
+            let [across, along] = if draw.below(2) == 0 { [small, large] } else { [large, small] };
+            let (across, along) = (across * draw.one_of(&[-1.0, 1.0]), along * draw.one_of(&[-1.0, 1.0]));
+            let length = (long(across) * across + long(along) * along).sqrt();
+            let pinning = Pinning::at_point(shape, mass, radius, spin, [across, along]).ok()?;
+            (pinning, long(across).abs() / length, long(along) / length, "by the point")
+        };
+        let kappa = long(kappa[0]) / kappa[1];
+        let after = pinning.omega_after();
+        let (before_1, before_2) = (sin * spin, -(cos * spin));
+        let m = long(mass) * radius * radius;
+        // I₁ = κma²/(1 − κ), and the energy ½I₁(ω₀ sin θ)²(1 − κ).
+        let lost = kappa * m * before_1 * before_1 * 0.5;
+        let relative = |truth: Long, found: f64| {
+            if truth == long(found) { 0.0 } else { ((truth - found) / truth).abs().rounded() }
+        };
+        let [alpha, phi] = pinning.axis_angles();
+        let velocity = pinning.centre_velocity().z;
+        let errors = [
+            relative(kappa * before_1, after.x),
+            relative(before_2, after.y),
+            relative(lost, pinning.energy_lost()),
+            relative(kappa * before_1 * radius, velocity),
+            off((sin, cos), pinning.angle()),
+            off((cos.abs(), kappa * sin), alpha.abs()),
+            off(((long(1.0) - kappa) * sin * cos.abs(), kappa * sin * sin + cos * cos), phi.abs()),
+        ];
+        let error = errors.into_iter().fold(0.0, f64::max);
+        let signs =
+            alpha.is_sign_negative() == (cos < long(0.0)) && phi.is_sign_negative() == (cos < long(0.0));
+        let error = if signs { error } else { f64::INFINITY };
+        Some(Case { ratio: error / (6.0 * EPS), way, said: format!("{pinning:?}: off {errors:?}") })
+    });
+    worst.keeps_its_promise(&["by the angle", "by the point"]);
+}

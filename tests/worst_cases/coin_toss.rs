@@ -1,0 +1,143 @@
+//! A tossed coin, against its height and its angles in 32 digits, and at and next to the threshold where it just keeps its face.
+
+use crate::long::{Long, PI, long};
+use crate::search::{Case, Draw, search};
+use mechanics::inertia::PrincipalMoments;
+use mechanics::scenes::coin_toss::{Face, Flight, Toss, angle_for_probability, ratio_for_probability};
+
+const EPS: f64 = f64::EPSILON;
+
+/// A coin and its two spins.
+fn coin(draw: &mut Draw<'_>) -> Option<(Toss, [Long; 4])> {
+    let across = draw.one_of(&[1.0, 0.3, 2_f64.powi(150), 2_f64.powi(-150)]);
+    let ratio = if draw.below(2) == 0 { 2.0 } else { draw.decades(1e-4, 2.0) };
+    let tumble = draw.signed(1e-6, 1e3);
+    // At the threshold I₃ω₃ = I₁ω₁, next to it, and anywhere.
+    let spin = if draw.below(2) == 0 { draw.beside(tumble / ratio) } else { draw.signed(1e-6, 1e3) };
+    let spin = if draw.below(2) == 0 { -spin } else { spin };
+    let along = across * ratio;
+    let toss = Toss::new(PrincipalMoments::symmetric(across, along).ok()?, tumble, spin).ok()?;
+    Some((toss, [across, along, tumble, spin].map(long)))
+}
+
+#[test]
+fn the_lowest_height_and_what_follows_from_it_have_all_their_digits() {
+    let worst = search("coin toss", 4000, |draw| {
+        let (toss, [a, c, tumble, spin]) = coin(draw)?;
+        let (across, along) = (a * tumble, c * spin);
+        let square = across * across + along * along;
+        let lowest = (along - across) * (along + across) / square;
+        let keeps = lowest >= long(0.0);
+        let off = |truth: Long, found: f64| {
+            if truth == long(found) { 0.0 } else { ((truth - found) / truth).abs().rounded() }
+        };
+        let rate = square.sqrt() / a;
+        let mut error = off(lowest, toss.lowest_normal()).max(off(rate, toss.precession_rate()));
+        if keeps != toss.keeps_its_face() || keeps != toss.first_edge().is_none() {
+            error = f64::INFINITY;
+        }
+        let mut probability = 1.0;
+        if let (false, Some(edge)) = (keeps, toss.first_edge()) {
+            // At that time Λt/2 = atan2(1, √−cos 2ψ): the sine of twice the rest of the angle over there.
+            let half = rate * edge * 0.5;
+            let (sin, cos) = half.sin_cos();
+            error = error.max(((sin * (-lowest).sqrt() - cos) / half).abs().rounded());
+            probability = toss.same_face_probability();
+            error = error.max(((half * 2.0 / PI - probability) / probability).abs().rounded());
+        }
+        let way = match (keeps, lowest.abs() < long(1e-3)) {
+            (true, true) => "just keeps its face",
+            (true, false) => "keeps its face",
+            (false, true) => "just goes over",
+            (false, false) => "goes over",
+        };
+        let said = format!("{toss:?}: probability {probability:?}, off {error:e}");
+        Some(Case { ratio: error / (4.0 * EPS), way, said })
+    });
+    worst.keeps_its_promise(&["just keeps its face", "keeps its face", "just goes over", "goes over"]);
+}
+
+#[test]
+fn the_height_of_the_normal_is_good_to_a_few_units_for_a_hundred_million_million_radians() {
+    let worst = search("height of the normal", 4000, |draw| {
+        let (toss, [a, c, tumble, spin]) = coin(draw)?;
+        let (across, along) = (a * tumble, c * spin);
+        let square = across * across + along * along;
+        let rate = square.sqrt() / a;
+        let time = draw.signed(1e-3, 1e14) / rate.rounded();
+        let cos = (rate * time).sin_cos().1;
+        let height = (along * along + across * across * cos) / square;
+        let found = toss.normal_height(time).ok()?;
+        let error = (height - found).abs().rounded();
+        let face = toss.face(time).ok()?;
+        let seen = match found {
+            h if h > 0.0 => Face::Same,
+            h if h < 0.0 => Face::Other,
+            _ => Face::Edge,
+        };
+        let keeps_its_word = face == seen && (face != Face::Other || !toss.keeps_its_face());
+        let normal = (toss.normal(time).ok()?.z - found).abs();
+        let error = if keeps_its_word { error.max(normal / 3.0) } else { f64::INFINITY };
+        Some(Case {
+            ratio: error / 2e-15,
+            way: "any",
+            said: format!("{toss:?} at {time:e}: {found:?}, off {error:e}"),
+        })
+    });
+    worst.keeps_its_promise(&["any"]);
+}
+
+#[test]
+fn ratio_and_angle_for_a_probability_have_all_their_digits() {
+    let worst = search("ratio for a probability", 2000, |draw| {
+        let probability = match draw.below(3) {
+            0 => 0.5 + draw.decades(1e-16, 0.4),
+            1 => 1.0 - draw.decades(1e-16, 0.4),
+            _ => draw.between(0.5, 1.0),
+        };
+        let ratio = draw.decades(1e-3, 2.0);
+        let moments = PrincipalMoments::symmetric(1.0, ratio).ok()?;
+        // The cotangent of ψ, √(−cos πp) = √(sin π(p − ½)).
+        let cotangent = (PI * (long(probability) - 0.5)).sin_cos().0.sqrt();
+        let found = ratio_for_probability(moments, probability).ok()?;
+        let off_ratio = ((cotangent / ratio - found) / found).abs().rounded();
+        let angle = angle_for_probability(probability).ok()?;
+        let (sin, cos) = long(angle).sin_cos();
+        let off_angle = ((sin * cotangent - cos) / angle).abs().rounded();
+        let way = if probability < 0.75 { "towards one half" } else { "towards one" };
+        let error = off_ratio.max(off_angle);
+        Some(Case {
+            ratio: error / (4.0 * EPS),
+            way,
+            said: format!("p {probability:?}: {found:?} {angle:?}, off {error:e}"),
+        })
+    });
+    worst.keeps_its_promise(&["towards one half", "towards one"]);
+}
+
+#[test]
+fn a_flight_is_as_long_as_the_height_of_the_catch_can_say() {
+    let worst = search("flight", 2000, |draw| {
+        let [speed, gravity] = std::array::from_fn(|_| draw.decades(1e-20, 1e20));
+        let highest = 0.5 * speed * speed / gravity;
+        let catch = if draw.below(2) == 0 {
+            highest * (1.0 - draw.decades(1e-16, 1.0))
+        } else {
+            -highest * draw.decades(1e-6, 1e6)
+        };
+        let flight = Flight::new(speed, gravity, catch).ok()?;
+        let (v, g) = (long(speed), long(gravity));
+        let square = v * v - g * catch * 2.0;
+        if square <= long(0.0) {
+            return None;
+        }
+        let truth = (v + square.sqrt()) / g;
+        let error = ((truth - flight.duration()) / truth).abs().rounded();
+        // What a rounding of the height of the catch is worth: near the top its root counts.
+        let steep = (v * v / square).rounded();
+        let ratio = error / (4.0 * EPS + 1.5 * EPS * if catch > 0.0 { steep.sqrt() } else { 0.0 });
+        let way = if steep > 1e4 { "caught at the top" } else { "caught anywhere" };
+        Some(Case { ratio, way, said: format!("v {speed:?} g {gravity:?} h {catch:?}: off {error:e}") })
+    });
+    worst.keeps_its_promise(&["caught at the top", "caught anywhere"]);
+}
