@@ -1,6 +1,6 @@
 //! The mdBook renderer that runs after `html`: adds what mdBook does not know of, and checks the site.
 
-use crate::fault::{Faults, line_of};
+use crate::fault::{Faults, Lines};
 use crate::preprocess::Failed;
 use crate::{api, figures, font, site};
 use mdbook_renderer::RenderContext;
@@ -71,7 +71,7 @@ fn locate(root: &Path, source: &str, page: &str, clue: &str) -> (String, usize) 
         Ok(text) if !clue.is_empty() => {
             let written = clue.replace(".html", ".md");
             let at = text.find(clue).or_else(|| text.find(&written));
-            (markdown, at.map_or(0, |at| line_of(&text, at)))
+            (markdown, at.map_or(0, |at| Lines::of(&text).at(at)))
         }
         Ok(_) => (markdown, 0),
         Err(_) => (page.to_owned(), 0),

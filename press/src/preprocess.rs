@@ -1,9 +1,8 @@
 //! The mdBook preprocessor.
 
-use crate::api::Items;
-use crate::book::{Page, from_mdbook};
+use crate::book::from_mdbook;
 use crate::fault::Faults;
-use crate::{check, figures, render, snippets};
+use crate::{check, snippets};
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::io::{Read, Write};
 use std::path::Path;
@@ -38,14 +37,14 @@ pub fn run(input: impl Read, mut output: impl Write) -> Result<(), Failed> {
     })?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let pages = from_mdbook(&book, &source);
-    let texts = if context.renderer == "test" {
+    let mut texts = check::rendered(&pages, &context.root, &source).map_err(Failed::Faults)?;
+    if context.renderer == "test" {
         test_snippets(&context.root)?;
-        pages.iter().map(|page| snippets::relabelled(&page.text)).collect()
+        texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
     } else {
         install_finisher(&context.root)
             .map_err(|error| Failed::Other(format!("the press cannot be put at {FINISHER}: {error}")))?;
-        render_checked(&pages, &context.root)?
-    };
+    }
     let mut texts = texts.into_iter();
     replace(&mut book.items, &mut texts);
     write_book(&mut output, &book)
@@ -54,20 +53,6 @@ pub fn run(input: impl Read, mut output: impl Write) -> Result<(), Failed> {
 fn write_book(output: &mut impl Write, book: &Book) -> Result<(), Failed> {
     serde_json::to_writer(output, book)
         .map_err(|error| Failed::Other(format!("mdBook does not take the answer: {error}")))
-}
-
-/// The rendered pages, if neither they nor the labels cited in the code have a fault.
-fn render_checked(pages: &[Page], root: &Path) -> Result<Vec<String>, Failed> {
-    let mut faults = Faults::default();
-    check::code_labels(pages, root, &mut faults);
-    match render::render(pages, figures::ALL, &Items::read(root)) {
-        Ok(texts) if faults.is_empty() => Ok(texts),
-        Ok(_) => Err(Failed::Faults(faults)),
-        Err(found) => {
-            faults.append(found);
-            Err(Failed::Faults(faults))
-        }
-    }
 }
 
 fn replace(items: &mut [BookItem], texts: &mut impl Iterator<Item = String>) {

@@ -241,17 +241,6 @@ fn the_snippets_of_all_pages_run_in_plain_mdbook_test() {
     assert!(passed.unwrap_or(0) >= 60, "{said}");
 }
 
-#[test]
-fn the_list_of_tested_pages_is_that_of_the_summary() {
-    let library = fs::read_to_string(root().join("src/lib.rs")).unwrap();
-    let tested: Vec<&str> =
-        library.split("include_str!(\"../book/").skip(1).filter_map(|rest| rest.split('"').next()).collect();
-    let summary = fs::read_to_string(root().join("book/SUMMARY.md")).unwrap();
-    let listed: Vec<&str> = summary.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
-    assert!(!listed.is_empty());
-    assert_eq!(tested.iter().collect::<BTreeSet<_>>(), listed.iter().collect::<BTreeSet<_>>());
-}
-
 /// A small book in the workspace, printed by the real press and the real mdBook.
 fn small_book(name: &str, page: &str) -> Output {
     let folder = folder(name);
