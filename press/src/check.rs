@@ -3,7 +3,7 @@
 use crate::api::Items;
 use crate::book::{Page, from_disk};
 use crate::fault::Faults;
-use crate::{figures, render, summary};
+use crate::{figures, render, site, summary};
 use std::fs;
 use std::path::Path;
 
@@ -25,6 +25,7 @@ pub(crate) fn rendered(pages: &[Page], root: &Path, source: &str) -> Result<Vec<
     let mut faults = Faults::default();
     summary::strays(pages, root, source, &mut faults);
     summary::untested(pages, root, source, &mut faults);
+    site::check_style_sheets(root, source, &mut faults);
     match render::render(pages, figures::ALL, &Items::read(root), &code(root)) {
         Ok(texts) if faults.is_empty() => Ok(texts),
         Ok(_) => Err(faults),

@@ -23,7 +23,7 @@ impl fmt::Display for Fault {
 }
 
 /// The faults of a run, in the order of files and lines.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Faults {
     list: Vec<Fault>,
 }
@@ -49,6 +49,17 @@ impl Faults {
         self.list.sort();
         self.list.dedup();
         self.list
+    }
+}
+
+impl fmt::Display for Faults {
+    /// All faults, a line each, and their number.
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let faults = self.clone().sorted();
+        for fault in &faults {
+            writeln!(out, "{fault}")?;
+        }
+        write!(out, "{} fault{}", faults.len(), if faults.len() == 1 { "" } else { "s" })
     }
 }
 

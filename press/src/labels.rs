@@ -6,6 +6,9 @@ use crate::figures::Figure;
 use crate::page::{Item, Kind, Label, Placed};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
+/// How ids begin that mdBook puts on each page.
+const MDBOOKS_IDS: [&str; 5] = ["mdbook-", "fa-", "footnote-", "fr-", "print-button"];
+
 /// A label with all that a reference to it needs.
 #[derive(Debug, Clone)]
 pub(crate) struct Entry {
@@ -95,6 +98,9 @@ impl Registry {
                 }
             }
             for (id, line) in claimed {
+                if MDBOOKS_IDS.iter().any(|prefix| id.starts_with(prefix)) {
+                    faults.add(&page.file, line, format!("the id `{id}` is one of mdBook's own"));
+                }
                 if !slugs.ids.insert(id.clone()) {
                     faults.add(&page.file, line, format!("the id `{id}` stands on the page already"));
                 }

@@ -57,6 +57,7 @@ mod api;
 mod font;
 mod labels;
 mod maths;
+mod outcome;
 mod outline;
 mod page;
 mod raw;

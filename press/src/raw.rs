@@ -77,7 +77,9 @@ impl RawHtml {
     ) -> Vec<(usize, Find)> {
         let mut found = Vec::new();
         let mut in_summary = false;
-        for token in Tokenizer::new_with_emitter(html, DefaultEmitter::<usize>::new_with_span()) {
+        let mut emitter = DefaultEmitter::<usize>::new_with_span();
+        emitter.naively_switch_states(true); // a script is no HTML
+        for token in Tokenizer::new_with_emitter(html, emitter) {
             let Ok(token) = token;
             match token {
                 Token::StartTag(tag) => {

@@ -1,6 +1,8 @@
 //! Checks of the finished site: what only the built HTML can show.
 
-use html5gum::{StartTag, Token, Tokenizer};
+use crate::book::{slashed, text};
+use crate::fault::{Faults, Lines};
+use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -46,10 +48,7 @@ pub(crate) fn check(folder: &Path) -> io::Result<Report> {
     let mut pages: BTreeMap<String, Built> = BTreeMap::new();
     let mut faults = Vec::new();
     for file in &files {
-        let name = file.to_string_lossy().replace('\\', "/");
-        if name.starts_with("api/") {
-            continue; // rustdoc's own
-        }
+        let name = slashed(file);
         if name.ends_with(".html") {
             pages.insert(name, examine(&fs::read_to_string(folder.join(file))?));
         } else if name.ends_with(".css") {
@@ -63,8 +62,7 @@ pub(crate) fn check(folder: &Path) -> io::Result<Report> {
             }
         }
     }
-    let known: BTreeSet<String> =
-        files.iter().map(|file| file.to_string_lossy().replace('\\', "/")).collect();
+    let known: BTreeSet<String> = files.iter().map(|file| slashed(file)).collect();
     for (name, page) in &pages {
         let mut add = |clue: &str, message: String| {
             faults.push(SiteFault { page: name.clone(), clue: clue.to_owned(), message });
@@ -84,18 +82,28 @@ pub(crate) fn check(folder: &Path) -> io::Result<Report> {
             }
         }
     }
-    // mdBook prints the first page again as index.html and all of them as print.html: what is said of a page suffices.
-    let said: BTreeSet<(String, String)> = faults
-        .iter()
-        .filter(|fault| !is_copy(&fault.page))
-        .map(|fault| (fault.clue.clone(), fault.message.clone()))
-        .collect();
-    faults.retain(|fault| {
-        !is_copy(&fault.page) || !said.contains(&(fault.clue.clone(), fault.message.clone()))
-    });
+    // mdBook prints the first page again as index.html and all of them as print.html, where a target may be written otherwise.
+    if faults.iter().any(|fault| !is_copy(&fault.page)) {
+        faults.retain(|fault| !is_copy(&fault.page));
+    }
     faults.sort();
     let characters = pages.values().flat_map(|page| page.characters.iter().copied()).collect();
     Ok(Report { faults, characters })
+}
+
+/// Adds a fault for each style sheet of the book that loads something from a network.
+pub(crate) fn check_style_sheets(root: &Path, source: &str, faults: &mut Faults) {
+    let mut files = Vec::new();
+    let _ = walk(&root.join(source), Path::new(""), &mut files); // what cannot be read is said of the pages
+    for file in files.iter().filter(|file| file.extension().is_some_and(|ending| ending == "css")) {
+        let name = format!("{source}/{}", slashed(file));
+        if let Some(css) = text(root, &name, faults)
+            && let Some(target) = remote_in_css(&css)
+        {
+            let line = css.find(&target).map_or(0, |at| Lines::of(&css).at(at));
+            faults.add(&name, line, format!("the style sheet loads {target} from a network"));
+        }
+    }
 }
 
 /// Whether mdBook makes this page of others.
@@ -124,8 +132,7 @@ fn dead(
     pages: &BTreeMap<String, Built>,
     known: &BTreeSet<String>,
 ) -> Option<String> {
-    let remote = target.starts_with("http:") || target.starts_with("https:") || target.starts_with("//");
-    if remote {
+    if is_remote(target) {
         return (attribute != "a").then(|| format!("<{attribute}> loads {target} from a network"));
     }
     if target.starts_with("data:")
@@ -158,8 +165,13 @@ fn dead(
         return Some(format!("the link to `{target}` leads nowhere"));
     }
     let page = pages.get(&file)?;
-    (!anchor.is_empty() && !page.ids.contains(anchor))
-        .then(|| format!("the link to `{target}` leads to a page without `#{anchor}`"))
+    // On rustdoc's pages of sources a script marks the lines from one number to another.
+    let lines = anchor.split_once('-').filter(|_| anchor.bytes().all(|b| b.is_ascii_digit() || b == b'-'));
+    let alive = match lines {
+        Some((from, to)) => page.ids.contains(from) && page.ids.contains(to),
+        None => anchor.is_empty() || page.ids.contains(anchor),
+    };
+    (!alive).then(|| format!("the link to `{target}` leads to a page without `#{anchor}`"))
 }
 
 /// Reads one page.
@@ -172,7 +184,9 @@ fn examine(html: &str) -> Built {
     // Whether the drawing that is being read has said its title and its description, and the element that the text is in.
     let mut svg: Option<(bool, bool)> = None;
     let mut element = String::new();
-    for token in Tokenizer::new(html) {
+    let mut emitter = DefaultEmitter::new_with_span();
+    emitter.naively_switch_states(true); // a script is no HTML
+    for token in Tokenizer::new_with_emitter(html, emitter) {
         let Ok(token) = token;
         match token {
             Token::StartTag(tag) => {
@@ -277,12 +291,19 @@ fn unresolved(text: &str) -> Option<String> {
     })
 }
 
+/// Whether an address needs a network.
+fn is_remote(target: &str) -> bool {
+    let start = target.get(..6).unwrap_or(target).to_ascii_lowercase();
+    start.starts_with("http:") || start == "https:" || start.starts_with("//")
+}
+
 /// The first address in a style sheet that needs a network.
 fn remote_in_css(css: &str) -> Option<String> {
+    let lower = css.to_ascii_lowercase();
     for mark in ["url(", "@import"] {
-        for (at, _) in css.match_indices(mark) {
+        for (at, _) in lower.match_indices(mark) {
             let rest = css[at + mark.len()..].trim_start_matches([' ', '"', '\'']);
-            if rest.starts_with("http:") || rest.starts_with("https:") || rest.starts_with("//") {
+            if is_remote(rest) {
                 return Some(rest.chars().take_while(|c| !matches!(c, ')' | '"' | '\'' | ';')).collect());
             }
         }
@@ -353,6 +374,12 @@ mod tests {
                 "a.html: <style> loads https://example.org/x.css from a network",
             ),
             (
+                "shouted",
+                "<IMG SRC=\"HTTPS://example.org/x.png\">".to_owned(),
+                "",
+                "a.html: <img> loads HTTPS://example.org/x.png from a network",
+            ),
+            (
                 "css",
                 String::new(),
                 "a { background: url(https://example.org/x.png) }",
@@ -373,6 +400,14 @@ mod tests {
         ] {
             assert_eq!(said(name, &html, css), [expected], "{name}");
         }
+    }
+
+    #[test]
+    fn a_range_of_lines_and_a_script_are_no_faults() {
+        let html =
+            "<script>let a = `<a href=\"${b}\">`;</script><a href=\"#4-12\">4</a><p id=4></p><p id=12></p>";
+        assert_eq!(said("lines", html, ""), Vec::<String>::new());
+        assert_eq!(said("no-line", "<a href=\"#4-13\">4</a><p id=4></p>", "").len(), 1);
     }
 
     #[test]

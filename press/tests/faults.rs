@@ -217,6 +217,11 @@ const CASES: &[Case] = &[
         &[(5, "the id `two-words` stands on the page already"), (8, "the id `x` stands")],
     ),
     ("heading-id", "# A\n\n## One {#x}\n\n## Two {#x}\n", &[(5, "the id `x` stands on the page already")]),
+    (
+        "foreign-id",
+        "# A\n\n## One {#print-button}\n\n<p id=\"mdbook-content\">So.</p>\n",
+        &[(3, "one of mdBook's own"), (5, "one of mdBook's own")],
+    ),
     ("raw-reference", "# A\n\n<p>See @eq:x</p>\n", &[(3, "raw HTML is not read for references")]),
     (
         "link-in-caption",
@@ -375,6 +380,19 @@ fn the_lists_of_pages_agree() {
             "error: src/lib.rs:6: SUMMARY.md does not name the page book/d.md",
         ]
     );
+}
+
+#[test]
+fn a_style_sheet_of_the_book_loads_nothing_from_a_network() {
+    let book = Book::new("sheet", "# A\n", "# B\n", "# C\n");
+    fs::create_dir_all(book.root.join("book/theme")).unwrap();
+    fs::write(
+        book.root.join("book/theme/x.css"),
+        "p {\n  background: URL( 'https://example.org/x.png' );\n}\n",
+    )
+    .unwrap();
+    let said = "error: book/theme/x.css:2: the style sheet loads https://example.org/x.png from a network";
+    assert_eq!(book.faults(), [said]);
 }
 
 #[test]
