@@ -200,7 +200,7 @@ impl Printer<'_, '_> {
         let caption = self.caption(caption, offset);
         let up = "../".repeat(self.page.path.matches('/').count());
         Some(format!(
-            "<figure class=\"figure\" id=\"{}\">\n<div class=\"drawing\" tabindex=\"0\">\n{}\n</div>\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
+            "<figure class=\"figure\" id=\"{}\">\n<div class=\"drawing\">\n{}\n</div>\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
              <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
             label.id(),
             figure.svg.trim(),

@@ -1,5 +1,8 @@
 //! The built book: what mdBook and the press make of the pages, checked from outside.
 
+#[path = "book/contrast.rs"]
+mod contrast;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::ops::RangeInclusive;
