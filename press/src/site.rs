@@ -168,8 +168,9 @@ mod tests {
     /// What is said of a site of two pages, of which `b.html` has the anchor `there`.
     fn said(name: &str, html: &str, css: &str) -> Vec<String> {
         let folder = std::env::temp_dir().join(format!("press-site-{}-{name}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
+        fs::create_dir_all(folder.join("api")).unwrap();
         fs::write(folder.join("a.html"), html).unwrap();
+        fs::write(folder.join("api/c.html"), "<a href=\"../b.html#there\">b</a>").unwrap();
         fs::write(folder.join("b.html"), "<p id=\"there\">b</p>").unwrap();
         fs::write(folder.join("print.html"), html).unwrap();
         fs::write(folder.join("page.css"), css).unwrap();
@@ -250,6 +251,19 @@ mod tests {
         ] {
             assert_eq!(said(name, &html, css), [expected], "{name}");
         }
+    }
+
+    #[test]
+    fn the_documentation_of_the_library_is_checked_like_the_rest() {
+        let folder = std::env::temp_dir().join(format!("press-site-{}-api", std::process::id()));
+        fs::create_dir_all(folder.join("api/src")).unwrap();
+        fs::write(folder.join("api/a.html"), "<a href=\"src/a.rs.html#1\">Source</a>").unwrap();
+        fs::write(folder.join("api/b.html"), "<a href=\"src/b.rs.html\">Source</a>").unwrap();
+        fs::write(folder.join("api/src/a.rs.html"), "<a href=#1 id=1>1</a>").unwrap();
+        let faults = check(&folder).unwrap().faults;
+        fs::remove_dir_all(&folder).unwrap();
+        let said: Vec<&str> = faults.iter().map(|fault| fault.message.as_str()).collect();
+        assert_eq!(said, ["the link to `src/b.rs.html` leads nowhere"]);
     }
 
     #[test]

@@ -184,6 +184,11 @@ const CASES: &[Case] = &[
         "# A\n\n- <details>\n- two\n\n</details>\n",
         &[(3, "not closed"), (6, "closes nothing")],
     ),
+    (
+        "closed-elsewhere",
+        "# A\n\nOne <b>two.\n\nThree</b>.\n",
+        &[(3, "`<b>` is not closed"), (5, "`</b>` closes nothing")],
+    ),
     ("stray-end", "# A\n\nOne <b>two</b>.\n\n</main>\n", &[(5, "`</main>` closes nothing")]),
     (
         "crossed",
@@ -225,8 +230,8 @@ const CASES: &[Case] = &[
     ("raw-reference", "# A\n\n<p>See @eq:x</p>\n", &[(3, "raw HTML is not read for references")]),
     (
         "link-in-caption",
-        "# A\n\n![One,\nsee [there](nowhere.md) and <A HREF=\"nope.html\">there</A>.](fig:nope)\n",
-        &[(3, "there is no figure"), (4, "the link to `nope.html`"), (4, "the link to `nowhere.md`")],
+        "# A\n\n![One,\nsee [there](nowhere.md) and <A HREF=\"nope.html\">there</A>.](fig:speed-hoop)\n",
+        &[(4, "the link to `nope.html`"), (4, "the link to `nowhere.md`")],
     ),
     ("empty-link", "# A\n\nSee [there]().\n", &[(3, "the link leads nowhere")]),
     ("mute-link", "# A\n\nSee [](b.md).\n", &[(3, "the link to `b.md` has no words")]),
