@@ -164,12 +164,19 @@ mod tests {
             said("fig:typo", typo),
             r"book/nowhere/figures.rs:3: fig:typo: label `$\omga$`: unknown command `\omga`"
         );
-        assert!(said("gimbal", |id| Ok(empty(id))).ends_with(
-            ":3: gimbal: the id of a figure is `fig:` and lower-case letters, digits and hyphens"
-        ));
-        assert!(
-            said("fig:typo", |id| Ok(Drawing::new(id, 9.0, 9.0))).contains("lacks a title or a description")
-        );
+        for id in ["gimbal", "fig:", "fig:Gimbal"] {
+            let said = said(id, |id| Ok(empty(id)));
+            let rule =
+                format!("{id}: the id of a figure is `fig:` and lower-case letters, digits and hyphens");
+            assert!(said.ends_with(&rule), "{said}");
+        }
+        for draw in
+            [(|id| Ok(Drawing::new(id, 9.0, 9.0).titled("", "Words."))) as fn(&str) -> Outcome, |id| {
+                Ok(Drawing::new(id, 9.0, 9.0).titled("Words", " "))
+            }]
+        {
+            assert!(said("fig:typo", draw).contains("lacks a title or a description"));
+        }
     }
 
     #[test]
@@ -179,7 +186,15 @@ mod tests {
             drawing.line(at(1.0, 1.0), at(f64::NAN, 2.0), Stroke::Outline, Hue::Ink);
             Ok(drawing)
         };
+        let gap = |id: &str| {
+            let mut drawing = empty(id);
+            let line = [at(1.0, 1.0), at(2.0, 2.0), at(3.0, f64::INFINITY), at(4.0, 4.0)];
+            drawing.polyline(&line, Stroke::Curve, Hue::Blue);
+            drawing.name_last("path");
+            Ok(drawing)
+        };
         for (draw, expected) in [
+            (gap as fn(&str) -> Outcome, "the line path goes through (3, inf)"),
             (nan as fn(&str) -> Outcome, "a line (f-line f-outline f-ink) goes through (NaN, 2)"),
             (|id| curve(id, &[(1.0, f64::NAN), (2.0, f64::NAN)]), "the curve body goes through (1, NaN)"),
             (
