@@ -188,13 +188,13 @@ mod tests {
         };
         let gap = |id: &str| {
             let mut drawing = empty(id);
-            let line = [at(1.0, 1.0), at(2.0, 2.0), at(3.0, f64::INFINITY), at(4.0, 4.0)];
+            let line = [at(1.0, 1.0), at(2.0, 2.0), at(3.0, f64::NAN), at(4.0, 4.0)];
             drawing.polyline(&line, Stroke::Curve, Hue::Blue);
             drawing.name_last("path");
             Ok(drawing)
         };
         for (draw, expected) in [
-            (gap as fn(&str) -> Outcome, "the line path goes through (3, inf)"),
+            (gap as fn(&str) -> Outcome, "the line path goes through (3, NaN)"),
             (nan as fn(&str) -> Outcome, "a line (f-line f-outline f-ink) goes through (NaN, 2)"),
             (|id| curve(id, &[(1.0, f64::NAN), (2.0, f64::NAN)]), "the curve body goes through (1, NaN)"),
             (
