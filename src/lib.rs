@@ -43,8 +43,8 @@ mod two_part;
 pub use frames::InvalidFrames;
 pub use quantity::{InvalidQuantity, Rule};
 
-/// Every page of the book, so that rustdoc tests its snippets. `press/tests/book.rs` holds this list equal to
-/// `book/SUMMARY.md`.
+/// Every page of the book, so that rustdoc tests its snippets. The press refuses a page of `book/SUMMARY.md` that is not here,
+/// and a page here that is not there.
 #[cfg(doctest)]
 mod pages {
     #[doc = include_str!("../README.md")]

@@ -3,10 +3,20 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::time::SystemTime;
 use std::{env, fs, io};
 
 /// The folder of the site that holds rustdoc's pages.
 pub(crate) const FOLDER: &str = "api";
+
+/// Where rustdoc puts the library's pages and its sources.
+const PAGES: &str = "mechanics";
+const SOURCES: &str = "src/mechanics";
+
+/// The page to which rustdoc's help leads back. For a single crate rustdoc writes none.
+const ENTRANCE: &str = "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<meta charset=\"utf-8\">\n\
+    <meta http-equiv=\"refresh\" content=\"0; url=mechanics/index.html\">\n<title>The library</title>\n\
+    <p><a href=\"mechanics/index.html\">The library</a></p>\n</html>\n";
 
 /// The kinds of items that have a page of their own, as the language and as rustdoc name them.
 const KINDS: [(&str, &str); 5] =
@@ -107,20 +117,22 @@ pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
             .stderr(Stdio::inherit())
             .output()
     };
-    let documented = run(&["doc", "--quiet", "--no-deps", "--package", "mechanics"])?;
-    if !documented.status.success() {
-        return Err(io::Error::other("`cargo doc --package mechanics` failed"));
-    }
     let metadata = run(&["metadata", "--no-deps", "--format-version", "1"])?;
     let metadata: serde_json::Value = serde_json::from_slice(&metadata.stdout)?;
     let target = metadata["target_directory"]
         .as_str()
         .ok_or_else(|| io::Error::other("cargo names no target folder"))?;
     let doc = Path::new(target).join("doc");
+    remove_outdated(&doc, &root.join("src"))?;
+    let documented = run(&["doc", "--quiet", "--no-deps", "--package", "mechanics"])?;
+    if !documented.status.success() {
+        return Err(io::Error::other("`cargo doc --package mechanics` failed"));
+    }
     // The library's pages and what they share; other crates may have left theirs beside them.
-    for part in ["mechanics", "static.files", "search.index", "trait.impl", "type.impl"] {
+    for part in [PAGES, SOURCES, "static.files", "search.index", "trait.impl", "type.impl"] {
         copy(&doc.join(part), &site.join(FOLDER).join(part))?;
     }
+    fs::write(site.join(FOLDER).join("index.html"), ENTRANCE)?;
     for entry in fs::read_dir(&doc)? {
         let entry = entry?;
         let name = entry.file_name();
@@ -132,6 +144,39 @@ pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+/// Removes rustdoc's pages if the library is newer, since rustdoc writes them all again and never removes that of an item
+/// which is gone.
+fn remove_outdated(doc: &Path, sources: &Path) -> io::Result<()> {
+    let Ok(written) = fs::metadata(doc.join(PAGES).join("index.html")).and_then(|page| page.modified())
+    else {
+        return Ok(());
+    };
+    if newest(sources)? < written {
+        return Ok(());
+    }
+    for part in [PAGES, SOURCES] {
+        if doc.join(part).is_dir() {
+            fs::remove_dir_all(doc.join(part))?;
+        }
+    }
+    Ok(())
+}
+
+/// When something in a folder was last changed; a folder changes when a file in it goes.
+fn newest(folder: &Path) -> io::Result<SystemTime> {
+    let mut newest = fs::metadata(folder)?.modified()?;
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let changed = if entry.file_type()?.is_dir() {
+            self::newest(&entry.path())?
+        } else {
+            entry.metadata()?.modified()?
+        };
+        newest = newest.max(changed);
+    }
+    Ok(newest)
 }
 
 /// Copies a folder with all that is in it; one that does not exist is nothing to copy.

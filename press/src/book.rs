@@ -1,7 +1,9 @@
 //! The pages of the book as the press sees them, whoever loaded them.
 
-use crate::fault::Faults;
+use crate::fault::{Faults, Lines, Reporter};
+use crate::summary;
 use mdbook_preprocessor::book::{Book, BookItem};
+use mdbook_summary::SummaryItem;
 use std::fs;
 use std::path::Path;
 
@@ -16,6 +18,21 @@ pub struct Page {
     pub chapter: Option<u32>,
     /// Its Markdown.
     pub text: String,
+    /// Where its lines begin.
+    pub(crate) lines: Lines,
+}
+
+impl Page {
+    /// A page of the book whose source folder is `source`.
+    pub(crate) fn new(source: &str, path: String, chapter: Option<u32>, text: String) -> Self {
+        let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text); // as mdBook does
+        Self { file: format!("{source}/{path}"), path, chapter, lines: Lines::of(&text), text }
+    }
+
+    /// What reports the faults of this page.
+    pub(crate) fn reporter<'a>(&'a self, faults: &'a mut Faults) -> Reporter<'a> {
+        Reporter { file: &self.file, lines: &self.lines, faults }
+    }
 }
 
 /// The pages that mdBook handed over, in reading order.
@@ -31,89 +48,82 @@ fn collect(items: &[BookItem], source: &str, pages: &mut Vec<Page>) {
             continue;
         };
         if let Some(path) = &chapter.source_path {
-            let path = slashed(path);
-            pages.push(Page {
-                file: format!("{source}/{path}"),
-                path,
-                chapter: chapter.number.as_ref().and_then(|number| number.first().copied()),
-                text: chapter.content.clone(),
-            });
+            let number = chapter.number.as_ref().and_then(|number| number.first().copied());
+            pages.push(Page::new(source, slashed(path), number, chapter.content.clone()));
         }
         collect(&chapter.sub_items, source, pages);
     }
 }
 
-/// The pages as they stand on disk under `root`, read without mdBook.
+/// The pages as they stand on disk under `root`, read without mdBook, and the folder that they stand in.
 ///
 /// # Errors
 /// Faults of book.toml and SUMMARY.md, and of files that cannot be read.
-pub fn from_disk(root: &Path) -> Result<Vec<Page>, Faults> {
+pub fn from_disk(root: &Path) -> Result<(String, Vec<Page>), Faults> {
     let mut faults = Faults::default();
-    let source = match fs::read_to_string(root.join("book.toml")).map(|text| text.parse::<toml::Table>()) {
-        Ok(Ok(config)) => config
-            .get("book")
-            .and_then(|book| book.get("src"))
-            .and_then(toml::Value::as_str)
-            .unwrap_or("src")
-            .to_owned(),
-        Ok(Err(error)) => {
-            faults.add("book.toml", 0, error.message().to_owned());
-            return Err(faults);
+    let pages = source(root, &mut faults).and_then(|source| {
+        let summary = summary::read(root, &source, &mut faults)?;
+        let mut pages = Vec::new();
+        for item in
+            summary.prefix_chapters.iter().chain(&summary.numbered_chapters).chain(&summary.suffix_chapters)
+        {
+            read(item, root, &source, &mut pages, &mut faults);
         }
-        Err(error) => {
-            faults.add("book.toml", 0, format!("cannot be read: {error}"));
-            return Err(faults);
-        }
-    };
-    let summary_file = format!("{source}/SUMMARY.md");
-    let summary = fs::read_to_string(root.join(&summary_file))
-        .map_err(|error| error.to_string())
-        .and_then(|text| mdbook_summary::parse_summary(&text).map_err(|error| format!("{error:#}")));
-    let summary = match summary {
-        Ok(summary) => summary,
-        Err(error) => {
-            faults.add(&summary_file, 0, error);
-            return Err(faults);
-        }
-    };
-    let mut pages = Vec::new();
-    let items =
-        summary.prefix_chapters.iter().chain(&summary.numbered_chapters).chain(&summary.suffix_chapters);
-    for item in items {
-        read(item, root, &source, &mut pages, &mut faults);
-    }
-    if faults.is_empty() { Ok(pages) } else { Err(faults) }
+        Some((source, pages))
+    });
+    pages.filter(|_| faults.is_empty()).ok_or(faults)
 }
 
-fn read(
-    item: &mdbook_summary::SummaryItem,
-    root: &Path,
-    source: &str,
-    pages: &mut Vec<Page>,
-    faults: &mut Faults,
-) {
-    let mdbook_summary::SummaryItem::Link(link) = item else {
+/// The folder of the pages, as book.toml names it.
+fn source(root: &Path, faults: &mut Faults) -> Option<String> {
+    const CONFIGURATION: &str = "book.toml";
+    let text = text(root, CONFIGURATION, faults)?;
+    match text.parse::<toml::Table>() {
+        Ok(config) => {
+            let source = config.get("book").and_then(|book| book.get("src")).and_then(toml::Value::as_str);
+            Some(source.unwrap_or("src").to_owned())
+        }
+        Err(error) => {
+            let line = error.span().map_or(0, |span| Lines::of(&text).at(span.start));
+            faults.add(CONFIGURATION, line, error.message().to_owned());
+            None
+        }
+    }
+}
+
+/// The text of a file of the project; a fault if there is none.
+pub(crate) fn text(root: &Path, file: &str, faults: &mut Faults) -> Option<String> {
+    match fs::read(root.join(file)).map(String::from_utf8) {
+        Ok(Ok(text)) => Some(text),
+        Ok(Err(error)) => {
+            let sound = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+            let line = 1 + sound.iter().filter(|&&byte| byte == b'\n').count();
+            faults.add(file, line, "this line is not UTF-8: save the file in that encoding");
+            None
+        }
+        Err(error) => {
+            faults.add(file, 0, format!("cannot be read: {error}"));
+            None
+        }
+    }
+}
+
+fn read(item: &SummaryItem, root: &Path, source: &str, pages: &mut Vec<Page>, faults: &mut Faults) {
+    let SummaryItem::Link(link) = item else {
         return;
     };
     if let Some(location) = &link.location {
         let path = slashed(location);
-        let file = format!("{source}/{path}");
-        match fs::read_to_string(root.join(&file)) {
-            Ok(text) => {
-                let chapter = link.number.as_ref().and_then(|number| number.first().copied());
-                pages.push(Page { path, file, chapter, text });
-            }
-            Err(error) => {
-                faults.add(&file, 0, format!("SUMMARY.md names it, but it cannot be read: {error}"));
-            }
-        }
+        let chapter = link.number.as_ref().and_then(|number| number.first().copied());
+        let text = text(root, &format!("{source}/{path}"), faults);
+        pages.extend(text.map(|text| Page::new(source, path, chapter, text)));
     }
     for nested in &link.nested_items {
         read(nested, root, source, pages, faults);
     }
 }
 
-fn slashed(path: &Path) -> String {
+pub(crate) fn slashed(path: &Path) -> String {
     path.to_string_lossy().replace('\\', "/")
 }
 

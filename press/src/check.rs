@@ -3,7 +3,7 @@
 use crate::api::Items;
 use crate::book::{Page, from_disk};
 use crate::fault::Faults;
-use crate::{figures, render};
+use crate::{figures, render, site, summary};
 use std::fs;
 use std::path::Path;
 
@@ -12,23 +12,38 @@ use std::path::Path;
 /// # Errors
 /// Every fault of every page.
 pub fn check(root: &Path) -> Result<usize, Faults> {
-    let pages = from_disk(root)?;
-    let mut faults = Faults::default();
-    code_labels(&pages, root, &mut faults);
-    if let Err(found) = render::render(&pages, figures::ALL, &Items::read(root)) {
-        faults.append(found);
-    }
-    if faults.is_empty() { Ok(pages.len()) } else { Err(faults) }
+    let (source, pages) = from_disk(root)?;
+    rendered(&pages, root, &source)?;
+    Ok(pages.len())
 }
 
-/// Adds a fault for each label that a comment of the library, its tests or the figures cites and no page defines.
-pub(crate) fn code_labels(pages: &[Page], root: &Path, faults: &mut Faults) {
+/// The pages as they go to mdBook. This is the one way there, so that building, testing and checking find the same faults.
+///
+/// # Errors
+/// Every fault of every page, of the labels that code cites, and of the lists that name the pages.
+pub(crate) fn rendered(pages: &[Page], root: &Path, source: &str) -> Result<Vec<String>, Faults> {
+    let mut faults = Faults::default();
+    summary::strays(pages, root, source, &mut faults);
+    summary::untested(pages, root, source, &mut faults);
+    site::check_style_sheets(root, source, &mut faults);
+    match render::render(pages, figures::ALL, &Items::read(root), &code(root)) {
+        Ok(texts) if faults.is_empty() => Ok(texts),
+        Ok(_) => Err(faults),
+        Err(found) => {
+            faults.append(found);
+            Err(faults)
+        }
+    }
+}
+
+/// The Rust files whose comments may cite labels: those of the library, its tests, the benchmarks and the figures.
+fn code(root: &Path) -> Vec<(String, String)> {
     let mut files = Vec::new();
     for folder in ["src", "tests", "benches", "book", "press/figures"] {
         collect(root, folder, &mut files);
     }
     files.sort();
-    render::check_citations_in_code(pages, figures::ALL, &files, faults);
+    files
 }
 
 /// The Rust files under `root/folder`, with their names relative to the root.

@@ -1,7 +1,7 @@
 //! `cargo book`: what one can ask of the press by hand.
 
-use crate::fault::Faults;
-use crate::{check, figures, mdbook};
+use crate::book::from_disk;
+use crate::{check, figures, mdbook, outcome};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -27,7 +27,7 @@ pub fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
         "serve" | "build" | "test" => with_mdbook(root, name, rest),
         "check" => {
             none_left(name, rest)?;
-            let pages = check::check(root).map_err(report)?;
+            let pages = check::check(root).map_err(|faults| faults.to_string())?;
             say(&format!("{pages} pages, {} figures: nothing wrong", figures::ALL.len()));
             Ok(())
         }
@@ -51,17 +51,6 @@ pub fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
     }
 }
 
-/// All faults, a line each, and their number.
-pub fn report(faults: Faults) -> String {
-    let faults = faults.sorted();
-    let mut lines: Vec<String> = faults.iter().map(ToString::to_string).collect();
-    lines.push(match faults.len() {
-        1 => "1 fault".to_owned(),
-        count => format!("{count} faults"),
-    });
-    lines.join("\n")
-}
-
 /// Prints a line; a reader who has closed the pipe does not want it.
 fn say(line: &str) {
     let _ = writeln!(io::stdout(), "{line}");
@@ -75,14 +64,29 @@ fn none_left(name: &str, rest: &[String]) -> Result<(), String> {
 }
 
 fn with_mdbook(root: &Path, name: &str, rest: &[String]) -> Result<(), String> {
-    let mdbook = mdbook::locate(root).map_err(|error| format!("error: {error}"))?;
-    let status = Command::new(mdbook)
-        .arg(name)
-        .args(rest)
-        .current_dir(root)
-        .status()
-        .map_err(|error| format!("error: mdBook cannot be run: {error}"))?;
-    if status.success() { Ok(()) } else { Err(format!("`mdbook {name}` failed")) }
+    // Of a page that it cannot read mdBook tells no line.
+    let outcome = from_disk(root).map_err(|faults| faults.to_string()).and_then(|_| {
+        let mdbook = mdbook::locate(root).map_err(|error| format!("error: {error}"))?;
+        let status = Command::new(mdbook)
+            .arg(name)
+            .args(rest)
+            .current_dir(root)
+            .status()
+            .map_err(|error| format!("error: mdBook cannot be run: {error}"))?;
+        if status.success() { Ok(()) } else { Err(format!("`mdbook {name}` failed")) }
+    });
+    if name == "build" && outcome.is_err() {
+        let site = root.join(destination(rest).unwrap_or("target/book")).join("html");
+        outcome::remove(&site).map_err(|error| format!("error: {}: {error}", site.display()))?;
+    }
+    outcome
+}
+
+/// The folder that `-d FOLDER` names.
+fn destination(arguments: &[String]) -> Option<&str> {
+    let at = arguments.iter().position(|argument| argument == "-d" || argument == "--dest-dir");
+    let behind = at.and_then(|at| arguments.get(at + 1)).map(String::as_str);
+    behind.or_else(|| arguments.iter().find_map(|argument| argument.strip_prefix("--dest-dir=")))
 }
 
 /// The peers are a package of their own, outside the workspace, so that nothing else ever builds them.

@@ -23,7 +23,7 @@ impl fmt::Display for Fault {
 }
 
 /// The faults of a run, in the order of files and lines.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Faults {
     list: Vec<Fault>,
 }
@@ -52,9 +52,46 @@ impl Faults {
     }
 }
 
-/// The number of the line that holds byte `offset` of `text`, counted from one.
-pub(crate) fn line_of(text: &str, offset: usize) -> usize {
-    text.as_bytes()[..offset.min(text.len())].iter().filter(|byte| **byte == b'\n').count() + 1
+impl fmt::Display for Faults {
+    /// All faults, a line each, and their number.
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let faults = self.clone().sorted();
+        for fault in &faults {
+            writeln!(out, "{fault}")?;
+        }
+        write!(out, "{} fault{}", faults.len(), if faults.len() == 1 { "" } else { "s" })
+    }
+}
+
+/// Where the lines of a text begin, so that the line of a place is found without counting through the text again.
+#[derive(Debug, Clone)]
+pub(crate) struct Lines {
+    starts: Vec<usize>,
+}
+
+impl Lines {
+    pub(crate) fn of(text: &str) -> Self {
+        Self { starts: std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect() }
+    }
+
+    /// The number of the line that holds byte `offset`, counted from one.
+    pub(crate) fn at(&self, offset: usize) -> usize {
+        self.starts.partition_point(|&start| start <= offset)
+    }
+}
+
+/// Reports the faults of one file by their places in its text.
+#[derive(Debug)]
+pub(crate) struct Reporter<'a> {
+    pub(crate) file: &'a str,
+    pub(crate) lines: &'a Lines,
+    pub(crate) faults: &'a mut Faults,
+}
+
+impl Reporter<'_> {
+    pub(crate) fn fault(&mut self, offset: usize, message: impl Into<String>) {
+        self.faults.add(self.file, self.lines.at(offset), message);
+    }
 }
 
 /// The candidate most like `name`, if any is like it: a hint for a misspelt label.
@@ -90,6 +127,11 @@ mod tests {
         let known = ["steady-radius", "steady-phase", "newton"];
         assert_eq!(nearest("steady-radus", known.into_iter()), Some("steady-radius"));
         assert_eq!(nearest("entirely-different", known.into_iter()), None);
-        assert_eq!(line_of("a\nb\nc", 2), 2);
+    }
+
+    #[test]
+    fn a_place_has_its_line() {
+        let lines = Lines::of("a\nb\n\nc");
+        assert_eq!([0, 1, 2, 3, 4, 5, 9].map(|offset| lines.at(offset)), [1, 1, 2, 2, 3, 4, 4]);
     }
 }

@@ -21,6 +21,11 @@ pub struct Figure {
 include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 
 impl Figure {
+    /// The ids in its SVG.
+    pub(crate) fn ids(&self) -> impl Iterator<Item = &'static str> {
+        self.svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next())
+    }
+
     /// The name of its file: `machine.svg`.
     pub fn file_name(&self) -> String {
         format!("{}.svg", self.id.trim_start_matches("fig:"))

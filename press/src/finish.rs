@@ -1,8 +1,8 @@
 //! The mdBook renderer that runs after `html`: adds what mdBook does not know of, and checks the site.
 
-use crate::fault::{Faults, line_of};
+use crate::fault::{Faults, Lines};
 use crate::preprocess::Failed;
-use crate::{api, figures, font, site};
+use crate::{api, figures, font, outcome, site};
 use mdbook_renderer::RenderContext;
 use std::collections::BTreeSet;
 use std::io::Read;
@@ -15,31 +15,41 @@ const LICENCES: [&str; 1] = ["LICENSE-CC-BY-4.0"];
 /// Finishes and checks the site that mdBook has just rendered.
 ///
 /// # Errors
-/// [`Failed`], for the caller to report.
+/// [`Failed`], for the caller to report; there is no site then.
 pub fn run(input: impl Read) -> Result<(), Failed> {
     let context = RenderContext::from_json(input)
         .map_err(|error| Failed::Other(format!("this is not a request of mdBook 0.5: {error:#}")))?;
-    let site_folder =
+    let site =
         context.destination.parent().map(|folder| folder.join("html")).filter(|folder| folder.is_dir());
-    let Some(site_folder) = site_folder else {
+    let Some(site) = site else {
         return Err(Failed::Other(format!("there is no site beside {}", context.destination.display())));
     };
     let cannot = |error: io::Error| {
-        Failed::Other(format!("the site in {} cannot be finished: {error}", site_folder.display()))
+        Failed::Other(format!("the site in {} cannot be finished: {error}", site.display()))
     };
-    add(&site_folder, &context.root).map_err(cannot)?;
-    let site::Report { faults: found, characters } = site::check(&site_folder).map_err(cannot)?;
-    add_font(&site_folder, &characters).map_err(cannot)?;
-    if found.is_empty() {
-        return Ok(());
+    let unfinished = outcome::put_aside(&site).map_err(cannot)?;
+    match finished(&unfinished, &context) {
+        Ok(faults) if faults.is_empty() => outcome::bring_back(&unfinished, &site).map_err(cannot),
+        other => {
+            let failed = other.map_or_else(cannot, Failed::Faults);
+            outcome::withdraw(&site, &context.config, &failed).map_err(cannot)?;
+            Err(failed)
+        }
     }
+}
+
+/// Finishes the site; what is wrong with it.
+fn finished(site: &Path, context: &RenderContext) -> io::Result<Faults> {
+    add(site, &context.root)?;
+    let site::Report { faults: found, characters } = site::check(site)?;
+    add_font(site, &characters)?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let mut faults = Faults::default();
     for fault in found {
         let (file, line) = locate(&context.root, &source, &fault.page, &fault.clue);
         faults.add(&file, line, fault.message);
     }
-    Err(Failed::Faults(faults))
+    Ok(faults)
 }
 
 /// Adds the font for the characters that formulas hold, and its licence.
@@ -71,7 +81,7 @@ fn locate(root: &Path, source: &str, page: &str, clue: &str) -> (String, usize) 
         Ok(text) if !clue.is_empty() => {
             let written = clue.replace(".html", ".md");
             let at = text.find(clue).or_else(|| text.find(&written));
-            (markdown, at.map_or(0, |at| line_of(&text, at)))
+            (markdown, at.map_or(0, |at| Lines::of(&text).at(at)))
         }
         Ok(_) => (markdown, 0),
         Err(_) => (page.to_owned(), 0),

@@ -1,18 +1,22 @@
 //! All labels of the book: who defines them, and which number each one has.
 
 use crate::book::Page;
-use crate::fault::{Faults, line_of, nearest};
+use crate::fault::{Faults, nearest};
 use crate::figures::Figure;
 use crate::page::{Item, Kind, Label, Placed};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// How ids begin that mdBook puts on each page.
+const MDBOOKS_IDS: [&str; 5] = ["mdbook-", "fa-", "footnote-", "fr-", "print-button"];
 
 /// A label with all that a reference to it needs.
 #[derive(Debug, Clone)]
 pub(crate) struct Entry {
     /// Path of the page that defines it.
     pub(crate) page: String,
-    /// Where it is defined, for messages: `book/page.md:80`.
-    place: String,
+    /// Where it is defined, for messages: `book/page.md`, 80.
+    file: String,
+    line: usize,
     /// `1.9`; empty for sections and citations.
     pub(crate) number: String,
     /// The title of a section or an exercise, the short name of a citation.
@@ -41,47 +45,64 @@ impl Registry {
         let mut counters: HashMap<(u32, Kind), u32> = HashMap::new();
         for (page, items) in pages.iter().zip(scans) {
             let mut slugs = Slugs::default();
+            let mut claimed: Vec<(String, usize)> = Vec::new();
             for placed in items {
-                let line = line_of(&page.text, placed.range.start);
+                let line = page.lines.at(placed.range.start);
                 let (label, title) = match &placed.item {
                     Item::DisplayMaths { label: Some(equation), .. } => (&equation.label, String::new()),
                     Item::Figure { label, .. } => (label, String::new()),
                     Item::Citation { label, short } => (label, (*short).to_owned()),
-                    Item::Heading { label, id, title, plain, .. } => {
-                        match (label, id) {
-                            (Some(label), _) => slugs.taken(label.id()),
-                            (None, Some(id)) => slugs.taken((*id).to_owned()),
-                            (None, None) => slugs.heading(plain),
-                        }
-                        match label {
-                            Some(label) => (label, (*title).to_owned()),
-                            None => continue,
-                        }
+                    Item::Heading { label: Some(label), title, .. } => (label, (*title).to_owned()),
+                    Item::Heading { label: None, id: Some(id), .. } => {
+                        claimed.push(((*id).to_owned(), line));
+                        continue;
+                    }
+                    Item::Heading { plain, .. } => {
+                        slugs.heading(plain);
+                        continue;
+                    }
+                    Item::Id(id) => {
+                        claimed.push((id.clone(), line));
+                        continue;
                     }
                     _ => continue,
                 };
-                slugs.taken(label.id());
                 let number = registry.number(label, page, line, &mut counters, faults);
-                let entry =
-                    Entry { page: page.path.clone(), place: format!("{}:{line}", page.file), number, title };
+                let entry = Entry { page: page.path.clone(), file: page.file.clone(), line, number, title };
                 if let Some(first) = registry.entries.get(label) {
-                    let message =
-                        format!("the label {} is already defined at {}", label.written(), first.place);
+                    let place = format!("{}:{}", first.file, first.line);
+                    let message = format!("the label {} is already defined at {place}", label.written());
                     faults.add(&page.file, line, message);
                     continue;
                 }
+                claimed.push((label.id(), line));
                 registry.entries.insert(label.clone(), entry);
                 if let Item::DisplayMaths { label: Some(equation), .. } = &placed.item {
                     for &number in &equation.source {
-                        slugs.taken(format!("source-{number}"));
                         if let Some(other) = registry.sources.insert(number, label.clone()) {
                             let message = format!(
                                 "equation ({number}) of the source already belongs to {}",
                                 other.written()
                             );
                             faults.add(&page.file, line, message);
+                        } else {
+                            claimed.push((format!("source-{number}"), line));
                         }
                     }
+                }
+                if let Item::Figure { .. } = &placed.item {
+                    let figure = figures.iter().find(|figure| figure.id == label.written());
+                    claimed.extend(
+                        figure.iter().flat_map(|figure| figure.ids()).map(|id| (id.to_owned(), line)),
+                    );
+                }
+            }
+            for (id, line) in claimed {
+                if MDBOOKS_IDS.iter().any(|prefix| id.starts_with(prefix)) {
+                    faults.add(&page.file, line, format!("the id `{id}` is one of mdBook's own"));
+                }
+                if !slugs.ids.insert(id.clone()) {
+                    faults.add(&page.file, line, format!("the id `{id}` stands on the page already"));
                 }
             }
             registry.anchors.insert(page.path.clone(), slugs.ids);
@@ -135,7 +156,7 @@ impl Registry {
                         label.written(),
                         hint("fig", nearest(&label.name, ids))
                     );
-                    faults.add(&page.file, line_of(&page.text, placed.range.start), message);
+                    faults.add(&page.file, page.lines.at(placed.range.start), message);
                 }
             }
         }
@@ -157,7 +178,7 @@ impl Registry {
                 let Item::Heading { label: Some(label), level, .. } = &placed.item else {
                     continue;
                 };
-                let line = line_of(&page.text, placed.range.start);
+                let line = page.lines.at(placed.range.start);
                 let (partner, what) = match label.kind {
                     Kind::Exercise => (Kind::Solution, "solution"),
                     Kind::Solution => (Kind::Exercise, "exercise"),
@@ -204,6 +225,16 @@ impl Registry {
         self.find(label)
     }
 
+    /// Adds a fault for each entry of the bibliography that no page cites.
+    pub(crate) fn check_citations(&self, cited: &BTreeSet<Label>, faults: &mut Faults) {
+        for (label, entry) in &self.entries {
+            if label.kind == Kind::Citation && !cited.contains(label) {
+                let message = format!("nothing cites {}: cite it as @{0}, or take it out", label.written());
+                faults.add(&entry.file, entry.line, message);
+            }
+        }
+    }
+
     /// Whether `path` is a page of the book.
     pub(crate) fn has_page(&self, path: &str) -> bool {
         self.anchors.contains_key(path)
@@ -223,13 +254,11 @@ fn hint(prefix: &str, near: Option<&str>) -> String {
 #[derive(Debug, Default)]
 struct Slugs {
     ids: BTreeSet<String>,
+    /// The last number behind each heading that stands on the page more than once.
+    counts: HashMap<String, u32>,
 }
 
 impl Slugs {
-    fn taken(&mut self, id: String) {
-        self.ids.insert(id);
-    }
-
     /// The id that mdBook gives to a heading: letters, digits, `_` and `-` in lower case, blanks as hyphens.
     fn heading(&mut self, title: &str) {
         let kept = title.trim().chars().filter_map(|c| match c {
@@ -239,11 +268,10 @@ impl Slugs {
         });
         let base: String = kept.collect();
         let mut id = base.clone();
-        let mut count = 0;
-        while self.ids.contains(&id) {
-            count += 1;
+        let count = self.counts.entry(base.clone()).or_default();
+        while !self.ids.insert(id) {
+            *count += 1;
             id = format!("{base}-{count}");
         }
-        self.ids.insert(id);
     }
 }

@@ -25,11 +25,24 @@
 //!
 //! # Faults
 //!
-//! All faults of a run are reported, each as `error: book/page.md:80: …`, and the build fails: a label that is unknown or
-//! defined twice (also one that a comment in `src/` or `tests/` cites), an unknown, doubled or unused figure, a citation without
-//! entry, LaTeX that is not understood, a blank line inside `$$`, a stray `$`, display mathematics that shares its
-//! paragraph, mathematics in a heading, a fence without language or one that is not tested, a snippet of more than 25
-//! visible lines, text indented into a code block, an exercise without hint or solution, a dead link or anchor.
+//! All faults of a run are reported, each as `error: book/page.md:80: …`, and nothing is built. `mdbook build`, `mdbook test`
+//! and `cargo book check` send the pages through the same function, so they find the same faults:
+//!
+//! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an id that stands
+//!   on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry that nothing cites;
+//! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`, display
+//!   mathematics that shares its paragraph, mathematics in a heading;
+//! - links: a dead link or anchor, a link without words or target, a reference `[x][y]` or a footnote that is defined nowhere
+//!   or twice, a footnote that nothing refers to;
+//! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
+//! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible lines or with a
+//!   line too long for the page, text indented into a code block;
+//! - exercises without hint or solution, table columns without a name;
+//! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are not closed
+//!   where they were opened, end tags that close nothing, mathematics or references inside;
+//! - mdBook's directives `{{#…}}`, control characters, and characters that turn the direction of the text;
+//! - pages: one that SUMMARY.md names twice, or that does not exist or is not UTF-8, one that SUMMARY.md does not name, and
+//!   one that the list of tested pages in `src/lib.rs` lacks, or the other way round.
 
 pub mod book;
 pub mod check;
@@ -44,8 +57,15 @@ mod api;
 mod font;
 mod labels;
 mod maths;
+mod outcome;
+mod outline;
 mod page;
+mod raw;
+mod references;
 mod render;
 mod scan;
+mod signs;
 mod site;
 mod snippets;
+mod summary;
+mod written;

@@ -1,7 +1,6 @@
 //! The press as a program: called by mdBook as preprocessor (`press`) and renderer (`press finish`), and by people as
 //! `cargo book`.
 
-use press::preprocess::Failed;
 use press::{command, finish, preprocess};
 use std::io::{self, IsTerminal, Read};
 use std::path::Path;
@@ -13,7 +12,7 @@ fn main() -> ExitCode {
     let outcome = match arguments.first().map(String::as_str) {
         None if !io::stdin().is_terminal() => answer(),
         Some("supports") => Ok(()), // html and test; book.toml names them
-        Some("finish") => finish::run(io::stdin().lock()).map_err(words),
+        Some("finish") => finish::run(io::stdin().lock()).map_err(|failed| failed.to_string()),
         _ => command::run(&root(), &arguments),
     };
     match outcome {
@@ -32,14 +31,7 @@ fn answer() -> Result<(), String> {
     if request.is_empty() {
         return command::run(&root(), &[]);
     }
-    preprocess::run(request.as_slice(), io::stdout().lock()).map_err(words)
-}
-
-fn words(failed: Failed) -> String {
-    match failed {
-        Failed::Faults(faults) => command::report(faults),
-        Failed::Other(message) => format!("error: {message}"),
-    }
+    preprocess::run(request.as_slice(), io::stdout().lock()).map_err(|failed| failed.to_string())
 }
 
 /// The project's root: the nearest folder upwards with a book.toml, else the one in which the press was built.

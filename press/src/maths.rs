@@ -2,6 +2,9 @@
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 
+/// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the MathML later.
+const DEEPEST: usize = 60;
+
 /// A converter, built once a run.
 pub(crate) struct Maths {
     converter: LatexToMathML,
@@ -43,6 +46,10 @@ impl Maths {
         if tex.trim().is_empty() {
             return Err(MathsFault { offset: 0, message: "the formula is empty".to_owned() });
         }
+        if let Some(offset) = too_deep(tex) {
+            let message = format!("the formula is nested more than {DEEPEST} deep: give its parts names");
+            return Err(MathsFault { offset, message });
+        }
         match self.converter.convert_with_local_state(tex, display) {
             Ok(result) => Ok(result.mathml.replace('\n', " ")),
             Err(error) => {
@@ -58,6 +65,40 @@ impl Maths {
             }
         }
     }
+}
+
+/// Where a formula goes deeper than [`DEEPEST`]: into braces, brackets, `\left`, environments, or commands that each take the next.
+fn too_deep(tex: &str) -> Option<usize> {
+    // Open groups, and commands in a row.
+    let (mut open, mut row) = (0_usize, 0_usize);
+    let mut at = 0;
+    while let Some(byte) = tex.as_bytes().get(at) {
+        let mut length = 1;
+        match byte {
+            b'\\' => {
+                let word = tex[at + 1..].bytes().take_while(u8::is_ascii_alphabetic).count();
+                length += word.max(1);
+                row += 1;
+                match &tex[at + 1..at + 1 + word] {
+                    "left" | "begin" => open += 1,
+                    "right" | "end" => open = open.saturating_sub(1),
+                    _ => {}
+                }
+            }
+            b'{' | b'[' => open += 1,
+            b'}' | b']' => {
+                open = open.saturating_sub(1);
+                row = 0;
+            }
+            b' ' | b'\n' | b'^' | b'_' => {}
+            _ => row = 0,
+        }
+        if open + row > DEEPEST {
+            return Some(at);
+        }
+        at += length;
+    }
+    None
 }
 
 /// MathML in which every character of text that Markdown could take for markup is a numeric entity.

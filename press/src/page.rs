@@ -104,8 +104,10 @@ pub(crate) enum Item<'a> {
         short: &'a str,
     },
     Link {
-        target: &'a str,
+        target: Cow<'a, str>,
     },
+    /// An id that raw HTML claims.
+    Id(String),
     Hint,
 }
 

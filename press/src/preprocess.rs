@@ -1,14 +1,14 @@
 //! The mdBook preprocessor.
 
-use crate::api::Items;
-use crate::book::{Page, from_mdbook};
+use crate::book::from_mdbook;
 use crate::fault::Faults;
-use crate::{check, figures, render, snippets};
+use crate::{check, outcome, snippets};
+use mdbook_preprocessor::PreprocessorContext;
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::io::{Read, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::{env, fs};
+use std::{env, fmt, fs};
 
 /// Where the finished press waits for mdBook to call it as a renderer, relative to the project's root: a place that does
 /// not depend on Cargo's settings. book.toml names it.
@@ -21,6 +21,15 @@ pub enum Failed {
     Faults(Faults),
     /// Anything else, in words.
     Other(String),
+}
+
+impl fmt::Display for Failed {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Faults(faults) => faults.fmt(out),
+            Self::Other(message) => write!(out, "error: {message}"),
+        }
+    }
 }
 
 /// Reads mdBook's request from `input` and writes the answer to `output`.
@@ -36,19 +45,34 @@ pub fn run(input: impl Read, mut output: impl Write) -> Result<(), Failed> {
             "this is not a request of mdBook 0.5 ({error:#}); `cargo book help` lists what else the press can do"
         ))
     })?;
+    let answer = answer(&context, &mut book);
+    if let Err(failed) = &answer
+        && context.renderer == "html"
+    {
+        let site = context.root.join(&context.config.build.build_dir).join("html");
+        outcome::withdraw(&site, &context.config, failed).map_err(|error| {
+            Failed::Other(format!("{failed}\nerror: {} cannot be taken away: {error}", site.display()))
+        })?;
+    }
+    answer?;
+    write_book(&mut output, &book)
+}
+
+/// Puts what mdBook is to print, or to test, in the place of the pages.
+fn answer(context: &PreprocessorContext, book: &mut Book) -> Result<(), Failed> {
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
-    let pages = from_mdbook(&book, &source);
-    let texts = if context.renderer == "test" {
+    let pages = from_mdbook(book, &source);
+    let mut texts = check::rendered(&pages, &context.root, &source).map_err(Failed::Faults)?;
+    if context.renderer == "test" {
         test_snippets(&context.root)?;
-        pages.iter().map(|page| snippets::relabelled(&page.text)).collect()
+        texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
     } else {
         install_finisher(&context.root)
             .map_err(|error| Failed::Other(format!("the press cannot be put at {FINISHER}: {error}")))?;
-        render_checked(&pages, &context.root)?
-    };
-    let mut texts = texts.into_iter();
-    replace(&mut book.items, &mut texts);
-    write_book(&mut output, &book)
+    }
+    let title = context.config.book.title.clone().unwrap_or_default();
+    replace(&mut book.items, &title, &mut texts.into_iter());
+    Ok(())
 }
 
 fn write_book(output: &mut impl Write, book: &Book) -> Result<(), Failed> {
@@ -56,21 +80,7 @@ fn write_book(output: &mut impl Write, book: &Book) -> Result<(), Failed> {
         .map_err(|error| Failed::Other(format!("mdBook does not take the answer: {error}")))
 }
 
-/// The rendered pages, if neither they nor the labels cited in the code have a fault.
-fn render_checked(pages: &[Page], root: &Path) -> Result<Vec<String>, Failed> {
-    let mut faults = Faults::default();
-    check::code_labels(pages, root, &mut faults);
-    match render::render(pages, figures::ALL, &Items::read(root)) {
-        Ok(texts) if faults.is_empty() => Ok(texts),
-        Ok(_) => Err(Failed::Faults(faults)),
-        Err(found) => {
-            faults.append(found);
-            Err(Failed::Faults(faults))
-        }
-    }
-}
-
-fn replace(items: &mut [BookItem], texts: &mut impl Iterator<Item = String>) {
+fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = String>) {
     for item in items {
         let BookItem::Chapter(chapter) = item else {
             continue;
@@ -78,9 +88,14 @@ fn replace(items: &mut [BookItem], texts: &mut impl Iterator<Item = String>) {
         if chapter.source_path.is_some()
             && let Some(text) = texts.next()
         {
-            chapter.content = text;
+            // `Exercises` alone would be the name of many windows and search results.
+            let title = chapter
+                .parent_names
+                .last()
+                .map(|parent| format!("{{{{#title {} - {parent} - {book}}}}}", chapter.name));
+            chapter.content = title.unwrap_or_default() + &text;
         }
-        replace(&mut chapter.sub_items, texts);
+        replace(&mut chapter.sub_items, book, texts);
     }
 }
 

@@ -2,24 +2,32 @@
 
 use crate::api::{self, Items};
 use crate::book::{Page, relative, resolve};
-use crate::fault::{Faults, line_of};
+use crate::fault::Faults;
 use crate::figures::Figure;
 use crate::labels::Registry;
 use crate::maths::Maths;
 use crate::page::{EquationLabel, Item, Kind, Label, Mention, Placed};
 use crate::scan::scan;
 use pulldown_cmark::{CowStr, Event, html::push_html};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// Renders all pages; the faults if there are any.
+/// Renders all pages; the faults if there are any. `code` holds the files whose comments cite labels, with their text.
 ///
 /// # Errors
-/// Every fault of every page.
-pub(crate) fn render(pages: &[Page], figures: &[Figure], items: &Items) -> Result<Vec<String>, Faults> {
+/// Every fault of every page, and every label that code cites and no page defines.
+pub(crate) fn render(
+    pages: &[Page],
+    figures: &[Figure],
+    items: &Items,
+    code: &[(String, String)],
+) -> Result<Vec<String>, Faults> {
     let mut faults = Faults::default();
     let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
     let registry = Registry::build(pages, &scans, figures, &mut faults);
+    check_citations_in_code(&registry, code, &mut faults);
     let maths = Maths::new();
+    let mut cited = BTreeSet::new();
     let mut rendered = Vec::with_capacity(pages.len());
     for (page, found) in pages.iter().zip(&scans) {
         let mut printer = Printer {
@@ -28,24 +36,18 @@ pub(crate) fn render(pages: &[Page], figures: &[Figure], items: &Items) -> Resul
             maths: &maths,
             figures,
             library: items,
+            cited: &mut cited,
             faults: &mut faults,
         };
         rendered.push(printer.page(found));
     }
+    registry.check_citations(&cited, &mut faults);
     if faults.is_empty() { Ok(rendered) } else { Err(faults) }
 }
 
-/// Whether a label that code cites is defined on some page: the faults of `text`, the file at `file`.
-pub(crate) fn check_citations_in_code(
-    pages: &[Page],
-    figures: &[Figure],
-    files: &[(String, String)],
-    faults: &mut Faults,
-) {
-    let mut silent = Faults::default(); // what is wrong with the pages is reported by `render`
-    let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut silent)).collect();
-    let registry = Registry::build(pages, &scans, figures, &mut silent);
-    for (file, text) in files {
+/// Adds a fault for each label that a comment cites and no page defines.
+fn check_citations_in_code(registry: &Registry, code: &[(String, String)], faults: &mut Faults) {
+    for (file, text) in code {
         for (n, line) in text.lines().enumerate() {
             let Some(comment) = line.find("//").map(|at| &line[at..]) else {
                 continue;
@@ -85,12 +87,14 @@ struct Printer<'a, 'f> {
     maths: &'a Maths,
     figures: &'a [Figure],
     library: &'a Items,
+    /// Every label that some page mentions.
+    cited: &'f mut BTreeSet<Label>,
     faults: &'f mut Faults,
 }
 
 impl Printer<'_, '_> {
     fn fault(&mut self, offset: usize, message: impl Into<String>) {
-        self.faults.add(&self.page.file, line_of(&self.page.text, offset), message);
+        self.page.reporter(self.faults).fault(offset, message);
     }
 
     /// The page with every item replaced; everything else stands as it was written.
@@ -101,7 +105,11 @@ impl Printer<'_, '_> {
         for placed in items {
             let range = placed.range.clone();
             if range.start < done {
-                continue; // inside something already replaced, such as a caption
+                // Inside something already replaced: a caption, which is printed by other means.
+                if let Item::Link { target } = &placed.item {
+                    self.check_link(target, range.start);
+                }
+                continue;
             }
             let Some(replacement) = self.item(&placed.item, range.start) else {
                 continue;
@@ -140,7 +148,7 @@ impl Printer<'_, '_> {
                 self.check_link(target, offset);
                 None
             }
-            Item::Heading { label: None, .. } | Item::Hint => None,
+            Item::Heading { label: None, .. } | Item::Hint | Item::Id(_) => None,
         }
     }
 
@@ -192,7 +200,7 @@ impl Printer<'_, '_> {
         let caption = self.caption(caption, offset);
         let up = "../".repeat(self.page.path.matches('/').count());
         Some(format!(
-            "<figure class=\"figure\" id=\"{}\">\n<div class=\"drawing\" tabindex=\"0\">\n{}\n</div>\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
+            "<figure class=\"figure\" id=\"{}\">\n<div class=\"drawing\">\n{}\n</div>\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
              <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
             label.id(),
             figure.svg.trim(),
@@ -261,7 +269,10 @@ impl Printer<'_, '_> {
                 .registry
                 .find_source(*number)
                 .map(|entry| (format!("source {number}"), entry.page.clone(), format!("source-{number}"))),
-            Mention::Label(label) => self.words(label).map(|(words, page)| (words, page, label.id())),
+            Mention::Label(label) => {
+                self.cited.insert(label.clone());
+                self.words(label).map(|(words, page)| (words, page, label.id()))
+            }
         };
         match found {
             Ok((words, page, id)) => Some((words, format!("{}#{id}", relative(&self.page.path, &page)))),
@@ -316,8 +327,11 @@ impl Printer<'_, '_> {
             return;
         }
         let (path, anchor) = target.split_once('#').unwrap_or((target, ""));
-        let page =
-            if path.is_empty() { Some(self.page.path.clone()) } else { resolve(&self.page.path, path) };
+        let page = match path.strip_suffix(".html") {
+            _ if path.is_empty() => Some(self.page.path.clone()),
+            Some(stem) => resolve(&self.page.path, &format!("{stem}.md")), // as raw HTML may write it
+            None => resolve(&self.page.path, path),
+        };
         let Some(page) = page.filter(|page| self.registry.has_page(page)) else {
             self.fault(offset, format!("the link to `{target}` leads to no page of the book"));
             return;
@@ -342,20 +356,16 @@ mod tests {
 
     /// What becomes of one page, which is chapter 1.
     fn printed(text: &str) -> String {
-        let page = Page {
-            path: "a.md".to_owned(),
-            file: "book/a.md".to_owned(),
-            chapter: Some(1),
-            text: text.to_owned(),
-        };
-        let printed = render(&[page], &[], &Items::default());
+        let page = Page::new("book", "a.md".to_owned(), Some(1), text.to_owned());
+        let printed = render(&[page], &[], &Items::default(), &[]);
         printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
     }
 
     #[test]
     fn the_marks_of_a_quotation_are_no_part_of_its_formula() {
-        let quoted = printed("> [!NOTE]\n> So\n>\n> $$\n> a > b\n> = c\n> $$ {#eq:x}\n>\n> and $d\n> e$.\n");
-        let plain = printed("$$\na > b\n= c\n$$ {#eq:x}\n\nand $d\ne$.\n");
+        let quoted =
+            printed("# A\n\n> [!NOTE]\n> So\n>\n> $$\n> a > b\n> = c\n> $$ {#eq:x}\n>\n> and $d\n> e$.\n");
+        let plain = printed("# A\n\n$$\na > b\n= c\n$$ {#eq:x}\n\nand $d\ne$.\n");
         let maths = |text: &str| -> Vec<String> {
             text.split("<math")
                 .skip(1)

@@ -1,24 +1,13 @@
 //! Checks of the finished site: what only the built HTML can show.
 
-use html5gum::{StartTag, Token, Tokenizer};
+mod page;
+
+use self::page::{Built, examine, is_remote, remote_in_css};
+use crate::book::{slashed, text};
+use crate::fault::{Faults, Lines};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
-
-/// What one built page holds.
-#[derive(Debug, Default)]
-struct Built {
-    ids: BTreeSet<String>,
-    doubled_ids: BTreeSet<String>,
-    /// Targets of links and of resources, with the attribute that holds them.
-    targets: BTreeSet<(String, &'static str)>,
-    /// Text that should have been replaced.
-    unresolved: Vec<String>,
-    /// Figures without title or description.
-    mute_figures: usize,
-    /// Characters in formulas.
-    characters: BTreeSet<char>,
-}
 
 /// A fault of the site: the built page, a word that may stand in its Markdown, and what is wrong.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -46,10 +35,7 @@ pub(crate) fn check(folder: &Path) -> io::Result<Report> {
     let mut pages: BTreeMap<String, Built> = BTreeMap::new();
     let mut faults = Vec::new();
     for file in &files {
-        let name = file.to_string_lossy().replace('\\', "/");
-        if name.starts_with("api/") {
-            continue; // rustdoc's own
-        }
+        let name = slashed(file);
         if name.ends_with(".html") {
             pages.insert(name, examine(&fs::read_to_string(folder.join(file))?));
         } else if name.ends_with(".css") {
@@ -63,8 +49,7 @@ pub(crate) fn check(folder: &Path) -> io::Result<Report> {
             }
         }
     }
-    let known: BTreeSet<String> =
-        files.iter().map(|file| file.to_string_lossy().replace('\\', "/")).collect();
+    let known: BTreeSet<String> = files.iter().map(|file| slashed(file)).collect();
     for (name, page) in &pages {
         let mut add = |clue: &str, message: String| {
             faults.push(SiteFault { page: name.clone(), clue: clue.to_owned(), message });
@@ -84,18 +69,28 @@ pub(crate) fn check(folder: &Path) -> io::Result<Report> {
             }
         }
     }
-    // mdBook prints the first page again as index.html and all of them as print.html: what is said of a page suffices.
-    let said: BTreeSet<(String, String)> = faults
-        .iter()
-        .filter(|fault| !is_copy(&fault.page))
-        .map(|fault| (fault.clue.clone(), fault.message.clone()))
-        .collect();
-    faults.retain(|fault| {
-        !is_copy(&fault.page) || !said.contains(&(fault.clue.clone(), fault.message.clone()))
-    });
+    // mdBook prints the first page again as index.html and all of them as print.html, where a target may be written otherwise.
+    if faults.iter().any(|fault| !is_copy(&fault.page)) {
+        faults.retain(|fault| !is_copy(&fault.page));
+    }
     faults.sort();
     let characters = pages.values().flat_map(|page| page.characters.iter().copied()).collect();
     Ok(Report { faults, characters })
+}
+
+/// Adds a fault for each style sheet of the book that loads something from a network.
+pub(crate) fn check_style_sheets(root: &Path, source: &str, faults: &mut Faults) {
+    let mut files = Vec::new();
+    let _ = walk(&root.join(source), Path::new(""), &mut files); // what cannot be read is said of the pages
+    for file in files.iter().filter(|file| file.extension().is_some_and(|ending| ending == "css")) {
+        let name = format!("{source}/{}", slashed(file));
+        if let Some(css) = text(root, &name, faults)
+            && let Some(target) = remote_in_css(&css)
+        {
+            let line = css.find(&target).map_or(0, |at| Lines::of(&css).at(at));
+            faults.add(&name, line, format!("the style sheet loads {target} from a network"));
+        }
+    }
 }
 
 /// Whether mdBook makes this page of others.
@@ -124,8 +119,7 @@ fn dead(
     pages: &BTreeMap<String, Built>,
     known: &BTreeSet<String>,
 ) -> Option<String> {
-    let remote = target.starts_with("http:") || target.starts_with("https:") || target.starts_with("//");
-    if remote {
+    if is_remote(target) {
         return (attribute != "a").then(|| format!("<{attribute}> loads {target} from a network"));
     }
     if target.starts_with("data:")
@@ -158,136 +152,13 @@ fn dead(
         return Some(format!("the link to `{target}` leads nowhere"));
     }
     let page = pages.get(&file)?;
-    (!anchor.is_empty() && !page.ids.contains(anchor))
-        .then(|| format!("the link to `{target}` leads to a page without `#{anchor}`"))
-}
-
-/// Reads one page.
-fn examine(html: &str) -> Built {
-    let mut built = Built::default();
-    // Depth inside elements whose text is not prose.
-    let mut verbatim = 0_u32;
-    let mut in_formula = false;
-    let mut in_figure = false;
-    // Whether the drawing that is being read has said its title and its description, and the element that the text is in.
-    let mut svg: Option<(bool, bool)> = None;
-    let mut element = String::new();
-    for token in Tokenizer::new(html) {
-        let Ok(token) = token;
-        match token {
-            Token::StartTag(tag) => {
-                let name = String::from_utf8_lossy(&tag.name).into_owned();
-                start(&mut built, &name, &tag);
-                element.clone_from(&name);
-                match name.as_str() {
-                    "code" | "pre" | "script" | "style" | "title" if svg.is_none() && !tag.self_closing => {
-                        verbatim += 1;
-                    }
-                    "figure" => in_figure = true,
-                    "svg" if in_figure || attribute(&tag, "role").as_deref() == Some("img") => {
-                        if attribute(&tag, "role").as_deref() != Some("img") {
-                            built.mute_figures += 1;
-                        }
-                        svg = Some((false, false));
-                    }
-                    "math" => in_formula = true,
-                    _ => {}
-                }
-            }
-            Token::String(text) if element == "style" => {
-                let css = String::from_utf8_lossy(&text).into_owned();
-                built.targets.extend(remote_in_css(&css).map(|target| (target, "style")));
-            }
-            Token::String(text)
-                if svg.is_some()
-                    && matches!(element.as_str(), "title" | "desc")
-                    && !text.trim_ascii().is_empty() =>
-            {
-                let (title, description) = svg.unwrap_or_default();
-                svg = Some((title || element == "title", description || element == "desc"));
-            }
-            Token::EndTag(tag) => {
-                element.clear();
-                match tag.name.as_slice() {
-                    b"figure" => in_figure = false,
-                    b"code" | b"pre" | b"script" | b"style" | b"title" if svg.is_none() => {
-                        verbatim = verbatim.saturating_sub(1);
-                    }
-                    b"math" => in_formula = false,
-                    b"svg" if svg.take().is_some_and(|seen| seen != (true, true)) => {
-                        built.mute_figures += 1;
-                    }
-                    _ => {}
-                }
-            }
-            Token::String(text) if verbatim == 0 => {
-                let text = String::from_utf8_lossy(&text).into_owned();
-                if in_formula {
-                    built.characters.extend(text.chars());
-                }
-                built.unresolved.extend(unresolved(&text));
-            }
-            _ => {}
-        }
-    }
-    built
-}
-
-fn attribute(tag: &StartTag<()>, name: &str) -> Option<String> {
-    tag.attributes.get(name.as_bytes()).map(|value| String::from_utf8_lossy(value).into_owned())
-}
-
-fn start(built: &mut Built, name: &str, tag: &StartTag<()>) {
-    if let Some(id) = attribute(tag, "id")
-        && !built.ids.insert(id.clone())
-    {
-        built.doubled_ids.insert(id);
-    }
-    if let Some(target) = attribute(tag, "style").and_then(|css| remote_in_css(&css)) {
-        built.targets.insert((target, "style"));
-    }
-    let loads: &[(&str, &'static str)] = match name {
-        "a" => &[("href", "a")],
-        "link" => &[("href", "link")],
-        "script" => &[("src", "script")],
-        "img" => &[("src", "img")],
-        "iframe" => &[("src", "iframe")],
-        "use" => &[("href", "use"), ("xlink:href", "use")],
-        "image" => &[("href", "image"), ("xlink:href", "image")],
-        "source" | "video" | "audio" | "embed" => &[("src", "media")],
-        "object" => &[("data", "object")],
-        _ => &[],
+    // On rustdoc's pages of sources a script marks the lines from one number to another.
+    let lines = anchor.split_once('-').filter(|_| anchor.bytes().all(|b| b.is_ascii_digit() || b == b'-'));
+    let alive = match lines {
+        Some((from, to)) => page.ids.contains(from) && page.ids.contains(to),
+        None => anchor.is_empty() || page.ids.contains(anchor),
     };
-    for (key, kind) in loads {
-        if let Some(target) = attribute(tag, key) {
-            built.targets.insert((target, kind));
-        }
-    }
-}
-
-/// What looks like our dialect and is still there.
-fn unresolved(text: &str) -> Option<String> {
-    let suspicious = [
-        "{#eq", "{#fig", "{#sec", "{#ex", "{#sol", "{#cite", "@eq:", "@fig:", "@ex:", "@sol:", "@sec:",
-        "@source:", "@cite:", "$$",
-    ];
-    suspicious.iter().find_map(|mark| {
-        let at = text.find(mark)?;
-        Some(text[at..].chars().take_while(|c| !c.is_whitespace()).take(40).collect())
-    })
-}
-
-/// The first address in a style sheet that needs a network.
-fn remote_in_css(css: &str) -> Option<String> {
-    for mark in ["url(", "@import"] {
-        for (at, _) in css.match_indices(mark) {
-            let rest = css[at + mark.len()..].trim_start_matches([' ', '"', '\'']);
-            if rest.starts_with("http:") || rest.starts_with("https:") || rest.starts_with("//") {
-                return Some(rest.chars().take_while(|c| !matches!(c, ')' | '"' | '\'' | ';')).collect());
-            }
-        }
-    }
-    None
+    (!alive).then(|| format!("the link to `{target}` leads to a page without `#{anchor}`"))
 }
 
 #[cfg(test)]
@@ -297,8 +168,9 @@ mod tests {
     /// What is said of a site of two pages, of which `b.html` has the anchor `there`.
     fn said(name: &str, html: &str, css: &str) -> Vec<String> {
         let folder = std::env::temp_dir().join(format!("press-site-{}-{name}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
+        fs::create_dir_all(folder.join("api")).unwrap();
         fs::write(folder.join("a.html"), html).unwrap();
+        fs::write(folder.join("api/c.html"), "<a href=\"../b.html#there\">b</a>").unwrap();
         fs::write(folder.join("b.html"), "<p id=\"there\">b</p>").unwrap();
         fs::write(folder.join("print.html"), html).unwrap();
         fs::write(folder.join("page.css"), css).unwrap();
@@ -353,6 +225,12 @@ mod tests {
                 "a.html: <style> loads https://example.org/x.css from a network",
             ),
             (
+                "shouted",
+                "<IMG SRC=\"HTTPS://example.org/x.png\">".to_owned(),
+                "",
+                "a.html: <img> loads HTTPS://example.org/x.png from a network",
+            ),
+            (
                 "css",
                 String::new(),
                 "a { background: url(https://example.org/x.png) }",
@@ -376,8 +254,23 @@ mod tests {
     }
 
     #[test]
-    fn only_formulas_ask_for_glyphs() {
-        let built = examine("<p>a <math><mi>x</mi></math> b &#937; <math><mo>+</mo></math> c</p>");
-        assert_eq!(built.characters.into_iter().collect::<String>(), "+x");
+    fn the_documentation_of_the_library_is_checked_like_the_rest() {
+        let folder = std::env::temp_dir().join(format!("press-site-{}-api", std::process::id()));
+        fs::create_dir_all(folder.join("api/src")).unwrap();
+        fs::write(folder.join("api/a.html"), "<a href=\"src/a.rs.html#1\">Source</a>").unwrap();
+        fs::write(folder.join("api/b.html"), "<a href=\"src/b.rs.html\">Source</a>").unwrap();
+        fs::write(folder.join("api/src/a.rs.html"), "<a href=#1 id=1>1</a>").unwrap();
+        let faults = check(&folder).unwrap().faults;
+        fs::remove_dir_all(&folder).unwrap();
+        let said: Vec<&str> = faults.iter().map(|fault| fault.message.as_str()).collect();
+        assert_eq!(said, ["the link to `src/b.rs.html` leads nowhere"]);
+    }
+
+    #[test]
+    fn a_range_of_lines_and_a_script_are_no_faults() {
+        let html =
+            "<script>let a = `<a href=\"${b}\">`;</script><a href=\"#4-12\">4</a><p id=4></p><p id=12></p>";
+        assert_eq!(said("lines", html, ""), Vec::<String>::new());
+        assert_eq!(said("no-line", "<a href=\"#4-13\">4</a><p id=4></p>", "").len(), 1);
     }
 }

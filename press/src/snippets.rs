@@ -21,6 +21,12 @@ pub(crate) fn check(
     let CodeBlockKind::Fenced(info) = kind else {
         return;
     };
+    if !is_closed(&text[range.clone()]) {
+        fault(
+            range.start,
+            "the fence is not closed: as many of the same marks stand below the code".to_owned(),
+        );
+    }
     let mut words = info.split([',', ' ', '\t']).map(str::trim).filter(|word| !word.is_empty());
     let Some(language) = words.next() else {
         fault(
@@ -75,6 +81,17 @@ pub(crate) fn check(
             ),
         );
     }
+}
+
+/// Whether a fenced block ends with its fence, whatever quotation or list it stands in.
+fn is_closed(block: &str) -> bool {
+    let Some(mark) = block.chars().next() else {
+        return false;
+    };
+    let marks = block.chars().take_while(|&c| c == mark).count();
+    let last = block.trim_end().lines().skip(1).last().unwrap_or_default();
+    let last = last.trim_start_matches([' ', '\t', '>']);
+    last.chars().count() >= marks && last.chars().all(|c| c == mark)
 }
 
 /// How wide a line is on the page: accents take no room, and a label becomes a number such as (1.28).

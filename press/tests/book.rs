@@ -1,5 +1,8 @@
 //! The built book: what mdBook and the press make of the pages, checked from outside.
 
+#[path = "book/contrast.rs"]
+mod contrast;
+
 use std::collections::BTreeSet;
 use std::fs;
 use std::ops::RangeInclusive;
@@ -12,11 +15,14 @@ fn root() -> &'static Path {
 }
 
 /// mdBook, found or installed; its progress goes to standard error, where a waiting reader sees it.
-fn mdbook(folder: &Path, arguments: &[&str]) -> Output {
+fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    let program =
-        PROGRAM.get_or_init(|| press::mdbook::locate(root()).expect("mdBook can be found or installed"));
-    Command::new(program)
+    PROGRAM.get_or_init(|| press::mdbook::locate(root()).expect("mdBook can be found or installed"))
+}
+
+/// One run of it.
+fn mdbook(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(program())
         .args(arguments)
         .current_dir(folder)
         .stdin(Stdio::null())
@@ -241,19 +247,8 @@ fn the_snippets_of_all_pages_run_in_plain_mdbook_test() {
     assert!(passed.unwrap_or(0) >= 60, "{said}");
 }
 
-#[test]
-fn the_list_of_tested_pages_is_that_of_the_summary() {
-    let library = fs::read_to_string(root().join("src/lib.rs")).unwrap();
-    let tested: Vec<&str> =
-        library.split("include_str!(\"../book/").skip(1).filter_map(|rest| rest.split('"').next()).collect();
-    let summary = fs::read_to_string(root().join("book/SUMMARY.md")).unwrap();
-    let listed: Vec<&str> = summary.split("](").skip(1).filter_map(|rest| rest.split(')').next()).collect();
-    assert!(!listed.is_empty());
-    assert_eq!(tested.iter().collect::<BTreeSet<_>>(), listed.iter().collect::<BTreeSet<_>>());
-}
-
-/// A small book in the workspace, printed by the real press and the real mdBook.
-fn small_book(name: &str, page: &str) -> Output {
+/// A small book in the workspace, for the real press and the real mdBook; the page `a.md` is the one given.
+fn small_book(name: &str, page: &str) -> PathBuf {
     let folder = folder(name);
     fs::create_dir_all(folder.join("book/theme")).unwrap();
     fs::write(folder.join("LICENSE-CC-BY-4.0"), "licence").unwrap();
@@ -267,40 +262,119 @@ fn small_book(name: &str, page: &str) -> Output {
     fs::write(folder.join("book/SUMMARY.md"), "- [A](a.md)\n- [Figures](figures.md)\n").unwrap();
     fs::write(folder.join("book/a.md"), page).unwrap();
     fs::write(folder.join("book/figures.md"), format!("# Figures\n{figures}")).unwrap();
-    mdbook(&folder, &["build"])
+    folder
+}
+
+/// What a run of mdBook says, on both channels.
+fn said(run: &Output) -> String {
+    String::from_utf8_lossy(&run.stderr).into_owned() + &String::from_utf8_lossy(&run.stdout)
+}
+
+/// The files and folders in a folder; none if there is no such folder.
+fn names(folder: &Path) -> BTreeSet<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect()
+}
+
+const GOOD: &str = "# A\n\n$$\nE = mc^2\n$$ {#eq:rest}\n\nSo @eq:rest says; see [figures](figures.md).\n";
+
+#[test]
+fn a_small_book_builds_and_after_a_fault_leaves_no_site() {
+    let folder = small_book("good", GOOD);
+    let site = folder.join("target/book/html");
+    let built = mdbook(&folder, &["build"]);
+    assert!(built.status.success(), "{}", said(&built));
+    assert!(site.join("a.html").is_file() && site.join("fonts/math.woff").is_file());
+
+    // A fault that the preprocessor finds, whether the book is built, tested or checked.
+    fs::write(folder.join("book/a.md"), "# A\n\nSee @eq:nothing.\n").unwrap();
+    let fault = "error: book/a.md:3: no page defines the label eq:nothing\n";
+    let tested = mdbook(&folder, &["test"]);
+    assert!(!tested.status.success() && said(&tested).contains(fault), "{}", said(&tested));
+    assert!(site.join("a.html").is_file(), "a test touches no site");
+    assert!(press::check::check(&folder).unwrap_err().to_string().starts_with(fault));
+    let built = mdbook(&folder, &["build"]);
+    assert!(!built.status.success() && said(&built).contains(fault), "{}", said(&built));
+    assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["press".to_owned()]));
 }
 
 #[test]
-fn a_small_book_without_faults_builds() {
-    let built = small_book(
-        "good",
-        "# A\n\n$$\nE = mc^2\n$$ {#eq:rest}\n\nSo @eq:rest says; see [figures](figures.md).\n",
-    );
-    assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
+fn a_fault_of_the_finished_site_leaves_none() {
+    let folder = small_book("bad-theme", GOOD);
+    fs::create_dir_all(folder.join("theme")).unwrap();
+    fs::write(folder.join("theme/head.hbs"), "<script src=\"https://example.org/x.js\"></script>\n").unwrap();
+    let built = mdbook(&folder, &["build"]);
+    let fault = "error: book/a.md: <script> loads https://example.org/x.js from a network";
+    assert!(!built.status.success() && said(&built).contains(fault), "{}", said(&built));
+    assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["press".to_owned()]));
 }
 
 #[test]
-fn a_fault_in_a_page_fails_the_build_with_file_and_line() {
-    for (name, page, said) in [
-        (
-            "bad-label",
-            "# A\n\nSee @eq:nothing.\n",
-            "error: book/a.md:3: no page defines the label eq:nothing",
-        ),
-        ("bad-maths", "# A\n\n$$\n\\fraction{1}{2}\n$$\n", "error: book/a.md:4: "),
-        ("bad-link", "# A\n\nSee [there](b.md).\n", "error: book/a.md:3: the link to `b.md`"),
-        (
-            "bad-html-link",
-            "# A\n\n<p><a href=\"b.html\">there</a></p>\n",
-            "error: book/a.md:3: the link to `b.html`",
-        ),
-    ] {
-        let built = small_book(name, page);
-        let all =
-            String::from_utf8_lossy(&built.stderr).into_owned() + &String::from_utf8_lossy(&built.stdout);
-        assert!(!built.status.success(), "{name} should not build");
-        assert!(all.contains(said), "{name} should say {said:?}, but says {all}");
+fn who_serves_a_book_with_a_fault_reads_it_at_every_address() {
+    let folder = small_book("served", "# A\n\nSee <b>@eq:nothing.\n");
+    let site = folder.join("target/book/html");
+    fs::create_dir_all(&site).unwrap();
+    fs::write(site.join("a.html"), "an older page").unwrap();
+    let built = Command::new(program())
+        .arg("build")
+        .current_dir(&folder)
+        .env("MDBOOK_OUTPUT__HTML__LIVE_RELOAD_ENDPOINT", "reload") // as `mdbook serve` sets it
+        .stdin(Stdio::null())
+        .output()
+        .unwrap();
+    assert!(!built.status.success());
+    assert_eq!(names(&site), ["404.html", "index.html"].map(str::to_owned).into());
+    let page = fs::read_to_string(site.join("404.html")).unwrap();
+    assert!(page.contains("book/a.md:3: `&lt;b&gt;` is not closed") && page.contains("eq:nothing"), "{page}");
+    assert!(page.contains("http-equiv=\"refresh\""), "it asks again");
+}
+
+#[test]
+fn cargo_book_build_names_the_line_of_a_page_that_mdbook_cannot_read() {
+    let folder = small_book("unread", GOOD);
+    fs::create_dir_all(folder.join("elsewhere/html")).unwrap();
+    fs::remove_file(folder.join("book/figures.md")).unwrap();
+    let arguments = ["build", "-d", "elsewhere"].map(str::to_owned);
+    let failed = press::command::run(&folder, &arguments).unwrap_err();
+    assert_eq!(failed, "error: book/SUMMARY.md:2: there is no page book/figures.md\n1 fault");
+    assert_eq!(names(&folder.join("elsewhere")), BTreeSet::new());
+}
+
+#[test]
+fn a_page_whose_snippets_nobody_tests_fails_build_and_test() {
+    let folder = small_book("untested", "# A\n\n```rust\nassert!(false);\n```\n");
+    fs::create_dir_all(folder.join("src")).unwrap();
+    fs::write(folder.join("src/lib.rs"), "#[doc = include_str!(\"../book/figures.md\")]\n").unwrap();
+    for command in ["build", "test"] {
+        let run = mdbook(&folder, &[command]);
+        let fault = "error: book/SUMMARY.md:1: the snippets of book/a.md would never run";
+        assert!(!run.status.success() && said(&run).contains(fault), "{command}: {}", said(&run));
     }
+}
+
+#[test]
+fn every_page_has_a_title_of_its_own() {
+    let mut titles = BTreeSet::new();
+    for (path, html) in pages() {
+        let title = html.split("<title>").nth(1).and_then(|rest| rest.split("</title>").next());
+        let is_copy = path == site().join("index.html"); // of the first page
+        if let Some(title) = title.filter(|_| !is_copy) {
+            assert!(titles.insert(title.to_owned()), "{}: {title}", path.display());
+        }
+    }
+    assert!(titles.contains("Exercises - The coin toss - Things That Spin"), "{titles:?}");
+}
+
+#[test]
+fn the_documentation_of_the_library_leads_to_its_sources() {
+    let api = files(&site().join("api"), ".html");
+    let leading =
+        |html: &str| attributes(html, "href").iter().filter(|href| href.contains("src/mechanics/")).count();
+    let links: usize = api.iter().map(|(_, html)| leading(html)).sum();
+    assert!(links > 1000, "only {links}"); // that they are alive is for the press to say
+    assert!(
+        site().join("api/src/mechanics/lib.rs.html").is_file() && site().join("api/index.html").is_file()
+    );
 }
 
 #[test]

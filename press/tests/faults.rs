@@ -95,6 +95,11 @@ const CASES: &[Case] = &[
     ("glued-heading", "# A\n\n##Title {#ex:x}\n", &[(3, "a label stands behind the closing")]),
     ("parentheses", "# A\n\nSo \\(x\\) and \\[y\\] are.\n", &[(3, "write $…$")]),
     ("capitals", "# A\n\nSee @Eq:x.\n", &[(3, "is written `@eq:`")]),
+    (
+        "figure-in-caption",
+        "# A\n\n![One ![two](fig:nope).](fig:nope)\n",
+        &[(3, "in the caption of another"), (3, "there is no figure")],
+    ),
     ("no-caption", "# A\n\n![](fig:machine)\n", &[(3, "has no caption")]),
     ("source-empty", "# A\n\n$$\na\n$$ {#eq:x source=}\n", &[(5, "lacks a number")]),
     ("source-too-large", "# A\n\n$$\na\n$$ {#eq:x source=99}\n", &[(5, "from 1 to 98")]),
@@ -154,6 +159,118 @@ const CASES: &[Case] = &[
         "# A\n\n<script src=\"https://example.org/x.js\"></script>\n",
         &[(3, "raw HTML must not load")],
     ),
+    (
+        "shouted-script",
+        "# A\n\n<SCRIPT>fetch(\"x\")</SCRIPT>\n",
+        &[(3, "`<script>`: raw HTML must not load")],
+    ),
+    (
+        "inline-image",
+        "# A\n\nSo <IMG SRC=\"//example.org/x.png\"> it is.\n",
+        &[(3, "`<img>`: raw HTML must not")],
+    ),
+    ("raw-heading", "# A\n\n<h2>Two</h2>\n", &[(3, "`<h2>`: raw HTML must not")]),
+    ("handler", "# A\n\n<p class=\"x\"\n   onClick=\"f()\">So.</p>\n", &[(4, "the attribute `onclick`")]),
+    (
+        "raw-style",
+        "# A\n\n<p STYLE=\"background: URL(//example.org/x)\">So.</p>\n",
+        &[(3, "the attribute `style`")],
+    ),
+    ("heading-attribute", "# A\n\n## Two {onclick=f()}\n", &[(3, "braces behind a heading hold an id")]),
+    ("unclosed-div", "# A\n\n<div>\n\nText.\n", &[(3, "`<div>` is not closed")]),
+    ("unclosed-b", "# A\n\nOne\n<b>two.\n\nThree.\n", &[(4, "`<b>` is not closed")]),
+    (
+        "unclosed-in-list",
+        "# A\n\n- <details>\n- two\n\n</details>\n",
+        &[(3, "not closed"), (6, "closes nothing")],
+    ),
+    (
+        "closed-elsewhere",
+        "# A\n\nOne <b>two.\n\nThree</b>.\n",
+        &[(3, "`<b>` is not closed"), (5, "`</b>` closes nothing")],
+    ),
+    ("stray-end", "# A\n\nOne <b>two</b>.\n\n</main>\n", &[(5, "`</main>` closes nothing")]),
+    (
+        "crossed",
+        "# A\n\nOne <b><sub>two</b></sub>.\n",
+        &[(3, "`</sub>` closes nothing"), (3, "`<sub>` is not closed")],
+    ),
+    ("unclosed-comment", "# A\n\n<!-- words\n\nMore.\n", &[(3, "the HTML is broken: eof-in-comment")]),
+    (
+        "broken-html",
+        "# A\n\n<p class=\"x\" class=\"y\">So.</p>\n",
+        &[(3, "the HTML is broken: duplicate-attribute")],
+    ),
+    (
+        "sound-html",
+        "# A\n\n<details>\n<summary>More</summary>\n\n<p id=\"x\">A <b>word</b><br>or two</p>\n\n- see <a\n  href=\"b.html#b\">there</a>\n\n</details>\n\n<!-- words -->\n",
+        &[],
+    ),
+    (
+        "raw-link",
+        "# A\n\n<p>One\n<a href=\"nowhere.html\">there</a></p>\n",
+        &[(4, "the link to `nowhere.html` leads to no page")],
+    ),
+    (
+        "raw-anchor",
+        "# A\n\n> <p>\n> <A HREF=\"b.html#nowhere\">there</A></p>\n",
+        &[(4, "without the anchor `#nowhere`")],
+    ),
+    (
+        "raw-id",
+        "# A\n\n## Two words\n\n<p id=\"two-words\">So.</p>\n\nOr <b id=\"x\">so</b>\nor <b id=\"x\">so</b>.\n",
+        &[(5, "the id `two-words` stands on the page already"), (8, "the id `x` stands")],
+    ),
+    ("heading-id", "# A\n\n## One {#x}\n\n## Two {#x}\n", &[(5, "the id `x` stands on the page already")]),
+    (
+        "foreign-id",
+        "# A\n\n## One {#print-button}\n\n<p id=\"mdbook-content\">So.</p>\n",
+        &[(3, "one of mdBook's own"), (5, "one of mdBook's own")],
+    ),
+    ("raw-reference", "# A\n\n<p>See @eq:x</p>\n", &[(3, "raw HTML is not read for references")]),
+    (
+        "link-in-caption",
+        "# A\n\n![One,\nsee [there](nowhere.md) and <A HREF=\"nope.html\">there</A>.](fig:speed-hoop)\n",
+        &[(4, "the link to `nope.html`"), (4, "the link to `nowhere.md`")],
+    ),
+    ("empty-link", "# A\n\nSee [there]().\n", &[(3, "the link leads nowhere")]),
+    ("mute-link", "# A\n\nSee [](b.md).\n", &[(3, "the link to `b.md` has no words")]),
+    ("bare-figure", "# A\n\n![A caption.](laundromat-machine)\n", &[(3, "(`fig:name`)")]),
+    ("undefined-reference", "# A\n\nSee\n[this][nope].\n", &[(4, "`[nope]` is defined nowhere")]),
+    ("collapsed-reference", "# A\n\nSee [nope][].\n", &[(3, "`[nope]` is defined nowhere")]),
+    ("undefined-footnote", "# A\n\nSo it is.[^nope]\n", &[(3, "the footnote `[^nope]` is defined nowhere")]),
+    ("unused-footnote", "# A\n\nSo.\n\n[^one]: Words.\n", &[(5, "nothing refers to the footnote `[^one]`")]),
+    (
+        "doubled-footnote",
+        "# A\n\nSo.[^one]\n\n[^one]: Words.\n\n[^one]: More.\n",
+        &[(7, "the footnote `[^one]` is defined already")],
+    ),
+    ("good-brackets", "# A\n\nFrom [0, 1], [so] [far] and [x],[^one] [ ] too.\n\n[^one]: Words.\n", &[]),
+    ("include", "# A\n\n{{#include nowhere.md}}\n", &[(3, "`{{#include`: mdBook's directives")]),
+    (
+        "playground",
+        "# A\n\n```text\n{{ #playground x.rs}}\n```\n",
+        &[(4, "`{{#playground`: mdBook's directives")],
+    ),
+    ("escaped-include", "# A\n\n```text\n\\{{#include x.rs}}\n```\n", &[]),
+    ("unclosed-fence", "# A\n\n````text\nwords\n```\n", &[(3, "the fence is not closed")]),
+    ("fence-of-a-quotation", "# A\n\n> ~~~text\n> words\n\nAfter.\n", &[(3, "the fence is not closed")]),
+    ("good-fences", "# A\n\n- ```text\n  a\n  ````\n\n> ~~~text\n> ```\n> ~~~\n", &[]),
+    ("second-title", "# A\n\n# B\n", &[(3, "a second title")]),
+    ("no-title", "Words.\n\nMore.\n", &[(1, "the page has no title")]),
+    ("late-title", "\n## B\n\n# A\n", &[(2, "begins with a title"), (4, "a second title")]),
+    ("jump", "# A\n\n### B\n\n#### C\n\n## D\n", &[(3, "jumps from `#` to `###`")]),
+    ("empty-heading", "# A\n\n##\n\nWords.\n", &[(3, "the heading is empty")]),
+    ("empty-column", "# A\n\n| a | |\n|---|---|\n| 1 | 2 |\n", &[(3, "a column of the table has no name")]),
+    ("nul", "# A\n\nA\0B.\n", &[(3, "U+0000")]),
+    ("override", "# A\n\nOne\ntwo\u{202e}three.\n", &[(4, "U+202E")]),
+    ("isolate-in-code", "# A\n\n```text\na\u{2066}b\n```\n", &[(4, "U+2066")]),
+    ("good-characters", "\u{feff}# A\r\n\r\nשלום, \u{200f}emoji 🛞,\ttab.\r\n", &[]),
+    (
+        "unused-citation",
+        "# A\n\n- {#cite:x \"X 1999\"} Words.\n- {#cite:y \"Y 1999\"} Words; @cite:y.\n",
+        &[(3, "nothing cites cite:x")],
+    ),
 ];
 
 #[test]
@@ -174,6 +291,59 @@ fn every_fault_names_file_line_and_what_is_wrong() {
 }
 
 #[test]
+fn what_is_nested_too_deeply_is_a_fault_at_its_line() {
+    for (name, open, close) in [
+        ("brace", "{", "}"),
+        ("frac", "\\frac{", "}{2}"),
+        ("root", "\\sqrt[2", "]{2}"),
+        ("row", "\\sqrt ", ""),
+        ("left", "\\left(", "\\right)"),
+        ("matrix", "\\begin{matrix}", "\\end{matrix}"),
+    ] {
+        let page = |depth: usize| format!("# A\n\n$$\n{}x{}\n$$\n", open.repeat(depth), close.repeat(depth));
+        let faults = Book::new(&format!("deep-{name}"), &page(20_000), "# B\n", "# C\n").faults();
+        assert!(
+            faults.len() == 1 && faults[0].starts_with("error: book/a.md:4: the formula is nested more than"),
+            "{name}: {faults:?}"
+        );
+        assert_eq!(
+            Book::new(&format!("shallow-{name}"), &page(12), "# B\n", "# C\n").faults(),
+            [""; 0],
+            "{name}"
+        );
+    }
+    let page = format!("# A\n\n{}\n", "<b>".repeat(20_000));
+    let faults = Book::new("deep-html", &page, "# B\n", "# C\n").faults();
+    assert!(faults.iter().any(|fault| fault.contains("more than 30 elements of raw HTML")), "{}", faults[0]);
+}
+
+/// Each of these took minutes while something was counted from the beginning of the page for every item on it; in time
+/// that grows as the page does, each takes a second.
+#[test]
+fn a_page_of_a_megabyte_is_read_in_seconds() {
+    for (name, text) in [
+        ("formulas", "So $x$ is.\n".repeat(250_000)),
+        ("displays", "$$\nx\n$$\n\n".repeat(250_000)),
+        ("dollars", "$".repeat(1_000_000)),
+        ("ats", "@".repeat(1_000_000)),
+        ("brackets", "[^".repeat(500_000)),
+        ("images", "![a".repeat(250_000) + &"](fig:x)".repeat(250_000)),
+        ("headings", "## a\n\n".repeat(100_000)),
+    ] {
+        let book = Book::new(&format!("large-{name}"), &format!("# A\n\n{text}\n"), "# B\n", "# C\n");
+        let start = std::time::Instant::now();
+        let faults = book.faults();
+        let seconds = start.elapsed().as_secs_f64();
+        assert!(seconds < 40.0, "{name}: {seconds} s");
+        assert_eq!(
+            faults.is_empty(),
+            matches!(name, "formulas" | "displays" | "ats" | "brackets" | "headings"),
+            "{name}"
+        );
+    }
+}
+
+#[test]
 fn equations_outside_numbered_chapters_have_no_number_to_bear() {
     let book = Book::new("unnumbered", "# A\n", "# B\n", "# C\n\n$$\na\n$$ {#eq:x}\n");
     let faults = book.faults();
@@ -187,18 +357,70 @@ fn equations_outside_numbered_chapters_have_no_number_to_bear() {
 fn labels_cited_in_code_must_exist() {
     let book = Book::new("code", "# A\n", "# B\n", "# C\n");
     fs::create_dir_all(book.root.join("src")).unwrap();
-    fs::write(book.root.join("src/lib.rs"), "//! Nothing.\nfn f() {} // eq:nowhere\n").unwrap();
+    let library = "#[doc = include_str!(\"../book/a.md\")]\n#[doc = include_str!(\"../book/b.md\")]\n\
+                   #[doc = include_str!(\"../book/c.md\")]\nfn f() {} // eq:nowhere\n";
+    fs::write(book.root.join("src/lib.rs"), library).unwrap();
     let faults = book.faults();
-    assert_eq!(faults, ["error: src/lib.rs:2: no page defines the label eq:nowhere"]);
+    assert_eq!(faults, ["error: src/lib.rs:4: no page defines the label eq:nowhere"]);
 }
 
 #[test]
-fn a_missing_page_and_a_broken_configuration_are_faults() {
-    let book = Book::new("missing", "# A\n", "# B\n", "# C\n");
+fn the_lists_of_pages_agree() {
+    let book = Book::new("lists", "# A\n", "# B\n", "# C\n");
+    let write = |file: &str, text: &str| fs::write(book.root.join(file), text).unwrap();
+    fs::create_dir_all(book.root.join("src")).unwrap();
+    fs::create_dir_all(book.root.join("book/more")).unwrap();
+    let library = "//! Pages.\n    #[doc = include_str!(\"../book/a.md\")]\n    // #[doc = include_str!(\"../book/b.md\")]\n\
+                   #[doc = include_str!(\"../README.md\")]\n#[doc = include_str!(\"../book/c.md\")]\n\
+                   #[doc = include_str!(\"../book/d.md\")]\n";
+    write("src/lib.rs", library);
+    write("book/more/stray.md", "# Nobody reads this\n");
+    let faults = book.faults();
+    assert_eq!(
+        faults,
+        [
+            "error: book/SUMMARY.md:4: the snippets of book/b.md would never run: \
+             add #[doc = include_str!(\"../book/b.md\")] to the pages in src/lib.rs",
+            "error: book/more/stray.md: SUMMARY.md does not name this page: add it there, or move it out of book/",
+            "error: src/lib.rs:6: SUMMARY.md does not name the page book/d.md",
+        ]
+    );
+}
+
+#[test]
+fn a_style_sheet_of_the_book_loads_nothing_from_a_network() {
+    let book = Book::new("sheet", "# A\n", "# B\n", "# C\n");
+    fs::create_dir_all(book.root.join("book/theme")).unwrap();
+    fs::write(
+        book.root.join("book/theme/x.css"),
+        "p {\n  background: URL( 'https://example.org/x.png' );\n}\n",
+    )
+    .unwrap();
+    let said = "error: book/theme/x.css:2: the style sheet loads https://example.org/x.png from a network";
+    assert_eq!(book.faults(), [said]);
+}
+
+#[test]
+fn what_cannot_be_read_is_a_fault_at_its_line() {
+    let book = Book::new("unreadable", "# A\n", "# B\n", "# C\n");
+    let write = |file: &str, text: &[u8]| fs::write(book.root.join(file), text).unwrap();
+    write("book/b.md", b"# B\n\nCaf\xe9.\n");
+    assert_eq!(book.faults(), ["error: book/b.md:3: this line is not UTF-8: save the file in that encoding"]);
     fs::remove_file(book.root.join("book/b.md")).unwrap();
-    assert!(book.faults()[0].starts_with("error: book/b.md: SUMMARY.md names it"), "{:?}", book.faults());
-    fs::write(book.root.join("book.toml"), "[book\n").unwrap();
-    assert!(book.faults()[0].starts_with("error: book.toml: "), "{:?}", book.faults());
+    assert_eq!(book.faults(), ["error: book/SUMMARY.md:4: there is no page book/b.md"]);
+    write("book/b.md", b"# B\n");
+    write("book/SUMMARY.md", b"# Summary\n\n- [A](a.md)\n- [B](b.md)\n- [Again](./a.md)\n");
+    let faults = book.faults();
+    assert_eq!(faults, ["error: book/SUMMARY.md:5: book/a.md is named a second time"]);
+    write("book/SUMMARY.md", b"# Summary\n\n- [A](a.md)\n- B\n");
+    let faults = book.faults();
+    assert!(faults.len() == 1 && faults[0].starts_with("error: book/SUMMARY.md:4: "), "{faults:?}");
+    write("book/SUMMARY.md", "# Summary\n\n- [A](a.md)\n- [\u{202e}B](b.md)\n- [C](c.md)\n".as_bytes());
+    let faults = book.faults();
+    assert!(faults.len() == 1 && faults[0].starts_with("error: book/SUMMARY.md:4: "), "{faults:?}");
+    write("book.toml", b"[book]\ntitle = \"T\nsrc = \"book\"\n");
+    let faults = book.faults();
+    assert!(faults.len() == 1 && faults[0].starts_with("error: book.toml:2: "), "{faults:?}");
 }
 
 #[test]

@@ -34,9 +34,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut cells = String::new();
     for drawing in drawings {
         let name = drawing.id().replace(':', "-");
-        fs::write(folder.join(format!("{name}.svg")), drawing.to_standalone_svg())?;
-        println!("{name} {} bytes", drawing.to_svg().len());
-        cells += &format!("<figure>{}</figure>\n", drawing.to_svg());
+        fs::write(folder.join(format!("{name}.svg")), drawing.to_standalone_svg()?)?;
+        println!("{name} {} bytes", drawing.to_svg()?.len());
+        cells += &format!("<figure>{}</figure>\n", drawing.to_svg()?);
     }
     let page = format!(
         "<!doctype html><meta charset=\"utf-8\"><title>Solids</title>\n<style>\n\

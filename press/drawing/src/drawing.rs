@@ -1,5 +1,6 @@
 //! The display list.
 
+use crate::flaw::{self, Flaw};
 use crate::label::{Label, LabelError, Side};
 use crate::point::{Point, Rect, at};
 use crate::role::{Fill, Hue, Role, Stroke};
@@ -78,13 +79,14 @@ pub struct Drawing {
     title: String,
     description: String,
     items: Vec<Item>,
+    flaw: Option<Flaw>,
 }
 
 impl Drawing {
     /// An empty figure with its id (`fig:orbit`) and its full size, px.
     pub fn new(id: &str, width: f64, height: f64) -> Self {
         let [title, description] = [String::new(), String::new()];
-        Self { id: id.into(), width, height, title, description, items: Vec::new() }
+        Self { id: id.into(), width, height, title, description, items: Vec::new(), flaw: None }
     }
 
     /// The figure with the words for readers who cannot see it: a short title, and what it shows.
@@ -130,6 +132,16 @@ impl Drawing {
         Rect::new(0.0, 0.0, self.width, self.height)
     }
 
+    /// Refuses the drawing for something that could not be added to it; the first reason stays.
+    pub fn refuse(&mut self, flaw: Flaw) {
+        self.flaw.get_or_insert(flaw);
+    }
+
+    /// Why the drawing cannot be shown, if it cannot.
+    pub(crate) fn flaw(&self) -> Option<Flaw> {
+        self.flaw.clone().or_else(|| self.items.iter().find_map(flaw::of))
+    }
+
     /// Adds a shape.
     pub fn push(&mut self, role: Role, shape: Shape) {
         self.items.push(Item { role, shape, name: None });
@@ -149,7 +161,9 @@ impl Drawing {
 
     /// A polyline, thinned to what can be seen.
     pub fn polyline(&mut self, points: &[Point], stroke: Stroke, hue: Hue) {
-        self.push(Role::Line(stroke, hue), Shape::Polyline(simplify(points, TOLERANCE)));
+        let sound = points.iter().all(|point| point.x.is_finite() && point.y.is_finite());
+        let points = if sound { simplify(points, TOLERANCE) } else { points.to_vec() }; // which would lose the flaw
+        self.push(Role::Line(stroke, hue), Shape::Polyline(points));
     }
 
     /// A filled polygon.

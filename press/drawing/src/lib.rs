@@ -16,6 +16,7 @@
 //! | `label` | words and mathematics, measured and set without any font on the reader's machine |
 //! | [`kit`] | arrows, angles, dimensions, springs, dampers, fixed points |
 //! | `clip`, `simplify` | polylines cut at a frame and thinned below what can be seen |
+//! | `flaw` | why a drawing is refused: a coordinate that is no number, a curve that nobody sees |
 //! | `svg`, `style` | the writer, and the style sheet of figures that stand alone |
 //!
 //! Solids, a camera and hidden lines live in a module of their own, [`space`], on top of the same display list.
@@ -25,13 +26,14 @@
 //! let mut drawing = Drawing::new("fig:orbit", 200.0, 120.0).titled("An orbit", "A circle about a fixed point.");
 //! drawing.circle(at(100.0, 60.0), 40.0, Role::Line(Stroke::Orbit, Hue::Blue));
 //! drawing.label(at(100.0, 60.0), Side::Below, r"radius $r_0 = b\,\Omega^2/D$", Hue::Ink)?;
-//! assert!(drawing.to_svg().starts_with("<svg"));
+//! assert!(drawing.to_svg()?.starts_with("<svg"));
 //! assert!(drawing.label(at(0.0, 0.0), Side::Below, r"$\unheard$", Hue::Ink).is_err());
-//! # Ok::<(), drawing::LabelError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod clip;
 mod drawing;
+mod flaw;
 pub mod kit;
 mod label;
 mod point;
@@ -43,6 +45,7 @@ mod svg;
 
 pub use clip::clip;
 pub use drawing::{Drawing, Item, Shape};
+pub use flaw::Flaw;
 pub use label::{Label, LabelError, Piece, Segment, Side, TEX_COMMANDS};
 pub use point::{Point, Rect, at};
 pub use role::{Fill, Hue, Role, Stroke};

@@ -1,6 +1,7 @@
 //! Drawings as SVG.
 
 use crate::drawing::{Drawing, Item, Shape};
+use crate::flaw::Flaw;
 use crate::label::{Label, Piece, Segment};
 use crate::point::Point;
 use crate::role::{RIM, Role, STOPS};
@@ -12,23 +13,32 @@ const SMALLEST: f64 = 11.0 / 13.0;
 
 impl Drawing {
     /// The drawing as SVG to be put into a page: no colours, no blank lines; the page's style sheet gives roles their looks.
-    pub fn to_svg(&self) -> String {
+    ///
+    /// # Errors
+    /// [`Flaw`] if a coordinate is no number, or something could not be added.
+    pub fn to_svg(&self) -> Result<String, Flaw> {
         let (width, height) = (number(self.width()), number(self.height()));
         let style = format!("max-width:{width}px;min-width:{}px", number((self.width() * SMALLEST).floor()));
         self.write(&format!("viewBox=\"0 0 {width} {height}\" style=\"{style}\""), "")
     }
 
     /// The drawing as an SVG file of its own, in full size, with its style sheet for light and dark inside.
-    pub fn to_standalone_svg(&self) -> String {
+    ///
+    /// # Errors
+    /// [`Flaw`] if a coordinate is no number, or something could not be added.
+    pub fn to_standalone_svg(&self) -> Result<String, Flaw> {
         let (width, height) = (number(self.width()), number(self.height()));
         let size = format!(
             "xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\""
         );
         let style = format!("<style>\n{}</style>\n", style::standalone());
-        format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", self.write(&size, &style))
+        Ok(format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", self.write(&size, &style)?))
     }
 
-    fn write(&self, size: &str, style: &str) -> String {
+    fn write(&self, size: &str, style: &str) -> Result<String, Flaw> {
+        if let Some(flaw) = self.flaw() {
+            return Err(flaw);
+        }
         let id = self.id().replace(':', "-");
         let mut out = format!(
             "<svg class=\"drawn\" {size} role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n\
@@ -40,7 +50,7 @@ impl Drawing {
             write_item(&mut out, &id, index, item);
         }
         out.push_str("</svg>");
-        out
+        Ok(out)
     }
 }
 

@@ -1,5 +1,6 @@
 //! What can go wrong with a figure.
 
+use crate::Chapter;
 use std::error::Error;
 use std::fmt;
 
@@ -7,13 +8,17 @@ use std::fmt;
 #[derive(Debug)]
 pub struct Failure {
     chapter: String,
+    line: usize,
     figure: String,
     cause: Box<dyn Error + Send + Sync>,
 }
 
 impl Failure {
-    pub(crate) fn new(chapter: &str, figure: &str, cause: Box<dyn Error + Send + Sync>) -> Self {
-        Self { chapter: chapter.into(), figure: figure.into(), cause }
+    /// The failure of a figure of a chapter, at the line that lists it.
+    pub(crate) fn new(chapter: &Chapter, figure: &str, cause: Box<dyn Error + Send + Sync>) -> Self {
+        let listed = chapter.source.lines().position(|line| line.contains(&format!("\"{figure}\"")));
+        let line = listed.map_or(0, |before| before + 1);
+        Self { chapter: chapter.folder.into(), line, figure: figure.into(), cause }
     }
 
     /// The id of the figure, as in `fig:machine`.
@@ -24,7 +29,7 @@ impl Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "book/{}/figures.rs: {}: {}", self.chapter, self.figure, self.cause)
+        write!(out, "book/{}/figures.rs:{}: {}: {}", self.chapter, self.line, self.figure, self.cause)
     }
 }
 

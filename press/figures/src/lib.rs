@@ -16,7 +16,8 @@ macro_rules! chapters {
             #[path = $path]
             mod $name;
         )*
-        const CHAPTERS: &[(&str, &[Entry])] = &[$(($folder, $name::FIGURES)),*];
+        const CHAPTERS: &[Chapter] =
+            &[$(Chapter { folder: $folder, entries: $name::FIGURES, source: include_str!($path) }),*];
     };
 }
 
@@ -55,6 +56,13 @@ pub(crate) struct Entry {
     pub(crate) draw: fn(&str) -> Outcome,
 }
 
+/// The figures of a chapter: its folder, its list, and the text of its file, in which failures find their lines.
+struct Chapter {
+    folder: &'static str,
+    entries: &'static [Entry],
+    source: &'static str,
+}
+
 /// A figure of the book, rendered.
 #[derive(Debug, Clone)]
 pub struct Figure {
@@ -80,8 +88,8 @@ pub struct Figure {
 /// A [`Failure`] for each figure that could not be drawn, or whose id another figure has, with its file and the reason.
 pub fn all() -> Result<Vec<Figure>, Vec<Failure>> {
     let (mut figures, mut failures) = (Vec::<Figure>::new(), Vec::new());
-    for (chapter, entries) in CHAPTERS {
-        for entry in *entries {
+    for chapter in CHAPTERS {
+        for entry in chapter.entries {
             match render(chapter, entry) {
                 Ok(figure) => match figures.iter().find(|other| other.id == figure.id) {
                     Some(other) => {
@@ -91,43 +99,117 @@ pub fn all() -> Result<Vec<Figure>, Vec<Failure>> {
                     }
                     None => figures.push(figure),
                 },
-                Err(failure) => failures.push(failure),
+                Err(cause) => failures.push(Failure::new(chapter, entry.id, cause)),
             }
         }
     }
     if failures.is_empty() { Ok(figures) } else { Err(failures) }
 }
 
-fn render(chapter: &str, entry: &Entry) -> Result<Figure, Failure> {
-    let drawing = (entry.draw)(entry.id).map_err(|cause| Failure::new(chapter, entry.id, cause))?;
+fn render(chapter: &Chapter, entry: &Entry) -> Result<Figure, Cause> {
+    let sound = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-';
+    if !entry.id.strip_prefix("fig:").is_some_and(|name| !name.is_empty() && name.bytes().all(sound)) {
+        return Err("the id of a figure is `fig:` and lower-case letters, digits and hyphens".into());
+    }
+    let drawing = (entry.draw)(entry.id)?;
+    if drawing.title().trim().is_empty() || drawing.description().trim().is_empty() {
+        return Err("the figure lacks a title or a description for those who cannot see it".into());
+    }
     Ok(Figure {
         id: entry.id.into(),
-        chapter: chapter.into(),
+        chapter: chapter.folder.into(),
         title: drawing.title().into(),
         description: drawing.description().into(),
-        svg: drawing.to_svg(),
-        standalone: drawing.to_standalone_svg(),
+        svg: drawing.to_svg()?,
+        standalone: drawing.to_standalone_svg()?,
         drawing,
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Drawing, Entry, render};
-    use drawing::{Hue, Side, at};
+    use super::{Axis, Cause, Chapter, Drawing, Entry, Failure, Outcome, Plot, render};
+    use drawing::{Hue, Rect, Side, Stroke, at};
+
+    /// What is said of a figure that is drawn by `draw` and listed in the third line of its file.
+    fn said(id: &'static str, draw: fn(&str) -> Outcome) -> String {
+        let source = "use drawing::Drawing;\n\nconst FIGURES: &[Entry] = &[Entry { id: \"gimbal\", draw }, Entry { id: \"fig:typo\", draw }];\n";
+        let chapter = Chapter { folder: "nowhere", entries: &[], source };
+        let cause: Cause = render(&chapter, &Entry { id, draw }).expect_err("it is wrong");
+        Failure::new(&chapter, id, cause).to_string()
+    }
+
+    fn empty(id: &str) -> Drawing {
+        Drawing::new(id, 100.0, 100.0).titled("A figure", "It shows nothing.")
+    }
+
+    /// A figure with one curve in a plot whose axes go from 1 to 10, logarithmic along y.
+    fn curve(id: &str, values: &[(f64, f64)]) -> Outcome {
+        let mut drawing = empty(id);
+        let frame = Rect::new(30.0, 10.0, 60.0, 60.0);
+        let mut plot =
+            Plot::new(&mut drawing, frame, Axis::linear(1.0, 10.0, 3.0)?, Axis::log(1.0, 10.0, 1)?)?;
+        plot.curve("body", values.iter().copied(), Stroke::Curve, Hue::Blue);
+        Ok(drawing)
+    }
 
     #[test]
-    fn a_figure_that_fails_is_named() {
-        let draw = |id: &str| {
-            let mut drawing = Drawing::new(id, 100.0, 100.0);
+    fn a_figure_that_fails_is_named_with_its_line() {
+        let typo = |id: &str| {
+            let mut drawing = empty(id);
             drawing.label(at(50.0, 50.0), Side::Over, r"$\omga$", Hue::Ink)?;
             Ok(drawing)
         };
-        let failure = render("nowhere", &Entry { id: "fig:typo", draw }).expect_err("the label is wrong");
-        assert_eq!(failure.figure(), "fig:typo");
         assert_eq!(
-            failure.to_string(),
-            r"book/nowhere/figures.rs: fig:typo: label `$\omga$`: unknown command `\omga`"
+            said("fig:typo", typo),
+            r"book/nowhere/figures.rs:3: fig:typo: label `$\omga$`: unknown command `\omga`"
         );
+        for id in ["gimbal", "fig:", "fig:Gimbal"] {
+            let said = said(id, |id| Ok(empty(id)));
+            let rule =
+                format!("{id}: the id of a figure is `fig:` and lower-case letters, digits and hyphens");
+            assert!(said.ends_with(&rule), "{said}");
+        }
+        for draw in
+            [(|id| Ok(Drawing::new(id, 9.0, 9.0).titled("", "Words."))) as fn(&str) -> Outcome, |id| {
+                Ok(Drawing::new(id, 9.0, 9.0).titled("Words", " "))
+            }]
+        {
+            assert!(said("fig:typo", draw).contains("lacks a title or a description"));
+        }
+    }
+
+    #[test]
+    fn no_figure_is_drawn_without_what_is_no_number() {
+        let nan = |id: &str| {
+            let mut drawing = empty(id);
+            drawing.line(at(1.0, 1.0), at(f64::NAN, 2.0), Stroke::Outline, Hue::Ink);
+            Ok(drawing)
+        };
+        let gap = |id: &str| {
+            let mut drawing = empty(id);
+            let line = [at(1.0, 1.0), at(2.0, 2.0), at(3.0, f64::NAN), at(4.0, 4.0)];
+            drawing.polyline(&line, Stroke::Curve, Hue::Blue);
+            drawing.name_last("path");
+            Ok(drawing)
+        };
+        for (draw, expected) in [
+            (gap as fn(&str) -> Outcome, "the line path goes through (3, NaN)"),
+            (nan as fn(&str) -> Outcome, "a line (f-line f-outline f-ink) goes through (NaN, 2)"),
+            (|id| curve(id, &[(1.0, f64::NAN), (2.0, f64::NAN)]), "the curve body goes through (1, NaN)"),
+            (
+                |id| curve(id, &[(1.0, 2.0), (2.0, 3.0), (f64::INFINITY, 3.0), (3.0, 2.0)]),
+                "the curve body goes through (inf, 3)",
+            ),
+            (|id| curve(id, &[(1.0, 2.0), (2.0, 3.0), (3.0, 0.0)]), "the curve body goes through (3, 0)"),
+            (|id| curve(id, &[(20.0, 2.0), (30.0, 3.0)]), "no part of the curve body lies inside the frame"),
+        ] {
+            let said = said("fig:typo", draw);
+            assert!(
+                said.starts_with("book/nowhere/figures.rs:3: fig:typo: ") && said.contains(expected),
+                "{said}"
+            );
+        }
+        assert!(curve("fig:typo", &[(1.0, 2.0), (2.0, 3.0)]).expect("a plot").to_svg().is_ok());
     }
 }

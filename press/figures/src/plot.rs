@@ -5,7 +5,9 @@
 
 use crate::axis::Axis;
 use drawing::kit::{self, Marker};
-use drawing::{Drawing, Fill, Hue, Label, LabelError, Point, Rect, Role, Shape, Side, Stroke, at, clip};
+use drawing::{
+    Drawing, Fill, Flaw, Hue, Label, LabelError, Point, Rect, Role, Shape, Side, Stroke, at, clip,
+};
 
 /// Type sizes of ticks, and of titles and labels, px.
 const TICK_TYPE: f64 = 13.0;
@@ -78,8 +80,15 @@ impl<'a> Plot<'a> {
         stroke: Stroke,
         hue: Hue,
     ) {
-        let points: Vec<Point> = values.into_iter().map(|value| self.at(value)).collect();
-        for (index, piece) in clip(&points, &self.frame).iter().enumerate() {
+        let values: Vec<(f64, f64)> = values.into_iter().collect();
+        let what = format!("the curve {name}");
+        let points = self.placed(&what, &values);
+        let pieces = clip(&points, &self.frame);
+        // A series may have a single point, or none, and then no curve.
+        if pieces.is_empty() && points.len() > 1 {
+            self.drawing.refuse(Flaw::NothingToSee { what });
+        }
+        for (index, piece) in pieces.iter().enumerate() {
             self.drawing.polyline(piece, stroke, hue);
             self.drawing.name_last(&if index == 0 {
                 name.to_owned()
@@ -97,17 +106,25 @@ impl<'a> Plot<'a> {
 
     /// A marker at each pair of values inside the frame.
     pub fn markers(&mut self, values: &[(f64, f64)], form: Marker, hue: Hue) {
-        for &value in values {
-            let point = self.at(value);
+        for point in self.placed("a marker", values) {
             if self.frame.grown(0.5).contains(point) {
                 kit::marker(self.drawing, point, form, hue);
             }
         }
     }
 
+    /// Where values lie in the drawing, px. The drawing is refused for one that has no place on these axes.
+    fn placed(&mut self, what: &str, values: &[(f64, f64)]) -> Vec<Point> {
+        let points: Vec<Point> = values.iter().map(|&value| self.at(value)).collect();
+        if let Some(at) = points.iter().position(|point| !(point.x.is_finite() && point.y.is_finite())) {
+            self.drawing.refuse(Flaw::NoNumber { what: what.to_owned(), place: values[at] });
+        }
+        points
+    }
+
     /// A reference line between two pairs of values, cut at the frame.
     pub fn reference(&mut self, from: (f64, f64), to: (f64, f64), stroke: Stroke) {
-        let ends = [self.at(from), self.at(to)];
+        let ends = self.placed("a reference line", &[from, to]);
         for piece in clip(&ends, &self.frame) {
             self.drawing.push(Role::Line(stroke, Hue::Muted), Shape::Polyline(piece));
         }

@@ -24,7 +24,7 @@
 //! | `stage`, `marks`, `ground`, `ink` | the scene |
 //!
 //! ```
-//! use drawing::{Drawing, Hue, at, space::{Camera, Edges, Solid, SpaceError, Stage, View}};
+//! use drawing::{Drawing, Hue, at, space::{Camera, Edges, Solid, Stage, View}};
 //! let camera = Camera::new(View {
 //!     target: [0.0; 3], azimuth: -1.2, elevation: 0.4, distance: 8.0, centre: at(150.0, 160.0), scale: 80.0,
 //! })?;
@@ -35,9 +35,9 @@
 //! stage.named_vector([0.0, 0.0, 1.2], [0.0, 0.0, 1.8], r"$\boldsymbol\omega$", Hue::Orange)?;
 //! let mut drawing = Drawing::new("fig:plate", 300.0, 300.0).titled("A plate", "A tilted plate on a shaft.");
 //! stage.write(&mut drawing);
-//! let svg = drawing.to_svg();
+//! let svg = drawing.to_svg()?;
 //! assert!(svg.contains("f-hidden f-ink"), "the shaft behind the plate is dashed");
-//! # Ok::<(), SpaceError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod camera;

@@ -1,0 +1,52 @@
+//! What a build leaves behind: the folder `html` is there when the site in it is whole, and only then, so that a script
+//! which does not look at the exit code has nothing to publish.
+
+use crate::preprocess::Failed;
+use mdbook_preprocessor::config::Config;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+/// Puts aside the site that mdBook has just rendered, until it is finished; where it is now.
+pub(crate) fn put_aside(site: &Path) -> io::Result<PathBuf> {
+    let unfinished = site.with_file_name("html-unfinished");
+    remove(&unfinished)?;
+    fs::rename(site, &unfinished)?;
+    Ok(unfinished)
+}
+
+/// Brings the finished site back.
+pub(crate) fn bring_back(unfinished: &Path, site: &Path) -> io::Result<()> {
+    fs::rename(unfinished, site)
+}
+
+/// Takes the site away after a build that failed. Who looks at it through `mdbook serve` sees the reason instead, at every
+/// address, until the next build.
+pub(crate) fn withdraw(site: &Path, config: &Config, failed: &Failed) -> io::Result<()> {
+    remove(&site.with_file_name("html-unfinished"))?;
+    remove(site)?;
+    if config.contains_key("output.html.live-reload-endpoint") {
+        fs::create_dir_all(site)?;
+        for name in ["index.html", "404.html"] {
+            fs::write(site.join(name), page(&failed.to_string()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Removes a folder; one that does not exist is nothing to remove.
+pub(crate) fn remove(folder: &Path) -> io::Result<()> {
+    match fs::remove_dir_all(folder) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// A page that says why there is no book, and asks every two seconds whether there is one now.
+fn page(reason: &str) -> String {
+    let reason = reason.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<meta charset=\"utf-8\">\n<meta http-equiv=\"refresh\" content=\"2\">\n\
+         <meta name=\"color-scheme\" content=\"light dark\">\n<title>The book was not built</title>\n\
+         <h1>The book was not built</h1>\n<pre style=\"white-space: pre-wrap\">\n{reason}\n</pre>\n</html>\n"
+    )
+}
