@@ -143,3 +143,25 @@ fn slow_mode_of_a_heavy_damper_keeps_its_digits() {
     assert_eq!((fast.re, slow.re), (2.0, 2.0));
     assert!((fast.im / 1e8 - 1.0).abs() < 1e-15 && (slow.im / 1e-8 - 1.0).abs() < 1e-15);
 }
+
+#[test]
+fn a_radial_damper_resists_what_leads_away_from_the_centre() {
+    // At (3, 4) m: all of a velocity along (3, 4), and nothing of one across.
+    let parameters = Parameters {
+        drum_mass: 1.0,
+        load_mass: 1.0,
+        load_radius: 1.0,
+        stiffness: 3.0,
+        damping: 0.7,
+        spin: 0.0,
+    };
+    let machine = Machine::new(parameters).unwrap();
+    for [along, across] in [[1.0, 0.0], [0.0, 1.0], [2.0, -0.5]] {
+        let (vx, vy) = (0.6 * along - 0.8 * across, 0.8 * along + 0.6 * across);
+        let [_, _, ax, ay] = machine.radial_damping_rates(0.0, &[3.0, 4.0, vx, vy]);
+        let [spring_x, spring_y] = [-3.0, -4.0].map(|x| x * machine.natural_frequency().powi(2));
+        let damping = machine.damping_rate() * along;
+        assert!((ax - spring_x + 0.6 * damping).abs() < 1e-14, "{ax}");
+        assert!((ay - spring_y + 0.8 * damping).abs() < 1e-14, "{ay}");
+    }
+}

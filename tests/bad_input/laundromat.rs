@@ -101,6 +101,8 @@ fn zero_is_allowed_where_it_makes_sense() {
 
 #[test]
 fn derived_quantities_must_stay_in_range() {
+    let four = Parameters { drum_mass: 3.0, load_mass: 1.0, ..WASHER };
+    assert!(Machine::new(Parameters { stiffness: 4e80, damping: 3e50, ..four }).is_ok());
     let cases = [
         (Parameters { drum_mass: 1e60, ..WASHER }, "drum mass 1e60 kg"),
         (Parameters { load_mass: 1e-310, ..WASHER }, "load mass 1e-310 kg"),
@@ -114,6 +116,9 @@ fn derived_quantities_must_stay_in_range() {
         (Parameters { load_radius: 1e-45, load_mass: 1e-10, ..WASHER }, "offset b of the centre of mass"),
         (Parameters { damping: 1e200, ..WASHER }, "damping rate Γ"),
         (Parameters { damping: 1e-200, ..WASHER }, "damping rate Γ"),
+        (Parameters { stiffness: 4e120, ..four }, "natural frequency ω₀ 1e60 rad/s"),
+        (Parameters { load_radius: 2e-50, ..four }, "offset b of the centre of mass 5e-51 m"),
+        (Parameters { damping: 4e60, ..four }, "damping rate Γ 1e60 1/s"),
         (Parameters { spin: 1e60, ..WASHER }, "spin 1e60 rad/s"),
         (Parameters { spin: -1e-60, ..WASHER }, "spin -1e-60 rad/s"),
     ];

@@ -183,3 +183,26 @@ fn motor_torque_feeds_the_dampers() {
         assert_relative_eq!(steady.motor_torque(), pull, max_relative = 1e-11);
     }
 }
+
+#[test]
+fn a_steady_circle_at_the_ends_of_the_range_is_no_less_exact() {
+    // At rest: nothing moves, and the motor has nothing to do.
+    let resting = Machine::new(Parameters { spin: 0.0, ..WASHER }).unwrap().steady().unwrap();
+    assert_eq!([resting.radius(), resting.motor_torque(), resting.motor_power()], [0.0; 3]);
+    assert_eq!(resting.centre_of_mass_radius(), washer().offset());
+    // So far below resonance that squares of the ratio are beyond all numbers: bΩ²/ω₀².
+    let stiff = Parameters {
+        drum_mass: 0.0,
+        load_mass: 1.0,
+        load_radius: 1.0,
+        stiffness: 1e80,
+        damping: 0.0,
+        spin: 1e-40,
+    };
+    let radius = Machine::new(stiff).unwrap().steady().unwrap().radius();
+    assert!((radius / 1e-160 - 1.0).abs() < 1e-15, "{radius:e}");
+    // Γ² = 2ω₀² to the last bit: the peak has just gone.
+    let flat = Parameters { stiffness: 2.0, damping: 2.0, ..stiff };
+    assert_eq!(Machine::new(flat).unwrap().peak(), None);
+    assert!(Machine::new(Parameters { damping: 2.0_f64.next_down(), ..flat }).unwrap().peak().is_some());
+}

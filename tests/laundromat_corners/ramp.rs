@@ -163,6 +163,10 @@ fn what_cannot_be_is_refused() {
             "angular acceleration over the square of the natural frequency 0 is too small; it must be at least 1e-12",
         ),
         (
+            1e-13,
+            "angular acceleration over the square of the natural frequency 1e-13 is too small; it must be at least 1e-12",
+        ),
+        (
             -1e13,
             "angular acceleration over the square of the natural frequency 1e13 is too large; it must be at most 1e12",
         ),
@@ -194,13 +198,14 @@ fn times_beyond_reach_are_refused_one_by_one_and_many_at_once() {
             assert!(!refused(&ramp, t) && refused(&ramp, 20.0 * t), "{t}");
         }
     }
+    assert!(refused(&machine(0.0, 1e3).ramp(1e-12, start()).unwrap(), 1e12));
     // With it, before the start, as long as what has grown backwards is a number. There |v + ½Γz|² + ω₁²|z|² grows by e a second.
     let size = |shaft: Shaft| {
         let [z, v] = [shaft.position, shaft.velocity].map(|part| part * 1e-280);
         ((v + z * 0.5).norm_sqr() + 0.75 * z.norm_sqr()).ln()
     };
-    for spin in [0.0, 3.0] {
-        let ramp = machine(1.0, spin).ramp(0.5, start()).unwrap();
+    for (spin, acceleration) in [(0.0, 0.5), (3.0, 0.5), (3.0, 0.01)] {
+        let ramp = machine(1.0, spin).ramp(acceleration, start()).unwrap();
         let mut last = size(ramp.at(-1200.0).unwrap());
         let mut answered = 0;
         for t in 1201..2000 {

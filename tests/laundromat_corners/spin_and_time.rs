@@ -194,6 +194,27 @@ fn times_that_are_none_are_refused_by_every_motion_of_the_drum() {
 }
 
 #[test]
+fn a_tiny_motion_is_followed_back_until_it_is_huge() {
+    // |v + ½Γz|² + ω₁²|z|² of the free motion that this is, long before the start, grows by e^Γ in a second.
+    let size = |damping: f64, shaft: Shaft| {
+        let [z, v] = [shaft.position, shaft.velocity].map(|part| part * 1e-200);
+        ((v + z * (0.5 * damping)).norm_sqr() + (1.0 - 0.25 * damping * damping) * z.norm_sqr()).ln()
+    };
+    let tiny = Shaft::from_array([3e-45, -1e-45, 2e-45, 1e-45]);
+    for (damping, spin, last) in [(1.0, 0.0, -1575.0), (1.0, 3.0, -1575.0), (0.2, 1.0, -7800.0)] {
+        let parameters = Parameters { load_radius: 1e-45, ..machine(damping, spin).parameters() };
+        let motion = Machine::new(parameters).unwrap().transient(tiny).unwrap();
+        let at = |t: f64| size(damping, motion.at(t).unwrap());
+        for back in [0.6, 0.8, 0.9, 0.95, 1.0] {
+            let t = back * last;
+            let grown = at(t - 2.0) - at(t);
+            assert!((grown - 2.0 * damping).abs() < 1e-9, "Γ {damping}, Ω {spin}, t {t}: {grown}");
+        }
+        assert!(motion.at(1.1 * last).is_err());
+    }
+}
+
+#[test]
 fn jacobi_integral_is_constant_for_a_billion_seconds() {
     for spin in [0.3, 0.999, 1.0, 1.001, 3.0, -3.0] {
         let machine = machine(0.0, spin);

@@ -245,3 +245,17 @@ fn steady_motion_is_a_motion_and_all_others_end_in_it() {
         assert!((torque - steady.motor_torque()).abs() <= ROUNDING * scale, "{machine:?}");
     }
 }
+
+#[test]
+fn polar_coordinates_of_small_numbers_are_as_good() {
+    let at_centre = Shaft::from_array([0.0, 0.0, 3.0, 4.0]).to_polar();
+    assert_eq!(at_centre, [0.0, 4.0_f64.atan2(3.0), 5.0, 0.0]);
+    for size in [1e-170, 1e-300, 1e200] {
+        let [r, theta, r_dot, theta_dot] =
+            Shaft::from_array([3.0, 4.0, 4.0, -3.0].map(|x| x * size)).to_polar();
+        assert!((r / size - 5.0).abs() < 1e-14 && (theta - 4.0_f64.atan2(3.0)).abs() < 1e-15, "{r} {theta}");
+        assert!(r_dot.abs() < 1e-14 * size && (theta_dot + 1.0).abs() < 1e-15, "{r_dot} {theta_dot}");
+        let [_, _, speed, _] = Shaft::from_array([0.0, 0.0, 3.0 * size, 4.0 * size]).to_polar();
+        assert!((speed / size - 5.0).abs() < 1e-14, "{speed}");
+    }
+}

@@ -113,3 +113,21 @@ impl Branchless for Frames {
         frame.is_finite()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Frames, Shaft};
+    use crate::scenes::laundromat::{Machine, Parameters};
+
+    #[test]
+    fn a_light_machine_away_from_resonance_is_filled_at_once() {
+        let times: Vec<f64> = (0..640).map(|n| 2.0 * f64::from(n) - 640.0).collect();
+        for (damping, spin) in [(0.0, 3.0), (0.5, -3.0), (1.9, 0.0), (0.0, -0.2)] {
+            let (drum_mass, load_mass, load_radius, stiffness) = (0.0, 1.0, 1.0, 1.0);
+            let parameters = Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
+            let motion = Machine::new(parameters).unwrap().transient(Shaft::AT_REST).unwrap();
+            let mut frames = vec![Shaft::AT_REST; times.len()];
+            assert_eq!(Frames::new(&motion).unwrap().fill(&times, &mut frames), 640, "{damping} {spin}");
+        }
+    }
+}

@@ -219,3 +219,27 @@ impl fmt::Display for InvalidRamp {
 }
 
 impl Error for InvalidRamp {}
+
+#[cfg(test)]
+mod tests {
+    use super::{Forced, Shaft};
+    use crate::scenes::laundromat::{Machine, Parameters};
+
+    #[test]
+    fn a_light_machine_is_filled_at_once_but_for_what_its_resonance_is_still_to_do() {
+        let times: Vec<f64> = (0..640).map(|n| 0.3 * f64::from(n) - 96.0).collect();
+        for (damping, spin, acceleration, expected) in
+            [(0.0, 0.0, 0.02, 640), (0.5, 3.0, 0.02, 640), (1.5, -3.0, -0.02, 640), (0.0, 1.0, 1e-6, 0)]
+        {
+            let (drum_mass, load_mass, load_radius, stiffness) = (0.0, 1.0, 1.0, 1.0);
+            let parameters = Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
+            let ramp = Machine::new(parameters).unwrap().ramp(acceleration, Shaft::AT_REST).unwrap();
+            let (Some(swing), Forced::Apart(roots)) = (&ramp.swing, &ramp.forced) else {
+                panic!("{damping} is light damping")
+            };
+            let mut frames = vec![Shaft::AT_REST; times.len()];
+            let filled = ramp.fill_swinging(swing, roots, &times, &mut frames);
+            assert_eq!(filled, expected, "{damping} {spin} {acceleration}");
+        }
+    }
+}
