@@ -46,8 +46,8 @@ impl Machine {
         let spin = self.spin();
         let turned_back = self.load_direction(t).conj();
         let position = shaft.position * turned_back; // u
-        let velocity = (shaft.velocity - Complex::i() * spin * shaft.position) * turned_back; // u̇
-        0.5 * velocity.norm_sqr() + 0.5 * self.detuning() * position.norm_sqr()
+        let speed = (shaft.velocity - Complex::i() * spin * shaft.position).norm(); // |u̇|
+        0.5 * speed * speed + 0.5 * self.detuning() * position.norm_sqr()
             - self.offset() * spin * spin * position.re
     }
 }

@@ -58,7 +58,11 @@ impl LockedMotion {
         check_time(t)?;
         let (displacement, velocity) = self.oscillator.at(self.displacement, self.velocity, t).multiplied();
         let state = [self.steady_radius + displacement.re, velocity.re];
-        if state.iter().all(|value| value.is_finite()) { Ok(state) } else { Err(InvalidTime { time: t }) }
+        if state.iter().all(|value| value.is_finite()) {
+            Ok(state)
+        } else {
+            Err(InvalidTime::OutOfRange { time: t })
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The free motion of a damped oscillator, exact from no damping through critical to very heavy damping, for a spring
 //! that pulls or pushes.
 
+use super::frames::LARGEST_EXPONENT;
 use crate::quantity::Shown;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
@@ -44,7 +45,7 @@ impl Oscillator {
         } else {
             let half_gap = (-frequency_squared).sqrt();
             let fast = damping * 0.5 + half_gap;
-            let slow = if fast.rounded() == 0.0 { fast } else { stiffness / fast }; // eq:slow-root
+            let slow = stiffness / fast; // eq:slow-root
             Roots::Real { slow: slow.rounded(), fast: fast.rounded(), gap: 2.0 * half_gap.rounded() }
         };
         Self { damping: damping.rounded(), stiffness: stiffness.rounded(), roots }
@@ -127,24 +128,48 @@ const LONGEST_TIME: f64 = 1e150;
 
 /// Refuses times that are not finite or beyond reach of the closed forms.
 pub(super) fn check_time(time: f64) -> Result<(), InvalidTime> {
-    if time.abs() <= LONGEST_TIME { Ok(()) } else { Err(InvalidTime { time }) }
+    if time.abs() <= LONGEST_TIME { Ok(()) } else { Err(InvalidTime::TooFar { time }) }
 }
 
-/// A time for which a motion has no answer: not finite, further than 1e150 s from the start, or where the motion itself is
-/// beyond the largest number.
+/// A time for which a motion has no answer.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InvalidTime {
-    /// The time as it was given, s.
-    pub time: f64,
+#[non_exhaustive]
+pub enum InvalidTime {
+    /// Not finite, or further than 1e150 s from the start.
+    TooFar {
+        /// The time as it was given, s.
+        time: f64,
+    },
+    /// So far from the start that a drum that speeds up has made more turns than can be told apart.
+    TooManyTurns {
+        /// The time as it was given, s.
+        time: f64,
+    },
+    /// So long before the start, or for a motion that runs away so long after it, that the motion there is beyond the largest
+    /// number; of a drum that speeds up, that it has grown by e⁶⁵⁰.
+    OutOfRange {
+        /// The time as it was given, s.
+        time: f64,
+    },
 }
 
 impl fmt::Display for InvalidTime {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let time = Shown(self.time);
-        if check_time(self.time).is_err() {
-            write!(out, "time {time} s must be finite and within {LONGEST_TIME:e} s of the start")
-        } else {
-            write!(out, "at time {time} s the motion is beyond the largest number, {:e} m or m/s", f64::MAX)
+        match *self {
+            Self::TooFar { time } => {
+                let time = Shown(time);
+                write!(out, "time {time} s must be finite and within {LONGEST_TIME:e} s of the start")
+            }
+            Self::TooManyTurns { time } => {
+                let time = Shown(time);
+                write!(out, "at time {time} s the drum has made more turns than can be told apart, some 1e13")
+            }
+            Self::OutOfRange { time } => write!(
+                out,
+                "at time {} s the motion is out of range: it has grown by e^{LARGEST_EXPONENT} or beyond {:e} m or m/s",
+                Shown(time),
+                f64::MAX
+            ),
         }
     }
 }

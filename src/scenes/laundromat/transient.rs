@@ -144,7 +144,7 @@ impl Transient {
                 Shaft { position, velocity }
             }
         };
-        if shaft.is_finite() { Ok(shaft) } else { Err(InvalidTime { time: t }) }
+        if shaft.is_finite() { Ok(shaft) } else { Err(InvalidTime::OutOfRange { time: t }) }
     }
 
     /// Position of the centre of mass of drum and load at time `t`, s, in the laboratory, m
@@ -166,7 +166,7 @@ impl Transient {
                 build_up.at(&self.free, self.spin, load, t).multiplied().0 + load * self.offset
             }
         };
-        if position.is_finite() { Ok(position) } else { Err(InvalidTime { time: t }) }
+        if position.is_finite() { Ok(position) } else { Err(InvalidTime::OutOfRange { time: t }) }
     }
 
     /// The shaft at each of `times`, s, written to `frames` without allocating.

@@ -120,16 +120,19 @@ impl Ramp {
     /// Position and velocity of the shaft at time `t`, s, in the laboratory.
     ///
     /// # Errors
-    /// [`InvalidTime`] if the time is not finite, or so far from the start that the drum has made 1e14 turns, or so long before it
-    /// that the motion there is beyond the largest number.
+    /// [`InvalidTime`] if the time is not finite, or so far from the start that the drum has made some 1e13 turns, or so long before it
+    /// that the motion there has grown by e⁶⁵⁰ or is beyond the largest number.
     pub fn at(&self, t: f64) -> Result<Shaft, InvalidTime> {
         check_time(t)?;
         let earliest = match &self.forced {
             Forced::Apart([one, other]) => one.earliest().max(other.earliest()),
             Forced::Together(_) => f64::NEG_INFINITY,
         };
-        if t < earliest || t.abs() > self.drum.reach() {
-            return Err(InvalidTime { time: t });
+        if t.abs() > self.drum.reach() {
+            return Err(InvalidTime::TooManyTurns { time: t });
+        }
+        if t < earliest {
+            return Err(InvalidTime::OutOfRange { time: t });
         }
         let ([displacement, rate], [position, velocity]) = match self.early(t) {
             Some(early) => ([early.displacement, early.velocity], early.motion(&self.drum, t)),
@@ -137,7 +140,7 @@ impl Ramp {
         };
         let (s, s_dot) = self.free.at(displacement, rate, t).multiplied();
         let shaft = self.reflected(position + s, velocity + s_dot);
-        if shaft.is_finite() { Ok(shaft) } else { Err(InvalidTime { time: t }) }
+        if shaft.is_finite() { Ok(shaft) } else { Err(InvalidTime::OutOfRange { time: t }) }
     }
 
     /// The form for the time before the drum has left its resonance, if it is that early.
