@@ -1,7 +1,7 @@
 //! Angles between vectors and between attitudes, however small, and principal axes.
 
 use crate::long::{Long, long};
-use crate::search::{Case, Draw, search};
+use crate::search::{Case, Draw, search, worse};
 use mechanics::attitude::{angle_between, rotation_between};
 use mechanics::inertia::{Body, PrincipalMoments};
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
@@ -92,10 +92,10 @@ fn principal_axes_are_good_to_a_few_roundings_of_the_largest_moment() {
         for (n, (axis, moment)) in columns.into_iter().zip(found.to_array()).enumerate() {
             for row in 0..3 {
                 let turned = (0..3).map(|m| axis[m] * tensor.matrix()[(row, m)]).sum::<Long>();
-                error = error.max((turned - axis[row] * moment).abs().rounded() / largest);
+                error = worse(error, (turned - axis[row] * moment).abs().rounded() / largest);
             }
             for (m, other) in columns.into_iter().enumerate() {
-                error = error.max((dot(axis, other) - f64::from(u8::from(m == n))).abs().rounded());
+                error = worse(error, (dot(axis, other) - f64::from(u8::from(m == n))).abs().rounded());
             }
         }
         let upright = dot(cross(columns[0], columns[1]), columns[2]) > long(0.0);

@@ -1,7 +1,7 @@
 //! A struck station and a pinned body: what the blow leaves behind, in 32 digits.
 
 use crate::long::{Long, long};
-use crate::search::{Case, search};
+use crate::search::{Case, search, worse};
 use mechanics::inertia::Body;
 use mechanics::scenes::pinned_hoop::{Pinning, Shape};
 use mechanics::scenes::space_station::Station;
@@ -47,7 +47,7 @@ fn a_struck_station_leans_and_nods_to_a_few_units() {
         let relative = |(truth, found): (Long, f64)| {
             if truth == long(found) { 0.0 } else { ((truth - found) / truth).abs().rounded() }
         };
-        let error = rates.map(relative).into_iter().fold(axis.max(momentum), f64::max);
+        let error = rates.map(relative).into_iter().fold(worse(axis, momentum), worse);
         let way = match (spin > long(0.0), omega.abs() > spin.abs()) {
             (true, false) => "a nudge",
             (true, true) => "a blow",
@@ -109,7 +109,7 @@ fn a_pinned_body_keeps_what_it_keeps_to_a_few_units() {
             off((cos.abs(), kappa * sin), alpha.abs()),
             off(((long(1.0) - kappa) * sin * cos.abs(), kappa * sin * sin + cos * cos), phi.abs()),
         ];
-        let error = errors.into_iter().fold(0.0, f64::max);
+        let error = errors.into_iter().fold(0.0, worse);
         let signs =
             alpha.is_sign_negative() == (cos < long(0.0)) && phi.is_sign_negative() == (cos < long(0.0));
         let error = if signs { error } else { f64::INFINITY };

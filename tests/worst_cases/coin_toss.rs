@@ -1,7 +1,7 @@
 //! A tossed coin, against its height and its angles in 32 digits, and at and next to the threshold where it just keeps its face.
 
 use crate::long::{Long, PI, long};
-use crate::search::{Case, Draw, search};
+use crate::search::{Case, Draw, search, worse};
 use mechanics::inertia::PrincipalMoments;
 use mechanics::scenes::coin_toss::{Face, Flight, Toss, angle_for_probability, ratio_for_probability};
 
@@ -32,7 +32,7 @@ fn the_lowest_height_and_what_follows_from_it_have_all_their_digits() {
             if truth == long(found) { 0.0 } else { ((truth - found) / truth).abs().rounded() }
         };
         let rate = square.sqrt() / a;
-        let mut error = off(lowest, toss.lowest_normal()).max(off(rate, toss.precession_rate()));
+        let mut error = worse(off(lowest, toss.lowest_normal()), off(rate, toss.precession_rate()));
         if keeps != toss.keeps_its_face() || keeps != toss.first_edge().is_none() {
             error = f64::INFINITY;
         }
@@ -41,9 +41,9 @@ fn the_lowest_height_and_what_follows_from_it_have_all_their_digits() {
             // At that time Λt/2 = atan2(1, √−cos 2ψ): the sine of twice the rest of the angle over there.
             let half = rate * edge * 0.5;
             let (sin, cos) = half.sin_cos();
-            error = error.max(((sin * (-lowest).sqrt() - cos) / half).abs().rounded());
+            error = worse(error, ((sin * (-lowest).sqrt() - cos) / half).abs().rounded());
             probability = toss.same_face_probability();
-            error = error.max(((half * 2.0 / PI - probability) / probability).abs().rounded());
+            error = worse(error, ((half * 2.0 / PI - probability) / probability).abs().rounded());
         }
         let way = match (keeps, lowest.abs() < long(1e-3)) {
             (true, true) => "just keeps its face",
@@ -77,7 +77,7 @@ fn the_height_of_the_normal_is_good_to_a_few_units_for_a_hundred_million_million
         };
         let keeps_its_word = face == seen && (face != Face::Other || !toss.keeps_its_face());
         let normal = (toss.normal(time).ok()?.z - found).abs();
-        let error = if keeps_its_word { error.max(normal / 3.0) } else { f64::INFINITY };
+        let error = if keeps_its_word { worse(error, normal / 3.0) } else { f64::INFINITY };
         Some(Case {
             ratio: error / 2e-15,
             way: "any",
@@ -100,12 +100,16 @@ fn ratio_and_angle_for_a_probability_have_all_their_digits() {
         // The cotangent of ψ, √(−cos πp) = √(sin π(p − ½)).
         let cotangent = (PI * (long(probability) - 0.5)).sin_cos().0.sqrt();
         let found = ratio_for_probability(moments, probability).ok()?;
-        let off_ratio = ((cotangent / ratio - found) / found).abs().rounded();
+        let off_ratio = if found == 0.0 {
+            cotangent.rounded()
+        } else {
+            ((cotangent / ratio - found) / found).abs().rounded()
+        };
         let angle = angle_for_probability(probability).ok()?;
         let (sin, cos) = long(angle).sin_cos();
         let off_angle = ((sin * cotangent - cos) / angle).abs().rounded();
         let way = if probability < 0.75 { "towards one half" } else { "towards one" };
-        let error = off_ratio.max(off_angle);
+        let error = worse(off_ratio, off_angle);
         Some(Case {
             ratio: error / (4.0 * EPS),
             way,

@@ -2,7 +2,7 @@
 //! equations by series.
 
 use crate::long::{Long, long};
-use crate::search::{Case, Draw, search};
+use crate::search::{Case, Draw, search, worse};
 use crate::taylor::System;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::scenes::air_drag::{Drag, DraggedTop};
@@ -91,7 +91,7 @@ fn the_judge_of_the_drag_solves_eulers_equations() {
         let truth = system.sample(&body.omega.map(long), &[long(time)]).remove(0);
         let found = body.omega_at(time);
         let error =
-            states.iter().enumerate().map(|(n, _)| (truth[n] - found[n]).abs().rounded()).fold(0.0, f64::max);
+            states.iter().enumerate().map(|(n, _)| (truth[n] - found[n]).abs().rounded()).fold(0.0, worse);
         Some(Case { ratio: error / 1e-27, way: "any", said: format!("{}: {error:e}", body.said(time)) })
     });
     worst.keeps_its_promise(&["any"]);
@@ -108,7 +108,7 @@ fn the_angular_velocity_in_air_is_good_to_a_few_units_of_the_start_and_of_its_ph
         top.fill_omega_body(&[time; 33], &mut frames).ok()?;
         let single = top.omega_body(time).ok()?;
         let error = |found: Vector3<f64>| {
-            let worst = (0..3).map(|n| (truth[n] - found[n]).abs().rounded()).fold(0.0, f64::max);
+            let worst = (0..3).map(|n| (truth[n] - found[n]).abs().rounded()).fold(0.0, worse);
             if found.iter().all(|x| x.is_finite()) { worst } else { f64::INFINITY }
         };
         let [one, many] = [single, frames[17]].map(error);
@@ -124,7 +124,7 @@ fn the_angular_velocity_in_air_is_good_to_a_few_units_of_the_start_and_of_its_ph
             ([_, _], true) => "late",
         };
         Some(Case {
-            ratio: one.max(many) / promise,
+            ratio: worse(one, many) / promise,
             way,
             said: format!("{}: {one:e}, of many {many:e}", body.said(time)),
         })

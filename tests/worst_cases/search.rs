@@ -68,6 +68,11 @@ impl Draw<'_> {
     }
 }
 
+/// The larger of two errors; infinite if one of them is not a number, which `max` would pass over.
+pub(crate) fn worse(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::INFINITY } else { a.max(b) }
+}
+
 /// What was found of one case.
 pub(crate) struct Case {
     /// The error over what is promised; infinite for an answer that is not a number or a refusal that is not documented.

@@ -1,7 +1,7 @@
 //! A coin that sinks, against its law in 32 digits: sin α = sin α₀ (τ/t₀)^{1/(p+1)}.
 
 use crate::long::{Long, PI, long};
-use crate::search::{Case, Draw, search};
+use crate::search::{Case, Draw, search, worse};
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use std::f64::consts::FRAC_PI_2;
 
@@ -175,7 +175,8 @@ fn times_of_a_tilt_are_good_to_a_few_units_at_any_tilt() {
             Ok(found) => {
                 let error = (time - found).abs().rounded();
                 let size = time.abs().rounded() * (1.0 + order.rounded() * logarithm.rounded().max(0.0));
-                ratio = ratio.max(if size == 0.0 && found == 0.0 { 0.0 } else { error / (6.0 * EPS * size) });
+                ratio =
+                    worse(ratio, if size == 0.0 && found == 0.0 { 0.0 } else { error / (6.0 * EPS * size) });
                 said_times += &format!("to {tilt:?} in {found:?} s, off {error:e}; ");
             }
             Err(error) if time.abs().rounded() < 1e300 => {
@@ -192,7 +193,7 @@ fn times_of_a_tilt_are_good_to_a_few_units_at_any_tilt() {
             Ok(found) => {
                 let error = (left - found).abs().rounded();
                 // The life itself is good to as much.
-                ratio = ratio.max(error / (left.rounded() * (8.0 + order.rounded()) * EPS));
+                ratio = worse(ratio, error / (left.rounded() * (8.0 + order.rounded()) * EPS));
                 said_times += &format!("{found:?} s left, off {error:e}");
             }
             Err(error) if (1e-290..1e290).contains(&left.rounded()) => {
@@ -242,7 +243,7 @@ fn the_rates_of_a_coin_and_the_tilt_for_a_speed_have_their_digits_at_any_tilt() 
             coin.wobble_rate(),
         ];
         let off_rates =
-            truths.iter().zip(found).map(|(&t, f)| ((t - f) / t).abs().rounded()).fold(0.0, f64::max);
+            truths.iter().zip(found).map(|(&t, f)| ((t - f) / t).abs().rounded()).fold(0.0, worse);
         // The tilt at which the contact runs so fast: k c² sin α = 2 g a cos² α.
         let speed = draw.decades(1e-50, 1e50);
         let fast = coin.tilt_for_contact_speed(speed).ok()?;
@@ -253,7 +254,7 @@ fn the_rates_of_a_coin_and_the_tilt_for_a_speed_have_their_digits_at_any_tilt() 
         } else {
             (1.0 - (s * fast).rounded()).abs()
         };
-        let ratio = off_rates.max(off_tilt) / (4.0 * EPS);
+        let ratio = worse(off_rates, off_tilt) / (4.0 * EPS);
         let way = match s.rounded() {
             s if s < 1e-8 => "slow",
             s if s > 1e140 => "fast beyond all bounds",
@@ -287,7 +288,7 @@ fn the_attitude_of_a_coin_takes_whole_turns_off_exactly() {
         let q = coin.attitude(turns);
         let found = [q.w, q.i, q.j, q.k];
         let far = |sign: f64| {
-            truth.iter().zip(found).map(|(&t, f)| (t * sign - f).abs().rounded()).fold(0.0, f64::max)
+            truth.iter().zip(found).map(|(&t, f)| (t * sign - f).abs().rounded()).fold(0.0, worse)
         };
         let error = far(1.0).min(far(-1.0));
         let figure = coin.figure_rate() / coin.turn_rate() * std::f64::consts::TAU * turns.abs();

@@ -4,7 +4,7 @@
 //! theta function of the attitude, and half the steady angle about **L**. Of the angle that the theta function adds, the half is
 //! found without the angle: a complex number Z has the same direction as the square of `|Z| + Z`.
 
-use crate::branchless::{Clock, ROUNDABLE, at_full_width, exp, exp_and_exp_m1, nearest, sin_cos_quarters};
+use crate::branchless::{Clock, ROUNDABLE, at_full_width, exp, nearest, sin_cos_quarters};
 use crate::frames::BLOCK;
 use crate::two_part::TwoPart;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
@@ -247,7 +247,7 @@ impl Fast {
         let power = |n: usize| nome.powi(n as i32);
         let angle = FRAC_PI_2 / constants.other_quarter * constants.zeta;
         // For a sum of q'^{j(j+1)} a_j (e^{(2j+1)w} + e^{−(2j+1)w}), times e^{−w}; of the same with a minus, over e^w − e^{−w}, which is the sum of all
-        // q'^{j(j+1)} a_j e^{2iw} with |i| ≤ j and keeps the digits of a small w; and of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
+        // q'^{j(j+1)} a_j e^{2iw} with |i| ≤ j and has no difference that is small with w; and of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
         let cosh = |weight: &dyn Fn(usize) -> f64| Parts {
             up: std::array::from_fn(|j| weight(j) * power(j * j)),
             down: std::array::from_fn(|j| weight(j) * power(j * (j + 1))),
@@ -309,9 +309,10 @@ impl Theta for Fast {
         let rest = (high - self.wraps * whole) + low;
         let flip = if self.wraps == 0.0 { 0 } else { bits << 63 };
         let w = self.stretch * rest.abs();
-        let (falling, less_one) = exp_and_exp_m1(-w);
+        let falling = exp(-w);
         let down = falling * falling;
-        let from_one = -less_one * (1.0 + falling); // 1 − e^{−2w}
+        // Of sn and im alike: a rounding of it turns Z by nothing that counts, a rounding of one of them would.
+        let from_one = 1.0 - down;
         let up = exp(2.0 * w - self.limit);
         let odd = |parts: &Parts| cubic(&parts.up, up) + down * cubic(&parts.down, down);
         let even = |parts: &Parts| 1.0 + (up * cubic(&parts.up, up) + down * cubic(&parts.down, down));
