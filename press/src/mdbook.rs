@@ -24,7 +24,7 @@ pub fn locate(root: &Path) -> io::Result<PathBuf> {
     }
     eprintln!(
         "There is no mdBook {SERIES}x on this machine. Installing mdBook {VERSION} into target/tools: \
-         some three minutes, once, and it needs a network."
+         three to ten minutes, once, and it needs a network."
     );
     let status = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
         .args(["install", "mdbook", "--version", VERSION, "--locked", "--root"])
