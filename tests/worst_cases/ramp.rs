@@ -123,8 +123,8 @@ fn case(units: Units, damping: f64, spin: f64, acceleration: f64, start: Shaft, 
         for (i, size) in [places, places, rates, rates].into_iter().enumerate() {
             let away = (truth.state[i] - shaft.to_array()[i]).abs().rounded();
             let away = away / (size + truth.state[i].abs().rounded()) / UNITS;
-            if worse(away, ratio) {
-                (ratio, what) = (away, names[i]);
+            if worse(away, ratio) > ratio {
+                (ratio, what) = (worse(away, ratio), names[i]);
             }
         }
     }
@@ -195,8 +195,8 @@ fn the_ramp_is_as_exact_where_no_integrator_comes() {
         let rates = fastest + state[2].hypot(state[3]) + place * free[1] + rate * free[3];
         for (i, size) in [places, places, rates, rates].into_iter().enumerate() {
             let ratio = (ours.to_array()[i] - state[i]).abs() / size / UNITS;
-            if worse(ratio, worst.0) {
-                worst = (ratio, format!("{i} of {case}: {ours:?}"));
+            if worse(ratio, worst.0) > worst.0 {
+                worst = (worse(ratio, worst.0), format!("{i} of {case}: {ours:?}"));
             }
         }
     }

@@ -83,11 +83,6 @@ pub(crate) struct Case {
     pub(crate) said: String,
 }
 
-/// Whether an error is worse than another; one that is not a number is worse than any.
-pub(crate) fn worse(error: f64, than: f64) -> bool {
-    error.is_nan() || error > than
-}
-
 /// The worst of many cases.
 pub(crate) struct Worst {
     /// The case.
@@ -112,23 +107,20 @@ pub(crate) fn search(name: &str, count: usize, judge: impl Fn(&mut Draw<'_>) -> 
         Some(Case { ratio, ..case })
     };
 
-    let mut found: Vec<(Vec<f64>, Case)> = Vec::new();
+    // The worst few of each way, so that one bad way does not hide another.
+    let walks = (count / CASES_PER_WALK).clamp(1, WALKS);
+    let mut worst: BTreeMap<&str, Vec<(Vec<f64>, Case)>> = BTreeMap::new();
     for _ in 0..count {
         let mut point = Vec::new();
         if let Some(case) = judged(&mut point, &mut random) {
-            found.push((point, case));
+            let found = worst.entry(case.way).or_default();
+            let place = found.partition_point(|(_, other)| other.ratio >= case.ratio);
+            found.insert(place, (point, case));
+            found.truncate(walks);
         }
     }
-    // The worst few of each way, so that one bad way does not hide another.
-    let walks = (count / CASES_PER_WALK).clamp(1, WALKS);
-    found.sort_by(|(_, a), (_, b)| b.ratio.total_cmp(&a.ratio));
-    let mut taken: BTreeMap<&str, usize> = BTreeMap::new();
-    found.retain(|(_, case)| {
-        let taken = taken.entry(case.way).or_insert(0);
-        *taken += 1;
-        *taken <= walks
-    });
-    let tries = (count / walks / taken.len().max(1)).max(20);
+    let tries = (count / walks / worst.len().max(1)).max(20);
+    let mut found: Vec<(Vec<f64>, Case)> = worst.into_values().flatten().collect();
     for (point, case) in &mut found {
         let mut step = FIRST_STEP;
         for _ in 0..tries {

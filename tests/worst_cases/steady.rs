@@ -48,7 +48,7 @@ fn subject(draw: &mut Draw<'_>) -> Subject {
 /// The largest relative error of some numbers.
 fn worst(pairs: &[(f64, Long)]) -> f64 {
     let relative = |&(ours, truth): &(f64, Long)| ((truth - ours) / truth).abs().rounded();
-    pairs.iter().map(relative).fold(0.0, |most, error| if worse(error, most) { error } else { most })
+    pairs.iter().map(relative).fold(0.0, worse)
 }
 
 #[test]
@@ -56,6 +56,9 @@ fn every_number_of_the_steady_circle_has_its_digits() {
     let found = search("steady circle", 20_000, |draw| {
         let Subject { machine, stiffness, damping, offset } = subject(draw);
         let Ok(steady) = machine.steady() else { return None };
+        if machine.spin() == 0.0 {
+            return None; // nothing goes round
+        }
         let spin = long(machine.spin());
         let detuning = stiffness - spin * spin;
         let size = (detuning * detuning + damping * damping * spin * spin).sqrt();
@@ -82,10 +85,8 @@ fn every_number_of_the_steady_circle_has_its_digits() {
         if machine.damping_rate() > 0.0 {
             numbers.extend([(steady.motor_torque(), torque), (steady.motor_power(), torque * spin)]);
         }
-        let error = worst(&numbers)
-            .max(near([ours.re, ours.im], amplitude))
-            .max(near([ours_centre.re, ours_centre.im], centre))
-            .max(off_phase);
+        let circles = [near([ours.re, ours.im], amplitude), near([ours_centre.re, ours_centre.im], centre)];
+        let error = [worst(&numbers), off_phase].into_iter().chain(circles).fold(0.0, worse);
         let way = if detuning.abs() < stiffness * 1e-3 { "at resonance" } else { "elsewhere" };
         Some(Case { ratio: error / UNITS, way, said: format!("{machine:?}: {steady:?}") })
     });
@@ -134,7 +135,9 @@ fn the_rates_of_the_modes_have_their_digits_however_heavy_the_damping() {
             let decays = [(first.frequency.im, decay), (second.frequency.im, decay)];
             let decays = if decay.rounded() > 0.0 { worst(&decays) } else { 0.0 };
             (
-                real(first.frequency.re, turning).max(real(second.frequency.re, -turning)).max(decays),
+                [real(first.frequency.re, turning), real(second.frequency.re, -turning)]
+                    .into_iter()
+                    .fold(decays, worse),
                 "turning",
             )
         } else {
@@ -195,8 +198,9 @@ fn the_locked_motion_is_exact_to_units_of_what_takes_part() {
             + speed * part(1, 1)
             + truth[1].abs().rounded() * grown
             + quickest / natural * (later(1) + later(0));
-        let error = ((truth[0] - r).abs().rounded() / places)
-            .max((truth[1] - r_dot / natural).abs().rounded() / speeds);
+        let errors =
+            [(truth[0] - r).abs().rounded() / places, (truth[1] - r_dot / natural).abs().rounded() / speeds];
+        let error = errors.into_iter().fold(0.0, worse);
         let way = match ((detuning - damping * damping * 0.25).rounded() > 0.0, detuning.rounded() > 0.0) {
             (true, _) => "swings",
             (false, true) => "creeps",

@@ -153,8 +153,8 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
         let (mut ratio, mut what) = (0.0_f64, "");
         let mut see = |name: &'static str, ours: f64, truth: Long, size: f64| {
             let away = (truth - ours).abs().rounded() / (size + truth.abs().rounded()) / UNITS;
-            if worse(away, ratio) {
-                (ratio, what) = (away, name);
+            if worse(away, ratio) > ratio {
+                (ratio, what) = (worse(away, ratio), name);
             }
         };
         for (names, shaft) in [(["x", "y", "ẋ", "ẏ"], ours), (["many x", "many y", "many ẋ", "many ẏ"], many)]
