@@ -125,6 +125,12 @@ fn a_free_symmetric_top_needs_an_axis_and_numbers() {
         message(FreeSymmetricTop::new(disc(), turning(Vector3::new(1e70, 0.0, 1.0)))),
         "angular velocity 1e70 rad/s is outside the range from 1e-50 to 1e50 rad/s in size that is computed with"
     );
+    for (omega, said) in
+        [(f64::INFINITY, "inf rad/s is not a finite number"), (1e-60, "1e-60 rad/s is outside the range")]
+    {
+        let refused = message(FreeTop::new(brick(), turning(Vector3::new(1.0, omega, 1.0))));
+        assert!(refused.starts_with(&format!("angular velocity {said}")), "{refused}");
+    }
     let nowhere = UnitQuaternion::new_unchecked(Quaternion::new(f64::NAN, 0.0, 0.0, 0.0));
     let start = Turning { world_from_body: nowhere, omega_body: Vector3::z() };
     assert_eq!(
