@@ -234,6 +234,7 @@ fn solid_stations_nod_at_their_own_rate() {
     // A spheroid as long as wide does not nod; a long one nods slowly, a disc like a ring.
     let nod = |body: Body| {
         let station = Station::new(body, 0.5).unwrap();
+        assert_eq!(station.spin(), 0.5);
         station.struck(1.0, 1e-6).unwrap().nodding_rate() / 0.5
     };
     assert_relative_eq!(nod(Body::sphere(1.0, 1.0).unwrap()), 1.0, max_relative = 1e-9);

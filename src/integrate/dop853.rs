@@ -174,9 +174,7 @@ impl Dop853 {
         if let Some(fault) = fault {
             return Err(fault);
         }
-        while states.len() < times.len() {
-            states.push(last.state); // the last step ends within rounding of the last time
-        }
+        debug_assert_eq!(states.len(), times.len(), "the last step ends at the last time");
         Ok((states, last.work))
     }
 

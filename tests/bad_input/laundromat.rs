@@ -287,6 +287,7 @@ fn sample_times_must_be_in_order() {
         (vec![0.5, f64::NAN, 1.0], 1),
         (vec![0.5, f64::INFINITY], 0),
         (vec![0.5, 0.0], 0),
+        (vec![-0.5, 0.0], 0),
         (vec![2e-200, 1e-200, 3e-200], 1),
     ] {
         let failure = solver.sample(still, 0.0, [1.0], &times).unwrap_err();

@@ -3,7 +3,7 @@
 use crate::{ROUNDING, attitude, between, moments, vector};
 use approx::assert_relative_eq;
 use mechanics::inertia::{Body, InertiaTensor, InvalidMoments, PrincipalMoments};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::f64::consts::TAU;
 
 /// Gauss's rule with three points on −1..1, exact for polynomials to degree five: all that these shapes need.
@@ -227,4 +227,26 @@ fn three_moments_are_accepted_exactly_if_a_body_can_have_them() {
         assert!(PrincipalMoments::new(a, b, a + b).is_ok() && PrincipalMoments::new(a + b, b, a).is_ok());
     }
     assert!(accepted > 1000 && refused > 1000);
+}
+
+#[test]
+fn a_tensor_gives_the_momentum_that_the_masses_have() {
+    // A few points of mass: Σ m r × (ω × r), beside the tensor of the same points about the same centre.
+    let mut random = fastrand::Rng::with_seed(77);
+    for _ in 0..100 {
+        let mut drawn = || Vector3::from_fn(|_, _| 2.0 * random.f64() - 1.0);
+        let omega = drawn();
+        let body = Body::cuboid(1.3, [0.4, 0.9, 0.7]).unwrap();
+        let turn = Rotation3::new(drawn());
+        let tensor = InertiaTensor::principal(body.moments()).rotated(&turn);
+        // Eight points at ±s of the sides have the moments of a uniform brick, with s = side/√12.
+        let mut momentum = Vector3::zeros();
+        for corner in 0..8 {
+            let sign = |bit: i32| if corner >> bit & 1 == 0 { 1.0 } else { -1.0 };
+            let point = Vector3::new(0.4 * sign(0), 0.9 * sign(1), 0.7 * sign(2)) / 12.0_f64.sqrt();
+            let point = turn * point;
+            momentum += point.cross(&omega.cross(&point)) * (1.3 / 8.0);
+        }
+        assert_relative_eq!(tensor.angular_momentum(&omega), momentum, epsilon = 1e-15);
+    }
 }

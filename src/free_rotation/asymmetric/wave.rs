@@ -193,9 +193,9 @@ impl Wave {
         let Values { jacobi: [cn, sn, dn], theta: [re, im], flip, drift } = theta.at(argument, argument_low);
         // Z, the number whose direction is the angle beyond the steady turn, and |Z| + Z, without a difference.
         let (x, y) = (re * cn + im * self.tilt * sn, im * cn - re * self.tilt * sn);
-        let sum = (x * x + y * y).sqrt() + x.abs();
-        let (half_x, half_y) = if x >= 0.0 { (sum, y) } else { (y.abs(), sum.copysign(y)) };
-        let half_y = self.sense * half_y;
+        // x is a sum of two products of numbers with the same sign.
+        let half_x = (x * x + y * y).sqrt() + x.abs();
+        let half_y = self.sense * y;
         let (turn, turn_low) = (TwoPart::sum(turn_high, self.sense * drift) + turn_low).parts();
         let (sin, cos) = sin_cos_quarters(turn, turn_low);
         let (c, s) = (cos * half_x - sin * half_y, sin * half_x + cos * half_y);
