@@ -2,7 +2,7 @@
 
 use mechanics::euler::Turning;
 use mechanics::free_rotation::{FreeSymmetricTop, FreeTop, InvalidTop};
-use mechanics::inertia::{Body, InvalidMoments, PrincipalMoments};
+use mechanics::inertia::{Body, InertiaTensor, InvalidMoments, PrincipalMoments};
 use mechanics::scenes::air_drag::{Drag, DraggedTop, InvalidDragTop};
 use mechanics::scenes::coin_toss::{
     Flight, InvalidToss, Toss, angle_for_probability, ratio_for_probability, steady_face_ratio,
@@ -10,7 +10,7 @@ use mechanics::scenes::coin_toss::{
 use mechanics::scenes::pinned_hoop::{InvalidPinning, Pinning, Shape};
 use mechanics::scenes::space_station::{InvalidStation, Station};
 use mechanics::{InvalidFrames, InvalidQuantity, Rule};
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 use std::fmt::{Debug, Display};
 
 fn message<T: Debug, E: Display>(result: Result<T, E>) -> String {
@@ -295,6 +295,31 @@ fn drag_is_not_negative_and_a_slowing_body_spins() {
 }
 
 #[test]
+fn decay_rates_are_of_a_size_that_is_computed_with() {
+    let heavy = PrincipalMoments::symmetric(1e-30, 1.5e-30).unwrap();
+    for (drag, name) in [
+        (Drag { transverse: 1e30, axial: 1.0 }, "decay rate across the axis 1e60 1/s is outside the range"),
+        (Drag { transverse: 1.0, axial: 1.5e30 }, "decay rate along the axis 1e60 1/s is outside the range"),
+    ] {
+        let refused = message(DraggedTop::new(heavy, drag, Vector3::new(1.0, 0.0, 1.0)));
+        assert!(refused.starts_with(name), "{refused}");
+    }
+}
+
+#[test]
+fn principal_axes_belong_to_a_body() {
+    let far = InertiaTensor::principal(disc()).shifted(1.0, &Vector3::new(1e200, 0.0, 0.0));
+    assert!(message(far.principal_axes()).contains("is not a finite number"));
+    // About a point that is not the centre of mass the shift means nothing: a negative mass takes too much away.
+    let none = InertiaTensor::principal(disc()).shifted(-0.15, &Vector3::z());
+    assert!(message(none.principal_axes()).contains("exceeds the sum of the other two"), "{none:?}");
+    // A flat body's are those of a body to rounding, however small it is.
+    let small = PrincipalMoments::new(1e-20, 2e-20, 3e-20).unwrap();
+    let turned = InertiaTensor::principal(small).rotated(&Rotation3::new(Vector3::new(0.3, 1.0, 0.2)));
+    assert!(turned.principal_axes().is_ok());
+}
+
+#[test]
 fn a_pinned_body_spins_and_its_point_lies_on_it() {
     let new = |spin: f64, angle: f64| Pinning::new(Shape::Hoop, 1.0, 1.0, spin, angle);
     assert_eq!(message(new(0.0, 1.0)), "spin 0 rad/s must not be zero");
@@ -312,7 +337,9 @@ fn a_pinned_body_spins_and_its_point_lies_on_it() {
     assert!(matches!(at([0.3, 0.3]), Err(InvalidPinning::NotOnSurface { .. })));
     assert_eq!(message(at([0.0, 0.5])), "the point at 0.5 m from the centre is not on the rim, at 1 m");
     assert_eq!(message(at([f64::INFINITY, 0.0])), "position of the point inf m is not a finite number");
-    assert!(at([0.6, -0.8]).is_ok());
+    assert_eq!(at([0.6, -0.8]).unwrap().angle(), f64::atan2(0.6, -0.8));
+    assert!(message(Pinning::at_point(Shape::Sphere, 1.0, -1.0, 1.0, [0.6, 0.8])).starts_with("radius -1 m"));
+    assert!(Pinning::at_point(Shape::Hoop, 1.0, 1e-9, 1.0, [0.0, 1.1e-9]).is_err());
     // To rounding, and not beyond, on either side of the surface.
     for (distance, lies_on_it) in
         [(1.0 + 5e-13, true), (1.0 - 5e-13, true), (1.0 + 2e-12, false), (1.0 - 2e-12, false)]

@@ -1,5 +1,6 @@
-//! Coins that spin down.
+//! Wheels, and coins that spin down.
 
+use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{InvalidSpinDown, Loss, SpinDown, SpinningCoin};
 use std::fmt;
 
@@ -101,4 +102,25 @@ fn no_speed_of_the_contact_is_beyond_all_tilts() {
         assert!(tilt > 0.0 && tilt <= std::f64::consts::FRAC_PI_2, "{speed:e}: {tilt:e}");
     }
     assert!(coin.tilt_for_contact_speed(1e60).is_err());
+}
+
+#[test]
+fn a_wheel_and_a_coin_are_made_of_positive_numbers() {
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e60] {
+        for (number, name) in ["mass", "radius", "moment factor k", "gravity"].into_iter().enumerate() {
+            let mut numbers = [1.5, 0.5, 0.5, 9.81];
+            numbers[number] = bad;
+            let [mass, radius, factor, gravity] = numbers;
+            let refused = message(Wheel::new(mass, radius, factor, gravity));
+            assert!(refused.starts_with(name), "{bad}: {refused}");
+            if number > 0 {
+                let refused = message(SpinningCoin::new(radius, factor, gravity, 0.1));
+                assert!(refused.starts_with(name), "{bad}: {refused}");
+            }
+        }
+        let wheel = Wheel::new(1.5, 0.5, 0.5, 9.81).unwrap();
+        if !(bad.is_finite() && bad.abs() < 1e50) {
+            assert!(message(wheel.steady(0.3, bad)).starts_with("radius of the centre's circle"), "{bad}");
+        }
+    }
 }

@@ -105,3 +105,21 @@ fn the_moment_factor_is_at_most_one() {
     );
     assert_eq!(Wheel::new(2.5, 1.0, 1.0, 9.81).unwrap().mass(), 2.5);
 }
+
+#[test]
+fn the_energy_is_that_of_centre_turning_and_height() {
+    let (mass, radius, factor, gravity) = (2.5, 0.3, 0.7, 9.81);
+    let wheel = Wheel::new(mass, radius, factor, gravity).unwrap();
+    let mut random = fastrand::Rng::with_seed(4);
+    for _ in 0..100 {
+        let mut number = || 3.0 * random.f64() - 1.5;
+        let [lean, lean_rate, across, along, heading, spin, x, y] = std::array::from_fn(|_| number());
+        let state = Rolling { lean, lean_rate, across, along, heading, spin, centre: [x, y] };
+        // The point of contact is at rest, a below the centre along axis 2.
+        let centre = 0.5 * mass * radius * radius * (lean_rate * lean_rate + along * along);
+        let axial = factor * mass * radius * radius;
+        let turning = 0.25 * axial * (lean_rate * lean_rate + across * across) + 0.5 * axial * along * along;
+        let expected = centre + turning + mass * gravity * radius * lean.cos();
+        assert!((wheel.energy(&state) / expected - 1.0).abs() < 1e-14, "{state:?}");
+    }
+}

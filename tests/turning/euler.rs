@@ -3,8 +3,10 @@
 use crate::{ROUNDING, attitude, moments, turning, vector};
 use approx::assert_relative_eq;
 use mechanics::attitude::{angle_between, quaternion_rate, rotation_between};
-use mechanics::euler::{self, Turning};
-use mechanics::integrate::Dop853;
+use mechanics::euler::{self, FreeSeries, Turning};
+use mechanics::free_rotation::FreeTop;
+use mechanics::inertia::PrincipalMoments;
+use mechanics::integrate::{Dop853, Taylor};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// A step over which a rotation is small but its rounding is smaller.
@@ -100,4 +102,22 @@ fn angles_are_exact_from_the_smallest_to_half_a_turn() {
     let (a, b) = (attitude(&mut random), attitude(&mut random));
     let same = UnitQuaternion::new_unchecked(-b.into_inner());
     assert_relative_eq!(rotation_between(&a, &same), a.angle_to(&b), max_relative = ROUNDING);
+}
+
+#[test]
+fn the_series_of_a_free_body_is_its_motion_whatever_its_moments() {
+    for moments in [[3.0, 1.5, 2.0], [0.2, 0.25, 0.4], [7.0, 7.0, 1.0]] {
+        let moments = PrincipalMoments::new(moments[0], moments[1], moments[2]).unwrap();
+        let omega_body = Vector3::new(0.4, 1.1, -0.7);
+        let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
+        let series = FreeSeries::new(&moments);
+        let end = Taylor::new(1e-16).unwrap().solve(&series, 0.0, start.to_array(), 5.0).unwrap();
+        let closed = FreeTop::new(moments, start).unwrap().at(5.0).unwrap().to_array();
+        // A quaternion and its negative are one attitude.
+        let sign = if end.state[0] * closed[0] < 0.0 { -1.0 } else { 1.0 };
+        for (i, (a, b)) in end.state.iter().zip(closed).enumerate() {
+            let sign = if i < 4 { sign } else { 1.0 };
+            assert!((a - sign * b).abs() < 1e-13, "{i}: {a} {b}");
+        }
+    }
 }
