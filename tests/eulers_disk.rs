@@ -1,17 +1,13 @@
 //! Euler's disk on a film of air: the Taylor series against the rates, the rates against a rolling wheel's, and what is lost.
 
 use mechanics::InvalidFrames;
-use mechanics::integrate::{Dop853, InvalidTolerance, Taylor};
+use mechanics::integrate::{Dop853, Failure, InvalidTolerance, Taylor};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{EulersDisk, NoSinking, Sinking};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use std::time::{Duration, Instant};
 
 const A: f64 = 0.04;
 const G: f64 = 9.81;
-/// What an answer to a question without a sense may take, on a busy machine.
-const AT_ONCE: Duration = Duration::from_secs(3);
-
 /// Let go from rest.
 const REST: Sinking = Sinking {
     tilt: 0.5,
@@ -317,12 +313,11 @@ fn the_table_carries_what_lifts_the_centre() {
 
 #[test]
 fn what_lies_past_the_end_is_refused_at_once() {
+    // At once: in less than the hundred thousand series after which it would be `Integration`, a fraction of a second.
     let toy = EulersDisk::in_air(0.4, 0.0375, G, 1.78e-5).unwrap();
     let start = toy.steady(0.1).unwrap();
     let mut frames = [start; 3];
-    let clock = Instant::now();
     let refused = toy.fill(&start, &[95.8, 96.0, 1e9], 1e-13, &mut frames).unwrap_err();
-    assert!(clock.elapsed() < AT_ONCE);
     let InvalidFrames::Time { index: 1, error: NoSinking::Over { time, tilt } } = refused else {
         panic!("{refused}")
     };
@@ -341,15 +336,15 @@ fn what_lies_past_the_end_is_refused_at_once() {
         for tilt in [1e-4, 1.5] {
             let disk = disk(film);
             for start in [disk.steady(tilt).unwrap(), Sinking { tilt, ..REST }] {
-                let clock = Instant::now();
                 let refused = disk.sample(&start, &[1e20], 1e-13).unwrap_err();
                 let held = film > 500.0 * tilt.sin().powf(2.5);
                 match refused {
                     NoSinking::Over { time, .. } => assert_eq!(time == 0.0, held, "{film} {tilt}: {refused}"),
-                    NoSinking::Integration(_) => assert!(film < 1e-3 && !held, "{film} {tilt}: {refused}"),
+                    NoSinking::Integration(Failure::TooMuchWork { evaluations, .. }) => {
+                        assert!(evaluations == 100_000 && film < 1e-3 && !held, "{film} {tilt}: {refused}");
+                    }
                     _ => panic!("{refused}"),
                 }
-                assert!(clock.elapsed() < AT_ONCE, "{film} {tilt}: {:?}", clock.elapsed());
                 assert_eq!(disk.sample(&start, &[0.0], 1e-13).unwrap(), [start]);
             }
         }

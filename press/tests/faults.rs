@@ -318,7 +318,7 @@ fn what_is_nested_too_deeply_is_a_fault_at_its_line() {
 }
 
 /// Each of these took minutes while something was counted from the beginning of the page for every item on it; in time
-/// that grows as the page does, each takes a second.
+/// that grows as the page does, each takes a second. (No clock: who makes it quadratic again waits for this test.)
 #[test]
 fn a_page_of_a_megabyte_is_read_in_seconds() {
     for (name, text) in [
@@ -331,10 +331,7 @@ fn a_page_of_a_megabyte_is_read_in_seconds() {
         ("headings", "## a\n\n".repeat(100_000)),
     ] {
         let book = Book::new(&format!("large-{name}"), &format!("# A\n\n{text}\n"), "# B\n", "# C\n");
-        let start = std::time::Instant::now();
         let faults = book.faults();
-        let seconds = start.elapsed().as_secs_f64();
-        assert!(seconds < 40.0, "{name}: {seconds} s");
         assert_eq!(
             faults.is_empty(),
             matches!(name, "formulas" | "displays" | "ats" | "brackets" | "headings"),

@@ -189,10 +189,8 @@ fn times_beyond_the_range_are_refused_however_slow_the_body_and_by_lists_as_well
 fn a_drag_that_never_ends_is_sampled_up_to_a_limit() {
     // A spin of a million turns a second for an hour.
     let top = DraggedTop::new(disc(), Drag::isotropic(0.0), Vector3::new(1.0, 0.0, 6e6)).unwrap();
-    let start = std::time::Instant::now();
     let stopped = top.sample(UnitQuaternion::identity(), &[3600.0], 1e-12);
     assert!(message(stopped).starts_with("the limit of evaluations was reached after 10000"));
-    assert!(start.elapsed().as_secs() < 10, "far less than a second, if nothing else runs");
     let solver = mechanics::integrate::Dop853::new(1e-9).unwrap().with_max_evaluations(100);
     let by_hand = top.sample_by(&solver, UnitQuaternion::identity(), &[3600.0]);
     assert!(message(by_hand).starts_with("the limit of evaluations was reached after 1"));

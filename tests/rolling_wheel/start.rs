@@ -2,10 +2,6 @@
 
 use mechanics::integrate::{Failure, InvalidTolerance, Taylor};
 use mechanics::scenes::rolling_wheel::{NoWobble, Rolling, Wheel};
-use std::time::{Duration, Instant};
-
-/// What an answer to a question without a sense may take, on a busy machine.
-const AT_ONCE: Duration = Duration::from_secs(3);
 
 const UPRIGHT: Rolling = Rolling {
     lean: 0.0,
@@ -73,10 +69,11 @@ fn whirls_that_would_take_for_ever_are_given_up_or_followed_as_the_caller_says()
     };
     for k in [1e-12, 1e-41] {
         let (wheel, start) = falling(k);
-        let clock = Instant::now();
         let refused = wheel.wobble(start, 1e-16).unwrap_err();
-        assert!(matches!(refused, NoWobble::Integration(Failure::TooMuchWork { .. })), "{refused}");
-        assert!(clock.elapsed() < AT_ONCE, "{:?}", clock.elapsed());
+        let NoWobble::Integration(Failure::TooMuchWork { evaluations, .. }) = refused else {
+            panic!("{refused}")
+        };
+        assert!(evaluations <= 50_000, "{evaluations} series, a fraction of a second");
     }
     let (wheel, start) = falling(1e-9);
     let by = |most: usize| wheel.wobble_by(start, &Taylor::new(1e-16).unwrap().with_max_expansions(most));
