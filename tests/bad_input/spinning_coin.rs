@@ -1,7 +1,7 @@
 //! Wheels, and coins that spin down.
 
 use mechanics::scenes::rolling_wheel::Wheel;
-use mechanics::scenes::spinning_coin::{InvalidSpinDown, Loss, SpinDown, SpinningCoin};
+use mechanics::scenes::spinning_coin::{EulersDisk, InvalidSpinDown, Loss, Sinking, SpinDown, SpinningCoin};
 use std::fmt;
 
 fn message<T: fmt::Debug>(result: Result<T, impl fmt::Display>) -> String {
@@ -123,4 +123,40 @@ fn a_wheel_and_a_coin_are_made_of_positive_numbers() {
             assert!(message(wheel.steady(0.3, bad)).starts_with("radius of the centre's circle"), "{bad}");
         }
     }
+}
+
+#[test]
+fn a_sinking_disk_is_made_of_positive_numbers_and_starts_from_finite_ones() {
+    for bad in [-1.0, f64::NAN, f64::INFINITY, 1e60] {
+        for (number, name) in ["mass", "radius", "gravity", "viscosity"].into_iter().enumerate() {
+            let mut numbers = [0.4, 0.0375, 9.81, 1.78e-5];
+            numbers[number] = bad;
+            let [mass, radius, gravity, viscosity] = numbers;
+            let refused = message(EulersDisk::in_air(mass, radius, gravity, viscosity));
+            assert!(refused.starts_with(name), "{bad}: {refused}");
+        }
+        for (number, name) in
+            ["radius", "moment factor k", "gravity", "film number K"].into_iter().enumerate()
+        {
+            let mut numbers = [0.0375, 0.5, 9.81, 1e-5];
+            numbers[number] = bad;
+            let [radius, factor, gravity, film] = numbers;
+            let refused = message(EulersDisk::new(radius, factor, gravity, film));
+            assert!(refused.starts_with(name), "{bad}: {refused}");
+        }
+    }
+    let hoop = EulersDisk::new(0.0375, 1.0, 9.81, 1e-5).unwrap();
+    assert!(message(EulersDisk::new(0.0375, 1.0_f64.next_up(), 9.81, 1e-5)).contains("at most 1"));
+    let start = hoop.steady(0.1).unwrap();
+    assert_eq!(hoop.sample(&start, &[0.0, 0.0], 1e-13).unwrap(), [start; 2]);
+    for number in 0..8 {
+        for bad in [f64::NAN, f64::INFINITY] {
+            let mut numbers = start.to_array();
+            numbers[number] = bad;
+            let refused = message(hoop.sample(&Sinking::from_array(numbers), &[1.0], 1e-13));
+            assert!(refused.contains("finite") || refused.contains("tilt"), "{number} {bad}: {refused}");
+        }
+    }
+    let flat = Sinking { tilt: std::f64::consts::PI, ..start };
+    assert!(message(hoop.sample(&flat, &[1.0], 1e-13)).starts_with("tilt from lying flat"));
 }
