@@ -34,13 +34,16 @@ pub mod measure;
 pub mod scenes;
 pub mod sweep;
 
-mod branchless;
+mod error;
 mod frames;
 mod quantity;
 mod rolling;
 mod two_part;
+mod wide;
 
+pub use error::Error;
 pub use frames::InvalidFrames;
+pub use nalgebra;
 pub use quantity::{InvalidQuantity, Rule};
 
 /// Every page of the book, so that rustdoc tests its snippets. The press refuses a page of `book/SUMMARY.md` that is not here,
