@@ -100,11 +100,11 @@ fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = 
     }
 }
 
-/// Runs the snippets of all pages as documentation tests of the crate `snippets`.
+/// Runs the snippets of all pages which are the documentation tests of the crate `snippets`, and those of the library.
 fn test_snippets(root: &Path) -> Result<(), Failed> {
-    eprintln!("Testing the snippets of all pages with `cargo test --doc --package snippets`");
+    eprintln!("Testing the snippets of all pages with `cargo test --doc`");
     let run = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["test", "--doc", "--package", "snippets"])
+        .args(["test", "--doc"])
         .current_dir(root)
         .stdin(Stdio::null())
         .stderr(Stdio::inherit())
