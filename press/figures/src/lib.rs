@@ -2,7 +2,7 @@
 //!
 //! A figure is a function that takes what the library computes and returns a [`Drawing`]. Each chapter keeps its figures in
 //! its own folder, in `figures.rs`; this crate compiles those files and gives them the plot style ([`Plot`], [`Axis`]) and
-//! the drawing kit. The press calls [`all`] while it is built, so Cargo renders again exactly what has changed.
+//! the drawing kit. A build script of the press calls [`of`] for the chapters whose code has changed.
 
 mod axis;
 mod failure;
@@ -43,6 +43,7 @@ pub use plot::Plot;
 pub use sample::{linear_steps, log_steps};
 
 use std::error::Error;
+use std::{panic, thread};
 
 /// Why a figure could not be drawn: whatever the library or the kit says.
 pub type Cause = Box<dyn Error + Send + Sync>;
@@ -87,20 +88,44 @@ pub struct Figure {
 /// # Errors
 /// A [`Failure`] for each figure that could not be drawn, or whose id another figure has, with its file and the reason.
 pub fn all() -> Result<Vec<Figure>, Vec<Failure>> {
-    let (mut figures, mut failures) = (Vec::<Figure>::new(), Vec::new());
+    of(|_| true)
+}
+
+/// Draws the figures of those chapters whose folders are `wanted`.
+///
+/// # Errors
+/// As for [`all`]; an id that two figures have is found whether they are wanted or not.
+pub fn of(wanted: impl Fn(&str) -> bool) -> Result<Vec<Figure>, Vec<Failure>> {
+    let mut failures = Vec::new();
+    let mut known: Vec<(&str, &str)> = Vec::new();
     for chapter in CHAPTERS {
         for entry in chapter.entries {
-            match render(chapter, entry) {
-                Ok(figure) => match figures.iter().find(|other| other.id == figure.id) {
-                    Some(other) => {
-                        let cause =
-                            format!("book/{}/figures.rs has a figure of this name too", other.chapter);
-                        failures.push(Failure::new(chapter, entry.id, cause.into()));
-                    }
-                    None => figures.push(figure),
-                },
-                Err(cause) => failures.push(Failure::new(chapter, entry.id, cause)),
+            if let Some((_, folder)) = known.iter().find(|(id, _)| *id == entry.id) {
+                let cause = format!("book/{folder}/figures.rs has a figure of this name too");
+                failures.push(Failure::new(chapter, entry.id, cause.into()));
             }
+            known.push((entry.id, chapter.folder));
+        }
+    }
+    let draw = |chapter: &'static Chapter| {
+        let entries = chapter.entries.iter();
+        let drawn = entries
+            .map(|entry| render(chapter, entry).map_err(|cause| Failure::new(chapter, entry.id, cause)));
+        drawn.collect::<Vec<_>>()
+    };
+    let chapters = CHAPTERS.iter().filter(|chapter| wanted(chapter.folder));
+    let drawn: Vec<Result<Figure, Failure>> = thread::scope(|scope| {
+        let threads: Vec<_> = chapters.map(|chapter| scope.spawn(move || draw(chapter))).collect();
+        threads
+            .into_iter()
+            .flat_map(|thread| thread.join().unwrap_or_else(|cause| panic::resume_unwind(cause)))
+            .collect()
+    });
+    let mut figures = Vec::new();
+    for result in drawn {
+        match result {
+            Ok(figure) => figures.push(figure),
+            Err(failure) => failures.push(failure),
         }
     }
     if failures.is_empty() { Ok(figures) } else { Err(failures) }
