@@ -1,30 +1,16 @@
 //! What can go wrong with a figure.
 
-use crate::Chapter;
+use crate::Cause;
 use std::error::Error;
 use std::fmt;
 
 /// A figure that could not be drawn.
 #[derive(Debug)]
 pub struct Failure {
-    chapter: String,
-    line: usize,
-    figure: String,
-    cause: Box<dyn Error + Send + Sync>,
-}
-
-impl Failure {
-    /// The failure of a figure of a chapter, at the line that lists it.
-    pub(crate) fn new(chapter: &Chapter, figure: &str, cause: Box<dyn Error + Send + Sync>) -> Self {
-        let listed = chapter.source.lines().position(|line| line.contains(&format!("\"{figure}\"")));
-        let line = listed.map_or(0, |before| before + 1);
-        Self { chapter: chapter.folder.into(), line, figure: figure.into(), cause }
-    }
-
-    /// The id of the figure, as in `fig:machine`.
-    pub fn figure(&self) -> &str {
-        &self.figure
-    }
+    pub(crate) chapter: &'static str,
+    pub(crate) line: usize,
+    pub(crate) figure: &'static str,
+    pub(crate) cause: Cause,
 }
 
 impl fmt::Display for Failure {
