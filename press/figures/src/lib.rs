@@ -5,6 +5,7 @@
 //! [`Axis`]) and the drawing kit.
 
 mod axis;
+mod canvas;
 mod failure;
 #[cfg(test)]
 mod list; // of the build script
@@ -146,7 +147,7 @@ mod tests {
             let mut drawing = empty(id);
             let line = [at(1.0, 1.0), at(2.0, 2.0), at(3.0, f64::NAN), at(4.0, 4.0)];
             drawing.polyline(&line, Stroke::Curve, Hue::Blue);
-            drawing.name_last("path");
+            drawing.name_curve("path", 1);
             Ok(drawing)
         };
         for (draw, expected) in [
