@@ -34,11 +34,14 @@ pub mod measure;
 pub mod scenes;
 pub mod sweep;
 
-mod branchless;
+mod error;
 mod frames;
 mod quantity;
 mod rolling;
 mod two_part;
+mod wide;
 
+pub use error::Error;
 pub use frames::InvalidFrames;
+pub use nalgebra;
 pub use quantity::{InvalidQuantity, Rule};
