@@ -33,7 +33,7 @@ impl Stamps {
     pub(crate) fn read(root: &Path) -> io::Result<Self> {
         let mut stamps = Self::default();
         for path in
-            ["Cargo.lock", "Cargo.toml", "press/book", "press/drawing", "press/figures", "src", "book"]
+            ["Cargo.lock", "Cargo.toml", "press/book/build.rs", "press/drawing", "press/figures", "src", "book"]
         {
             stamps.add(&root.join(path), &root.join("src/scenes"), &root.join("book"))?;
         }
