@@ -75,7 +75,7 @@ pub fn observed_order(steps_and_errors: &[(f64, f64)], plateau: f64) -> Option<O
 /// let counter = Counter::new();
 /// rk4(counter.count(|_t, y: &[f64; 1]| [-y[0]]), 0.0, [1.0], 1.0, 25)?;
 /// assert_eq!(counter.evaluations(), 100);
-/// # Ok::<(), mechanics::integrate::Failure<1>>(())
+/// # Ok::<(), mechanics::integrate::Failure>(())
 /// ```
 #[derive(Debug, Default)]
 pub struct Counter {

@@ -49,8 +49,19 @@ pub enum Rule {
     AtMost(f64),
     /// It is less than so much.
     LessThan(f64),
+    /// It is more than so much.
+    MoreThan(f64),
     /// It is so much, to rounding.
     EqualTo(f64),
+    /// It does not exceed another quantity, of the same unit.
+    NotAbove {
+        /// What the other is.
+        what: &'static str,
+        /// How much that is.
+        limit: f64,
+    },
+    /// With this value what is asked for does not exist, for the reason given.
+    Because(&'static str),
 }
 
 impl InvalidQuantity {
@@ -99,6 +110,13 @@ impl InvalidQuantity {
         Self::require(value.is_finite(), quantity, value, unit, Rule::Finite)
     }
 
+    /// Checks a tolerance: positive, finite, and not below what rounding leaves of a step.
+    pub(crate) fn check_tolerance(quantity: &'static str, value: f64, least: f64) -> Result<f64, Self> {
+        Self::require_finite(quantity, value, "")?;
+        Self::require(value > 0.0, quantity, value, "", Rule::Positive)?;
+        Self::require(value >= least, quantity, value, "", Rule::AtLeast(least))
+    }
+
     /// Checks a time, s: finite, and not too large to compute with.
     pub(crate) fn check_time(time: f64) -> Result<f64, Self> {
         if time.abs() < *RANGE.start() { Ok(time) } else { Self::check("time", time, "s") }
@@ -120,6 +138,9 @@ impl fmt::Display for InvalidQuantity {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { quantity, value, unit, rule } = *self;
         let unit = WithSpace(unit);
+        if let Rule::Because(reason) = rule {
+            return write!(out, "{quantity} {}{unit}: {reason}", Shown(value));
+        }
         write!(out, "{quantity} {}{unit} ", Shown(value))?;
         match rule {
             Rule::Finite => write!(out, "is not a finite number"),
@@ -135,6 +156,9 @@ impl fmt::Display for InvalidQuantity {
             Rule::AtLeast(least) => write!(out, "is too small; it must be at least {}{unit}", Shown(least)),
             Rule::AtMost(limit) => write!(out, "is too large; it must be at most {}{unit}", Shown(limit)),
             Rule::LessThan(limit) => write!(out, "is too large; it must be less than {}{unit}", Shown(limit)),
+            Rule::MoreThan(limit) => write!(out, "is too small; it must be more than {}{unit}", Shown(limit)),
+            Rule::NotAbove { what, limit } => write!(out, "exceeds {what}, {}{unit}", Shown(limit)),
+            Rule::Because(_) => Ok(()),
             Rule::EqualTo(only) => write!(out, "is not {}{unit} to rounding", Shown(only)),
         }
     }

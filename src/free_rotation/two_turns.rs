@@ -1,9 +1,9 @@
 //! Many frames of a body whose attitude is a steady turn about **L** and one about its own axis.
 
-use crate::branchless::{Clock, sin_cos_quarters};
 use crate::euler::Turning;
-use crate::frames::{Branchless, several_at_once};
 use crate::two_part::TwoPart;
+use crate::wide::functions::{Clock, sin_cos_quarters};
+use crate::wide::{Branchless, several_at_once};
 use nalgebra::{Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 
 /// The motion `q(t) = start · turn(first, Λt) · turn(second, −σt) · then`, in numbers that make a frame of few operations
@@ -50,7 +50,7 @@ impl TwoTurns {
 }
 
 impl Branchless for TwoTurns {
-    type Frame = Turning;
+    type State = Turning;
 
     #[inline(always)]
     fn at(&self, time: f64) -> Turning {

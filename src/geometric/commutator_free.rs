@@ -41,7 +41,7 @@ pub fn commutator_free(
     state: Turning,
     end: f64,
     steps: usize,
-) -> Result<Turning, Failure<7>> {
+) -> Result<Turning, Failure> {
     check(start, &state, end, steps)?;
     let h = (end - start) / steps as f64;
     let mut acceleration = |time: f64, turning: &Turning| {
@@ -52,7 +52,7 @@ pub fn commutator_free(
         let time = start + n as f64 * h; // counted, not accumulated
         let next = step(&mut acceleration, time, &now, h);
         if !is_finite(&next) {
-            return Err(Failure::NotFinite { time, state: now.to_array(), step: h });
+            return Err(Failure::NotFinite { time, state: now.to_array().to_vec(), step: h });
         }
         now = next;
     }

@@ -78,7 +78,7 @@ impl Splitting {
         state: Turning,
         duration: f64,
         steps: usize,
-    ) -> Result<Turning, Failure<7>> {
+    ) -> Result<Turning, Failure> {
         check(0.0, &state, duration, steps)?;
         let h = duration / steps as f64;
         let split = Split::new(moments);
@@ -103,7 +103,7 @@ impl Splitting {
             omega_body: moments.angular_velocity(&body.momentum),
         };
         if !is_finite(&end) {
-            return Err(Failure::NotFinite { time: 0.0, state: state.to_array(), step: h });
+            return Err(Failure::NotFinite { time: 0.0, state: state.to_array().to_vec(), step: h });
         }
         Ok(end)
     }

@@ -2,7 +2,8 @@
 
 use super::step::{Step, advance};
 use super::tableau::{A, B, C};
-use super::{Failure, InvalidTolerance, Rates};
+use super::{Failure, Rates};
+use crate::quantity::{InvalidQuantity, Rule};
 use std::ops::ControlFlow;
 
 /// Relative tolerances below this ask for more than `f64` can give.
@@ -67,26 +68,20 @@ impl Dop853 {
     /// An integrator with `tolerance` as both relative and absolute tolerance.
     ///
     /// # Errors
-    /// [`InvalidTolerance`] unless the tolerance is finite and at least 1e-15.
-    pub fn new(tolerance: f64) -> Result<Self, InvalidTolerance> {
+    /// [`InvalidQuantity`] unless the tolerance is finite and at least 1e-15.
+    pub fn new(tolerance: f64) -> Result<Self, InvalidQuantity> {
         Self::with_tolerances(tolerance, tolerance)
     }
 
     /// An integrator with separate tolerances; the absolute one has the unit of the state and may be zero.
     ///
     /// # Errors
-    /// [`InvalidTolerance`] unless the relative tolerance is finite and at least 1e-15, and the absolute one
+    /// [`InvalidQuantity`] unless the relative tolerance is finite and at least 1e-15, and the absolute one
     /// finite and not negative.
-    pub fn with_tolerances(relative: f64, absolute: f64) -> Result<Self, InvalidTolerance> {
-        if !(relative.is_finite() && relative > 0.0) {
-            return Err(InvalidTolerance::NotPositive { value: relative });
-        }
-        if relative < SMALLEST_TOLERANCE {
-            return Err(InvalidTolerance::BelowRounding { value: relative, least: SMALLEST_TOLERANCE });
-        }
-        if !(absolute.is_finite() && absolute >= 0.0) {
-            return Err(InvalidTolerance::NotPositive { value: absolute });
-        }
+    pub fn with_tolerances(relative: f64, absolute: f64) -> Result<Self, InvalidQuantity> {
+        InvalidQuantity::check_tolerance("relative tolerance", relative, SMALLEST_TOLERANCE)?;
+        InvalidQuantity::require_finite("absolute tolerance", absolute, "")?;
+        InvalidQuantity::require(absolute >= 0.0, "absolute tolerance", absolute, "", Rule::NotNegative)?;
         Ok(Self {
             relative,
             absolute,
@@ -124,7 +119,7 @@ impl Dop853 {
         start: f64,
         state: [f64; N],
         end: f64,
-    ) -> Result<End<N>, Failure<N>> {
+    ) -> Result<End<N>, Failure> {
         self.solve_with(rates, start, state, end, |_| ControlFlow::Continue(()))
     }
 
@@ -138,7 +133,7 @@ impl Dop853 {
         start: f64,
         state: [f64; N],
         times: &[f64],
-    ) -> Result<(Vec<[f64; N]>, Work), Failure<N>> {
+    ) -> Result<(Vec<[f64; N]>, Work), Failure> {
         let end = times.last().copied().unwrap_or(start);
         let mut before = start;
         for (index, &time) in times.iter().enumerate() {
@@ -189,12 +184,12 @@ impl Dop853 {
         state: [f64; N],
         end: f64,
         mut observer: impl FnMut(&mut Step<'_, N, F>) -> ControlFlow<()>,
-    ) -> Result<End<N>, Failure<N>> {
+    ) -> Result<End<N>, Failure> {
         if !(start.is_finite() && end.is_finite()) {
             return Err(Failure::Interval { start, end });
         }
         if !is_finite(&state) {
-            return Err(Failure::InitialState { state });
+            return Err(Failure::InitialState { state: state.to_vec() });
         }
         let mut work = Work::default();
         let (mut t, mut y) = (start, state);
@@ -206,7 +201,7 @@ impl Dop853 {
         k[0] = rates(t, &y);
         work.evaluations += 1;
         if !is_finite(&k[0]) {
-            return Err(Failure::NotFinite { time: t, state: y, step: 0.0 });
+            return Err(Failure::NotFinite { time: t, state: y.to_vec(), step: 0.0 });
         }
         let mut h = match self.first_step {
             Some(length) => length.min(self.max_step) * direction,
@@ -219,13 +214,17 @@ impl Dop853 {
         let mut was_finite = true;
         loop {
             if work.evaluations >= self.max_evaluations {
-                return Err(Failure::TooMuchWork { time: t, state: y, evaluations: work.evaluations });
+                return Err(Failure::TooMuchWork {
+                    time: t,
+                    state: y.to_vec(),
+                    evaluations: work.evaluations,
+                });
             }
             if 0.1 * h.abs() <= t.abs() * f64::EPSILON || h.abs() < f64::MIN_POSITIVE {
                 return Err(if was_finite {
-                    Failure::StepUnderflow { time: t, state: y, step: h }
+                    Failure::StepUnderflow { time: t, state: y.to_vec(), step: h }
                 } else {
-                    Failure::NotFinite { time: t, state: y, step: h }
+                    Failure::NotFinite { time: t, state: y.to_vec(), step: h }
                 });
             }
             let last = (t + 1.01 * h - end) * direction > 0.0;
@@ -252,7 +251,7 @@ impl Dop853 {
             work.evaluations += 1;
             work.accepted += 1;
             if !is_finite(&k[12]) {
-                return Err(Failure::NotFinite { time: next, state: new, step: h });
+                return Err(Failure::NotFinite { time: next, state: new.to_vec(), step: h });
             }
             let flow = observer(&mut Step {
                 rates: &mut rates,

@@ -68,12 +68,12 @@ impl Dop853 {
         end: f64,
         mut event: impl FnMut(f64, &[f64; N]) -> f64,
         direction: Direction,
-    ) -> Result<Outcome<N>, Failure<N>> {
+    ) -> Result<Outcome<N>, Failure> {
         let mut found = None;
         let mut fault = None;
         let mut before = event(start, &state);
         if before.is_nan() {
-            return Err(Failure::EventNotANumber { time: start, state });
+            return Err(Failure::EventNotANumber { time: start, state: state.to_vec() });
         }
         let last = self.solve_with(rates, start, state, end, |step| {
             let after = event(step.end(), step.final_state());
@@ -109,7 +109,7 @@ fn locate<const N: usize, F: Rates<N>>(
     event: &mut impl FnMut(f64, &[f64; N]) -> f64,
     before: f64,
     after: f64,
-) -> Result<(f64, [f64; N]), Failure<N>> {
+) -> Result<(f64, [f64; N]), Failure> {
     // The newest point, the one across the zero from it, and the one that was given up last.
     let (mut new, mut f_new) = (step.end(), after);
     let (mut across, mut f_across) = (step.start(), before);
@@ -158,6 +158,6 @@ fn locate<const N: usize, F: Rates<N>>(
 }
 
 /// What to say where the event is not a number.
-fn not_a_number<const N: usize, F: Rates<N>>(step: &Step<'_, N, F>) -> Failure<N> {
-    Failure::EventNotANumber { time: step.start(), state: *step.initial_state() }
+fn not_a_number<const N: usize, F: Rates<N>>(step: &Step<'_, N, F>) -> Failure {
+    Failure::EventNotANumber { time: step.start(), state: step.initial_state().to_vec() }
 }

@@ -3,9 +3,9 @@
 use std::{error::Error, fmt};
 
 /// An integration that did not reach its end.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
-pub enum Failure<const N: usize> {
+pub enum Failure {
     /// The start or the end of the interval is not a finite number.
     Interval {
         /// Where the integration was to start.
@@ -16,7 +16,7 @@ pub enum Failure<const N: usize> {
     /// The state at the start holds an infinity or NaN.
     InitialState {
         /// The state as it was given.
-        state: [f64; N],
+        state: Vec<f64>,
     },
     /// A fixed-step method was asked to take no step at all.
     NoSteps,
@@ -32,7 +32,7 @@ pub enum Failure<const N: usize> {
         /// The last time that was reached.
         time: f64,
         /// The state there.
-        state: [f64; N],
+        state: Vec<f64>,
         /// The step that was tried from there.
         step: f64,
     },
@@ -41,14 +41,14 @@ pub enum Failure<const N: usize> {
         /// The last time that was reached.
         time: f64,
         /// The state there.
-        state: [f64; N],
+        state: Vec<f64>,
     },
     /// The tolerance asks for a step below the spacing of floating-point numbers.
     StepUnderflow {
         /// The last time that was reached.
         time: f64,
         /// The state there.
-        state: [f64; N],
+        state: Vec<f64>,
         /// The step that would have been needed.
         step: f64,
     },
@@ -57,13 +57,13 @@ pub enum Failure<const N: usize> {
         /// The last time that was reached.
         time: f64,
         /// The state there.
-        state: [f64; N],
+        state: Vec<f64>,
         /// The evaluations that were made.
         evaluations: usize,
     },
 }
 
-impl<const N: usize> fmt::Display for Failure<N> {
+impl fmt::Display for Failure {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Interval { start, end } => {
@@ -96,49 +96,4 @@ impl<const N: usize> fmt::Display for Failure<N> {
     }
 }
 
-impl<const N: usize> Error for Failure<N> {}
-
-/// A tolerance that no computation in `f64` can keep.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidTolerance {
-    /// Not a positive finite number.
-    NotPositive {
-        /// The tolerance as it was given.
-        value: f64,
-    },
-    /// Below what a method can use of the digits of `f64`.
-    BelowRounding {
-        /// The tolerance as it was given.
-        value: f64,
-        /// The least that the method takes.
-        least: f64,
-    },
-    /// As large as what is computed, or larger.
-    TooLoose {
-        /// The tolerance as it was given.
-        value: f64,
-        /// The largest that makes sense.
-        most: f64,
-    },
-}
-
-impl fmt::Display for InvalidTolerance {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotPositive { value } => {
-                write!(out, "tolerance {value} must be positive and finite")
-            }
-            Self::BelowRounding { value, least } => write!(
-                out,
-                "tolerance {value:e} is below {least:e}: rounding errors of 1.1e-16 a step would be taken for \
-                 errors of the method, and more work would bring a larger error"
-            ),
-            Self::TooLoose { value, most } => {
-                write!(out, "tolerance {value:e} is too large; it must be at most {most:e}")
-            }
-        }
-    }
-}
-
-impl Error for InvalidTolerance {}
+impl Error for Failure {}

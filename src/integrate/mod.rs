@@ -23,7 +23,7 @@ mod taylor;
 
 pub use dop853::{Dop853, End, Work};
 pub use event::{Direction, Outcome};
-pub use failure::{Failure, InvalidTolerance};
+pub use failure::Failure;
 pub use methods::METHODS;
 pub use rk4::{rk4, rk4_step};
 pub use step::Step;

@@ -28,7 +28,7 @@ pub fn rk4_step<const N: usize>(rates: &mut impl Rates<N>, time: f64, state: &[f
 /// let swing = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
 /// let [x, v] = mechanics::integrate::rk4(swing, 0.0, [1.0, 0.0], std::f64::consts::TAU, 100)?;
 /// assert!((x - 1.0).abs() < 1e-6 && v.abs() < 1e-6);
-/// # Ok::<(), mechanics::integrate::Failure<2>>(())
+/// # Ok::<(), mechanics::integrate::Failure>(())
 /// ```
 pub fn rk4<const N: usize>(
     mut rates: impl Rates<N>,
@@ -36,12 +36,12 @@ pub fn rk4<const N: usize>(
     state: [f64; N],
     end: f64,
     steps: usize,
-) -> Result<[f64; N], Failure<N>> {
+) -> Result<[f64; N], Failure> {
     if !(start.is_finite() && end.is_finite()) {
         return Err(Failure::Interval { start, end });
     }
     if !state.iter().all(|value| value.is_finite()) {
-        return Err(Failure::InitialState { state });
+        return Err(Failure::InitialState { state: state.to_vec() });
     }
     if steps == 0 {
         return Err(Failure::NoSteps);
@@ -52,7 +52,7 @@ pub fn rk4<const N: usize>(
         let time = start + n as f64 * h; // counted, not accumulated
         let next = rk4_step(&mut rates, time, &now, h);
         if !next.iter().all(|value| value.is_finite()) {
-            return Err(Failure::NotFinite { time, state: now, step: h });
+            return Err(Failure::NotFinite { time, state: now.to_vec(), step: h });
         }
         now = next;
     }

@@ -76,8 +76,8 @@ impl<const N: usize, F: Rates<N>> Step<'_, N, F> {
     }
 
     /// What to say where the state between the ends is not finite.
-    pub(super) fn not_finite(&self) -> Failure<N> {
-        Failure::NotFinite { time: self.start, state: *self.y0, step: self.length }
+    pub(super) fn not_finite(&self) -> Failure {
+        Failure::NotFinite { time: self.start, state: self.y0.to_vec(), step: self.length }
     }
 
     /// The coefficients of the polynomial in the nested products of x and 1 − x.

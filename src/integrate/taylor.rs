@@ -1,6 +1,7 @@
 //! A Taylor method of order sixteen: each step is a power series, whose coefficients the system itself supplies.
 
-use super::{End, Failure, InvalidTolerance, Work};
+use super::{End, Failure, Work};
+use crate::quantity::{InvalidQuantity, Rule};
 use std::ops::ControlFlow;
 
 /// The order of the series.
@@ -12,7 +13,7 @@ pub type Series<const N: usize> = [[f64; N]; TAYLOR_ORDER + 1];
 /// Relative tolerances below this ask for more than `f64` can give.
 const SMALLEST_TOLERANCE: f64 = 1e-17;
 /// How many series are allowed unless the caller says otherwise.
-const DEFAULT_EXPANSIONS: usize = 10_000_000;
+const DEFAULT_EXPANSIONS: usize = 100_000;
 
 /// A system that knows its own Taylor series.
 ///
@@ -70,14 +71,9 @@ impl Taylor {
     /// With this size of the last terms, in the unit of the state.
     ///
     /// # Errors
-    /// [`InvalidTolerance`] unless it is finite and at least 1e-17.
-    pub fn new(tolerance: f64) -> Result<Self, InvalidTolerance> {
-        if !(tolerance.is_finite() && tolerance > 0.0) {
-            return Err(InvalidTolerance::NotPositive { value: tolerance });
-        }
-        if tolerance < SMALLEST_TOLERANCE {
-            return Err(InvalidTolerance::BelowRounding { value: tolerance, least: SMALLEST_TOLERANCE });
-        }
+    /// [`InvalidQuantity`] unless it is finite and at least 1e-17.
+    pub fn new(tolerance: f64) -> Result<Self, InvalidQuantity> {
+        InvalidQuantity::check_tolerance("tolerance", tolerance, SMALLEST_TOLERANCE)?;
         Ok(Self { tolerance, max_step: f64::INFINITY, max_expansions: DEFAULT_EXPANSIONS })
     }
 
@@ -87,12 +83,9 @@ impl Taylor {
     }
 
     /// Refuses a tolerance above the size of what is computed.
-    pub(crate) fn check_at_most(&self, size: f64) -> Result<(), InvalidTolerance> {
-        if self.tolerance <= size {
-            Ok(())
-        } else {
-            Err(InvalidTolerance::TooLoose { value: self.tolerance, most: size })
-        }
+    pub(crate) fn check_at_most(&self, size: f64) -> Result<(), InvalidQuantity> {
+        let holds = self.tolerance <= size;
+        InvalidQuantity::require(holds, "tolerance", self.tolerance, "", Rule::AtMost(size)).map(drop)
     }
 
     /// The same with no step longer than `length`; a length that is zero or NaN sets no limit.
@@ -101,7 +94,7 @@ impl Taylor {
         Self { max_step, ..self }
     }
 
-    /// The same with a limit on the number of series (ten million unless set).
+    /// The same with a limit on the number of series (a hundred thousand unless set).
     pub fn with_max_expansions(self, max_expansions: usize) -> Self {
         Self { max_expansions, ..self }
     }
@@ -116,7 +109,7 @@ impl Taylor {
         start: f64,
         state: [f64; N],
         end: f64,
-    ) -> Result<End<N>, Failure<N>> {
+    ) -> Result<End<N>, Failure> {
         self.solve_with(system, start, state, end, |_| ControlFlow::Continue(()))
     }
 
@@ -131,12 +124,12 @@ impl Taylor {
         state: [f64; N],
         end: f64,
         mut observer: impl FnMut(&TaylorStep<'_, N>) -> ControlFlow<()>,
-    ) -> Result<End<N>, Failure<N>> {
+    ) -> Result<End<N>, Failure> {
         if !(start.is_finite() && end.is_finite()) {
             return Err(Failure::Interval { start, end });
         }
         if !state.iter().all(|value| value.is_finite()) {
-            return Err(Failure::InitialState { state });
+            return Err(Failure::InitialState { state: state.to_vec() });
         }
         let direction = (end - start).signum();
         let mut series = [[0.0; N]; TAYLOR_ORDER + 1];
@@ -147,20 +140,20 @@ impl Taylor {
         while time != end {
             if work.evaluations >= self.max_expansions {
                 let evaluations = work.evaluations;
-                return Err(Failure::TooMuchWork { time, state: series[0], evaluations });
+                return Err(Failure::TooMuchWork { time, state: series[0].to_vec(), evaluations });
             }
             system.expand(&mut series);
             work.evaluations += 1;
             let length = direction * self.length(&series);
             if length.is_nan() {
-                return Err(Failure::NotFinite { time, state: series[0], step: length });
+                return Err(Failure::NotFinite { time, state: series[0].to_vec(), step: length });
             }
             let left = (end - time) - time_rest;
             let last = length.abs() >= left.abs();
             let length = if last { left } else { length };
             let (next, next_rest) = if last { (end, 0.0) } else { add(time, time_rest, length) };
             if (next, next_rest) == (time, time_rest) {
-                return Err(Failure::StepUnderflow { time, state: series[0], step: length });
+                return Err(Failure::StepUnderflow { time, state: series[0].to_vec(), step: length });
             }
             work.accepted += 1;
             let increment = increment(&series, length);
@@ -178,7 +171,7 @@ impl Taylor {
                 (state[i], rest[i]) = add(state[i], rest[i], increment[i]);
             }
             if !state.iter().all(|value| value.is_finite()) {
-                return Err(Failure::NotFinite { time, state: series[0], step: length });
+                return Err(Failure::NotFinite { time, state: series[0].to_vec(), step: length });
             }
             series[0] = state;
             (time, time_rest) = (next, next_rest);

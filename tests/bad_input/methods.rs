@@ -18,7 +18,7 @@ fn free(_: f64, _: &Turning) -> Vector3<f64> {
     Vector3::zeros()
 }
 
-type Outcome = Result<Turning, Failure<7>>;
+type Outcome = Result<Turning, Failure>;
 
 /// Every method on the same input, over a duration in so many steps.
 fn all(start: Turning, duration: f64, steps: usize) -> [Outcome; 3] {

@@ -91,7 +91,7 @@ fn drops() -> impl Iterator<Item = Drop> {
 
 impl Drop {
     /// By the tilt: error of the heading when the wheel is up again, and the work.
-    fn by_tilt(&self, tolerance: f64) -> Result<(f64, Work), Failure<8>> {
+    fn by_tilt(&self, tolerance: f64) -> Result<(f64, Work), Failure> {
         let start = [self.tilt, 0.0, self.across, 0.0, 0.0, 0.0, 0.0, 0.0];
         let rates = |t: f64, y: &[f64; 8]| self.wheel.rates_by_tilt(t, y);
         // Of a tilt that comes down to the size of q, no more is left to an absolute tolerance.
@@ -101,7 +101,7 @@ impl Drop {
     }
 
     /// By the lean.
-    fn by_lean(&self, tolerance: f64, limit: usize) -> Result<(f64, Work), Failure<8>> {
+    fn by_lean(&self, tolerance: f64, limit: usize) -> Result<(f64, Work), Failure> {
         let start = Rolling {
             lean: FRAC_PI_2 - self.tilt,
             lean_rate: 0.0,
@@ -118,7 +118,7 @@ impl Drop {
     }
 
     /// By the tilt with equal steps of the classical method.
-    fn by_rk4(&self, steps: usize) -> Result<f64, Failure<8>> {
+    fn by_rk4(&self, steps: usize) -> Result<f64, Failure> {
         let start = [self.tilt, 0.0, self.across, 0.0, 0.0, 0.0, 0.0, 0.0];
         let rates = |t: f64, y: &[f64; 8]| self.wheel.rates_by_tilt(t, y);
         Ok((rk4(rates, 0.0, start, self.time, steps)?[4] - self.advance).abs())

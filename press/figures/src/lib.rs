@@ -2,7 +2,7 @@
 //!
 //! A figure is a function that takes what the library computes and returns a [`Drawing`]. Each chapter keeps its figures in
 //! its own folder, in `figures.rs`; this crate finds and compiles those files and gives them the plot style ([`Plot`],
-//! [`Axis`]) and the drawing kit.
+//! [`Axis`]) and the drawing kit. Another build script calls [`of`] for the chapters whose code has changed.
 
 mod axis;
 mod canvas;
@@ -22,6 +22,7 @@ pub use plot::Plot;
 pub use sample::{linear_steps, log_steps};
 
 use std::error::Error;
+use std::{panic, thread};
 
 /// Why a figure could not be drawn: whatever the library or the kit says.
 pub type Cause = Box<dyn Error + Send + Sync>;
@@ -61,11 +62,31 @@ pub struct Figure {
 /// # Errors
 /// A [`Failure`] for each figure that could not be drawn, with its file and the reason.
 pub fn all() -> Result<Vec<Figure>, Vec<Failure>> {
+    of(|_| true)
+}
+
+/// Draws the figures of those chapters whose folders are `wanted`, each chapter on a thread of its own.
+///
+/// # Errors
+/// As for [`all`].
+pub fn of(wanted: impl Fn(&str) -> bool) -> Result<Vec<Figure>, Vec<Failure>> {
+    let draw = |entry: &Entry| render(entry).map_err(|cause| failed(entry, cause));
+    let drawn: Vec<Result<Figure, Failure>> = thread::scope(|scope| {
+        let chapters = ENTRIES.chunk_by(|one, next| one.chapter == next.chapter);
+        let threads: Vec<_> = chapters
+            .filter(|chapter| wanted(chapter[0].chapter))
+            .map(|chapter| scope.spawn(move || chapter.iter().map(draw).collect::<Vec<_>>()))
+            .collect();
+        threads
+            .into_iter()
+            .flat_map(|thread| thread.join().unwrap_or_else(|cause| panic::resume_unwind(cause)))
+            .collect()
+    });
     let (mut figures, mut failures) = (Vec::new(), Vec::new());
-    for entry in ENTRIES {
-        match render(entry) {
+    for result in drawn {
+        match result {
             Ok(figure) => figures.push(figure),
-            Err(cause) => failures.push(failed(entry, cause)),
+            Err(failure) => failures.push(failure),
         }
     }
     if failures.is_empty() { Ok(figures) } else { Err(failures) }

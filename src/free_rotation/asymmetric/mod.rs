@@ -6,10 +6,10 @@ mod wave;
 
 use crate::elliptic::{carlson_rf, carlson_rf_in_two_parts, complete_integral, quarter_period};
 use crate::euler::Turning;
-use crate::frames::{BLOCK, in_blocks};
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
+use crate::wide::{BLOCK, in_blocks};
 use nalgebra::{Matrix3, Matrix4, Quaternion, Rotation3, UnitQuaternion, Vector3, Vector4};
 use wave::{Constants, Wave};
 

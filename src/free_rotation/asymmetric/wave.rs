@@ -4,9 +4,9 @@
 //! theta function of the attitude, and half the steady angle about **L**. Of the angle that the theta function adds, the half is
 //! found without the angle: a complex number Z has the same direction as the square of `|Z| + Z`.
 
-use crate::branchless::{Clock, ROUNDABLE, at_full_width, exp, nearest, sin_cos_quarters};
-use crate::frames::BLOCK;
 use crate::two_part::TwoPart;
+use crate::wide::BLOCK;
+use crate::wide::functions::{Clock, ROUNDABLE, at_full_width, exp, nearest, sin_cos_quarters};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 /// Terms of the theta series. The nome is below 0.0433 on either side, and its sixteenth power times the growth of the

@@ -1,8 +1,8 @@
 //! Many angular velocities at once.
 
 use super::DraggedTop;
-use crate::branchless::{Clock, exp, exp_and_exp_m1, sin_cos_quarters};
-use crate::frames::{Branchless, several_at_once};
+use crate::wide::functions::{Clock, exp, exp_and_exp_m1, sin_cos_quarters};
+use crate::wide::{Branchless, several_at_once};
 use nalgebra::Vector3;
 
 /// What a frame is made of.
@@ -31,7 +31,7 @@ impl Frames {
 }
 
 impl Branchless for Frames {
-    type Frame = Vector3<f64>;
+    type State = Vector3<f64>;
 
     #[inline(always)]
     fn at(&self, time: f64) -> Vector3<f64> {

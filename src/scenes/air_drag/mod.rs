@@ -10,7 +10,7 @@ use crate::euler::Turning;
 use crate::frames::{InvalidFrames, fill};
 use crate::free_rotation::InvalidTop;
 use crate::inertia::PrincipalMoments;
-use crate::integrate::{Dop853, Failure, InvalidTolerance};
+use crate::integrate::{Dop853, Failure};
 use crate::quantity::{InvalidQuantity, Rule};
 use crate::two_part::TwoPart;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -266,7 +266,7 @@ impl DraggedTop {
 }
 
 /// Why there is no such body, or no answer.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum InvalidDragTop {
     /// The body does not turn.
@@ -275,10 +275,8 @@ pub enum InvalidDragTop {
     Top(InvalidTop),
     /// A number breaks a rule.
     Quantity(InvalidQuantity),
-    /// The tolerance cannot be met.
-    Tolerance(InvalidTolerance),
     /// The integration of the attitude stopped.
-    Integration(Failure<4>),
+    Integration(Failure),
 }
 
 impl From<InvalidTop> for InvalidDragTop {
@@ -293,19 +291,12 @@ impl From<InvalidQuantity> for InvalidDragTop {
     }
 }
 
-impl From<InvalidTolerance> for InvalidDragTop {
-    fn from(error: InvalidTolerance) -> Self {
-        Self::Tolerance(error)
-    }
-}
-
 impl fmt::Display for InvalidDragTop {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSpin => write!(out, "angular velocity 0 rad/s: a body that spins down must spin"),
             Self::Top(error) => error.fmt(out),
             Self::Quantity(error) => error.fmt(out),
-            Self::Tolerance(error) => error.fmt(out),
             Self::Integration(error) => error.fmt(out),
         }
     }

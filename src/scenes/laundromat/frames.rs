@@ -3,9 +3,9 @@
 use super::oscillator::{Oscillator, Roots};
 use super::shaft::Shaft;
 use super::transient::{Form, Transient};
-use crate::branchless::{Clock, exp, sin_cos_quarters};
-use crate::frames::{Branchless, several_at_once};
 use crate::two_part::TwoPart;
+use crate::wide::functions::{Clock, exp, sin_cos_quarters};
+use crate::wide::{Branchless, several_at_once};
 use nalgebra::Complex;
 
 /// Beyond this size of the exponent e^{−Γt/2} nears the ends of the range of `f64`.
@@ -97,7 +97,7 @@ impl Frames {
 }
 
 impl Branchless for Frames {
-    type Frame = Shaft;
+    type State = Shaft;
 
     #[inline(always)]
     fn at(&self, time: f64) -> Shaft {

@@ -8,12 +8,12 @@
 use super::motion::Rolling;
 use super::swing::{Moment, Swing};
 use super::wheel::Wheel;
-use crate::branchless::{Clock, ROUNDABLE, sin_cos_quarters};
 use crate::frames::{InvalidFrames, fill};
-use crate::integrate::{Failure, InvalidTolerance, Taylor};
+use crate::integrate::{Failure, Taylor};
 use crate::quantity::{InvalidQuantity, Rule, Shown};
 use crate::rolling::{RollingSeries, sin_cos_tilt};
 use crate::two_part::TwoPart;
+use crate::wide::functions::{Clock, ROUNDABLE, sin_cos_quarters};
 use nalgebra::Complex;
 use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -238,7 +238,7 @@ impl Wobble {
 }
 
 /// Why there is no wobble.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum NoWobble {
     /// The lean does not swing.
@@ -250,21 +250,13 @@ pub enum NoWobble {
         /// The time, s.
         time: f64,
     },
-    /// The tolerance cannot be met.
-    Tolerance(InvalidTolerance),
     /// The integration stopped. Time and state are its own, in units of √(a/g).
-    Integration(Failure<8>),
+    Integration(Failure),
 }
 
 impl From<InvalidQuantity> for NoWobble {
     fn from(error: InvalidQuantity) -> Self {
         Self::Quantity(error)
-    }
-}
-
-impl From<InvalidTolerance> for NoWobble {
-    fn from(error: InvalidTolerance) -> Self {
-        Self::Tolerance(error)
     }
 }
 
@@ -276,7 +268,6 @@ impl fmt::Display for NoWobble {
             Self::Time { time } => {
                 write!(out, "time {} s must be finite, and at most 2^50 wobbles away", Shown(*time))
             }
-            Self::Tolerance(error) => error.fmt(out),
             Self::Integration(error) => error.fmt(out),
         }
     }

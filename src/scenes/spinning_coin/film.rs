@@ -1,7 +1,7 @@
 //! Euler's disk: a coin that sinks as it squeezes a film of air.
 
 use crate::frames::InvalidFrames;
-use crate::integrate::{Failure, InvalidTolerance, Taylor, TaylorStep};
+use crate::integrate::{Failure, Taylor, TaylorStep};
 use crate::quantity::{InvalidQuantity, Rule, Shown};
 use crate::rolling::{RollingSeries, anchor, contact, sin_cos_tilt};
 use nalgebra::Complex;
@@ -212,7 +212,7 @@ impl EulersDisk {
         frames: &mut [Sinking],
     ) -> Result<(), InvalidFrames<NoSinking>> {
         let solver = Taylor::new(tolerance).map(|solver| solver.with_max_expansions(MOST_SERIES));
-        let refused = |error: InvalidTolerance| InvalidFrames::Time { index: 0, error: error.into() };
+        let refused = |error: InvalidQuantity| InvalidFrames::Time { index: 0, error: error.into() };
         self.fill_by(start, times, &solver.map_err(refused)?, frames)
     }
 
@@ -342,7 +342,7 @@ fn tilt(y: f64) -> f64 {
 }
 
 /// Why a disk's motion cannot be followed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum NoSinking {
     /// A number of the start breaks its rule.
@@ -352,8 +352,6 @@ pub enum NoSinking {
         /// The time, s.
         time: f64,
     },
-    /// The tolerance cannot be kept.
-    Tolerance(InvalidTolerance),
     /// A time after the end of the motion, when the film has stopped all turning.
     Over {
         /// When it ended, s; zero if the film held the disk from the start.
@@ -362,18 +360,12 @@ pub enum NoSinking {
         tilt: f64,
     },
     /// The integration stopped. Time and state are its own, in √(a/g).
-    Integration(Failure<8>),
+    Integration(Failure),
 }
 
 impl From<InvalidQuantity> for NoSinking {
     fn from(error: InvalidQuantity) -> Self {
         Self::Quantity(error)
-    }
-}
-
-impl From<InvalidTolerance> for NoSinking {
-    fn from(error: InvalidTolerance) -> Self {
-        Self::Tolerance(error)
     }
 }
 
@@ -386,7 +378,6 @@ impl fmt::Display for NoSinking {
                 "time {} s must be finite, and the times must run from 0 s in one direction",
                 Shown(*time)
             ),
-            Self::Tolerance(error) => error.fmt(out),
             Self::Over { time, tilt } => write!(
                 out,
                 "the motion ends at {} s, where at a tilt of {} rad the film holds the disk fast",

@@ -2,9 +2,9 @@
 
 use super::pair::Pair;
 use super::root::Root;
-use crate::branchless::{ROUNDABLE, sin_cos_quarters};
 use crate::scenes::laundromat::oscillator::{Oscillator, Roots};
 use crate::two_part::TwoPart;
+use crate::wide::functions::{ROUNDABLE, sin_cos_quarters};
 use nalgebra::Complex;
 
 /// The drum's turning, with α > 0.

@@ -1,10 +1,10 @@
 //! What the force of a drum that speeds up does through one root of the suspension.
 
 use super::drum::Drum;
-use crate::branchless::{ROUNDABLE, exp, sin_cos_quarters};
 use crate::faddeeva::upper_half;
 use crate::scenes::laundromat::frames::LARGEST_EXPONENT;
 use crate::two_part::TwoPart;
+use crate::wide::functions::{ROUNDABLE, exp, sin_cos_quarters};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 

@@ -1,0 +1,159 @@
+//! Many times at once, in the wide registers of the processor: nothing but speed.
+//!
+//! Every motion of the library has an `at(time)`, which is the one to read, and a `sample(times)`, which gives the same states to rounding.
+//! Where a scene is asked for a million states its `sample` is a kernel of this folder: straight code without a branch, a table or a call,
+//! from which the compiler makes instructions for two, four or eight times at once. What a kernel leaves alone (a time
+//! out of its reach, a motion of another kind) is done by `at`. Without this folder every `sample` would be a loop over `at`.
+
+pub(crate) mod functions;
+
+use functions::at_full_width;
+use std::ops::RangeInclusive;
+
+/// The states at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone one by one, and so on.
+pub(crate) fn sample<S: Clone, E>(
+    times: &[f64],
+    quick: impl Fn(&[f64], &mut [S]) -> usize,
+    at: impl Fn(f64) -> Result<S, E>,
+) -> Result<Vec<S>, E> {
+    let Some(&first) = times.first() else { return Ok(Vec::new()) };
+    let mut states = vec![at(first)?; times.len()];
+    let mut done = 0;
+    while done < times.len() {
+        done += quick(&times[done..], &mut states[done..]);
+        let block = done..times.len().min(done + BLOCK);
+        for index in block {
+            states[index] = at(times[index])?;
+            done += 1;
+        }
+    }
+    Ok(states)
+}
+
+/// States are computed in blocks of this many: enough for the widest registers, and small enough for the nearest memory.
+pub(crate) const BLOCK: usize = 32;
+
+/// Does `work` block by block, as many states as there are times, and says so; leaves alone, and counts not, the block in which a
+/// time is not `reached` or not a number or of which `work` says that it has not come out, and what follows it.
+#[inline(always)]
+pub(crate) fn in_blocks<S>(
+    times: &[f64],
+    states: &mut [S],
+    reached: impl Fn(f64) -> bool,
+    mut work: impl FnMut(&[f64], &mut [S]) -> bool,
+) -> usize {
+    let mut done = 0;
+    for (times, states) in times.chunks(BLOCK).zip(states.chunks_mut(BLOCK)) {
+        if !times.iter().all(|&time| reached(time)) || !work(times, states) {
+            break;
+        }
+        done += times.len();
+    }
+    done
+}
+
+/// Later times, of whatever unit, are no times of this world; what refuses them is asked one by one.
+const LARGEST_TIME: f64 = 1e50;
+
+/// The constants of a motion whose states are computed without a branch.
+pub(crate) trait Branchless: Copy {
+    /// What is computed.
+    type State;
+
+    /// The state at a time. To be marked `#[inline(always)]`: a call would not be compiled for wide registers.
+    fn at(&self, time: f64) -> Self::State;
+
+    /// Whether a state is within the range of numbers, for a motion that can leave it.
+    #[inline(always)]
+    fn is_finite(_state: &Self::State) -> bool {
+        true
+    }
+}
+
+/// Fills states as [`in_blocks`], several with the same instructions. The constants come by value: for all the compiler knows, a
+/// state that is written might change what is borrowed.
+#[inline(always)]
+pub(crate) fn several_at_once<C: Branchless>(
+    constants: C,
+    reach: RangeInclusive<f64>,
+    times: &[f64],
+    states: &mut [C::State],
+) -> usize {
+    let reached = |time: f64| reach.contains(&time) && time.abs() <= LARGEST_TIME;
+    in_blocks(times, states, reached, |times, states| {
+        at_full_width(
+            #[inline(always)]
+            || {
+                for (&time, state) in times.iter().zip(states.iter_mut()) {
+                    *state = constants.at(time);
+                }
+            },
+        );
+        states.iter().all(C::is_finite)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::functions::{Clock, exp, sin_cos_quarters};
+    use super::{BLOCK, Branchless, sample, several_at_once};
+    use crate::two_part::TwoPart;
+    use std::cell::Cell;
+    use std::convert::Infallible;
+
+    /// A decaying oscillation.
+    #[derive(Clone, Copy)]
+    struct Decay(Clock);
+
+    impl Branchless for Decay {
+        type State = [f64; 2];
+
+        #[inline(always)]
+        fn at(&self, time: f64) -> [f64; 2] {
+            let (high, low) = self.0.at(time);
+            let (sin, cos) = sin_cos_quarters(high, low);
+            [exp(-0.1 * time) * cos, exp(-0.1 * time) * sin]
+        }
+    }
+
+    #[test]
+    fn states_are_the_same_in_registers_of_any_width() {
+        let decay = Decay(Clock::from_rate(TwoPart::from(1.3)));
+        let times: Vec<f64> = (0..1000).map(|n| 0.37 * f64::from(n)).collect();
+        let mut states = vec![[0.0; 2]; times.len()];
+        assert_eq!(several_at_once(decay, 0.0..=1e9, &times, &mut states), 1000);
+        for (state, &time) in states.iter().zip(&times) {
+            assert_eq!(*state, decay.at(time));
+        }
+    }
+
+    #[test]
+    fn a_block_with_a_time_out_of_reach_is_left_alone() {
+        let decay = Decay(Clock::from_rate(TwoPart::from(1.3)));
+        for bad in [-1.0, 2e9, f64::NAN, f64::INFINITY] {
+            let mut times = [1.0; 100];
+            times[70] = bad;
+            let mut states = [[7.0; 2]; 100];
+            assert_eq!(several_at_once(decay, 0.0..=1e9, &times, &mut states), 64);
+            assert!(states[63] == decay.at(1.0) && states[64] == [7.0; 2]);
+        }
+    }
+
+    #[test]
+    fn only_the_blocks_that_are_out_of_reach_are_filled_one_by_one() {
+        let decay = Decay(Clock::from_rate(TwoPart::from(1.3)));
+        let mut times: Vec<f64> = (0..10 * BLOCK).map(|n| 0.1 * n as f64).collect();
+        (times[BLOCK + 3], times[5 * BLOCK]) = (-1.0, -2.0);
+        let singles = Cell::new(0);
+        let single = |time: f64| {
+            singles.set(singles.get() + 1);
+            Ok::<_, Infallible>(decay.at(time))
+        };
+        let quick = |times: &[f64], states: &mut [[f64; 2]]| several_at_once(decay, 0.0..=1e9, times, states);
+        let states = sample(&times, quick, single).unwrap();
+        assert_eq!(singles.get(), 2 * BLOCK + 1);
+        for (state, &time) in states.iter().zip(&times) {
+            assert_eq!(*state, decay.at(time));
+        }
+    }
+}
