@@ -5,7 +5,7 @@ mod printed;
 use approx::assert_relative_eq;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
-use mechanics::inertia::{Body, PrincipalMoments};
+use mechanics::inertia::{Body, PrincipalMoments, SymmetricMoments};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::air_drag::{Drag, DraggedTop, Fate};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -37,7 +37,7 @@ fn written_out<D: DualNum<Primitive = f64> + Copy>(
     drag: Drag,
     [w1, w2, w3]: [D; 3],
 ) -> [D; 3] {
-    let (i1, i3) = moments.as_symmetric().unwrap();
+    let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric().unwrap();
     let Drag { transverse, axial } = drag;
     [
         (-w1 * transverse - w2 * w3 * (i3 - i1)) / i1,
@@ -124,7 +124,7 @@ fn eq54_the_spin_decays_as_simulated() {
         let time = between(&mut random, 0.1, 10.0);
         let found = top.omega_body(time).unwrap();
         assert_relative_eq!(found.z, simulated(moments, drag, start, time).z, epsilon = SIMULATED);
-        let (_, axial) = moments.as_symmetric().unwrap();
+        let SymmetricMoments { axial, .. } = moments.as_symmetric().unwrap();
         assert_relative_eq!(found.z * (drag.axial * time / axial).exp(), start.z, max_relative = ROUNDING);
     }
 }
@@ -150,7 +150,7 @@ fn eq56_the_cross_terms_cancel_in_the_sum_of_squares() {
     let mut random = fastrand::Rng::with_seed(56);
     for _ in 0..1000 {
         let (moments, drag, omega) = body(&mut random, true);
-        let (i1, _) = moments.as_symmetric().unwrap();
+        let i1 = moments.as_symmetric().unwrap().transverse;
         // d/dt of ω₁² + ω₂² along the motion, by dual numbers: the state moves with its own rates.
         let rates = written_out::<f64>(moments, drag, omega.into());
         let moving: [Dual64; 3] = std::array::from_fn(|i| Dual64::new(omega[i], rates[i]));
@@ -173,7 +173,7 @@ fn eq57_the_wobble_decays_as_simulated() {
         let top = DraggedTop::new(moments, drag, start).unwrap();
         let (found, judge) = (top.omega_body(time).unwrap(), simulated(moments, drag, start, time));
         assert_relative_eq!(found.xy().norm(), judge.xy().norm(), epsilon = SIMULATED);
-        let (transverse, _) = moments.as_symmetric().unwrap();
+        let SymmetricMoments { transverse, .. } = moments.as_symmetric().unwrap();
         let expected = start.xy().norm_squared() * (-2.0 * drag.transverse * time / transverse).exp();
         assert_relative_eq!(found.xy().norm_squared(), expected, max_relative = ROUNDING);
     }
@@ -195,7 +195,7 @@ fn eq58_the_tangent_of_the_angle_is_that_of_a_simulation() {
             // The middle of (58), while there is spin left: the root belongs to the start. Printed without its index 0 it is
             // that of now, and the decay is counted twice.
             let (moments, drag, start) = body(&mut random, true);
-            let (i1, i3) = moments.as_symmetric().unwrap();
+            let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric().unwrap();
             let time = between(&mut random, 0.25, 3.0) * i1.min(i3) / drag.axial;
             let judge = simulated(moments, drag, start, time);
             let tangent = judge.xy().norm() / judge.z;
@@ -213,7 +213,7 @@ fn eq04_and_eq58_the_angle_follows_the_law_of_the_source_for_one_drag_coefficien
     let mut random = fastrand::Rng::with_seed(4);
     for _ in 0..200 {
         let (moments, drag, start) = body(&mut random, true);
-        let (i1, i3) = moments.as_symmetric().unwrap();
+        let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric().unwrap();
         let top = DraggedTop::new(moments, drag, start).unwrap();
         let time = between(&mut random, 0.1, 10.0);
         let exponent = -drag.axial * (i3 - i1) * time / (i1 * i3);
@@ -257,7 +257,7 @@ fn the_wobble_goes_round_a_finite_number_of_times() {
     let mut random = fastrand::Rng::with_seed(9);
     for _ in 0..30 {
         let (moments, drag, start) = body(&mut random, true);
-        let (i1, i3) = moments.as_symmetric().unwrap();
+        let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric().unwrap();
         let top = DraggedTop::new(moments, drag, start).unwrap();
         // Turn of ω₁ + iω₂ in a simulation of the logarithm: its imaginary part has the rate σ(t).
         let rates = |_: f64, &[w3, _]: &[f64; 2]| [-drag.axial / i3 * w3, w3 * (i3 - i1) / i1];

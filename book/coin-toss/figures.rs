@@ -7,7 +7,8 @@ use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeSymmetricTop;
-use mechanics::inertia::{Body, InvalidMoments, PrincipalMoments};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::rk4;
 use mechanics::scenes::coin_toss::{Toss, angle_for_probability};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -22,7 +23,7 @@ pub(crate) const FIGURES: &[Entry] = &[
 ];
 
 /// A thin coin; its mass and radius make no difference.
-fn coin() -> Result<PrincipalMoments, InvalidMoments> {
+fn coin() -> Result<PrincipalMoments, InvalidQuantity> {
     Ok(Body::thin_disk(0.0075, 0.0122)?.moments())
 }
 

@@ -8,7 +8,8 @@ use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
 use mechanics::geometric::{Splitting, commutator_free};
-use mechanics::inertia::{InvalidMoments, PrincipalMoments};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
 use mechanics::scenes::pinned_hoop::{Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -28,7 +29,7 @@ pub(crate) const FIGURES: &[Entry] = &[
 const LOOSE: f64 = 1e12;
 
 /// The book of the chapter, and its motion.
-fn book() -> Result<(PrincipalMoments, Turning), InvalidMoments> {
+fn book() -> Result<(PrincipalMoments, Turning), InvalidQuantity> {
     let omega_body = Vector3::new(0.7, 0.9, 0.5);
     let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
     Ok((PrincipalMoments::new(1.0, 1.6, 2.1)?, start))

@@ -4,10 +4,11 @@ use crate::{Axis, Entry, Outcome, Plot, linear_steps};
 use drawing::kit::{Heads, Marker};
 use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use mechanics::InvalidQuantity;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::Body;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::space_station::{InvalidStation, Station, Struck};
+use mechanics::scenes::space_station::{Station, Struck};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
@@ -23,7 +24,7 @@ const RADIUS: f64 = 50.0;
 const SPIN: f64 = 0.45;
 const IMPULSE: f64 = 1.8e6;
 
-fn struck() -> Result<Struck, InvalidStation> {
+fn struck() -> Result<Struck, InvalidQuantity> {
     Station::ring(MASS, RADIUS, SPIN)?.struck(RADIUS, IMPULSE)
 }
 

@@ -1,6 +1,6 @@
 //! Bodies of even density and simple shape.
 
-use super::moments::{InvalidMoments, PrincipalMoments};
+use super::moments::PrincipalMoments;
 use super::tensor::InertiaTensor;
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::{Rotation3, Vector3};
@@ -15,7 +15,7 @@ use nalgebra::{Rotation3, Vector3};
 /// // ... and a cylinder √3 times as long as its radius is like a ball: all its moments are equal.
 /// let [across, _, along] = Body::thick_disk(1.0, 0.2, 0.2 * 3_f64.sqrt())?.moments().to_array();
 /// assert!((across / along - 1.0).abs() < 1e-15);
-/// # Ok::<(), mechanics::inertia::InvalidMoments>(())
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
@@ -27,8 +27,8 @@ impl Body {
     /// A body with its mass, kg, and its principal moments about the centre of mass.
     ///
     /// # Errors
-    /// [`InvalidMoments`] unless the mass is positive, finite and of a size that can be computed with.
-    pub fn new(mass: f64, moments: PrincipalMoments) -> Result<Self, InvalidMoments> {
+    /// [`InvalidQuantity`] unless the mass is positive, finite and of a size that can be computed with.
+    pub fn new(mass: f64, moments: PrincipalMoments) -> Result<Self, InvalidQuantity> {
         InvalidQuantity::check_positive("mass", mass, "kg")?;
         Ok(Self { mass, moments })
     }
@@ -36,8 +36,8 @@ impl Body {
     /// A thin hoop of mass, kg, and radius, m: `½ma²`, `½ma²`, `ma²`.
     ///
     /// # Errors
-    /// [`InvalidMoments`] unless both are positive, and so for every shape below.
-    pub fn hoop(mass: f64, radius: f64) -> Result<Self, InvalidMoments> {
+    /// [`InvalidQuantity`] unless both are positive, and so for every shape below.
+    pub fn hoop(mass: f64, radius: f64) -> Result<Self, InvalidQuantity> {
         length("radius", radius)?;
         Self::symmetric(mass, 0.5 * radius * radius, radius * radius)
     }
@@ -45,13 +45,13 @@ impl Body {
     /// A ring of rectangular section: mass, kg, inner and outer radius, m, and height along the axis, m, which may be zero.
     ///
     /// # Errors
-    /// [`InvalidMoments`] for bad numbers, and if the inner radius is not less than the outer.
+    /// [`InvalidQuantity`] for bad numbers, and if the inner radius is not less than the outer.
     pub fn ring(
         mass: f64,
         inner_radius: f64,
         outer_radius: f64,
         height: f64,
-    ) -> Result<Self, InvalidMoments> {
+    ) -> Result<Self, InvalidQuantity> {
         length("outer radius", outer_radius)?;
         InvalidQuantity::check_not_negative("inner radius", inner_radius, "m")?;
         InvalidQuantity::check_not_negative("height", height, "m")?;
@@ -65,7 +65,7 @@ impl Body {
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn thin_disk(mass: f64, radius: f64) -> Result<Self, InvalidMoments> {
+    pub fn thin_disk(mass: f64, radius: f64) -> Result<Self, InvalidQuantity> {
         Self::thick_disk(mass, radius, 0.0)
     }
 
@@ -73,7 +73,7 @@ impl Body {
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn thick_disk(mass: f64, radius: f64, thickness: f64) -> Result<Self, InvalidMoments> {
+    pub fn thick_disk(mass: f64, radius: f64, thickness: f64) -> Result<Self, InvalidQuantity> {
         length("radius", radius)?;
         InvalidQuantity::check_not_negative("thickness", thickness, "m")?;
         let square = radius * radius;
@@ -84,7 +84,7 @@ impl Body {
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn sphere(mass: f64, radius: f64) -> Result<Self, InvalidMoments> {
+    pub fn sphere(mass: f64, radius: f64) -> Result<Self, InvalidQuantity> {
         Self::spheroid(mass, radius, radius)
     }
 
@@ -92,7 +92,7 @@ impl Body {
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn shell(mass: f64, radius: f64) -> Result<Self, InvalidMoments> {
+    pub fn shell(mass: f64, radius: f64) -> Result<Self, InvalidQuantity> {
         length("radius", radius)?;
         let square = radius * radius / 1.5;
         Self::symmetric(mass, square, square)
@@ -103,7 +103,7 @@ impl Body {
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn rod(mass: f64, rod_length: f64, radius: f64) -> Result<Self, InvalidMoments> {
+    pub fn rod(mass: f64, rod_length: f64, radius: f64) -> Result<Self, InvalidQuantity> {
         length("length", rod_length)?;
         Self::thick_disk(mass, radius, rod_length)
     }
@@ -112,7 +112,7 @@ impl Body {
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn cuboid(mass: f64, edges: [f64; 3]) -> Result<Self, InvalidMoments> {
+    pub fn cuboid(mass: f64, edges: [f64; 3]) -> Result<Self, InvalidQuantity> {
         for edge in edges {
             length("edge", edge)?;
         }
@@ -124,7 +124,7 @@ impl Body {
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn spheroid(mass: f64, equatorial_radius: f64, polar_radius: f64) -> Result<Self, InvalidMoments> {
+    pub fn spheroid(mass: f64, equatorial_radius: f64, polar_radius: f64) -> Result<Self, InvalidQuantity> {
         length("equatorial radius", equatorial_radius)?;
         length("polar radius", polar_radius)?;
         let [a, c] = [equatorial_radius * equatorial_radius, polar_radius * polar_radius];
@@ -159,11 +159,11 @@ impl Body {
         InertiaTensor::principal(self.moments).rotated(other_from_body)
     }
 
-    fn symmetric(mass: f64, across: f64, axial: f64) -> Result<Self, InvalidMoments> {
+    fn symmetric(mass: f64, across: f64, axial: f64) -> Result<Self, InvalidQuantity> {
         Self::per_mass(mass, [across, across, axial])
     }
 
-    fn per_mass(mass: f64, squares: [f64; 3]) -> Result<Self, InvalidMoments> {
+    fn per_mass(mass: f64, squares: [f64; 3]) -> Result<Self, InvalidQuantity> {
         InvalidQuantity::check_positive("mass", mass, "kg")?;
         let [about_1, about_2, about_3] = squares.map(|square| mass * square);
         Self::new(mass, PrincipalMoments::new(about_1, about_2, about_3)?)

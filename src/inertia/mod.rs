@@ -8,5 +8,5 @@ mod moments;
 mod tensor;
 
 pub use body::Body;
-pub use moments::{InvalidMoments, PrincipalMoments};
+pub use moments::{PrincipalMoments, SymmetricMoments};
 pub use tensor::InertiaTensor;

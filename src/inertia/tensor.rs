@@ -1,6 +1,7 @@
 //! Inertia about any point, along any axes.
 
-use super::moments::{InvalidMoments, PrincipalMoments};
+use super::moments::PrincipalMoments;
+use crate::quantity::InvalidQuantity;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 /// What it costs to turn a matrix and to find its axes, of the largest moment.
@@ -56,8 +57,8 @@ impl InertiaTensor {
     /// along the axes of this tensor. Good to 5e-15 of the largest moment.
     ///
     /// # Errors
-    /// [`InvalidMoments`] if the matrix is not the inertia of a body with three positive moments.
-    pub fn principal_axes(&self) -> Result<(PrincipalMoments, Rotation3<f64>), InvalidMoments> {
+    /// [`InvalidQuantity`] if the matrix is not the inertia of a body with three positive moments.
+    pub fn principal_axes(&self) -> Result<(PrincipalMoments, Rotation3<f64>), InvalidQuantity> {
         if let Some(&bad) = self.matrix.iter().find(|entry| !entry.is_finite()) {
             PrincipalMoments::new(bad, bad, bad)?;
         }

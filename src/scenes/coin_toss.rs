@@ -5,8 +5,8 @@
 //! decides only when the coin is caught. Air, edges and bounces are left out.
 
 use crate::euler::Turning;
-use crate::free_rotation::{FreeSymmetricTop, InvalidTop};
-use crate::inertia::PrincipalMoments;
+use crate::free_rotation::FreeSymmetricTop;
+use crate::inertia::{PrincipalMoments, SymmetricMoments};
 use crate::quantity::{InvalidQuantity, Shown};
 use crate::two_part::TwoPart;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -154,7 +154,7 @@ impl Toss {
 /// # Errors
 /// [`InvalidToss`] if the body has no axis of symmetry along 3.
 pub fn steady_face_ratio(moments: PrincipalMoments) -> Result<f64, InvalidToss> {
-    let (transverse, axial) = symmetric(moments)?;
+    let SymmetricMoments { transverse, axial } = moments.as_symmetric()?;
     Ok(transverse / axial)
 }
 
@@ -182,11 +182,6 @@ fn cotangent_for_probability(probability: f64) -> Result<f64, InvalidToss> {
     }
     // −cos πp, by the sine of a small angle near 1/2.
     Ok((PI * (probability - 0.5)).min(FRAC_PI_2).sin().sqrt())
-}
-
-fn symmetric(moments: PrincipalMoments) -> Result<(f64, f64), InvalidToss> {
-    let [about_1, about_2, _] = moments.to_array();
-    moments.as_symmetric().ok_or(InvalidToss::Top(InvalidTop::NotSymmetric { about_1, about_2 }))
 }
 
 /// The flight of the coin's centre of mass: thrown straight up, caught on the way down.
@@ -241,8 +236,6 @@ impl Flight {
 pub enum InvalidToss {
     /// The coin does not turn.
     NoSpin,
-    /// The body has no axis of symmetry, or its spin cannot be computed with.
-    Top(InvalidTop),
     /// A number of the flight breaks a rule.
     Quantity(InvalidQuantity),
     /// A probability of the same face that no toss has.
@@ -259,12 +252,6 @@ pub enum InvalidToss {
     },
 }
 
-impl From<InvalidTop> for InvalidToss {
-    fn from(error: InvalidTop) -> Self {
-        Self::Top(error)
-    }
-}
-
 impl From<InvalidQuantity> for InvalidToss {
     fn from(error: InvalidQuantity) -> Self {
         Self::Quantity(error)
@@ -277,7 +264,6 @@ impl fmt::Display for InvalidToss {
             Self::NoSpin => {
                 write!(out, "angular velocities ω₁ = 0 rad/s and ω₃ = 0 rad/s: a tossed coin turns")
             }
-            Self::Top(error) => error.fmt(out),
             Self::Quantity(error) => error.fmt(out),
             Self::Probability { probability } => write!(
                 out,

@@ -7,7 +7,7 @@
 
 use crate::euler::Turning;
 use crate::free_rotation::FreeTop;
-use crate::inertia::{Body, InvalidMoments, PrincipalMoments};
+use crate::inertia::{Body, PrincipalMoments};
 use crate::quantity::{InvalidQuantity, Rule, Shown};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::error::Error;
@@ -207,8 +207,6 @@ impl Pinning {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum InvalidPinning {
-    /// The mass or the radius is not that of a body.
-    Body(InvalidMoments),
     /// Another number breaks a rule.
     Quantity(InvalidQuantity),
     /// The point is not on the rim.
@@ -220,12 +218,6 @@ pub enum InvalidPinning {
     },
 }
 
-impl From<InvalidMoments> for InvalidPinning {
-    fn from(error: InvalidMoments) -> Self {
-        Self::Body(error)
-    }
-}
-
 impl From<InvalidQuantity> for InvalidPinning {
     fn from(error: InvalidQuantity) -> Self {
         Self::Quantity(error)
@@ -235,7 +227,6 @@ impl From<InvalidQuantity> for InvalidPinning {
 impl fmt::Display for InvalidPinning {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::Body(error) => error.fmt(out),
             Self::Quantity(error) => error.fmt(out),
             Self::NotOnSurface { distance, radius } => write!(
                 out,

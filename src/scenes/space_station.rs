@@ -5,12 +5,10 @@
 //! `+r` along axis 2 with an impulse P along axis 3. Only the impulse counts: no mass is added.
 
 use crate::euler::Turning;
-use crate::free_rotation::{FreeSymmetricTop, InvalidTop};
-use crate::inertia::{Body, InvalidMoments};
+use crate::free_rotation::FreeSymmetricTop;
+use crate::inertia::Body;
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::error::Error;
-use std::fmt;
 
 /// A station that turns about its axis of symmetry.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +28,7 @@ pub struct Station {
 /// assert!((ratio - 0.5).abs() < 1e-14);
 /// // It nods twice as often as one sees it turn (eq:nodding-rate).
 /// assert!((struck.nodding_rate() / 0.45 - 2.0).abs() < 0.04);
-/// # Ok::<(), mechanics::scenes::space_station::InvalidStation>(())
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Struck {
@@ -43,9 +41,9 @@ impl Station {
     /// A station with its mass and moments that turns with `spin`, rad/s, of either sign, about axis 3.
     ///
     /// # Errors
-    /// [`InvalidStation`] if the body has no axis of symmetry, or the spin is zero, not finite or of a size that cannot be
+    /// [`InvalidQuantity`] if the body has no axis of symmetry, or the spin is zero, not finite or of a size that cannot be
     /// computed with.
-    pub fn new(body: Body, spin: f64) -> Result<Self, InvalidStation> {
+    pub fn new(body: Body, spin: f64) -> Result<Self, InvalidQuantity> {
         InvalidQuantity::check("spin", spin, "rad/s")?;
         InvalidQuantity::require(spin != 0.0, "spin", spin, "rad/s", Rule::NotZero)?;
         let station = Self { body, spin };
@@ -57,7 +55,7 @@ impl Station {
     ///
     /// # Errors
     /// As [`Station::new`], and for a mass or radius that is not positive.
-    pub fn ring(mass: f64, radius: f64, spin: f64) -> Result<Self, InvalidStation> {
+    pub fn ring(mass: f64, radius: f64, spin: f64) -> Result<Self, InvalidQuantity> {
         Self::new(Body::hoop(mass, radius)?, spin)
     }
 
@@ -75,9 +73,9 @@ impl Station {
     /// direction of axis 2 (`eq:struck-rate`).
     ///
     /// # Errors
-    /// [`InvalidStation`] for a negative radius, and for numbers that are not finite or of a size that cannot be computed
+    /// [`InvalidQuantity`] for a negative radius, and for numbers that are not finite or of a size that cannot be computed
     /// with.
-    pub fn struck(&self, radius: f64, impulse: f64) -> Result<Struck, InvalidStation> {
+    pub fn struck(&self, radius: f64, impulse: f64) -> Result<Struck, InvalidQuantity> {
         InvalidQuantity::check_not_negative("radius of the blow", radius, "m")?;
         InvalidQuantity::check("impulse", impulse, "N·s")?;
         let [transverse, _, _] = self.body.moments().to_array();
@@ -86,7 +84,7 @@ impl Station {
         Ok(Struck { top: self.turning_with(gained)?, drift, spin: self.spin })
     }
 
-    fn turning_with(&self, omega_1: f64) -> Result<FreeSymmetricTop, InvalidTop> {
+    fn turning_with(&self, omega_1: f64) -> Result<FreeSymmetricTop, InvalidQuantity> {
         let start = Turning {
             world_from_body: UnitQuaternion::identity(),
             omega_body: Vector3::new(omega_1, 0.0, self.spin),
@@ -155,45 +153,3 @@ impl Struck {
         Ok(self.centre_velocity() * time + self.at(time)?.world_from_body * point_body)
     }
 }
-
-/// Why there is no such station, or no such blow.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidStation {
-    /// The mass or the radius is not that of a body.
-    Moments(InvalidMoments),
-    /// The body has no axis of symmetry, or its spin cannot be computed with.
-    Top(InvalidTop),
-    /// Another number breaks a rule.
-    Quantity(InvalidQuantity),
-}
-
-impl From<InvalidMoments> for InvalidStation {
-    fn from(error: InvalidMoments) -> Self {
-        Self::Moments(error)
-    }
-}
-
-impl From<InvalidTop> for InvalidStation {
-    fn from(error: InvalidTop) -> Self {
-        Self::Top(error)
-    }
-}
-
-impl From<InvalidQuantity> for InvalidStation {
-    fn from(error: InvalidQuantity) -> Self {
-        Self::Quantity(error)
-    }
-}
-
-impl fmt::Display for InvalidStation {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Moments(error) => error.fmt(out),
-            Self::Top(error) => error.fmt(out),
-            Self::Quantity(error) => error.fmt(out),
-        }
-    }
-}
-
-impl Error for InvalidStation {}

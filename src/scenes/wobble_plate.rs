@@ -4,7 +4,7 @@
 //! `x' = (cos ωt, sin ωt, 0)`, `y' = z × x'` and z. The plate's normal is `cos α z − sin α x'`. Nothing here has a state: every
 //! quantity is a function of the phase. A phase or spin that is not finite gives NaN.
 
-use crate::inertia::{Body, InvalidMoments, PrincipalMoments};
+use crate::inertia::{Body, PrincipalMoments};
 use crate::quantity::{InvalidQuantity, Rule, Shown};
 use nalgebra::Vector3;
 use std::error::Error;
@@ -308,8 +308,6 @@ pub fn in_room(rotating: &Vector3<f64>, phase: f64) -> Vector3<f64> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum InvalidEngine {
-    /// The plate is not a body.
-    Plate(InvalidMoments),
     /// A number breaks a rule.
     Quantity(InvalidQuantity),
     /// There is no piston.
@@ -321,12 +319,6 @@ pub enum InvalidEngine {
     },
 }
 
-impl From<InvalidMoments> for InvalidEngine {
-    fn from(error: InvalidMoments) -> Self {
-        Self::Plate(error)
-    }
-}
-
 impl From<InvalidQuantity> for InvalidEngine {
     fn from(error: InvalidQuantity) -> Self {
         Self::Quantity(error)
@@ -336,7 +328,6 @@ impl From<InvalidQuantity> for InvalidEngine {
 impl fmt::Display for InvalidEngine {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Plate(error) => error.fmt(out),
             Self::Quantity(error) => error.fmt(out),
             Self::NoPistons => write!(out, "0 pistons: an engine has at least one"),
             Self::TooManyPistons { count } => {

@@ -1,14 +1,14 @@
 //! Bodies, free tops and their scenes: coin, station, drag.
 
 use mechanics::euler::Turning;
-use mechanics::free_rotation::{FreeSymmetricTop, FreeTop, InvalidTop};
-use mechanics::inertia::{Body, InertiaTensor, InvalidMoments, PrincipalMoments};
+use mechanics::free_rotation::{FreeSymmetricTop, FreeTop};
+use mechanics::inertia::{Body, InertiaTensor, PrincipalMoments};
 use mechanics::scenes::air_drag::{Drag, DraggedTop, InvalidDragTop};
 use mechanics::scenes::coin_toss::{
     Flight, InvalidToss, Toss, angle_for_probability, ratio_for_probability, steady_face_ratio,
 };
 use mechanics::scenes::pinned_hoop::{InvalidPinning, Pinning, Shape};
-use mechanics::scenes::space_station::{InvalidStation, Station};
+use mechanics::scenes::space_station::Station;
 use mechanics::{InvalidFrames, InvalidQuantity, Rule};
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 use std::fmt::{Debug, Display};
@@ -25,19 +25,21 @@ fn brick() -> PrincipalMoments {
     PrincipalMoments::new(1.0, 1.5, 2.0).expect("a brick")
 }
 
+/// What is said of a body without an axis of symmetry.
+const UNEVEN: &str = "moment about axis 2 1.5 kg·m² is not 1 kg·m²";
+
 fn turning(omega_body: Vector3<f64>) -> Turning {
     Turning { world_from_body: UnitQuaternion::identity(), omega_body }
 }
 
 #[test]
 fn moments_must_be_those_of_a_body() {
-    assert_eq!(
-        PrincipalMoments::new(2.0, 3.0, 9.0),
-        Err(InvalidMoments::Triangle { moment: 9.0, others: 5.0 })
-    );
+    let refused = PrincipalMoments::new(2.0, 3.0, 9.0).unwrap_err();
+    let rule = Rule::NotAbove { what: "the sum of the other two", limit: 5.0 };
+    assert_eq!((refused.quantity, refused.value, refused.rule), ("largest principal moment", 9.0, rule));
     assert_eq!(
         message(PrincipalMoments::new(9.0, 3.0, 2.0)),
-        "principal moment 9 kg·m² exceeds the sum of the other two, 5 kg·m²"
+        "largest principal moment 9 kg·m² exceeds the sum of the other two, 5 kg·m²"
     );
     assert_eq!(
         message(PrincipalMoments::symmetric(1.0, 0.0)),
@@ -112,11 +114,8 @@ fn shapes_say_which_number_is_wrong() {
 #[test]
 fn a_free_symmetric_top_needs_an_axis_and_numbers() {
     let error = FreeSymmetricTop::new(brick(), turning(Vector3::z())).unwrap_err();
-    assert_eq!(error, InvalidTop::NotSymmetric { about_1: 1.0, about_2: 1.5 });
-    assert_eq!(
-        error.to_string(),
-        "the moments about axes 1 and 2, 1 kg·m² and 1.5 kg·m², differ; a symmetric top has axis 3 as its axis"
-    );
+    assert_eq!((error.quantity, error.value, error.rule), ("moment about axis 2", 1.5, Rule::EqualTo(1.0)));
+    assert_eq!(error.to_string(), "moment about axis 2 1.5 kg·m² is not 1 kg·m² to rounding");
     assert_eq!(
         message(FreeSymmetricTop::new(disc(), turning(Vector3::new(0.0, f64::NAN, 1.0)))),
         "angular velocity NaN rad/s is not a finite number"
@@ -208,8 +207,8 @@ fn a_toss_needs_a_coin_that_turns_and_a_catch_that_it_reaches() {
         message(Toss::new(disc(), 0.0, 0.0)),
         "angular velocities ω₁ = 0 rad/s and ω₃ = 0 rad/s: a tossed coin turns"
     );
-    assert!(matches!(Toss::new(brick(), 1.0, 1.0), Err(InvalidToss::Top(InvalidTop::NotSymmetric { .. }))));
-    assert!(matches!(steady_face_ratio(brick()), Err(InvalidToss::Top(_))));
+    assert!(message(Toss::new(brick(), 1.0, 1.0)).starts_with(UNEVEN));
+    assert!(message(steady_face_ratio(brick())).starts_with(UNEVEN));
     assert_eq!(
         message(Toss::new(disc(), f64::INFINITY, 1.0)),
         "angular velocity inf rad/s is not a finite number"
@@ -244,7 +243,7 @@ fn a_station_turns_and_a_blow_is_finite() {
     );
     assert_eq!(message(Station::ring(1.0, 1.0, f64::NAN)), "spin NaN rad/s is not a finite number");
     let brick = Body::cuboid(1.0, [1.0, 2.0, 3.0]).unwrap();
-    assert!(matches!(Station::new(brick, 1.0), Err(InvalidStation::Top(InvalidTop::NotSymmetric { .. }))));
+    assert!(message(Station::new(brick, 1.0)).starts_with("moment about axis 2"));
     let station = Station::ring(1.0, 1.0, 1.0).unwrap();
     assert_eq!(
         message(station.struck(-1.0, 1.0)),
@@ -281,14 +280,14 @@ fn drag_is_not_negative_and_a_slowing_body_spins() {
         "angular velocity 0 rad/s: a body that spins down must spin"
     );
     let uneven = DraggedTop::new(brick(), Drag::isotropic(0.1), Vector3::z());
-    assert!(matches!(uneven, Err(InvalidDragTop::Top(InvalidTop::NotSymmetric { .. }))));
+    assert!(message(uneven).starts_with(UNEVEN));
     let top = new(0.1, 0.1, Vector3::new(1.0, 0.0, 1.0)).unwrap();
     assert_eq!(message(top.omega_body(-1.0)), "time -1 s is negative; it must be zero or more");
     assert!(top.axis_angle(f64::NAN).is_err());
     let sample = |times: &[f64], tolerance: f64| top.sample(UnitQuaternion::identity(), times, tolerance);
     assert_eq!(message(sample(&[0.0, f64::NAN], 1e-9)), "time NaN s is not a finite number");
     assert!(matches!(sample(&[2.0, 1.0], 1e-9), Err(InvalidDragTop::Integration(_))));
-    assert!(matches!(sample(&[1.0], 1e-30), Err(InvalidDragTop::Tolerance(_))));
+    assert!(message(sample(&[1.0], 1e-30)).starts_with("relative tolerance 1e-30 is too small"));
     assert_eq!(sample(&[], 1e-9).map(|states| states.len()), Ok(0));
 }
 

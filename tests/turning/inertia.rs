@@ -2,7 +2,8 @@
 
 use crate::{ROUNDING, attitude, between, moments, vector};
 use approx::assert_relative_eq;
-use mechanics::inertia::{Body, InertiaTensor, InvalidMoments, PrincipalMoments};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::{Body, InertiaTensor, PrincipalMoments};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::f64::consts::TAU;
 
@@ -82,7 +83,7 @@ fn inertia(mass: f64, elements: &Elements, point: &Vector3<f64>) -> Matrix3<f64>
 }
 
 /// Every shape of the library with the elements that it is made of.
-fn shapes(random: &mut fastrand::Rng) -> Result<Vec<(f64, Body, Elements)>, InvalidMoments> {
+fn shapes(random: &mut fastrand::Rng) -> Result<Vec<(f64, Body, Elements)>, InvalidQuantity> {
     let mut length = || between(random, 0.1, 10.0);
     let [a, b, c, mass] = [length(), length(), length(), length()];
     let hoop = around().map(|(sin, cos)| (1.0, Vector3::new(a * cos, a * sin, 0.0))).collect();

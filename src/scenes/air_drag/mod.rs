@@ -8,8 +8,7 @@ mod frames;
 use crate::attitude::check_attitude;
 use crate::euler::Turning;
 use crate::frames::{InvalidFrames, fill};
-use crate::free_rotation::InvalidTop;
-use crate::inertia::PrincipalMoments;
+use crate::inertia::{PrincipalMoments, SymmetricMoments};
 use crate::integrate::{Dop853, Failure};
 use crate::quantity::{InvalidQuantity, Rule};
 use crate::two_part::TwoPart;
@@ -82,10 +81,7 @@ impl DraggedTop {
         drag: Drag,
         omega_body: Vector3<f64>,
     ) -> Result<Self, InvalidDragTop> {
-        let [about_1, about_2, _] = moments.to_array();
-        let Some((transverse, axial)) = moments.as_symmetric() else {
-            return Err(InvalidTop::NotSymmetric { about_1, about_2 }.into());
-        };
+        let SymmetricMoments { transverse, axial } = moments.as_symmetric()?;
         InvalidQuantity::check_not_negative("transverse drag coefficient", drag.transverse, "N·m·s")?;
         InvalidQuantity::check_not_negative("axial drag coefficient", drag.axial, "N·m·s")?;
         for component in &omega_body {
@@ -271,18 +267,10 @@ impl DraggedTop {
 pub enum InvalidDragTop {
     /// The body does not turn.
     NoSpin,
-    /// The body has no axis of symmetry.
-    Top(InvalidTop),
     /// A number breaks a rule.
     Quantity(InvalidQuantity),
     /// The integration of the attitude stopped.
     Integration(Failure),
-}
-
-impl From<InvalidTop> for InvalidDragTop {
-    fn from(error: InvalidTop) -> Self {
-        Self::Top(error)
-    }
 }
 
 impl From<InvalidQuantity> for InvalidDragTop {
@@ -295,7 +283,6 @@ impl fmt::Display for InvalidDragTop {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSpin => write!(out, "angular velocity 0 rad/s: a body that spins down must spin"),
-            Self::Top(error) => error.fmt(out),
             Self::Quantity(error) => error.fmt(out),
             Self::Integration(error) => error.fmt(out),
         }
