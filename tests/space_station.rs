@@ -5,7 +5,7 @@ mod printed;
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
-use mechanics::inertia::Body;
+use mechanics::inertia::{Body, Cylinder};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::space_station::{Station, Struck};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -240,7 +240,7 @@ fn solid_stations_nod_at_their_own_rate() {
     assert_relative_eq!(nod(Body::sphere(1.0, 1.0).unwrap()), 1.0, max_relative = 1e-9);
     assert_relative_eq!(nod(Body::thin_disk(1.0, 1.0).unwrap()), 2.0, max_relative = 1e-9);
     assert_relative_eq!(
-        nod(Body::rod(1.0, 10.0, 1.0).unwrap()),
+        nod(Body::cylinder(1.0, Cylinder { radius: 1.0, height: 10.0 }).unwrap()),
         0.5 / (0.25 + 100.0 / 12.0),
         max_relative = 1e-9
     );

@@ -23,7 +23,7 @@ pub struct InertiaTensor {
 }
 
 impl InertiaTensor {
-    /// The tensor along the principal axes.
+    /// The tensor about the point that the moments are about, along their axes.
     pub fn principal(moments: PrincipalMoments) -> Self {
         Self { matrix: Matrix3::from_diagonal(&moments.to_array().into()) }
     }
@@ -45,12 +45,11 @@ impl InertiaTensor {
         Self { matrix: symmetrised(turn * self.matrix * turn.transpose()) }
     }
 
-    /// From the centre of mass of a body of mass `mass`, kg, to the point at `displacement` from it, m
-    /// (`eq:steiner`). Starting from any other point the result is meaningless.
-    #[must_use]
-    pub fn shifted(&self, mass: f64, displacement: &Vector3<f64>) -> Self {
+    /// From the centre of mass of a body of mass `mass`, kg, to the point at `displacement` from it, m. From any other
+    /// point it would be meaningless, so that only a body, which knows its centre of mass, may ask for it.
+    pub(super) fn shifted(&self, mass: f64, displacement: &Vector3<f64>) -> Self {
         let square = Matrix3::from_diagonal_element(displacement.norm_squared());
-        Self { matrix: self.matrix + (square - displacement * displacement.transpose()) * mass }
+        Self { matrix: self.matrix + (square - displacement * displacement.transpose()) * mass } // eq:steiner
     }
 
     /// The principal moments, smallest first, and the rotation that takes components along the principal axes to those

@@ -49,7 +49,7 @@ impl Plate {
     pub fn thick(mass: f64, radius: f64, thickness: f64, tilt: f64) -> Result<Self, InvalidEngine> {
         InvalidQuantity::check_not_negative("tilt", tilt, "rad")?;
         InvalidQuantity::require(tilt < FRAC_PI_2, "tilt", tilt, "rad", Rule::LessThan(FRAC_PI_2))?;
-        let moments = Body::thick_disk(mass, radius, thickness)?.moments();
+        let moments = Body::cylinder(mass, crate::inertia::Cylinder { radius, height: thickness })?.moments();
         let [across, _, along] = moments.to_array(); // eq:plate-moments
         let (sin, cos) = tilt.sin_cos();
         Ok(Self { moments, across, along, tilt, sin, cos })

@@ -2,7 +2,7 @@
 
 use mechanics::euler::Turning;
 use mechanics::free_rotation::{FreeSymmetricTop, FreeTop};
-use mechanics::inertia::{Body, InertiaTensor, PrincipalMoments};
+use mechanics::inertia::{Body, Cylinder, InertiaTensor, PrincipalMoments, Ring, Spheroid};
 use mechanics::scenes::air_drag::{Drag, DraggedTop, InvalidDragTop};
 use mechanics::scenes::coin_toss::{
     Flight, InvalidToss, Toss, angle_for_probability, ratio_for_probability, steady_face_ratio,
@@ -10,7 +10,7 @@ use mechanics::scenes::coin_toss::{
 use mechanics::scenes::pinned_hoop::{InvalidPinning, Pinning, Shape};
 use mechanics::scenes::space_station::Station;
 use mechanics::{InvalidFrames, InvalidQuantity, Rule};
-use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use std::fmt::{Debug, Display};
 
 fn message<T: Debug, E: Display>(result: Result<T, E>) -> String {
@@ -78,23 +78,25 @@ fn a_number_is_shown_in_plain_digits_from_a_ten_thousandth_to_ten_million() {
 
 #[test]
 fn shapes_say_which_number_is_wrong() {
+    let ring =
+        |inner_radius: f64, height: f64| Body::ring(1.0, Ring { inner_radius, outer_radius: 1.0, height });
+    let cylinder = |radius: f64, height: f64| Body::cylinder(1.0, Cylinder { radius, height });
     let cases = [
         (message(Body::hoop(0.0, 1.0)), "mass 0 kg is not positive; it must be more than zero"),
         (message(Body::hoop(1.0, -0.5)), "radius -0.5 m is not positive; it must be more than zero"),
-        (message(Body::ring(1.0, 1.0, 1.0, 0.0)), "inner radius 1 m is too large; it must be less than 1 m"),
-        (message(Body::ring(1.0, -1.0, 1.0, 0.0)), "inner radius -1 m is negative; it must be zero or more"),
-        (message(Body::ring(1.0, 0.5, 1.0, f64::INFINITY)), "height inf m is not a finite number"),
-        (message(Body::thick_disk(1.0, 1.0, -0.1)), "thickness -0.1 m is negative; it must be zero or more"),
-        (message(Body::sphere(1.0, 0.0)), "equatorial radius 0 m is not positive; it must be more than zero"),
+        (message(ring(1.0, 0.0)), "inner radius 1 m is too large; it must be less than 1 m"),
+        (message(ring(-1.0, 0.0)), "inner radius -1 m is negative; it must be zero or more"),
+        (message(ring(0.5, f64::INFINITY)), "height inf m is not a finite number"),
+        (message(cylinder(1.0, -0.1)), "height -0.1 m is negative; it must be zero or more"),
+        (message(Body::sphere(1.0, 0.0)), "radius 0 m is not positive; it must be more than zero"),
         (message(Body::shell(1.0, f64::NAN)), "radius NaN m is not a finite number"),
-        (message(Body::rod(1.0, 0.0, 0.1)), "length 0 m is not positive; it must be more than zero"),
-        (message(Body::rod(1.0, 1.0, 0.0)), "radius 0 m is not positive; it must be more than zero"),
+        (message(cylinder(0.0, 1.0)), "radius 0 m is not positive; it must be more than zero"),
         (
             message(Body::cuboid(1.0, [1.0, 1.0, -2.0])),
             "edge -2 m is not positive; it must be more than zero",
         ),
         (
-            message(Body::spheroid(1.0, 1.0, 0.0)),
+            message(Body::spheroid(1.0, Spheroid { equatorial_radius: 1.0, polar_radius: 0.0 })),
             "polar radius 0 m is not positive; it must be more than zero",
         ),
         (message(Body::new(-3.0, disc())), "mass -3 kg is not positive; it must be more than zero"),
@@ -305,10 +307,12 @@ fn decay_rates_are_of_a_size_that_is_computed_with() {
 
 #[test]
 fn principal_axes_belong_to_a_body() {
-    let far = InertiaTensor::principal(disc()).shifted(1.0, &Vector3::new(1e200, 0.0, 0.0));
-    assert!(message(far.principal_axes()).contains("is not a finite number"));
-    // About a point that is not the centre of mass the shift means nothing: a negative mass takes too much away.
-    let none = InertiaTensor::principal(disc()).shifted(-0.15, &Vector3::z());
+    let nowhere = Rotation3::from_matrix_unchecked(Matrix3::from_element(f64::NAN));
+    let lost = InertiaTensor::principal(disc()).rotated(&nowhere);
+    assert!(message(lost.principal_axes()).contains("is not a finite number"));
+    // What is no rotation gives no body: here it stretches axis 3.
+    let stretch = Rotation3::from_matrix_unchecked(Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, 2.0)));
+    let none = InertiaTensor::principal(disc()).rotated(&stretch);
     assert!(message(none.principal_axes()).contains("exceeds the sum of the other two"), "{none:?}");
     // A flat body's are those of a body to rounding, however small it is.
     let small = PrincipalMoments::new(1e-20, 2e-20, 3e-20).unwrap();

@@ -2,7 +2,7 @@
 
 use crate::long::{Long, long};
 use crate::search::{Case, search, worse};
-use mechanics::inertia::Body;
+use mechanics::inertia::{Body, Cylinder, Spheroid};
 use mechanics::scenes::pinned_hoop::{Pinning, Shape};
 use mechanics::scenes::space_station::Station;
 
@@ -22,8 +22,8 @@ fn a_struck_station_leans_and_nods_to_a_few_units() {
         let (mass, size) = (draw.decades(1e-15, 1e15), draw.decades(1e-12, 1e12));
         let body = match draw.below(4) {
             0 => Body::hoop(mass, size),
-            1 => Body::rod(mass, size, size * draw.decades(1e-4, 1e3)),
-            2 => Body::spheroid(mass, size, draw.beside(size)),
+            1 => Body::cylinder(mass, Cylinder { radius: size * draw.decades(1e-4, 1e3), height: size }),
+            2 => Body::spheroid(mass, Spheroid { equatorial_radius: size, polar_radius: draw.beside(size) }),
             _ => Body::thin_disk(mass, size),
         };
         let body = body.ok()?;
