@@ -5,7 +5,7 @@ mod plate;
 #[path = "../printed/mod.rs"]
 mod printed;
 
-use mechanics::scenes::wobble_plate::{Engine, Pistons, Plate};
+use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
@@ -59,12 +59,19 @@ fn summed_momentum(numbers: [f64; 5], phase: f64) -> Vector3<f64> {
 }
 
 fn plate([mass, radius, thickness, tilt, _]: [f64; 5]) -> Plate {
-    Plate::thick(mass, radius, thickness, tilt).expect("a plate")
+    Plate::new(PlateParameters { mass, radius, thickness, tilt }).expect("a plate")
+}
+
+fn thin(mass: f64, radius: f64, tilt: f64) -> Plate {
+    plate([mass, radius, 0.0, tilt, 0.0])
+}
+
+fn pistons(count: u32, mass: f64, distance: f64, rod: f64) -> Pistons {
+    Pistons::new(PistonParameters { count, mass, distance, rod }).expect("pistons")
 }
 
 fn engine(random: &mut fastrand::Rng, count: u32) -> (Engine, f64, f64) {
-    let pistons =
-        Pistons::new(count, between(random, 0.01, 10.0), between(random, 0.01, 1.0), random.f64()).unwrap();
+    let pistons = pistons(count, between(random, 0.01, 10.0), between(random, 0.01, 1.0), random.f64());
     let numbers = numbers(random);
     (Engine::new(plate(numbers), pistons), numbers[4], TAU * random.f64())
 }
