@@ -12,17 +12,33 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 /// A station that turns about its axis of symmetry.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Station {
-    body: Body,
-    spin: f64,
+pub struct Station(Parameters);
+
+/// What turns, and how fast.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters {
+    /// Mass and moments; the axis of symmetry is axis 3.
+    pub body: Body,
+    /// Angular velocity ω₀ about axis 3, rad/s, of either sign, not zero.
+    pub spin: f64,
+}
+
+/// A blow along axis 3, on axis 2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blow {
+    /// How far from axis 3 it strikes, m, zero or more; the radius a for one on the rim.
+    pub radius: f64,
+    /// The impulse P along axis 3, N·s, of either sign.
+    pub impulse: f64,
 }
 
 /// The station after the blow: a free symmetric top whose centre drifts. Its angles and rates are good to 9e-16 of themselves.
 ///
 /// ```
-/// use mechanics::scenes::space_station::Station;
+/// use mechanics::{inertia::Body, scenes::space_station::{Blow, Parameters, Station}};
 /// // A ring of 400 t and 50 m radius that turns in about fourteen seconds, struck on the rim.
-/// let struck = Station::ring(4e5, 50.0, 0.45)?.struck(50.0, 1.8e6)?;
+/// let station = Station::new(Parameters { body: Body::hoop(4e5, 50.0)?, spin: 0.45 })?;
+/// let struck = station.struck(Blow { radius: 50.0, impulse: 1.8e6 })?;
 /// // The angular momentum tilts by half as much as the axis of rotation (eq:struck-angle, eq:struck-momentum).
 /// let ratio = struck.momentum_angle().tan() / struck.axis_angle().tan();
 /// assert!((ratio - 0.5).abs() < 1e-14);
@@ -31,69 +47,57 @@ pub struct Station {
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Struck {
+pub struct StruckStation {
     top: FreeSymmetricTop,
     drift: f64,
     spin: f64,
 }
 
 impl Station {
-    /// A station with its mass and moments that turns with `spin`, rad/s, of either sign, about axis 3.
+    /// The station before the blow.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the body has no axis of symmetry, or the spin is zero, not finite or of a size that cannot be
-    /// computed with.
-    pub fn new(body: Body, spin: f64) -> Result<Self, InvalidQuantity> {
+    /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, or the spin is zero, not finite or of a size that
+    /// cannot be computed with.
+    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
+        let Parameters { body, spin } = parameters;
+        body.moments().as_symmetric()?;
         InvalidQuantity::check("spin", spin, "rad/s")?;
         InvalidQuantity::require(spin != 0.0, "spin", spin, "rad/s", Rule::NotZero)?;
-        let station = Self { body, spin };
-        station.turning_with(0.0)?;
-        Ok(station)
-    }
-
-    /// A station in the form of a thin ring of mass, kg, and radius, m, with its spin, rad/s.
-    ///
-    /// # Errors
-    /// As [`Station::new`], and for a mass or radius that is not positive.
-    pub fn ring(mass: f64, radius: f64, spin: f64) -> Result<Self, InvalidQuantity> {
-        Self::new(Body::hoop(mass, radius)?, spin)
+        Ok(Self(parameters))
     }
 
     /// The mass and the moments.
     pub fn body(&self) -> Body {
-        self.body
+        self.0.body
     }
 
     /// The angular velocity ω₀ before the blow, rad/s.
     pub fn spin(&self) -> f64 {
-        self.spin
+        self.0.spin
     }
 
-    /// The station just after a blow with `impulse`, N·s, along axis 3, at the distance `radius`, m, from the axis, in the
-    /// direction of axis 2 (`eq:struck-rate`).
+    /// The station just after a blow (`eq:struck-rate`).
     ///
     /// # Errors
     /// [`InvalidQuantity`] for a negative radius, and for numbers that are not finite or of a size that cannot be computed
     /// with.
-    pub fn struck(&self, radius: f64, impulse: f64) -> Result<Struck, InvalidQuantity> {
+    pub fn struck(&self, Blow { radius, impulse }: Blow) -> Result<StruckStation, InvalidQuantity> {
+        let Self(Parameters { body, spin }) = *self;
         InvalidQuantity::check_not_negative("radius of the blow", radius, "m")?;
         InvalidQuantity::check("impulse", impulse, "N·s")?;
-        let [transverse, _, _] = self.body.moments().to_array();
-        let gained = InvalidQuantity::check("angular velocity", radius * impulse / transverse, "rad/s")?;
-        let drift = InvalidQuantity::check("drift", impulse / self.body.mass(), "m/s")?;
-        Ok(Struck { top: self.turning_with(gained)?, drift, spin: self.spin })
-    }
-
-    fn turning_with(&self, omega_1: f64) -> Result<FreeSymmetricTop, InvalidQuantity> {
+        let i1 = body.moments().as_symmetric()?.transverse;
+        let added = InvalidQuantity::check("angular velocity", radius * impulse / i1, "rad/s")?; // eq:struck-rate
+        let drift = InvalidQuantity::check("drift", impulse / body.mass(), "m/s")?; // eq:drift
         let start = Turning {
             world_from_body: UnitQuaternion::identity(),
-            omega_body: Vector3::new(omega_1, 0.0, self.spin),
+            omega_body: Vector3::new(added, 0.0, spin),
         };
-        FreeSymmetricTop::new(self.body.moments(), start)
+        Ok(StruckStation { top: FreeSymmetricTop::new(body.moments(), start)?, drift, spin })
     }
 }
 
-impl Struck {
+impl StruckStation {
     /// The angular velocity `ω_P` about axis 1 that the blow adds, rad/s (`eq:struck-rate`).
     pub fn added_rate(&self) -> f64 {
         self.top.start().omega_body.x
@@ -102,7 +106,7 @@ impl Struck {
     /// The angle between the spin before and the angular velocity after the blow, rad, from 0 to π/2
     /// (`eq:struck-angle`).
     pub fn axis_angle(&self) -> f64 {
-        self.added_rate().abs().atan2(self.spin.abs())
+        self.added_rate().abs().atan2(self.spin.abs()) // eq:struck-angle
     }
 
     /// The angle between the spin before the blow and the angular momentum after it, rad, from 0 to π/2
@@ -137,6 +141,14 @@ impl Struck {
         self.top.at(time)
     }
 
+    /// Attitude and angular velocity at each of `times`, s, after the blow: the states of [`StruckStation::at`].
+    ///
+    /// # Errors
+    /// As [`StruckStation::at`], for the first time that it refuses.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
+        times.iter().map(|&time| self.at(time)).collect()
+    }
+
     /// The velocity of the centre, m/s: `P/m` along the old axis, constant (`eq:drift`).
     pub fn centre_velocity(&self) -> Vector3<f64> {
         Vector3::new(0.0, 0.0, self.drift)
@@ -145,7 +157,7 @@ impl Struck {
     /// The position at `time`, s, of the point of the station that was at `point_body`, m, along its axes, in the room.
     ///
     /// # Errors
-    /// As [`Struck::at`], and for a point that is not finite or of a size that cannot be computed with.
+    /// As [`StruckStation::at`], and for a point that is not finite or of a size that cannot be computed with.
     pub fn position(&self, point_body: &Vector3<f64>, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
         for component in point_body {
             InvalidQuantity::check("position of the point", *component, "m")?;

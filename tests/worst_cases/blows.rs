@@ -4,7 +4,7 @@ use crate::long::{Long, long};
 use crate::search::{Case, search, worse};
 use mechanics::inertia::{Body, Cylinder, Spheroid};
 use mechanics::scenes::pinned_hoop::{Pinning, Shape};
-use mechanics::scenes::space_station::Station;
+use mechanics::scenes::space_station::{self as station, Blow, Station};
 
 const EPS: f64 = f64::EPSILON;
 
@@ -28,11 +28,12 @@ fn a_struck_station_leans_and_nods_to_a_few_units() {
         };
         let body = body.ok()?;
         let spin = draw.one_of(&[-1.0, 1.0]) * draw.decades(1e-9, 1e9);
-        let [across, _, along] = body.moments().to_array().map(long);
+        let [across, _, along] = body.moments().to_array().map(long); // I₁ and I₃
         // From hardly to a blow that is all.
         let gained = spin * draw.signed(1e-12, 1e12);
         let (radius, impulse) = (size, gained * across.rounded() / size);
-        let struck = Station::new(body, spin).ok()?.struck(radius, impulse).ok()?;
+        let station = Station::new(station::Parameters { body, spin }).ok()?;
+        let struck = station.struck(Blow { radius, impulse }).ok()?;
         let omega = long(radius) * impulse / across;
         let spin = long(spin);
         let axis = off((omega.abs(), spin.abs()), struck.axis_angle());
