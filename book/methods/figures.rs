@@ -11,7 +11,7 @@ use mechanics::geometric::{Splitting, commutator_free};
 use mechanics::InvalidQuantity;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::pinned_hoop::{Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, SQRT_2};
 use std::ops::ControlFlow;
@@ -227,7 +227,8 @@ fn steps(id: &str) -> Outcome {
         "Two panels against the time from 0 to 150. Above, the component of omega along the tangent: a third, then minus a third from 28 to 84, then a third again. Below, the length of the steps on a logarithmic \
          scale from 0.1 to 10: about 1 during each flip, and up to four times as long while the hoop waits.",
     );
-    let hoop = Pinning::new(Shape::Hoop, 1.0, 1.0, 1.0, 89.9_f64.to_radians())?;
+    let pin = Pin::Angle(89.9_f64.to_radians());
+    let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
     let top = hoop.free_motion()?;
     let span = 150.0;
     let time = || Axis::linear(0.0, span, 30.0).map(|axis| axis.minor(10.0));
