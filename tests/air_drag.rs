@@ -40,7 +40,8 @@ fn thrown(top: &DraggedTop, world_from_body: UnitQuaternion<f64>) -> ThrownTop {
     top.thrown(world_from_body, &Dop853::new(1e-13).expect("a tolerance")).expect("an attitude")
 }
 
-/// Euler's equations written out with one drag coefficient an axis, as the source has them in (54) and (55); for any numbers.
+/// Euler's equations written out with one drag coefficient an axis, as the source has them in (54) and (55); for any
+/// numbers.
 fn written_out<D: DualNum<Primitive = f64> + Copy>(
     moments: PrincipalMoments,
     drag: Drag,
@@ -117,7 +118,8 @@ fn eq03_air_that_resists_every_point_gives_a_ball_one_coefficient_and_a_disc_two
             let top = dragged(PrincipalMoments::symmetric(1.0, 1.2).unwrap(), drag, omega);
             assert_relative_eq!(top.torque_body(&omega), torque, epsilon = ROUNDING);
             assert_relative_eq!(top.torque_body(&omega).dot(&omega), power, max_relative = 1e-12);
-            // (3) as printed, −Cω: the ball obeys it. On the disc no one C does, as soon as it neither rolls nor spins alone.
+            // (3) as printed, −Cω: the ball obeys it. On the disc no one C does, as soon as it neither rolls nor spins
+            // alone.
             let c = torque.norm() / omega.norm();
             let askew = (torque + omega * c).norm() / torque.norm();
             assert_eq!(askew < 1e-12, drag.transverse == drag.axial, "{askew}");
@@ -202,8 +204,8 @@ fn eq58_the_tangent_of_the_angle_is_that_of_a_simulation() {
                 let found = dragged(moments, drag, start).axis_angle(time).unwrap();
                 assert_relative_eq!(found, judge.xy().norm().atan2(judge.z), max_relative = 1e-8);
             }
-            // The middle of (58), while there is spin left: the root belongs to the start. Printed without its index 0 it is
-            // that of now, and the decay is counted twice.
+            // The middle of (58), while there is spin left: the root belongs to the start. Printed without its index 0
+            // it is that of now, and the decay is counted twice.
             let (moments, drag, start) = body(&mut random, true);
             let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric().unwrap();
             let time = between(&mut random, 0.25, 3.0) * i1.min(i3) / drag.axial;
@@ -344,8 +346,8 @@ fn the_angle_is_known_long_after_the_spin_has_left_the_numbers() {
 
 #[test]
 fn many_samples_at_once_are_the_states_one_by_one() {
-    // Drag from none to so strong that nothing is left; phases of a million turns; lists of every length around a block's; times
-    // beyond the reach of the form for many.
+    // Drag from none to so strong that nothing is left; phases of a million turns; lists of every length around a
+    // block's; times beyond the reach of the form for many.
     let mut random = fastrand::Rng::with_seed(53);
     for n in 0..200 {
         let drag =

@@ -43,8 +43,8 @@ fn simulated(moments: PrincipalMoments, omega_1: f64, omega_3: f64, times: &[f64
     simulated_turnings(moments, omega_1, omega_3, times).iter().map(Turning::axis_3_world).collect()
 }
 
-/// The angular momentum in the room of a thin disc of `mass` and `radius`, added up over its mass: twelve points of equal weight
-/// have the disc's moments.
+/// The angular momentum in the room of a thin disc of `mass` and `radius`, added up over its mass: twelve points of
+/// equal weight have the disc's moments.
 fn summed_momentum(mass: f64, radius: f64, turning: &Turning) -> Vector3<f64> {
     let omega = turning.omega_world();
     (0..12)
@@ -69,7 +69,8 @@ fn eq46_angular_momentum_stays_where_the_hand_left_it() {
         let start = summed_momentum(mass, radius, &toss.at(0.0).unwrap());
         assert_relative_eq!(start, stated, max_relative = 1e-13);
         assert_relative_eq!(toss.momentum_angle().tan(), omega_1 / (2.0 * omega_3), max_relative = 1e-13);
-        // And in the room it is still there when the coin stands quite differently: in the simulation and in the closed form.
+        // And in the room it is still there when the coin stands quite differently: in the simulation and in the closed
+        // form.
         let times = [0.05, 0.21, 0.45];
         for (time, simulated) in times.into_iter().zip(simulated_turnings(coin(), omega_1, omega_3, &times)) {
             for turning in [simulated, toss.at(time).unwrap()] {
@@ -255,7 +256,8 @@ fn a_coin_whose_normal_is_level_stands_on_edge() {
 
 #[test]
 fn a_coin_that_keeps_its_face_shows_no_other_at_any_time() {
-    // At the threshold, half a precession after the start, the height is zero: a rounding below would be the other face.
+    // At the threshold, half a precession after the start, the height is zero: a rounding below would be the other
+    // face.
     let mut random = fastrand::Rng::with_seed(10);
     for _ in 0..300 {
         let spin = f64::from(random.u32(1..1000));

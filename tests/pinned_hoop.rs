@@ -1,4 +1,5 @@
-//! The pinned hoop: equations (59) to (71), each by a route that shares no code with it, and the free motion afterwards.
+//! The pinned hoop: equations (59) to (71), each by a route that shares no code with it, and the free motion
+//! afterwards.
 
 mod printed;
 
@@ -52,8 +53,8 @@ fn spin_before(degrees: f64) -> Vector3<f64> {
     Vector3::new(theta.sin(), -theta.cos(), 0.0) * BODY.2
 }
 
-/// The snap from first principles: an unknown impulse at A and the rigid velocities after it, with A at rest. Nine equations
-/// for the velocity of the centre, the angular velocity and the impulse.
+/// The snap from first principles: an unknown impulse at A and the rigid velocities after it, with A at rest. Nine
+/// equations for the velocity of the centre, the angular velocity and the impulse.
 fn snapped(shape: Shape, degrees: f64) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
     let a = Vector3::new(0.0, -BODY.1, 0.0); // the pinned point from the centre
     let before = spin_before(degrees);
@@ -200,7 +201,8 @@ fn the_snap_takes_energy_and_leaves_the_least_that_the_momentum_allows() {
     assert_relative_eq!(hoop, expected, max_relative = ROUNDING);
 }
 
-/// Positions, velocities and accelerations of the points of a body that turns steadily with ω about A: by rotating them.
+/// Positions, velocities and accelerations of the points of a body that turns steadily with ω about A: by rotating
+/// them.
 fn steady_rates(shape: Shape, degrees: f64) -> (Vector3<f64>, Vector3<f64>) {
     let (_, omega, _) = snapped(shape, degrees);
     let a = Vector3::new(0.0, -BODY.1, 0.0);
@@ -303,7 +305,8 @@ fn eq71_the_holding_force_is_the_rate_of_the_momentum_across_the_axis() {
 
 #[test]
 fn the_free_hoop_is_a_pendulum_in_its_plane() {
-    // ω₁² + ω₂² stays W², and ω₁ = W cos χ, ω₂ = −W sin χ with χ̇ = −ω₃, χ̈ = ¼W² sin 2χ: checked on the closed form by differences.
+    // ω₁² + ω₂² stays W², and ω₁ = W cos χ, ω₂ = −W sin χ with χ̇ = −ω₃, χ̈ = ¼W² sin 2χ: checked on the closed form by
+    // differences.
     for degrees in [30.0, 60.0, 89.0] {
         let hoop = pinning(Shape::Hoop, degrees);
         let top = hoop.free_motion().unwrap();

@@ -29,8 +29,8 @@ fn struck_at(distance: f64, impulse: f64) -> StruckStation {
     station.struck(Blow { radius: distance, impulse }).expect("a blow")
 }
 
-/// The blow from first principles: a chain of point masses gets, besides its spin, the one rigid velocity `v + ω × r` whose
-/// momentum is P and whose angular momentum is r × P. Six equations for six numbers, solved by elimination.
+/// The blow from first principles: a chain of point masses gets, besides its spin, the one rigid velocity `v + ω × r`
+/// whose momentum is P and whose angular momentum is r × P. Six equations for six numbers, solved by elimination.
 fn blow(mass: f64, radius: f64, impulse: f64) -> (Vector3<f64>, Vector3<f64>) {
     let points: Vec<Vector3<f64>> = (0..360)
         .map(|n| {
@@ -167,7 +167,8 @@ fn eq51_on_board_the_axis_of_rotation_goes_round_with_the_old_spin() {
     for (time, turning) in times.iter().zip(&turnings) {
         assert_relative_eq!(struck.at(*time).unwrap().omega_body, turning.omega_body, epsilon = 1e-10);
     }
-    // The printed ẑ is not the station's axis but, if anything, the room's, along the old spin: seen from on board it wanders.
+    // The printed ẑ is not the station's axis but, if anything, the room's, along the old spin: seen from on board it
+    // wanders.
     let cases = rates_on_board(&struck).into_iter().map(|(turning, rate)| {
         let corrected = (Vector3::z() * spin).cross(&turning.omega_body);
         let printed = (turning.world_from_body.inverse() * Vector3::z() * spin).cross(&turning.omega_body);
@@ -188,7 +189,8 @@ fn rates_on_board(struck: &StruckStation) -> Vec<(Turning, Vector3<f64>)> {
 
 #[test]
 fn eq52_the_rate_on_board_is_a_vector_along_the_axis_of_the_station() {
-    // ω̇ = Ω × ω. The printed number ω₀ says how long Ω is; along L, to which the source's next sentence puts it, it fails.
+    // ω̇ = Ω × ω. The printed number ω₀ says how long Ω is; along L, to which the source's next sentence puts it, it
+    // fails.
     let (_, _, spin) = RING;
     let struck = struck(1.8e6);
     let momentum = struck.angular_momentum_world().normalize();

@@ -5,7 +5,7 @@ use super::tensor::InertiaTensor;
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::Vector3;
 
-/// A body: its mass, and its principal moments about its centre of mass. Where it has an axis of symmetry, that is axis 3.
+/// A body: its mass, and its principal moments about its centre of mass. An axis of symmetry is axis 3.
 ///
 /// ```
 /// use mechanics::inertia::{Body, Cylinder};

@@ -38,8 +38,8 @@ impl PrincipalMoments {
     /// Checks three moments about three perpendicular axes, kg·m².
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if one is not finite, is zero or less, is outside 1e-50 to 1e50, or exceeds the sum of the other
-    /// two by more than rounding.
+    /// [`InvalidQuantity`] if one is not finite, is zero or less, is outside 1e-50 to 1e50, or exceeds the sum of the
+    /// other two by more than rounding.
     pub fn new(about_1: f64, about_2: f64, about_3: f64) -> Result<Self, InvalidQuantity> {
         let moments = [about_1, about_2, about_3];
         for moment in moments {
@@ -55,8 +55,8 @@ impl PrincipalMoments {
         Ok(Self { moments })
     }
 
-    /// The moments of a body with an axis of symmetry, along axis 3: `transverse` about every axis across it, `axial` about
-    /// it, kg·m².
+    /// The moments of a body with an axis of symmetry, along axis 3: `transverse` about every axis across it, `axial`
+    /// about it, kg·m².
     ///
     /// # Errors
     /// As [`PrincipalMoments::new`].
@@ -80,7 +80,7 @@ impl PrincipalMoments {
         Ok(SymmetricMoments { transverse, axial })
     }
 
-    /// The same body with the names of its axes moved on: its axis 1 is the present axis number `shift`, counted from 0.
+    /// The same body with its axes renamed: its axis 1 is the present axis number `shift`, counted from 0.
     pub(crate) fn renamed(self, shift: usize) -> Self {
         Self { moments: std::array::from_fn(|axis| self.moments[(axis + shift) % 3]) }
     }

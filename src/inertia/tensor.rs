@@ -38,7 +38,7 @@ impl InertiaTensor {
         self.matrix * omega
     }
 
-    /// The tensor along other axes, `R I Rᵀ`, where R takes components along the present axes to those along the others.
+    /// The tensor along other axes, `R I Rᵀ`: R takes components along the present axes to those along the others.
     #[must_use]
     pub fn rotated(&self, other_from_present: &Rotation3<f64>) -> Self {
         let turn = other_from_present.matrix();

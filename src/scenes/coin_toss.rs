@@ -1,8 +1,8 @@
 //! A coin tossed from a flat hand: which face it shows, and when. Chapter "The coin toss".
 //!
-//! The coin starts flat, its heads side up, with angular velocity ω₁ about a diameter and ω₃ about its axis. In the room z is
-//! up and x lies along that diameter at time zero. The flight of the centre of mass is another matter ([`Flight`]): it
-//! decides only when the coin is caught. Air, edges and bounces are left out.
+//! The coin starts flat, its heads side up, with angular velocity ω₁ about a diameter and ω₃ about its axis. In the
+//! room z is up and x lies along that diameter at time zero. The flight of the centre of mass is another matter
+//! ([`Flight`]): it decides only when the coin is caught. Air, edges and bounces are left out.
 
 use crate::euler::Turning;
 use crate::free_rotation::FreeSymmetricTop;
@@ -56,8 +56,8 @@ impl Toss {
     /// The coin as it leaves the hand.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the coin has no axis of symmetry along 3, a number is not finite or of a size that cannot be
-    /// computed with, or the coin does not turn at all.
+    /// [`InvalidQuantity`] if the coin has no axis of symmetry along 3, a number is not finite or of a size that cannot
+    /// be computed with, or the coin does not turn at all.
     pub fn new(parameters: TossParameters) -> Result<Self, InvalidQuantity> {
         let TossParameters { moments, omega_1, omega_3 } = parameters;
         let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric()?;
@@ -91,7 +91,8 @@ impl Toss {
         times.iter().map(|&time| self.at(time)).collect()
     }
 
-    /// The normal of the side that was up, in the room, at `time`, s (`eq:axis-motion`); as exact as [`FreeSymmetricTop::at`].
+    /// The normal of the side that was up, in the room, at `time`, s (`eq:axis-motion`); as exact as
+    /// [`FreeSymmetricTop::at`].
     ///
     /// # Errors
     /// As [`Toss::at`].
@@ -99,8 +100,8 @@ impl Toss {
         self.top.axis_world(time)
     }
 
-    /// How high the normal points, `n_z = cos²ψ + sin²ψ cos Λt`, at `time`, s (`eq:normal-height`): to 2e-15 for as long as
-    /// [`FreeSymmetricTop::at`] has its digits. Never below zero if the coin keeps its face.
+    /// How high the normal points, `n_z = cos²ψ + sin²ψ cos Λt`, at `time`, s (`eq:normal-height`): to 2e-15 for as
+    /// long as [`FreeSymmetricTop::at`] has its digits. Never below zero if the coin keeps its face.
     ///
     /// # Errors
     /// As [`Toss::at`].
@@ -135,8 +136,9 @@ impl Toss {
         self.top.precession_rate()
     }
 
-    /// The lowest height of the normal, `cos 2ψ`, reached half a precession after the start (`eq:lowest-normal`). To 9e-16 of
-    /// itself, next to the threshold too, where it vanishes; and so are the time and the probability that follow from it.
+    /// The lowest height of the normal, `cos 2ψ`, reached half a precession after the start (`eq:lowest-normal`). To
+    /// 9e-16 of itself, next to the threshold too, where it vanishes; and so are the time and the probability that
+    /// follow from it.
     pub fn lowest_normal(&self) -> f64 {
         self.cosine_of_double_angle
     }
@@ -153,8 +155,8 @@ impl Toss {
         self.half_edge_angle().map(|half| 2.0 * half / self.precession_rate())
     }
 
-    /// The part of the time during which the side that was up is seen from above; if the moment of the catch is as good as
-    /// random, the probability that the coin shows the same face (`eq:same-face`). From 1/2 to 1.
+    /// The part of the time during which the side that was up is seen from above; if the moment of the catch is as good
+    /// as random, the probability that the coin shows the same face (`eq:same-face`). From 1/2 to 1.
     pub fn same_face_probability(&self) -> f64 {
         self.half_edge_angle().map_or(1.0, |half| FRAC_2_PI * half) // eq:same-face
     }
@@ -184,8 +186,8 @@ pub fn ratio_for_probability(moments: PrincipalMoments, probability: f64) -> Res
     Ok(steady_face_ratio(moments)? * cotangent_for_probability(probability)?) // eq:ratio-for-bias
 }
 
-/// The angle ψ, rad, between axis and angular momentum at which a coin shows the same face with a given probability: from
-/// π/2 at 1/2 down to π/4 at 1 (`eq:ratio-for-bias`).
+/// The angle ψ, rad, between axis and angular momentum at which a coin shows the same face with a given probability:
+/// from π/2 at 1/2 down to π/4 at 1 (`eq:ratio-for-bias`).
 ///
 /// # Errors
 /// [`InvalidQuantity`] if the probability is not from 1/2 to 1.
@@ -247,8 +249,8 @@ impl Flight {
         Ok(Self { speed, gravity, duration: (speed + square.sqrt()) / gravity }) // eq:flight-time
     }
 
-    /// The time from hand to hand, s (`eq:flight-time`), to 9e-16 of itself. Just below the highest point it hangs on the
-    /// root of what is missing, and has half the digits of the height of the catch.
+    /// The time from hand to hand, s (`eq:flight-time`), to 9e-16 of itself. Just below the highest point it hangs on
+    /// the root of what is missing, and has half the digits of the height of the catch.
     pub fn duration(&self) -> f64 {
         self.duration
     }

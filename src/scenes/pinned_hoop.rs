@@ -2,8 +2,8 @@
 //!
 //! Before, the centre is at rest and the body turns with ω₀ about a diameter. Axes 1, 2, 3 are those of the body at the
 //! moment of the snap, and of the room: 2 from the pinned point A to the centre, 1 along the tangent on the side of ω₀,
-//! 3 = 1 × 2. The pole of ω₀ is at the polar angle θ from A, and `ω₀ = ω₀ (sin θ, −cos θ, 0)`. A hoop and a disc lie in the plane
-//! of 1 and 2.
+//! 3 = 1 × 2. The pole of ω₀ is at the polar angle θ from A, and `ω₀ = ω₀ (sin θ, −cos θ, 0)`. A hoop and a disc lie in
+//! the plane of 1 and 2.
 
 use crate::euler::Turning;
 use crate::free_rotation::FreeTop;
@@ -46,8 +46,8 @@ pub struct Parameters {
 pub enum Pin {
     /// The angle θ from the axis of rotation, rad, from 0 to π.
     ///
-    /// Near a right angle the motion afterwards hangs on its cosine, of which few digits survive the rounding of θ in radians:
-    /// at 89.999° eleven. [`Pin::Point`] keeps all.
+    /// Near a right angle the motion afterwards hangs on its cosine, of which few digits survive the rounding of θ in
+    /// radians: at 89.999° eleven. [`Pin::Point`] keeps all.
     Angle(f64),
     /// The place of the point, which has to be at the distance of the radius from the centre, to rounding.
     Point {
@@ -64,7 +64,7 @@ pub enum Pin {
 /// use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 /// let pin = Pin::Angle(60_f64.to_radians());
 /// let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
-/// // A third of the component along the tangent survives, and all of that along the diameter through A (eq:spin-after).
+/// // A third of the component along the tangent survives, and all of that along the diameter (eq:spin-after).
 /// let omega = hoop.omega_after();
 /// assert!((omega.x - 60_f64.to_radians().sin() / 3.0).abs() < 1e-15 && (omega.y + 0.5).abs() < 1e-15);
 /// # Ok::<(), mechanics::InvalidQuantity>(())
@@ -98,8 +98,9 @@ impl Pinning {
         InvalidQuantity::require(spin != 0.0, "spin", spin, "rad/s", Rule::NotZero)?;
         let (angle, (sin, cos)) = pin.direction(radius)?;
         let [tangent, diameter, normal] = about_centre.to_array();
-        let shift = mass * radius * radius; // eq:steiner
-        let about_pin = PrincipalMoments::new(tangent + shift, diameter, normal + shift)?; // eq:moments-about-pin
+        let shift = mass * radius * radius;
+        // eq:moments-about-pin
+        let about_pin = PrincipalMoments::new(tangent + shift, diameter, normal + shift)?;
         Ok(Self { mass, radius, spin, angle, sin, cos, about_centre, about_pin })
     }
 
@@ -133,8 +134,8 @@ impl Pinning {
         Vector3::new(self.survival() * self.sin, -self.cos, 0.0) * self.spin
     }
 
-    /// The velocity along axis 3, m/s, just after, of the point B a quarter of the circle from A, at the polar angle θ + 90°
-    /// (`eq:speed-of-b`).
+    /// The velocity along axis 3, m/s, just after, of the point B a quarter of the circle from A, at the polar angle θ
+    /// + 90° (`eq:speed-of-b`).
     pub fn velocity_of_b(&self) -> f64 {
         let omega = self.omega_after();
         self.radius * (omega.x + omega.y)
@@ -173,8 +174,8 @@ impl Pinning {
         omega.cross(&omega.cross(&self.centre())) * self.mass
     }
 
-    /// The angle α from axis 1, the tangent at A, to the axis of rotation after the snap, rad: `tan α = cos θ/(κ sin θ)`
-    /// (`eq:pin-angles`). For positive spin.
+    /// The angle α from axis 1, the tangent at A, to the axis of rotation after the snap, rad: `tan α = cos θ/(κ sin
+    /// θ)` (`eq:pin-angles`). For positive spin.
     pub fn axis_angle(&self) -> f64 {
         self.cos.atan2(self.survival() * self.sin)
     }

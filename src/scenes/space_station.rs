@@ -1,8 +1,8 @@
 //! A turning ring struck by a meteor. Chapter "The struck space station".
 //!
-//! Axes 1, 2, 3 are fixed in the station, 3 along its axis; at time zero, the moment of the blow, they are the axes x, y, z
-//! of the room, whose origin is where the station's centre then is. The station turns with ω₀ about 3 and is struck at
-//! `+r` along axis 2 with an impulse P along axis 3. Only the impulse counts: no mass is added.
+//! Axes 1, 2, 3 are fixed in the station, 3 along its axis; at time zero, the moment of the blow, they are the axes x,
+//! y, z of the room, whose origin is where the station's centre then is. The station turns with ω₀ about 3 and is
+//! struck at `+r` along axis 2 with an impulse P along axis 3. Only the impulse counts: no mass is added.
 
 use crate::euler::Turning;
 use crate::free_rotation::FreeSymmetricTop;
@@ -32,7 +32,8 @@ pub struct Blow {
     pub impulse: f64,
 }
 
-/// The station after the blow: a free symmetric top whose centre drifts. Its angles and rates are good to 9e-16 of themselves.
+/// The station after the blow: a free symmetric top whose centre drifts. Its angles and rates are good to 9e-16 of
+/// themselves.
 ///
 /// ```
 /// use mechanics::{inertia::Body, scenes::space_station::{Blow, Parameters, Station}};
@@ -57,8 +58,8 @@ impl Station {
     /// The station before the blow.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, or the spin is zero, not finite or of a size that
-    /// cannot be computed with.
+    /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, or the spin is zero, not finite or of a size
+    /// that cannot be computed with.
     pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
         let Parameters { body, spin } = parameters;
         body.moments().as_symmetric()?;
@@ -80,15 +81,17 @@ impl Station {
     /// The station just after a blow (`eq:struck-rate`).
     ///
     /// # Errors
-    /// [`InvalidQuantity`] for a negative radius, and for numbers that are not finite or of a size that cannot be computed
-    /// with.
+    /// [`InvalidQuantity`] for a negative radius, and for numbers that are not finite or of a size that cannot be
+    /// computed with.
     pub fn struck(&self, Blow { radius, impulse }: Blow) -> Result<StruckStation, InvalidQuantity> {
         let Self(Parameters { body, spin }) = *self;
         InvalidQuantity::check_not_negative("radius of the blow", radius, "m")?;
         InvalidQuantity::check("impulse", impulse, "N·s")?;
         let i1 = body.moments().as_symmetric()?.transverse;
-        let added = InvalidQuantity::check("angular velocity", radius * impulse / i1, "rad/s")?; // eq:struck-rate
-        let drift = InvalidQuantity::check("drift", impulse / body.mass(), "m/s")?; // eq:drift
+        let added = radius * impulse / i1; // eq:struck-rate
+        let drift = impulse / body.mass(); // eq:drift
+        InvalidQuantity::check("angular velocity", added, "rad/s")?;
+        InvalidQuantity::check("drift", drift, "m/s")?;
         let start = Turning {
             world_from_body: UnitQuaternion::identity(),
             omega_body: Vector3::new(added, 0.0, spin),
@@ -121,8 +124,8 @@ impl StruckStation {
         self.top.angular_momentum_world()
     }
 
-    /// The rate Λ, rad/s, at which the station's axis goes round the angular momentum, in a frame that moves with the centre
-    /// and does not turn (`eq:nodding-rate`).
+    /// The rate Λ, rad/s, at which the station's axis goes round the angular momentum, in a frame that moves with the
+    /// centre and does not turn (`eq:nodding-rate`).
     pub fn nodding_rate(&self) -> f64 {
         self.top.precession_rate()
     }

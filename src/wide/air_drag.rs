@@ -32,8 +32,9 @@ impl Branchless for Motion {
         let fraction = if x == 0.0 { 1.0 } else { -less_one / x };
         let (high, low) = self.clock.at(time * fraction); // eq:wobble-phase
         let (sin, cos) = sin_cos_quarters(high, low);
-        let wobble = exp(-self.transverse_decay * time); // eq:wobble-decay
         let [w1, w2, w3]: [f64; 3] = self.start.into();
-        Vector3::new(wobble * (w1 * cos - w2 * sin), wobble * (w1 * sin + w2 * cos), w3 * left) // eq:spin-decay
+        let wobble = exp(-self.transverse_decay * time); // eq:wobble-decay
+        let spin = w3 * left; // eq:spin-decay
+        Vector3::new(wobble * (w1 * cos - w2 * sin), wobble * (w1 * sin + w2 * cos), spin)
     }
 }

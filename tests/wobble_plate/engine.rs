@@ -35,8 +35,8 @@ fn one_piston_shakes_along_the_shaft_with_its_mass_times_its_acceleration() {
     }
 }
 
-/// What the bearings give the plate, and what the walls give the pistons, N·m, when the rods slide without friction: from
-/// the forces at each rod.
+/// What the bearings give the plate, and what the walls give the pistons, N·m, when the rods slide without friction:
+/// from the forces at each rod.
 fn shares(engine: &Engine, phase: f64, spin: f64, distance: f64) -> (Vector3<f64>, Vector3<f64>) {
     let (tilt, mass, count) = (engine.plate().tilt(), engine.pistons().mass(), engine.pistons().count());
     let normal = in_room(&Vector3::new(-tilt.sin(), 0.0, tilt.cos()), phase);

@@ -27,8 +27,8 @@ fn numbers(random: &mut fastrand::Rng) -> [f64; 5] {
     ]
 }
 
-/// Elements of mass of a plate that stands in the room at a phase, with Gauss's points along radius and thickness and equal
-/// steps round the axis, which add up all squares exactly. Built from the cylinder and two plain rotations.
+/// Elements of mass of a plate that stands in the room at a phase, with Gauss's points along radius and thickness and
+/// equal steps round the axis, which add up all squares exactly. Built from the cylinder and two plain rotations.
 fn elements([mass, radius, thickness, tilt, _]: [f64; 5], phase: f64) -> Vec<(f64, Vector3<f64>)> {
     const GAUSS: [(f64, f64); 3] =
         [(-0.774_596_669_241_483_4, 5.0), (0.0, 8.0), (0.774_596_669_241_483_4, 5.0)];

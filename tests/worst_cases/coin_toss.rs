@@ -1,4 +1,5 @@
-//! A tossed coin, against its height and its angles in 32 digits, and at and next to the threshold where it just keeps its face.
+//! A tossed coin, against its height and its angles in 32 digits, and at and next to the threshold where it just keeps
+//! its face.
 
 use crate::long::{Long, PI, long};
 use crate::search::{Case, Draw, search, worse};

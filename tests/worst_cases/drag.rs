@@ -1,5 +1,5 @@
-//! A symmetric body that spins down in air, against the solution of its linear equations in 32 digits, which is put to the test against the
-//! equations by series.
+//! A symmetric body that spins down in air, against the solution of its linear equations in 32 digits, which is put to
+//! the test against the equations by series.
 
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search, worse};

@@ -80,8 +80,8 @@ impl DraggedTop {
     /// The body from time zero on.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, a drag coefficient is negative, a number is not finite
-    /// or of a size that cannot be computed with, or the body does not turn.
+    /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, a drag coefficient is negative, a number is not
+    /// finite or of a size that cannot be computed with, or the body does not turn.
     pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
         let Parameters { moments, drag, omega_body } = parameters;
         let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric()?;
@@ -109,9 +109,9 @@ impl DraggedTop {
 
     /// The angular velocity along the body's axes at `time`, s, zero or later (`eq:spin-decay`, `eq:wobble-decay`).
     ///
-    /// Each component to 9e-16 of the size of the angular velocity at the start. To that comes, with axial drag, an error of
-    /// the angle through which the transverse part has turned, below 5e-16 of that angle: as much as the rounding of a time
-    /// is worth. Without axial drag there is none, up to 1e15 rad.
+    /// Each component to 9e-16 of the size of the angular velocity at the start. To that comes, with axial drag, an
+    /// error of the angle through which the transverse part has turned, below 5e-16 of that angle: as much as the
+    /// rounding of a time is worth. Without axial drag there is none, up to 1e15 rad.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for a time that is negative, not finite or larger than 1e50 s.
@@ -121,7 +121,8 @@ impl DraggedTop {
         Ok(self.omega_body(time))
     }
 
-    /// The angular velocity along the body's axes at each of `times`, s: the states of [`DraggedTop::at`], several at once.
+    /// The angular velocity along the body's axes at each of `times`, s: the states of [`DraggedTop::at`], several at
+    /// once.
     ///
     /// # Errors
     /// As [`DraggedTop::at`], for the first time that it refuses.
@@ -150,8 +151,8 @@ impl DraggedTop {
     }
 
     /// How often the axis of rotation goes round the body's axis, seen from the body, before the body stands still:
-    /// `|(I₃ − I₁) I₃ ω₃ / (2π I₁ C₃)|` (`eq:total-turns`). Infinite without axial drag, unless the body is a sphere or has
-    /// no spin about its axis.
+    /// `|(I₃ − I₁) I₃ ω₃ / (2π I₁ C₃)|` (`eq:total-turns`). Infinite without axial drag, unless the body is a sphere or
+    /// has no spin about its axis.
     pub fn total_body_turns(&self) -> f64 {
         let rate = self.body_rate.rounded();
         if rate == 0.0 {
@@ -161,8 +162,8 @@ impl DraggedTop {
     }
 
     /// The angle between the angular velocity and the body's axis, rad, from 0 to π, at `time`, s, zero or later
-    /// (`eq:drag-angle`). To 9e-16 of itself, however small, even when the angular velocity itself has become too small for
-    /// `f64`; near π to 9e-16 of that.
+    /// (`eq:drag-angle`). To 9e-16 of itself, however small, even when the angular velocity itself has become too small
+    /// for `f64`; near π to 9e-16 of that.
     ///
     /// # Errors
     /// As [`DraggedTop::at`].

@@ -33,8 +33,8 @@ impl DraggedTop {
 }
 
 impl ThrownTop {
-    /// Attitude and angular velocity at `time`, s, zero or later. The attitude is as exact as the solver's tolerance makes it,
-    /// and the whole way to that time is integrated.
+    /// Attitude and angular velocity at `time`, s, zero or later. The attitude is as exact as the solver's tolerance
+    /// makes it, and the whole way to that time is integrated.
     ///
     /// # Errors
     /// [`Error`] for a time that [`DraggedTop::at`] refuses, and if the integration fails.
@@ -62,7 +62,7 @@ impl ThrownTop {
     }
 
     fn rates(&self, time: f64, &[w, i, j, k]: &[f64; 4]) -> [f64; 4] {
-        let rate = quaternion_rate(&Quaternion::new(w, i, j, k), &self.top.omega_body(time)); // eq:quaternion-rate
+        let rate = quaternion_rate(&Quaternion::new(w, i, j, k), &self.top.omega_body(time));
         [rate.w, rate.i, rate.j, rate.k]
     }
 }

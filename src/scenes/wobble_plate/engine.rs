@@ -43,8 +43,8 @@ impl Engine {
         (TAU * f64::from(n) / f64::from(self.pistons.count())).sin_cos()
     }
 
-    /// Sine and cosine of `2πn/N − ωt` at a phase ωt, rad: by the addition theorems, so that every piston and the plate see
-    /// the same rounded sine and cosine of the phase, and what balances does so to the last digit.
+    /// Sine and cosine of `2πn/N − ωt` at a phase ωt, rad: by the addition theorems, so that every piston and the plate
+    /// see the same rounded sine and cosine of the phase, and what balances does so to the last digit.
     fn behind_plate(&self, n: u32, phase: f64) -> (f64, f64) {
         let ((sin, cos), (sin_phase, cos_phase)) = (self.azimuth(n), phase.sin_cos());
         (sin * cos_phase - cos * sin_phase, cos * cos_phase + sin * sin_phase)
@@ -72,8 +72,8 @@ impl Engine {
         -spin * spin * self.contact(n, phase).z
     }
 
-    /// The angular momentum of the pistons about the plate's centre, in the room, kg·m²/s (`eq:piston-momentum`). It has no
-    /// part along the shaft.
+    /// The angular momentum of the pistons about the plate's centre, in the room, kg·m²/s (`eq:piston-momentum`). It
+    /// has no part along the shaft.
     pub fn piston_momentum(&self, phase: f64, spin: f64) -> Vector3<f64> {
         self.moment_of(|n| self.velocity(n, phase, spin))
     }
@@ -87,8 +87,8 @@ impl Engine {
     /// together, in the room, N·m: the rate of [`Engine::angular_momentum`]. For three and more pistons its length is
     /// `eq:residual-torque`.
     ///
-    /// At the balancing mass at most 2e-15 of the plate's own torque is left, up to ten pistons and a tilt of 89.99°; 1e-14
-    /// for more pistons.
+    /// At the balancing mass at most 2e-15 of the plate's own torque is left, up to ten pistons and a tilt of 89.99°;
+    /// 1e-14 for more pistons.
     pub fn frame_torque(&self, phase: f64, spin: f64) -> Vector3<f64> {
         in_room(&self.plate.bearing_torque_rotating(spin), phase)
             + self.moment_of(|n| self.acceleration(n, phase, spin))

@@ -1,8 +1,8 @@
 //! A tilted plate on a shaft, and the pistons that it drives. Chapter "The wobble plate".
 //!
-//! The shaft lies along z and turns with the angular velocity ω; the phase is ωt. The rotating axes are
-//! `x' = (cos ωt, sin ωt, 0)`, `y' = z × x'` and z. The plate's normal is `cos α z − sin α x'` (`eq:plate-axes`). Nothing
-//! here has a state: every quantity is a function of the phase. A phase or spin that is not finite gives NaN.
+//! The shaft lies along z and turns with the angular velocity ω; the phase is ωt. The rotating axes are `x' = (cos ωt,
+//! sin ωt, 0)`, `y' = z × x'` and z. The plate's normal is `cos α z − sin α x'` (`eq:plate-axes`). Nothing here has a
+//! state: every quantity is a function of the phase. A phase or spin that is not finite gives NaN.
 
 mod engine;
 mod pistons;

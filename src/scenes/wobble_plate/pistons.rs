@@ -7,8 +7,8 @@ const MOST_PISTONS: u32 = 1000;
 
 /// Pistons of equal mass, evenly spaced round the shaft, their rods pressed against the plate.
 ///
-/// Piston n of N stands at the azimuth `2πn/N − π/2`. A rod's end keeps its distance from the shaft and stays on the plate's
-/// middle plane; a thick plate adds a constant length, which changes nothing.
+/// Piston n of N stands at the azimuth `2πn/N − π/2`. A rod's end keeps its distance from the shaft and stays on the
+/// plate's middle plane; a thick plate adds a constant length, which changes nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pistons(PistonParameters);
 

@@ -63,7 +63,8 @@ impl Plate {
         InvalidQuantity::check_not_negative("tilt", tilt, "rad")?;
         InvalidQuantity::require(tilt < FRAC_PI_2, "tilt", tilt, "rad", Rule::LessThan(FRAC_PI_2))?;
         InvalidQuantity::check_not_negative("thickness", thickness, "m")?;
-        let moments = Body::cylinder(mass, Cylinder { radius, height: thickness })?.moments(); // eq:plate-moments
+        let body = Body::cylinder(mass, Cylinder { radius, height: thickness })?;
+        let moments = body.moments(); // eq:plate-moments
         let SymmetricMoments { transverse, axial } = moments.as_symmetric()?;
         let (sin, cos) = tilt.sin_cos();
         Ok(Self { moments, transverse, axial, tilt, sin, cos })
@@ -99,8 +100,8 @@ impl Plate {
         Vector3::new(-(i3 - i1) * sin * cos, 0.0, i3 * cos * cos + i1 * sin * sin) * spin
     }
 
-    /// The angle β from the shaft to the angular momentum, rad; positive on the side of the normal, negative for a plate
-    /// that is thicker than √3 times its radius (`eq:momentum-tilt`).
+    /// The angle β from the shaft to the angular momentum, rad; positive on the side of the normal, negative for a
+    /// plate that is thicker than √3 times its radius (`eq:momentum-tilt`).
     pub fn momentum_angle(&self) -> f64 {
         let momentum = self.angular_momentum_rotating(1.0);
         (-momentum.x).atan2(momentum.z) // eq:momentum-tilt before tan α, which has no bound, is divided out
@@ -113,19 +114,20 @@ impl Plate {
         LargestMomentumAngle { momentum_angle: ((i3 - i1) / (i3 + i1)).asin(), tilt: (i3 / i1).sqrt().atan() }
     }
 
-    /// The torque that the bearings give the turning plate, along the rotating axes, N·m: `ω × L` (`eq:bearing-torque`).
+    /// The torque that the bearings give the turning plate, along the rotating axes, N·m: `ω × L`
+    /// (`eq:bearing-torque`).
     pub fn bearing_torque_rotating(&self, spin: f64) -> Vector3<f64> {
         let omega = Vector3::new(0.0, 0.0, spin);
         omega.cross(&self.angular_momentum_rotating(spin)) // eq:bearing-torque
     }
 
-    /// The mass of each piston, kg, with which the pistons balance the plate: `2ΔI cos²α/(N r²)` (`eq:many-pistons`, with
-    /// `eq:thick-plate`; for four pistons and a thin plate `eq:balancing-mass`). The present mass of the pistons plays no
-    /// part.
+    /// The mass of each piston, kg, with which the pistons balance the plate: `2ΔI cos²α/(N r²)` (`eq:many-pistons`,
+    /// with `eq:thick-plate`; for four pistons and a thin plate `eq:balancing-mass`). The present mass of the pistons
+    /// plays no part.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] for fewer than three pistons, whose angular momentum swings to and fro instead of turning with
-    /// the plate, and for a plate so thick that its own leans to the same side as that of pistons.
+    /// [`InvalidQuantity`] for fewer than three pistons, whose angular momentum swings to and fro instead of turning
+    /// with the plate, and for a plate so thick that its own leans to the same side as that of pistons.
     pub fn balancing_mass(&self, pistons: &Pistons) -> Result<f64, InvalidQuantity> {
         let Self { transverse: i1, axial: i3, cos, .. } = *self;
         let (n, r) = (f64::from(pistons.count()), pistons.distance());
