@@ -9,4 +9,4 @@ mod tensor;
 
 pub use body::{Body, Cylinder, Ring, Spheroid};
 pub use moments::{PrincipalMoments, SymmetricMoments};
-pub use tensor::InertiaTensor;
+pub use tensor::{InertiaTensor, PrincipalAxes};

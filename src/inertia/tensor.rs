@@ -22,6 +22,15 @@ pub struct InertiaTensor {
     matrix: Matrix3<f64>,
 }
 
+/// The principal axes of an inertia tensor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PrincipalAxes {
+    /// The moments about them, smallest first.
+    pub moments: PrincipalMoments,
+    /// Takes components along them to components along the axes of the tensor.
+    pub present_from_principal: Rotation3<f64>,
+}
+
 impl InertiaTensor {
     /// The tensor about the point that the moments are about, along their axes.
     pub fn principal(moments: PrincipalMoments) -> Self {
@@ -52,12 +61,11 @@ impl InertiaTensor {
         Self { matrix: self.matrix + (square - displacement * displacement.transpose()) * mass } // eq:steiner
     }
 
-    /// The principal moments, smallest first, and the rotation that takes components along the principal axes to those
-    /// along the axes of this tensor. Good to 5e-15 of the largest moment.
+    /// The principal moments and the axes that they are about. Good to 5e-15 of the largest moment.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the matrix is not the inertia of a body with three positive moments.
-    pub fn principal_axes(&self) -> Result<(PrincipalMoments, Rotation3<f64>), InvalidQuantity> {
+    pub fn principal_axes(&self) -> Result<PrincipalAxes, InvalidQuantity> {
         if let Some(&bad) = self.matrix.iter().find(|entry| !entry.is_finite()) {
             PrincipalMoments::new(bad, bad, bad)?;
         }
@@ -70,7 +78,10 @@ impl InertiaTensor {
         // A flat body's is not more than the sum of the others through rounding.
         let others = about_1 + about_2;
         let about_3 = if largest - others < ROUNDING * largest { largest.min(others) } else { largest };
-        Ok((PrincipalMoments::new(about_1, about_2, about_3)?, Rotation3::from_matrix_unchecked(axes)))
+        Ok(PrincipalAxes {
+            moments: PrincipalMoments::new(about_1, about_2, about_3)?,
+            present_from_principal: Rotation3::from_matrix_unchecked(axes),
+        })
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::{ROUNDING, attitude, between, moments, vector};
 use approx::assert_relative_eq;
 use mechanics::InvalidQuantity;
-use mechanics::inertia::{Body, Cylinder, InertiaTensor, PrincipalMoments, Ring, Spheroid};
+use mechanics::inertia::{Body, Cylinder, InertiaTensor, PrincipalAxes, PrincipalMoments, Ring, Spheroid};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::f64::consts::TAU;
 
@@ -204,7 +204,8 @@ fn principal_axes_of_a_turned_body_are_found_again() {
         let moments = moments(&mut random, 2.0);
         let other_from_body = attitude(&mut random).to_rotation_matrix();
         let tensor = InertiaTensor::principal(moments).rotated(&other_from_body);
-        let (found, other_from_principal) = tensor.principal_axes().unwrap();
+        let PrincipalAxes { moments: found, present_from_principal: other_from_principal } =
+            tensor.principal_axes().unwrap();
         let mut expected = moments.to_array();
         expected.sort_by(f64::total_cmp);
         for (found, expected) in found.to_array().into_iter().zip(expected) {
