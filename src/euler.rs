@@ -20,7 +20,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// assert_eq!(euler::rates(&moments, &Vector3::new(0.0, 7.0, 0.0), &at_rest), at_rest);
 /// // ... and about no other axis.
 /// assert_ne!(euler::rates(&moments, &Vector3::new(0.1, 7.0, 0.0), &at_rest), at_rest);
-/// # Ok::<(), mechanics::inertia::InvalidMoments>(())
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 pub fn rates(
     moments: &PrincipalMoments,

@@ -6,7 +6,8 @@ use drawing::{Drawing, Hue, Rect, Side, Stroke};
 use mechanics::elliptic::quarter_period;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
-use mechanics::inertia::{InvalidMoments, PrincipalMoments};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4, rk4_step};
 use mechanics::scenes::laundromat::{InvalidMachine, Machine, Parameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
@@ -25,7 +26,7 @@ fn machine(damping: f64, spin: f64) -> Result<Machine, InvalidMachine> {
 }
 
 /// A hoop about its pin, and a start about the tangent and the diameter.
-fn hoop(tangent: f64, diameter: f64) -> Result<(PrincipalMoments, Turning), InvalidMoments> {
+fn hoop(tangent: f64, diameter: f64) -> Result<(PrincipalMoments, Turning), InvalidQuantity> {
     let omega_body = Vector3::new(tangent, -diameter, 0.0);
     let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
     Ok((PrincipalMoments::new(1.5, 0.5, 2.0)?, start))

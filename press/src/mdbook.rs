@@ -42,17 +42,18 @@ pub fn locate(root: &Path) -> io::Result<PathBuf> {
         "There is no mdBook {SERIES}x on this machine. Installing mdBook {VERSION} into target/tools: \
          some two to five minutes, once, and it needs a network."
     );
-    let status = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["install", "mdbook", "--version", VERSION, "--locked", "--root"])
-        .arg(&tools)
-        .args(["--config", "profile.release.opt-level=0"])
-        .args(OPTIMISED.iter().flat_map(|name| {
-            ["--config".to_owned(), format!("profile.release.package.{name}.opt-level=2")]
-        }))
-        .current_dir(env::temp_dir()) // away from this workspace's settings
-        .env_remove("CARGO_TARGET_DIR")
-        .stdin(Stdio::null())
-        .status()?;
+    let status =
+        Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+            .args(["install", "mdbook", "--version", VERSION, "--locked", "--root"])
+            .arg(&tools)
+            .args(["--config", "profile.release.opt-level=0"])
+            .args(OPTIMISED.iter().flat_map(|name| {
+                ["--config".to_owned(), format!("profile.release.package.{name}.opt-level=2")]
+            }))
+            .current_dir(env::temp_dir()) // away from this workspace's settings
+            .env_remove("CARGO_TARGET_DIR")
+            .stdin(Stdio::null())
+            .status()?;
     if status.success() && is_of_series(&local) {
         Ok(local)
     } else {

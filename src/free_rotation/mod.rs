@@ -7,5 +7,5 @@ mod symmetric;
 mod top;
 mod two_turns;
 
-pub use symmetric::{FreeSymmetricTop, InvalidTop};
+pub use symmetric::FreeSymmetricTop;
 pub use top::FreeTop;

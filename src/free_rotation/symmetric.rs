@@ -5,11 +5,9 @@ use crate::attitude::{check_attitude, turn};
 use crate::euler::Turning;
 use crate::frames::{InvalidFrames, fill};
 use crate::inertia::PrincipalMoments;
-use crate::quantity::{InvalidQuantity, Shown};
+use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
 use nalgebra::{UnitQuaternion, Vector3};
-use std::error::Error;
-use std::fmt;
 
 /// A body that is symmetric about its axis 3 and turns with no torque about its centre of mass.
 ///
@@ -43,13 +41,10 @@ impl FreeSymmetricTop {
     /// A body of these moments, and its attitude and angular velocity at time zero. A body at rest is allowed.
     ///
     /// # Errors
-    /// [`InvalidTop`] if the moments about axes 1 and 2 differ, if a number of `start` is not finite or of a size that
+    /// [`InvalidQuantity`] if the moments about axes 1 and 2 differ, if a number of `start` is not finite or of a size that
     /// cannot be computed with, or if its quaternion is not of length one to 1e-12.
-    pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidTop> {
-        let [about_1, about_2, _] = moments.to_array();
-        if moments.as_symmetric().is_none() {
-            return Err(InvalidTop::NotSymmetric { about_1, about_2 });
-        }
+    pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidQuantity> {
+        moments.as_symmetric()?;
         for component in &start.omega_body {
             InvalidQuantity::check("angular velocity", *component, "rad/s")?;
         }
@@ -177,40 +172,3 @@ impl FreeSymmetricTop {
 pub(super) fn renamed_back(along_top: [f64; 3], shift: usize) -> Vector3<f64> {
     Vector3::from_fn(|axis, _| along_top[(axis + 3 - shift) % 3])
 }
-
-/// Why a body is not a free symmetric top.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidTop {
-    /// The moments about axes 1 and 2 differ.
-    NotSymmetric {
-        /// The moment about axis 1, kg·m².
-        about_1: f64,
-        /// The moment about axis 2, kg·m².
-        about_2: f64,
-    },
-    /// A number that cannot be computed with.
-    Quantity(InvalidQuantity),
-}
-
-impl From<InvalidQuantity> for InvalidTop {
-    fn from(error: InvalidQuantity) -> Self {
-        Self::Quantity(error)
-    }
-}
-
-impl fmt::Display for InvalidTop {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NotSymmetric { about_1, about_2 } => write!(
-                out,
-                "the moments about axes 1 and 2, {} kg·m² and {} kg·m², differ; a symmetric top has axis 3 as its axis",
-                Shown(about_1),
-                Shown(about_2)
-            ),
-            Self::Quantity(error) => error.fmt(out),
-        }
-    }
-}
-
-impl Error for InvalidTop {}

@@ -57,7 +57,11 @@ fn every_method_has_its_order_on_a_free_asymmetric_body() {
         let found = measured(&method);
         assert_order(method.name, found, method.order);
         let miss = (found.slope - f64::from(method.order)).abs();
-        assert!(miss < PRINTED, "{}: the page says that no order misses by {PRINTED}, this by {miss}", method.name);
+        assert!(
+            miss < PRINTED,
+            "{}: the page says that no order misses by {PRINTED}, this by {miss}",
+            method.name
+        );
     }
 }
 
