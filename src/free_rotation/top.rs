@@ -2,20 +2,19 @@
 
 use super::asymmetric::Asymmetric;
 use super::symmetric::{FreeSymmetricTop, renamed_back};
-use super::two_turns::TwoTurns;
 use crate::attitude::{check_attitude, turn};
 use crate::euler::Turning;
-use crate::frames::{InvalidFrames, fill};
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
+use crate::wide::{self, tumbling::Tumbling, turning::TwoTurns};
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 
 /// A body of any shape that turns with no torque about its centre of mass (or about a point held fixed, with the moments
 /// about that point), in closed form, attitude included.
 ///
-/// With three different moments the angular velocity is made of Jacobi's elliptic functions and the attitude of theta
-/// functions. All constants come from exact differences and are kept to 30 digits, and the parameter is the
+/// With three different moments the angular velocity is made of Jacobi's elliptic functions (`eq:free-jacobi`) and the attitude of a steady
+/// turn about **L**, the shortest way to **L** and the direction of a theta function (`eq:free-attitude`). All constants come from exact differences and are kept to 30 digits, and the parameter is the
 /// complementary one, so that neither a motion next to the separatrix nor a hundred million periods cost digits
 /// ([`FreeTop::at`] says how exact it is).
 ///
@@ -118,26 +117,26 @@ impl FreeTop {
         })
     }
 
-    /// Attitude and angular velocity at each of `times`, s, written to `frames` without allocating, several frames at once.
+    /// Attitude and angular velocity at each of `times`, s, as [`FreeTop::at`], several at once.
     ///
     /// # Errors
-    /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
-    /// [`InvalidFrames::Time`] at the first time that [`FreeTop::at`] refuses.
-    pub fn fill(&self, times: &[f64], frames: &mut [Turning]) -> Result<(), InvalidFrames<InvalidQuantity>> {
-        let quick = |times: &[f64], frames: &mut [Turning]| match &self.motion {
+    /// As [`FreeTop::at`], of the first time that is refused.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
+        let at = |time: f64| self.at(time);
+        match &self.motion {
             Motion::Steady { axis_body, rate } => {
-                let (still, none) = ((Vector3::z(), TwoPart::from(0.0)), Vector3::zeros());
-                let identity = UnitQuaternion::identity();
-                let omega = [self.start.omega_body, none, none];
-                TwoTurns::new(&self.start.world_from_body, (*axis_body, *rate), still, &identity, omega)
-                    .fill(times, frames)
+                let kernel = TwoTurns::steady(&self.start, axis_body, *rate);
+                wide::sample(times, |times, states| kernel.fill(times, states), at)
             }
             Motion::Symmetric { top, renamed_from_body, shift } => {
-                top.two_turns(*shift, renamed_from_body).fill(times, frames)
+                let kernel = TwoTurns::of_top(top, *shift, renamed_from_body);
+                wide::sample(times, |times, states| kernel.fill(times, states), at)
             }
-            Motion::Asymmetric(motion) => motion.fill(times, frames),
-        };
-        fill(times, frames, quick, |time| self.at(time))
+            Motion::Asymmetric(motion) => {
+                let kernel = Tumbling::new(motion);
+                wide::sample(times, |times, states| kernel.fill(times, states), at)
+            }
+        }
     }
 
     /// The time after which the angular velocity, seen from the body, is the same again, s, with a relative error below 4e-16. `None` if it
@@ -146,10 +145,10 @@ impl FreeTop {
         match &self.motion {
             Motion::Steady { .. } => None,
             Motion::Symmetric { top, .. } => {
-                let (rate, across) = (top.body_rate().abs(), top.start().omega_body.xy());
-                (rate > 0.0 && across != Vector2::zeros()).then(|| std::f64::consts::TAU / rate)
+                let (rate, transverse) = (top.body_rate().abs(), top.start().omega_body.xy());
+                (rate > 0.0 && transverse != Vector2::zeros()).then(|| std::f64::consts::TAU / rate)
             }
-            Motion::Asymmetric(motion) => Some(motion.period()).filter(|period| period.is_finite()),
+            Motion::Asymmetric(motion) => motion.period(),
         }
     }
 
