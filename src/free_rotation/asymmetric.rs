@@ -1,8 +1,10 @@
-//! A free body with three different moments: Jacobi's functions for the angular velocity, a theta function for the attitude.
+//! A free body with three different moments: Jacobi's functions for the angular velocity, a theta function for the
+//! attitude.
 //!
-//! The section "The attitude of any free body" in the chapter "The pinned hoop" derives it. As there, axes 1, 2, 3 are the body's own,
-//! renamed: 2 has the middle moment, 3 is the one that ω circles, and at the start `ω₁ ≥ 0` and `ω₃ > 0`. C. G. J. Jacobi, *Journal für die
-//! reine und angewandte Mathematik* **39** (1850) 293; R. van Zon & J. Schofield, *Journal of Computational Physics* **225** (2007) 145.
+//! The section "The attitude of any free body" in the chapter "The pinned hoop" derives it. As there, axes 1, 2, 3 are
+//! the body's own, renamed: 2 has the middle moment, 3 is the one that ω circles, and at the start `ω₁ ≥ 0` and
+//! `ω₃ > 0`. C. G. J. Jacobi, *Journal für die reine und angewandte Mathematik* **39** (1850) 293; R. van Zon & J.
+//! Schofield, *Journal of Computational Physics* **225** (2007) 145.
 
 use super::theta::Theta;
 use crate::attitude::turn;
@@ -31,9 +33,11 @@ pub(crate) struct Asymmetric {
 }
 
 impl Asymmetric {
-    /// The motion from a start whose numbers have been checked; `None` if the rotation is steady. No two moments may be equal.
+    /// The motion from a start whose numbers have been checked; `None` if the rotation is steady. No two moments may
+    /// be equal.
     ///
-    /// All constants come from exact differences, and those that time multiplies keep 30 digits: what is rounded in them is late for ever.
+    /// All constants come from exact differences, and those that time multiplies keep 30 digits: what is rounded in
+    /// them is late for ever.
     pub(super) fn new(moments: PrincipalMoments, start: &Turning) -> Option<Self> {
         if start.omega_body.iter().filter(|&&component| component != 0.0).count() < 2 {
             return None;
@@ -95,7 +99,7 @@ impl Asymmetric {
             let circling = TwoPart::PI * (0.5 * s); // σ K/p
             (Some(quarter), (heading - circling) * p / quarter)
         };
-        let zero = carlson_rf(n.rounded(), n.rounded() + parameter, one_and_n.rounded()); // eq:tip-zero
+        let zero = s * carlson_rf(n.rounded(), n.rounded() + parameter, one_and_n.rounded()); // eq:tip-zero
         let quarters = [quarter.map_or(f64::INFINITY, TwoPart::rounded), quarter_period(parameter)];
 
         let renamed_from_body =

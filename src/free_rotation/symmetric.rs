@@ -12,10 +12,11 @@ use std::fmt;
 
 /// A body that is symmetric about its axis 3 and turns with no torque about its centre of mass.
 ///
-/// Its axis goes round the angular momentum **L**, which stands still in the room, at the constant rate `Λ = L/I₁`, while
-/// the body turns about that axis, relative to the plane of the two, at the rate `−σ` with `σ = ω₃(I₃ − I₁)/I₁`
+/// Its axis goes round the angular momentum **L**, which stands still in the room, at the constant rate `Λ = L/I₁`,
+/// while the body turns about that axis, relative to the plane of the two, at the rate `−σ` with `σ = ω₃(I₃ − I₁)/I₁`
 /// (`eq:top-motion`). Both angles are formed to 32 digits before whole turns are taken off, so attitude and angular
-/// velocity are as exact after a hundred million million turns as after one. [`FreeSymmetricTop::at`] allocates nothing.
+/// velocity are as exact after a hundred million million turns as after one. [`FreeSymmetricTop::at`] allocates
+/// nothing.
 ///
 /// ```
 /// use mechanics::{euler::Turning, free_rotation::FreeSymmetricTop, inertia::Body};
@@ -70,9 +71,9 @@ impl FreeSymmetricTop {
         Self { moments, start, momentum_direction_body, precession_rate, body_rate }
     }
 
-    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until the body has turned
-    /// by 1e15 rad. Then the 32 digits of the rates run out; each further decade costs one, and from 1e30 rad on only what is constant
-    /// is known.
+    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until
+    /// the body has turned by 1e15 rad. Then the 32 digits of the rates run out; each further decade costs one, and
+    /// from 1e30 rad on only what is constant is known.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
@@ -133,8 +134,8 @@ impl FreeSymmetricTop {
         self.body_rate.rounded()
     }
 
-    /// The angle between the axis of symmetry and **L**, rad, from 0 to π; constant (`eq:momentum-angle`). Zero for a body
-    /// at rest.
+    /// The angle between the axis of symmetry and **L**, rad, from 0 to π; constant (`eq:momentum-angle`). Zero for a
+    /// body at rest.
     pub fn momentum_angle(&self) -> f64 {
         let [l1, l2, l3]: [f64; 3] = self.momentum_direction_body.into();
         l1.hypot(l2).atan2(l3)
@@ -158,7 +159,8 @@ impl FreeSymmetricTop {
     }
 }
 
-/// Components along the axes of a body from those of a top whose axis 1 is the body's axis number `shift`, counted from 0.
+/// Components along the axes of a body from those of a top whose axis 1 is the body's axis number `shift`, counted
+/// from 0.
 pub(crate) fn renamed_back(of_top: [f64; 3], shift: usize) -> Vector3<f64> {
     Vector3::from_fn(|axis, _| of_top[(axis + 3 - shift) % 3])
 }

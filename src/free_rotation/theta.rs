@@ -3,15 +3,15 @@
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The factor `s i ϑ₁(v − s i η)` of `eq:tip-theta`, up to a positive number, with `v = πu/2K` and `η = πa/2K`.
+/// The factor `is ϑ₁(v − iη)` of `eq:beyond-steady`, up to a positive number, with `v = πu/2K` and `η = πa/2K`.
 ///
-/// Its nome `q = e^{−πK'/K}` is small where K is not much larger than K'. Elsewhere Jacobi's imaginary transformation gives the
-/// same direction from the nome `q' = e^{−πK/K'}` (`eq:theta-imaginary`). So the nome is never above e^−π.
+/// Its nome `q = e^{−πK'/K}` is small where K is not much larger than K'. Elsewhere Jacobi's imaginary transformation
+/// gives the same direction from the nome `q' = e^{−πK/K'}` (`eq:theta-imaginary`). So the nome is never above e^−π.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Theta {
     pub(crate) side: Side,
     pub(crate) nome: f64,          // q or q'
-    pub(crate) shift: f64,         // η or ηK/K'
+    pub(crate) shift: f64,         // η or α = πa/2K'
     pub(crate) sense: f64,         // s
     pub(crate) quarter: f64,       // K, infinite on the separatrix
     pub(crate) other_quarter: f64, // K'
@@ -27,7 +27,7 @@ pub(crate) enum Side {
 }
 
 impl Theta {
-    /// From k², K, K', the sense s and the zero `a` of `eq:tip-zero`.
+    /// From k², K, K', the sign s and the zero `a` of `eq:tip-zero`.
     pub(crate) fn new(parameter: f64, [quarter, other_quarter]: [f64; 2], sense: f64, zero: f64) -> Self {
         let (side, first, second) = if parameter <= 0.5 {
             (Side::Circular, quarter, other_quarter)
@@ -44,13 +44,13 @@ impl Theta {
         match self.side {
             Side::Circular => {
                 let v = FRAC_PI_2 * u / quarter;
-                s * Complex::i() * theta_1(Complex::new(v, -s * shift), nome) // eq:tip-theta
+                Complex::i() * s * theta_1(Complex::new(v, -shift), nome) // eq:tip-theta
             }
             Side::Hyperbolic => {
-                // Further out tanh w is one to rounding, and so are the ratios of the terms: the direction no longer changes.
+                // Further out tanh w is one to rounding, and so are the ratios of the terms: the direction no longer
+                // changes.
                 let w = (FRAC_PI_2 * u / other_quarter).clamp(-FAR, FAR);
-                let steady = Complex::cis(s * shift * u / quarter);
-                s * steady * theta_1(Complex::new(s * shift, w), nome) // eq:theta-imaginary
+                s * Complex::cis(shift * u / quarter) * theta_1(Complex::new(shift, w), nome) // eq:theta-imaginary
             }
         }
     }
@@ -58,9 +58,11 @@ impl Theta {
 
 const FAR: f64 = 40.0;
 
-/// `Σ (−1)^j q^{j(j+1)} sin (2j+1)z`, which is `ϑ₁(z, q)/2q^{1/4}` (`eq:theta-series`), for `|Im z| ≤ ½ ln(1/q)` and q up to e^−π.
+/// `Σ (−1)^j q^{j(j+1)} sin (2j+1)z`, which is `ϑ₁(z, q)/2q^{1/4}` (`eq:theta-series`), for q up to e^−π and
+/// `|Im z| ≤ ½ ln(1/q)`.
 ///
-/// Term j is at most `q^{j²}` of the first: the four that are summed leave out 2e-22 of it.
+/// As `sin (2j+1)z / sin z` is a sum of 2j+1 powers of `e^{iz}`, none beyond `e^{2j|Im z|} ≤ q^{−j}`, term j is at
+/// most `(2j+1) q^{j²}` of the first. Four terms leave out less than 2e-21.
 fn theta_1(z: Complex<f64>, nome: f64) -> Complex<f64> {
     let first = z.sin();
     let twice_cos = 2.0 - 4.0 * first * first; // 2 cos 2z

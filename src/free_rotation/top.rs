@@ -10,11 +10,12 @@ use crate::two_part::TwoPart;
 use crate::wide::{self, tumbling::Tumbling, turning::TwoTurns};
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 
-/// A body of any shape that turns with no torque about its centre of mass (or about a point held fixed, with the moments
-/// about that point), in closed form, attitude included.
+/// A body of any shape that turns with no torque about its centre of mass (or about a point held fixed, with the
+/// moments about that point), in closed form, attitude included.
 ///
-/// With three different moments the angular velocity is made of Jacobi's elliptic functions (`eq:free-jacobi`) and the attitude of a steady
-/// turn about **L**, the shortest way to **L** and the direction of a theta function (`eq:free-attitude`). All constants come from exact differences and are kept to 30 digits, and the parameter is the
+/// With three different moments the angular velocity is made of Jacobi's elliptic functions (`eq:free-jacobi`) and the
+/// attitude of a steady turn about **L**, the shortest way to **L** and the direction of a theta function
+/// (`eq:free-attitude`). All constants come from exact differences and are kept to 30 digits, and the parameter is the
 /// complementary one, so that neither a motion next to the separatrix nor a hundred million periods cost digits
 /// ([`FreeTop::at`] says how exact it is).
 ///
@@ -55,8 +56,8 @@ impl FreeTop {
     /// A body of these moments, and its attitude and angular velocity at time zero. A body at rest is allowed.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if a number of `start` is not finite or of a size that cannot be computed with, or if its quaternion is not
-    /// of length one to 1e-12.
+    /// [`InvalidQuantity`] if a number of `start` is not finite or of a size that cannot be computed with, or if its
+    /// quaternion is not of length one to 1e-12.
     pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidQuantity> {
         for component in &start.omega_body {
             InvalidQuantity::check("angular velocity", *component, "rad/s")?;
@@ -92,10 +93,10 @@ impl FreeTop {
         Motion::Symmetric { top, renamed_from_body, shift }
     }
 
-    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until the body has turned
-    /// by 1e15 rad (by its quickest motion). Then the 32 digits of the rates run out; each further decade costs one, and from 1e30 rad
-    /// on only what is constant is known. Next to the separatrix, where the period hangs on a small difference, they run out at `1e17 k'²` rad if
-    /// that is earlier.
+    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until
+    /// the body has turned by 1e15 rad (by its quickest motion). Then the 32 digits of the rates run out; each further
+    /// decade costs one, and from 1e30 rad on only what is constant is known. Next to the separatrix, where the period
+    /// hangs on a small difference, they run out at `1e17 k'²` rad if that is earlier.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
@@ -139,8 +140,8 @@ impl FreeTop {
         }
     }
 
-    /// The time after which the angular velocity, seen from the body, is the same again, s, with a relative error below 4e-16. `None` if it
-    /// never changes, or, on the separatrix, never comes back.
+    /// The time after which the angular velocity, seen from the body, is the same again, s, with a relative error
+    /// below 4e-16. `None` if it never changes, or, on the separatrix, never comes back.
     pub fn period(&self) -> Option<f64> {
         match &self.motion {
             Motion::Steady { .. } => None,

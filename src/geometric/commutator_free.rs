@@ -6,20 +6,21 @@ use crate::inertia::PrincipalMoments;
 use crate::integrate::Failure;
 use nalgebra::Vector3;
 
-/// Attitude and angular velocity at time `end`, s, of a body under a torque along its own axes, N·m, which may depend on time and
-/// motion, by `steps` equal steps from `state` at time `start`.
+/// Attitude and angular velocity at time `end`, s, of a body under a torque along its own axes, N·m, which may depend
+/// on time and motion, by `steps` equal steps from `state` at time `start`.
 ///
-/// The classical Runge–Kutta method, for the attitude with turns in place of sums (`eq:commutator-free`): the attitude is a product of
-/// rotations and stays a unit quaternion to rounding. The angular velocity, which may be added, is that of [`crate::integrate::rk4`], and
-/// neither energy nor angular momentum is kept. Four evaluations of the torque a step, error of order four; that of the
-/// attitude of a brick that tumbles freely is 1.5 to 7 times smaller than RK4's, but not that of any body at any time: of a pencil
-/// it was seen to be ten times larger. Works in either direction of time.
+/// The classical Runge–Kutta method, for the attitude with turns in place of sums (`eq:commutator-free`): the attitude
+/// is a product of rotations and stays a unit quaternion to rounding. The angular velocity, which may be added, is
+/// that of [`crate::integrate::rk4`], and neither energy nor angular momentum is kept. Four evaluations of the torque
+/// a step, error of order four; that of the attitude of a brick that tumbles freely is 1.5 to 7 times smaller than
+/// RK4's, but not that of any body at any time: of a pencil it was seen to be ten times larger. Works in either
+/// direction of time.
 ///
 /// Celledoni, Marthinsen & Owren, *Future Generation Computer Systems* **19** (2003) 341.
 ///
 /// # Errors
-/// [`Failure::Interval`], [`Failure::InitialState`] or [`Failure::NoSteps`] for bad input; [`Failure::NotFinite`] as soon as
-/// a step leads to an infinity or NaN.
+/// [`Failure::Interval`], [`Failure::InitialState`] or [`Failure::NoSteps`] for bad input; [`Failure::NotFinite`] as
+/// soon as a step leads to an infinity or NaN.
 ///
 /// ```
 /// use mechanics::{euler::Turning, geometric::commutator_free, inertia::Body};

@@ -1,11 +1,11 @@
 //! Stepping methods that know that the state is a rotation.
 //!
-//! A general method adds to the four numbers of a quaternion, which then is no longer of length one. These methods only ever turn: the
-//! attitude is a product of exact rotations and stays an attitude, up to rounding.
+//! A general method adds to the four numbers of a quaternion, which then is no longer of length one. These methods
+//! only ever turn: the attitude is a product of exact rotations and stays an attitude, up to rounding.
 //!
 //! | method | for |
 //! |---|---|
-//! | [`Splitting`] | a free body over very many turns: its angular momentum stands still, its energy error does not grow |
+//! | [`Splitting`] | a free body over very many turns: keeps its angular momentum, and its energy error does not grow |
 //! | [`commutator_free`] | any torque |
 //!
 //! [`crate::integrate::METHODS`] lists them with the others. A free body alone needs neither:

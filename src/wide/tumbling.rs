@@ -1,8 +1,9 @@
 //! A free body with three different moments, by polynomials in the theta series' own variables.
 //!
-//! A state follows from two phases that grow at a constant rate: the argument u, and half the steady angle about **L**. All four theta
-//! functions that make sn, cn, dn and the direction of `eq:beyond-steady` are polynomials of degree three in cos 2v, or in `e^{−2w}` and
-//! `q'e^{2w}`. Of the angle beyond the steady one the half is found without the angle: a complex number Z has the direction of the square of `|Z| + Z`.
+//! A state follows from two phases that grow at a constant rate: the argument u, and half the steady angle about
+//! **L**. All four theta functions that make sn, cn, dn and the direction of `eq:beyond-steady` are polynomials of
+//! degree three in cos 2v, or in `e^{−2w}` and `q'e^{2w}`. Of the angle beyond the steady one the half is found
+//! without the angle: a complex number Z has the direction of the square of `|Z| + Z`.
 
 use super::functions::{Clock, at_full_width, exp, nearest, sin_cos_quarters};
 use super::{BLOCK, in_blocks};
@@ -153,7 +154,8 @@ impl Tumbling {
         }
     }
 
-    /// The quaternion of the renamed axes in upright ones (i, j, k, scalar, not of length one), and ω along the renamed axes, rad/s.
+    /// The quaternion of the renamed axes in upright ones (i, j, k, scalar, not of length one), and ω along the
+    /// renamed axes, rad/s.
     #[inline(always)]
     fn numbers(&self, series: &impl Polynomials, time: f64) -> [f64; 7] {
         let ((high, low), (turn_high, turn_low)) = (self.argument.at(time), self.half_turn.at(time));
@@ -187,7 +189,8 @@ impl Tumbling {
     }
 }
 
-/// The matrix that multiplies a quaternion, as a column with the scalar last, by one from the left and one from the right.
+/// The matrix that multiplies a quaternion, as a column with the scalar last, by one from the left and one from the
+/// right.
 fn both_sides(left: &UnitQuaternion<f64>, right: &UnitQuaternion<f64>) -> Matrix4<f64> {
     let column = |n: usize| {
         let unit = Quaternion::from(Vector4::from_fn(|i, _| if i == n { 1.0 } else { 0.0 }));
@@ -197,7 +200,8 @@ fn both_sides(left: &UnitQuaternion<f64>, right: &UnitQuaternion<f64>) -> Matrix
 }
 
 impl Slow {
-    fn new(&Theta { nome, shift: eta, .. }: &Theta) -> Self {
+    fn new(&Theta { nome, shift, .. }: &Theta) -> Self {
+        let eta = shift.abs();
         let power = |n: usize| nome.powi(n as i32);
         let theta_2 = cos_odd(std::array::from_fn(|j| power(j * (j + 1))));
         let theta_1 = sin_odd(std::array::from_fn(|j| alternating(j) * power(j * (j + 1))));
@@ -223,11 +227,13 @@ impl Slow {
 }
 
 impl Fast {
-    fn new(&Theta { nome, shift: angle, quarter, other_quarter, .. }: &Theta) -> Self {
+    fn new(&Theta { nome, shift, quarter, other_quarter, .. }: &Theta) -> Self {
+        let angle = shift.abs();
         let limit = PI * quarter / other_quarter;
         let power = |n: usize| nome.powi(n as i32);
-        // For a sum of q'^{j(j+1)} a_j (e^{(2j+1)w} + e^{−(2j+1)w}), times e^{−w}; of the same with a minus, over e^w − e^{−w}, which is the sum of all
-        // q'^{j(j+1)} a_j e^{2iw} with |i| ≤ j and has no difference that is small with w; and of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
+        // For a sum of q'^{j(j+1)} a_j (e^{(2j+1)w} + e^{−(2j+1)w}), times e^{−w}; of the same with a minus, over e^w
+        // − e^{−w}, which is the sum of all q'^{j(j+1)} a_j e^{2iw} with |i| ≤ j and has no difference that is small
+        // with w; and of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
         let cosh = |weight: &dyn Fn(usize) -> f64| Parts {
             up: std::array::from_fn(|j| weight(j) * power(j * j)),
             down: std::array::from_fn(|j| weight(j) * power(j * (j + 1))),

@@ -8,8 +8,8 @@ use crate::free_rotation::symmetric::renamed_back;
 use crate::two_part::TwoPart;
 use nalgebra::{Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 
-/// The motion `q(t) = q₀ R(L̂, Λt) R(3̂, −σt) · then` (`eq:top-motion-in-body`) and ω (`eq:body-cone`), in numbers that make a state of few
-/// operations.
+/// The motion `q(t) = q₀ R(L̂, Λt) R(3̂, −σt) · then` (`eq:top-motion-in-body`) and ω (`eq:body-cone`), in numbers
+/// that make a state of few operations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TwoTurns {
     about_first: Clock,  // half of Λt

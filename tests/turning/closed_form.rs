@@ -94,7 +94,8 @@ fn momentum_energy_spin_and_angle_stay_for_a_million_turns() {
 
 #[test]
 fn attitude_has_sixteen_digits_after_a_billion_radians() {
-    // I₃ = 2 I₁ and ω = (3, 0, 2): Λ = 5 and σ = 2 exactly, L along (3, 0, 4), and whole numbers of seconds are exact angles.
+    // I₃ = 2 I₁ and ω = (3, 0, 2): Λ = 5 and σ = 2 exactly, L along (3, 0, 4), and whole numbers of seconds are exact
+    // angles.
     let moments = PrincipalMoments::symmetric(1.0, 2.0).unwrap();
     let start =
         Turning { world_from_body: UnitQuaternion::identity(), omega_body: Vector3::new(3.0, 0.0, 2.0) };
@@ -119,7 +120,8 @@ fn attitude_has_sixteen_digits_after_a_billion_radians() {
 
 #[test]
 fn an_odd_ratio_of_moments_keeps_its_digits_too() {
-    // Λ is irrational here: the judge is the motion carried on from a restart at an earlier time, in steps of an exact time.
+    // Λ is irrational here: the judge is the motion carried on from a restart at an earlier time, in steps of an exact
+    // time.
     let moments = PrincipalMoments::symmetric(3.0, 1.7).unwrap();
     let start =
         Turning { world_from_body: UnitQuaternion::identity(), omega_body: Vector3::new(0.4, -1.1, 2.3) };

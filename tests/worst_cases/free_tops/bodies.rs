@@ -40,8 +40,8 @@ fn omega(draw: &mut Draw<'_>, moments: [f64; 3]) -> [f64; 3] {
     axes.sort_by(|&i, &j| moments[i].total_cmp(&moments[j]));
     let [a, b, c] = axes;
     let mut omega = match draw.below(5) {
-        // A given parameter k²: ω_a² I_a (I_b − I_a) = k² ω_c² I_c (I_c − I_b) where ω_b is zero; one is the separatrix, and at one half
-        // the nome is exchanged.
+        // A given parameter k²: ω_a² I_a (I_b − I_a) = k² ω_c² I_c (I_c − I_b) where ω_b is zero; one is the
+        // separatrix, and at one half the nome is exchanged.
         0 | 1 => {
             let parameter = match draw.below(4) {
                 0 => draw.beside(0.5),
@@ -81,8 +81,8 @@ fn omega(draw: &mut Draw<'_>, moments: [f64; 3]) -> [f64; 3] {
     omega
 }
 
-/// Exactly on the separatrix: for whole a and c whose sum is a power of two the middle moment is b = (a² + c²)/(a + c), and then
-/// `ω_a = ±ω_c`.
+/// Exactly on the separatrix: for whole a and c whose sum is a power of two the middle moment is b = (a² + c²)/(a +
+/// c), and then `ω_a = ±ω_c`.
 fn on_the_separatrix(draw: &mut Draw<'_>) -> ([f64; 3], [f64; 3]) {
     let (a, c) = draw.one_of(&[(3.0, 5.0), (1.0, 3.0), (7.0, 9.0), (5.0, 11.0), (15.0, 17.0), (13.0, 19.0)]);
     let b = (a * a + c * c) / (a + c);
@@ -209,7 +209,8 @@ impl Motion {
             ratio: worst / PROMISE,
             way: self.way,
             said: format!(
-                "{:?} {:?} {:?} t {seconds:?}: ω {omega:e}, attitude {angle:e}; of many {omega_of_many:e}, {angle_of_many:e}",
+                "{:?} {:?} {:?} t {seconds:?}: ω {omega:e}, attitude {angle:e}; of many {omega_of_many:e}, \
+                 {angle_of_many:e}",
                 self.top.moments().to_array(),
                 self.start.omega_body.as_slice(),
                 self.start.world_from_body.coords.as_slice(),

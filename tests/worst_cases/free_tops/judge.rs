@@ -42,7 +42,8 @@ pub(super) fn power(turn: Quat, count: u64) -> Quat {
     whole
 }
 
-/// A body, and its state after a time, as the judge knows it: ω along the body's axes, and the attitude relative to that at the start.
+/// A body, and its state after a time, as the judge knows it: ω along the body's axes, and the attitude relative to
+/// that at the start.
 pub(super) struct Judge {
     system: System,
     pub(super) start: [Long; 7],
@@ -101,7 +102,8 @@ impl Judge {
     }
 }
 
-/// The errors of a state: ω beside the largest, and the angle of the attitude, rad. The judge's attitude is that relative to the start.
+/// The errors of a state: ω beside the largest, and the angle of the attitude, rad. The judge's attitude is that
+/// relative to the start.
 pub(super) fn errors(found: &Turning, start: &Turning, truth: &[Long; 7]) -> (f64, f64) {
     let [w1, w2, w3, q @ ..] = *truth;
     let size = start.omega_body.norm();

@@ -1,5 +1,5 @@
-//! Very many turns. The judge follows one period, which turns the body about **L**, and then takes that turn as often as there are
-//! periods, in 32 digits.
+//! Very many turns. The judge follows one period, which turns the body about **L**, and then takes that turn as often
+//! as there are periods, in 32 digits.
 
 use super::PROMISE;
 use super::bodies::{Motion, attitude, motion, scales};
@@ -14,8 +14,8 @@ use nalgebra::Vector3;
 /// What is promised of the period, relative.
 const PERIOD: f64 = 4e-16;
 
-/// Up to so many radians the promise holds; beyond, the 32 digits of the rates run out, and a decade costs a digit. Next
-/// to the separatrix the period hangs on k'², a small difference of large numbers, and they run out earlier.
+/// Up to so many radians the promise holds; beyond, the 32 digits of the rates run out, and a decade costs a digit.
+/// Next to the separatrix the period hangs on k'², a small difference of large numbers, and they run out earlier.
 const LONG: f64 = 1e15;
 const LONG_NEXT_TO_THE_SEPARATRIX: f64 = 1e17;
 /// Where states are no longer computed several at once: 2^47 quarter turns of half the angle.
@@ -83,7 +83,8 @@ fn a_symmetric_top_is_followed_to_rounding_for_a_million_billion_radians() {
         if (time / rate).abs() > 1e50 {
             return None;
         }
-        // q = turn(L, Λt) turn(3, −σt) and ω goes round 3 with σ, in 32 digits; that this is the motion is judged above.
+        // q = turn(L, Λt) turn(3, −σt) and ω goes round 3 with σ, in 32 digits; that this is the motion is judged
+        // above.
         let [a, c, x, y, z] = [1.0, ratio, w1, w2, w3].map(long);
         let momentum = [x, y, z * c / a];
         let length = momentum.iter().map(|&l| l * l).sum::<Long>().sqrt();

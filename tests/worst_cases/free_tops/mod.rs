@@ -24,7 +24,8 @@ fn any_free_body_is_followed_to_rounding_for_some_turns() {
         // A needle turns about itself far more quickly than ω along its other axes says.
         let quickest =
             size * motion.judge.couplings.iter().map(|c| c.rounded().abs()).fold(1.0, f64::max).min(1e4);
-        // A hair from the middle axis the first flip is far away; and in the midst of it not even 32 digits tell when the next one comes.
+        // A hair from the middle axis the first flip is far away; and in the midst of it not even 32 digits tell when
+        // the next one comes.
         let part = if motion.complement < 1e-12 { 0.27 } else { 1.0 };
         let flips = motion.top.period().map(|period| period * motion.rate).filter(|p| *p * quickest < 800.0);
         let time = match (draw.below(30), flips) {
@@ -44,7 +45,8 @@ fn any_free_body_is_followed_to_rounding_for_some_turns() {
 #[test]
 fn the_worst_that_was_found_is_mended() {
     let found: [([f64; 3], [f64; 3], f64); 3] = [
-        // Two moments that nearly agree: the sine of the argument is small there and has to keep its digits. The attitude was off by 4e-11.
+        // Two moments that nearly agree: the sine of the argument is small there and has to keep its digits. The
+        // attitude was off by 4e-11.
         (
             [1.0000000000006035, 0.7659721327542592, 1.0],
             [-1.0, -1.6349954481148863e-6, 0.0],
@@ -80,7 +82,8 @@ fn the_worst_that_was_found_is_mended() {
 
 #[test]
 fn the_flip_comes_on_time_from_however_small_a_hair() {
-    // At the start the argument is near K, two hundred for a hair of 1e-90. Rounded to one number it would make the flip late by 2e-14.
+    // At the start the argument is near K, two hundred for a hair of 1e-90. Rounded to one number it would make the
+    // flip late by 2e-14.
     let moments = [1.0, 2.0, 2.7];
     for hair in [1e-10, 1e-30, 1e-50, 3e-70, 1e-90] {
         let omega = [hair, 1.0, 0.37 * hair].map(|w| w * 2_f64.powi(160));
