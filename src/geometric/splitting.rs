@@ -1,6 +1,6 @@
 //! Free rotation as a sequence of exact turns about principal axes.
 
-use super::{check, is_finite, rotation};
+use super::{check, exp, is_finite};
 use crate::euler::Turning;
 use crate::inertia::PrincipalMoments;
 use crate::integrate::Failure;
@@ -99,7 +99,7 @@ impl Splitting {
             body.turn(split.first, if step == steps { outer } else { 2.0 * outer } * h);
         }
         // The part of the energy that depends on |L| alone turns the body about L (eq:split-energy).
-        let about_momentum = rotation(&(body.momentum / split.middle * duration));
+        let about_momentum = exp(&(body.momentum / split.middle * duration));
         let end = Turning {
             world_from_body: body.world_from_body * about_momentum,
             omega_body: moments.angular_velocity(&body.momentum),
@@ -148,15 +148,16 @@ impl Body {
     /// Turns the body about one of its axes for a time, s; the momentum, which stands still in the room, goes back by
     /// the same angle as seen from the body (`eq:split-turn`).
     fn turn(&mut self, Axis { index, rate }: Axis, time: f64) {
-        let (sin, cos) = (0.5 * rate * self.momentum[index] * time).sin_cos();
+        let angle = rate * self.momentum[index] * time;
+        let (sin, cos) = (0.5 * angle).sin_cos();
         let mut axis = Vector3::zeros();
         axis[index] = sin;
-        let turn = UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, axis));
-        self.world_from_body *= turn;
-        let (j, k) = ((index + 1) % 3, (index + 2) % 3);
-        let (sine, cosine) = (2.0 * sin * cos, (cos - sin) * (cos + sin));
-        let (p, q) = (self.momentum[j], self.momentum[k]);
-        self.momentum[j] = cosine * p + sine * q;
-        self.momentum[k] = cosine * q - sine * p;
+        self.world_from_body *= UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, axis));
+        // R(k̂, −χ) L_body; sin χ and cos χ from those of the half angle.
+        let (sin, cos) = (2.0 * sin * cos, (cos - sin) * (cos + sin));
+        let (i, j) = ((index + 1) % 3, (index + 2) % 3);
+        let (l_i, l_j) = (self.momentum[i], self.momentum[j]);
+        self.momentum[i] = cos * l_i + sin * l_j;
+        self.momentum[j] = cos * l_j - sin * l_i;
     }
 }
