@@ -59,21 +59,21 @@ impl Asymmetric {
         let term = |i: f64, w: f64, less: f64| product(w, w) * minus(i, less) * i;
         let d1 = term(i2, w2, i1) + term(i3, w3, i1); // L² − 2TI₁
         let d2 = term(i1, w1, i2) + term(i3, w3, i2); // L² − 2TI₂
-        let d3 = term(i1, w1, i3) + term(i2, w2, i3); // L² − 2TI₃
+        let d3 = -(term(i1, w1, i3) + term(i2, w2, i3)); // 2TI₃ − L²
 
         // eq:free-modulus
         let p = (minus(i3, i2) * d1 / (product(i1, i2) * i3)).sqrt();
         if p.rounded() == 0.0 {
             return None;
         }
-        let parameter = (minus(i2, i1) * -d3 / (minus(i3, i2) * d1)).rounded().clamp(0.0, 1.0); // k²
+        let parameter = (minus(i2, i1) * d3 / (minus(i3, i2) * d1)).rounded().clamp(0.0, 1.0); // k²
         let complement = minus(i3, i1) * d2 / (minus(i3, i2) * d1); // k'²
         let complement = if complement.rounded() > 0.0 { complement } else { TwoPart::from(0.0) };
 
         // eq:free-amplitudes
         let s = (i3 - i1).signum();
-        let a = (-d3 / (minus(i3, i1) * i1)).sqrt();
-        let b = (-d3 / (minus(i3, i2) * i2)).sqrt() * s;
+        let a = (d3 / (minus(i3, i1) * i1)).sqrt();
+        let b = (d3 / (minus(i3, i2) * i2)).sqrt() * s;
         let c = (d1 / (minus(i3, i1) * i3)).sqrt();
 
         // The inverse of sn by Carlson's integral, DLMF 19.25.5 multiplied by sn².
@@ -81,11 +81,8 @@ impl Asymmetric {
         let one = TwoPart::from(1.0);
         let first_argument = sn * carlson_rf_in_two_parts([cn * cn, dn * dn, one]);
 
-        let l = [(i1, w1), (i2, w2), (i3, w3)]
-            .map(|(i, w)| product(i, w) * product(i, w))
-            .into_iter()
-            .fold(TwoPart::from(0.0), |sum, square| sum + square)
-            .sqrt();
+        let square = |i: f64, w: f64| product(i, w) * product(i, w);
+        let l = (square(i1, w1) + square(i2, w2) + square(i3, w3)).sqrt();
         let n = minus(i2, i1) * i3 / (minus(i3, i2) * i1); // eq:tip-radius
         let one_and_n = minus(i3, i1) * i2 / (minus(i3, i2) * i1);
         let (quarter, steady_rate) = if complement.rounded() == 0.0 {

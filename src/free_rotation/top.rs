@@ -42,7 +42,6 @@ pub struct FreeTop {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a handful of tops, each used thousands of times")]
 enum Motion {
     /// About one axis for ever: a principal axis, or any axis of a sphere.
     Steady { axis_body: Vector3<f64>, rate: TwoPart },
