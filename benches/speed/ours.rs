@@ -133,9 +133,8 @@ fn body(
 ) {
     let problem = Rc::new(problem);
     let solve = move |problem: &Problem<7>, frames: &mut Vec<Turning>| {
-        let start = turning(problem);
-        frames.resize(problem.times.len(), start);
-        FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, start)?.fill(&problem.times, frames)?;
+        let top = FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, turning(problem))?;
+        *frames = top.sample(&problem.times)?;
         Ok(None)
     };
     let state = |turning: &Turning| {

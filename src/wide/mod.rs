@@ -7,6 +7,8 @@
 
 pub(crate) mod air_drag;
 pub(crate) mod functions;
+pub(crate) mod tumbling;
+pub(crate) mod turning;
 
 use functions::at_full_width;
 use std::ops::RangeInclusive;
