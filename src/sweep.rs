@@ -16,7 +16,7 @@
 ///     })?;
 ///     Ok(machine.peak().map(|peak| peak.radius))
 /// });
-/// let peaks: Vec<Option<f64>> = peaks.into_iter().collect::<Result<_, mechanics::scenes::laundromat::InvalidMachine>>()?;
+/// let peaks: Vec<Option<f64>> = peaks.into_iter().collect::<Result<_, mechanics::InvalidQuantity>>()?;
 /// assert!(peaks[0].is_none() && peaks[999] > peaks[500]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
