@@ -23,13 +23,13 @@ const FADDEEVA: f64 = 0.7;
 pub(crate) struct Together {
     mean: f64,
     half_difference: Complex<f64>,
-    left_phase: TwoPart, // (λ² − Ω²)/2α for the mean
+    phase: TwoPart, // (λ² − Ω²)/2α for the mean
 }
 
 impl Together {
     pub(super) fn new(drum: &Drum, mean: f64, half_difference: Complex<f64>) -> Self {
         let square = TwoPart::product(mean, mean) - TwoPart::product(drum.spin, drum.spin);
-        Self { mean, half_difference, left_phase: square / (TwoPart::from(drum.acceleration) * 2.0) }
+        Self { mean, half_difference, phase: square / (TwoPart::from(drum.acceleration) * 2.0) }
     }
 
     /// (λ₁ⁿP₁ − λ₂ⁿP₂)/(λ₁ − λ₂) for n = 2 and 3: each term of `eq:ramp-integral` by itself, as is tame for it. All λ of a circle
@@ -43,15 +43,17 @@ impl Together {
             load * faddeeva((x + slope * aside) * side) * side
         });
         if after {
-            // e^{λT + i(λ² − Ω²)/2α} for the mean and `aside` it. (If the passing lies before the start, the free motion takes
-            // this off again.)
-            let since = rate / drum.acceleration; // T
-            let at_mean = direction(self.left_phase) * (self.mean * since).exp();
-            let linear = Complex::new(since, self.mean / drum.acceleration);
-            let quadratic = Complex::i() / (2.0 * drum.acceleration);
-            let tame = (EXPONENTIAL / linear.norm()).min(GAUSSIAN * drum.acceleration.sqrt());
-            let left = self
-                .divided(tame, |aside| at_mean * 2.0 * (linear * aside + quadratic * aside * aside).exp());
+            // λT + i(λ² − Ω²)/2α, of which the imaginary part for the mean is taken from 32 digits. (If the passing lies before
+            // the start, the free motion takes off again what it leaves behind.)
+            let alpha = drum.acceleration;
+            let turned = direction(self.phase);
+            let since = rate / alpha; // T
+            let linear = Complex::new(since, self.mean / alpha);
+            let exponent = |aside: Complex<f64>| {
+                linear * aside + Complex::new(0.0, 0.5 / alpha) * aside * aside + self.mean * since
+            };
+            let tame = (EXPONENTIAL / linear.norm()).min(GAUSSIAN * alpha.sqrt());
+            let left = self.divided(tame, |aside| turned * exponent(aside).exp() * 2.0);
             quotients = [quotients[0] + left[0], quotients[1] + left[1]];
         }
         quotients.map(|quotient| drum.kappa() * quotient)
