@@ -121,12 +121,11 @@ fn two_hundred_turns() -> Turns {
 #[test]
 fn closed_form_keeps_its_digits_over_two_hundred_turns() {
     let Turns { machine, times, states, rest } = two_hundred_turns();
-    let mut frames = vec![Shaft::AT_REST; times.len()];
-    machine.transient(Shaft::AT_REST).unwrap().fill(&times, &mut frames).unwrap();
-    let frames: Vec<[f64; 4]> = frames.iter().map(Shaft::to_array).collect();
+    let sampled = machine.transient(Shaft::AT_REST).unwrap().sample(&times).unwrap();
+    let sampled: Vec<[f64; 4]> = sampled.iter().map(Shaft::to_array).collect();
     // The error to 32 digits: the difference from the leading part, less the trailing part.
-    let error: Vec<[f64; 4]> = (0..frames.len())
-        .map(|n| std::array::from_fn(|i| (frames[n][i] - states[n][i]) - rest[n][i]))
+    let error: Vec<[f64; 4]> = (0..sampled.len())
+        .map(|n| std::array::from_fn(|i| (sampled[n][i] - states[n][i]) - rest[n][i]))
         .collect();
     let largest = max_error(&error, &vec![[0.0; 4]; error.len()]);
     println!("largest error of the closed form: {largest:e}");
@@ -163,7 +162,7 @@ const WORSE_BETWEEN: f64 = 3.0;
 
 #[test]
 fn dense_output_is_as_accurate_as_the_steps() {
-    // The frames fall between the steps; ends of steps are compared with the closed form.
+    // The sampled fall between the steps; ends of steps are compared with the closed form.
     let Turns { machine, times, states: reference, .. } = two_hundred_turns();
     let closed = machine.transient(Shaft::AT_REST).unwrap();
     for tolerance in [1e-6, 1e-9, 1e-12] {
@@ -181,7 +180,7 @@ fn dense_output_is_as_accurate_as_the_steps() {
         let ratio = max_error(&between, &reference) / max_error(&at_steps, &exact);
         assert!(
             ratio < WORSE_BETWEEN,
-            "tolerance {tolerance:e}: frames are {ratio} times less accurate than steps"
+            "tolerance {tolerance:e}: sampled are {ratio} times less accurate than steps"
         );
     }
 }

@@ -4,7 +4,7 @@ use crate::printed::corrected_holds_and_printed_fails;
 use crate::{ROUNDING, WASHER, letters, machines, newton, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
 use nalgebra::{Complex, SVector};
 use num_dual::{DualNum, hessian, second_derivative};
 
@@ -95,7 +95,7 @@ fn eq08_velocity_of_the_load_by_dual_numbers() {
         let energy = 0.5 * WASHER.drum_mass * (r_dot.powi(2) + (r * theta_dot).powi(2))
             + 0.5 * WASHER.load_mass * (vx * vx + vy * vy)
             + 0.5 * WASHER.stiffness * r * r;
-        let shaft = Shaft::from_polar([r, theta, r_dot, theta_dot]);
+        let shaft = Shaft::from_polar(Polar::from_array([r, theta, r_dot, theta_dot]));
         assert_relative_eq!(washer().energy(t, &shaft), energy, max_relative = ROUNDING);
     }
 }
@@ -166,10 +166,10 @@ fn eq10_and_eq11_give_the_same_motion_as_the_lab() {
     let start = [0.05, 0.3, 0.1, 25.0];
     let solver = Dop853::new(1e-13).unwrap();
     let polar = solver.solve(|t, y| machine.polar_rates(t, y), 0.0, start, 2.0).unwrap();
-    let lab = solver
-        .solve(|t, y| machine.cartesian_rates(t, y), 0.0, Shaft::from_polar(start).to_array(), 2.0)
-        .unwrap();
-    let difference = Shaft::from_polar(polar.state).position - Shaft::from_array(lab.state).position;
+    let in_lab = |state: [f64; 4]| Shaft::from_polar(Polar::from_array(state));
+    let lab = |t: f64, y: &[f64; 4]| machine.cartesian_rates(t, y);
+    let lab = solver.solve(lab, 0.0, in_lab(start).to_array(), 2.0).unwrap();
+    let difference = in_lab(polar.state).position - Shaft::from_array(lab.state).position;
     assert!(difference.norm() < 1e-11 * machine.offset(), "they part by {} m", difference.norm());
 }
 

@@ -71,7 +71,7 @@ fn eq33_angular_velocity_corrected_holds_and_printed_fails() {
         let times: Vec<f64> = (1..40).map(|n| f64::from(n) * 0.05).collect();
         let simulated = simulated(&machine, start, &times);
         let cases = times.iter().zip(simulated).map(|(t, shaft)| {
-            let [_, _, _, theta_dot] = shaft.to_polar();
+            let theta_dot = shaft.to_polar().azimuth_rate;
             let (sin, cos) = (rate * t).sin_cos();
             let corrected = spin - small * (-gamma * t / 2.0).exp() * (rate * cos - gamma / 2.0 * sin);
             let printed = spin + small * rate.sin();

@@ -4,7 +4,7 @@ use crate::linear::{eigenvalues, scale};
 use crate::{ROUNDING, letters, machines, newton, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{LockedState, Machine, Parameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4};
 
 const I: Complex<f64> = Complex::new(0.0, 1.0);
@@ -45,13 +45,13 @@ fn eq21_a_locked_angle_is_stable_only_below_the_natural_frequency() {
         let rates = |t: f64, y: &[f64; 2]| on_a_rail(&machine.parameters(), phi0, t, y);
         let solver = Dop853::with_tolerances(1e-13, 1e-13 * start[0]).unwrap();
         let end = solver.solve(rates, 0.0, start, time).unwrap().state;
-        let locked = machine.locked(start[0], start[1]).unwrap();
-        let [r, r_dot] = locked.at(time).unwrap();
+        let locked = machine.locked(LockedState::from_array(start)).unwrap();
+        let [r, r_dot] = locked.at(time).unwrap().to_array();
         assert!((r - end[0]).abs() < 1e-9 * (end[0].abs() + start[0]), "{r} m, simulated {} m", end[0]);
         assert!((r_dot - end[1]).abs() < 1e-9 * (w0 + spin.abs()) * (end[0].abs() + start[0]));
         // And long after it: a few of the slowest times of growth or of return.
         let late = 10.0 * (gamma + w0 + spin.abs()) / (spin * spin - w0 * w0).abs();
-        let away = (locked.at(late).unwrap()[0] - steady.radius()).abs();
+        let away = (locked.at(late).unwrap().radius - steady.radius()).abs();
         let stable = spin.abs() < w0;
         assert_eq!(away < 1.01 * nudge, stable, "at {spin} rad/s, ω₀ = {w0} rad/s: {away} m from {nudge} m");
         if stable { held += 1 } else { lost += 1 }
@@ -231,7 +231,7 @@ fn a_damper_on_the_radius_alone_makes_a_simulated_machine_run_away() {
         let (w0, b, _, _) = letters(&machine);
         let r0 = b * spin * spin / (w0 * w0 - spin * spin).abs();
         let phi0 = if spin > w0 { std::f64::consts::PI } else { 0.0 };
-        let start = Shaft::from_polar([r0 * 1.001, -phi0, 0.0, spin]).to_array();
+        let start = Shaft::from_polar(Polar::from_array([r0 * 1.001, -phi0, 0.0, spin])).to_array();
         let end = Dop853::new(1e-12)
             .unwrap()
             .solve(|t, y| machine.radial_damping_rates(t, y), 0.0, start, time)
