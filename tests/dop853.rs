@@ -230,7 +230,7 @@ fn what_is_not_a_number_between_the_ends_of_a_step_is_refused() {
     // A hole at a tenth of the first step, where only the dense output looks.
     let holed = |t: f64, _: &[f64; 1]| [if (t - 0.1).abs() < 1e-3 { f64::NAN } else { 1.0 }];
     let solver = Dop853::new(1e-10).unwrap().with_first_step(1.0);
-    let whole = Failure::NotFinite { time: 0.0, state: [0.0], step: 1.0 };
+    let whole = Failure::NotFinite { time: 0.0, state: vec![0.0], step: 1.0 };
     assert_eq!(solver.sample(holed, 0.0, [0.0], &[0.5, 1.0]).unwrap_err(), whole);
     for event in [|t: f64, _: &[f64; 1]| t - 0.5, |_: f64, &[x]: &[f64; 1]| x - 0.5] {
         assert_eq!(solver.solve_until(holed, 0.0, [0.0], 1.0, event, Direction::Rising).unwrap_err(), whole);
@@ -296,7 +296,7 @@ fn running_into_a_singularity_says_when_and_where() {
     // ẏ = y² from 1 reaches infinity at t = 1.
     let failure =
         Dop853::new(1e-10).unwrap().solve(|_, &[y]: &[f64; 1]| [y * y], 0.0, [1.0], 2.0).unwrap_err();
-    let (time, state) = match failure {
+    let (time, state) = match &failure {
         Failure::StepUnderflow { time, state, .. } | Failure::NotFinite { time, state, .. } => (time, state),
         other => panic!("{other}"),
     };

@@ -71,7 +71,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
         black_box(motion.sample(black_box(&times))?);
         Ok(())
     })?;
-    rows.push(("washer", "a frame", cost));
+    rows.push(("washer", "a sample", cost));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((3.0 * t).sin_cos(), t.sin_cos());
         a + b + (c + d) * (-0.005 * t).exp()
@@ -83,7 +83,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
         black_box(ramp.sample(black_box(&times))?);
         Ok(())
     })?;
-    rows.push(("ramp", "a frame", cost));
+    rows.push(("ramp", "a sample", cost));
     let functions = by_themselves(&times, |t| {
         let past = 0.05 * (t - 100.0).abs();
         let (near, far) = (faddeeva(Complex::new(past, past)), faddeeva(Complex::new(past, 5.0 + past)));
@@ -95,7 +95,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     let start = turning(&problems::hoop());
     let top = FreeTop::new(PrincipalMoments::new(1.5, 0.5, 2.0)?, start)?;
     let mut turnings = vec![start; FRAMES];
-    rows.push(("hoop", "a frame", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
+    rows.push(("hoop", "a sample", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         (a + b * c + 3.0).sqrt() + (b - a * d + 3.0).sqrt() / (2.0 + a)
@@ -103,7 +103,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     rows.push(("hoop", "its functions", functions));
 
     let top = FreeTop::new(PrincipalMoments::new(0.25, 0.25, 0.5)?, turning(&problems::toss()))?;
-    rows.push(("toss", "a frame", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
+    rows.push(("toss", "a sample", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         a * b + c * d
@@ -114,7 +114,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     let sinking = disk.steady(0.3)?;
     let mut frame = [sinking];
     let cost = nanoseconds(1, || Ok(disk.fill(black_box(&sinking), &[1e-3], 1e-11, &mut frame)?))?;
-    rows.push(("rest", "a step with its frame", cost));
+    rows.push(("rest", "a step with its sample", cost));
 
     let wheel = Wheel::new(1.0, 1.0, 0.5, 1.0)?;
     let mut rolling = wheel.steady(0.5, 3.0)?.state();
@@ -123,7 +123,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     let mut rollings = vec![rolling; FRAMES];
     rows.push((
         "disk",
-        "a frame",
+        "a sample",
         nanoseconds(FRAMES, || Ok(wobble.fill(black_box(&times), &mut rollings)?))?,
     ));
 

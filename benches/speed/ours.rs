@@ -76,7 +76,7 @@ fn steppers<const N: usize>(
             }
             Ok(Some(4 * steps * (problem.times.len() - 1)))
         };
-        entries.push(Entry::new(problem, [NAME, "RK4"], format!("{steps} steps a frame"), solve, |y| *y));
+        entries.push(Entry::new(problem, [NAME, "RK4"], format!("{steps} steps a sample"), solve, |y| *y));
     }
 }
 

@@ -206,7 +206,7 @@ fn the_measurements_say_what_the_figure_claims() {
     // Timings vary from machine to machine, and nothing asserts on them; evaluations do not.
     let dop853 = value(find("tolerance 1e-10"), 5) / value(find("tolerance 1e-6"), 5);
     assert!((2.7..3.3).contains(&dop853), "{dop853} times the evaluations for four digits");
-    let (coarse, fine) = (find("50 steps a frame"), find("400 steps a frame"));
+    let (coarse, fine) = (find("50 steps a sample"), find("400 steps a sample"));
     let digits = (value(coarse, 4) / value(fine, 4)).log10();
     let rk4 = (value(fine, 5) / value(coarse, 5)).powf(4.0 / digits);
     assert!((9.0..11.0).contains(&rk4), "{rk4} times the evaluations for four digits");

@@ -58,7 +58,7 @@ fn every_measurement_that_is_not_beaten_lies_on_its_curve() {
         let most = all().map(|pair| pair.1).fold(0.0, f64::max);
         let coarsest = all().map(|pair| pair.0).fold(0.0, f64::max);
         let power = |exponent: f64| 10.0_f64.powf(exponent);
-        let frame = Frame {
+        let sample = Frame {
             place: [62.0, 34.0, 440.0, 312.0],
             x: Range::Log(1e-16, power(coarsest.log10().ceil().clamp(-2.0, 0.0))),
             y: Range::Log(power((least.log10() - 0.2).floor()), power(most.log10().ceil())),
@@ -70,7 +70,7 @@ fn every_measurement_that_is_not_beaten_lies_on_its_curve() {
             let name = format!("{contestant} {method}").replace([' ', '(', ')'], "-");
             let curve = path(&format!("speed-{problem}"), &name);
             for &pair in pairs {
-                let off = distance(&curve, frame.at(pair));
+                let off = distance(&curve, sample.at(pair));
                 assert!(off < PIXELS, "{problem}, {name}: {off} px off at {pair:?}");
                 checked += 1;
             }
@@ -85,7 +85,7 @@ fn the_evaluations_lie_on_their_curves_with_the_slopes_of_their_orders() {
     let mut checked = 0;
     for (place, problem) in PROBLEMS.into_iter().enumerate() {
         let corner = [50.0 + 218.0 * (place % 3) as f64, 40.0 + 216.0 * (place / 3) as f64];
-        let frame = Frame {
+        let sample = Frame {
             place: [corner[0], corner[1], 176.0, 150.0],
             x: Range::Log(1e-12, 1.0),
             y: Range::Log(1e3, 1e8),
@@ -99,7 +99,7 @@ fn the_evaluations_lie_on_their_curves_with_the_slopes_of_their_orders() {
             }
             let curve = path("speed-work", &format!("{problem}-{method}"));
             for &pair in &inside {
-                assert!(distance(&curve, frame.at(pair)) < PIXELS, "{problem}, {method}, {pair:?}");
+                assert!(distance(&curve, sample.at(pair)) < PIXELS, "{problem}, {method}, {pair:?}");
                 checked += 1;
             }
         }
