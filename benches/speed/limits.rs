@@ -127,7 +127,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
         nanoseconds(FRAMES, || Ok(wobble.fill(black_box(&times), &mut rollings)?))?,
     ));
 
-    // Which of twenty thousand machines shakes most while it starts? A hundred frames of each.
+    // Which of twenty thousand machines shakes most while it starts? A hundred states of each.
     let dampings: Vec<f64> = (0..MACHINES).map(|n| 1e-4 * n as f64).collect();
     let largest = |damping: &f64| {
         let motion = machine(*damping, 3.0).ok()?.transient(Shaft::AT_REST).ok()?;

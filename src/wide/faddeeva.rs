@@ -119,3 +119,27 @@ const SQUARES: [[f64; 2]; NODES] = {
     }
     squares
 };
+
+#[cfg(test)]
+mod tests {
+    use super::upper_half;
+    use crate::faddeeva::faddeeva;
+    use nalgebra::Complex;
+
+    #[test]
+    fn several_at_once_are_faddeevas_function() {
+        let mut random = fastrand::Rng::with_seed(5);
+        for round in 0..2000 {
+            // All above the last residue, or anywhere; near, among and beyond the nodes.
+            let lowest = if round % 2 == 0 { 6.2 } else { 0.0 };
+            let spread = [0.1, 2.0, 9.0, 100.0][round % 4];
+            let x: [f64; 8] = std::array::from_fn(|_| spread * (2.0 * random.f64() - 1.0));
+            let y: [f64; 8] = std::array::from_fn(|_| lowest + spread * random.f64());
+            let [re, im] = upper_half(&[x, y]);
+            for n in 0..8 {
+                let (ours, one) = (Complex::new(re[n], im[n]), faddeeva(Complex::new(x[n], y[n])));
+                assert!((ours - one).norm() < 16.0 * f64::EPSILON * one.norm(), "{} {}", x[n], y[n]);
+            }
+        }
+    }
+}

@@ -126,8 +126,8 @@ fn derived_quantities_must_stay_in_range() {
     let light = Parameters { drum_mass: 1e-40, load_mass: 0.0, stiffness: 1e300, ..WASHER };
     assert_eq!(refusal(light).1, "natural frequency ω₀ inf rad/s is not a finite number");
     for heavy in [
-        Parameters { drum_mass: 1e50, stiffness: 5e-324, ..WASHER },
-        Parameters { drum_mass: 1e50, stiffness: 1e50, damping: 5e-324, ..WASHER },
+        Parameters { drum_mass: 1e50, load_mass: 0.0, stiffness: 5e-324, ..WASHER },
+        Parameters { drum_mass: 1e50, load_mass: 0.0, stiffness: 1e50, damping: 5e-324, ..WASHER },
     ] {
         assert_eq!((refusal(heavy).0.value, refusal(heavy).0.rule), (0.0, Rule::Positive));
     }
@@ -257,10 +257,8 @@ fn integrations_refuse_intervals_and_states_that_are_not_finite() {
         assert_eq!(failure.to_string(), "the initial state [NaN] must be finite");
     }
     let failure = rk4(still, 0.0, [1.0], 1.0, 0).unwrap_err();
-    assert_eq!(
-        (failure, failure.to_string().as_str()),
-        (Failure::NoSteps, "0 steps: a fixed-step method needs at least one")
-    );
+    assert_eq!(failure.to_string(), "0 steps: a fixed-step method needs at least one");
+    assert_eq!(failure, Failure::NoSteps);
 }
 
 #[test]
