@@ -58,7 +58,8 @@ fn first_quadrant(z: Complex<f64>) -> Complex<f64> {
     let mut sum = Complex::new(0.0, 0.0);
     for (k, weights) in WEIGHTS.iter().enumerate() {
         let node = (k as f64 + shift) * SPACING;
-        sum += weights[column] / ((z - node) * (z + node));
+        let difference = (z - node) * (z + node); // z² − t²
+        sum += difference.conj() * (weights[column] / difference.norm_sqr());
     }
     let rule = Complex::new(0.0, 2.0 * SPACING / PI) * z * sum;
     if z.im >= FAR {
