@@ -653,7 +653,7 @@ fn ramp_map(id: &str) -> Outcome {
         "A map with logarithmic scales: along x the acceleration over the square of the natural frequency, from 1e-4 to 1, along y the \
          damping over the natural frequency, from 0.01 to 1. Lines join the machines whose largest swing is 2, 3, 5, 10, 20 and 50 \
          times b. Each runs level from the left, bends at the dashed diagonal, where the damping is the root of the acceleration, and \
-         then runs straight down. Above the diagonal it is said that the damper counts, below that the motor does. Three \
+         then runs straight down. The half above the diagonal is called the damper's, that below the motor's. Three \
          rings near the lower edge, at the damping 0.02, are the ramps of the figure before.",
     );
     let (slowest, quickest, lightest, heaviest) = (1e-4, 1.0, 1e-2, 1.0);
@@ -671,10 +671,10 @@ fn ramp_map(id: &str) -> Outcome {
     // Along lines of constant Γ/√α the swing falls all the way; each level is met once.
     let levels = [2.0, 3.0, 5.0, 10.0, 20.0, 50.0];
     let mut lines = levels.map(|_| Values::new());
-    for ratio in log_steps(lightest / quickest.sqrt(), heaviest / slowest.sqrt(), 60) {
+    for ratio in log_steps(lightest / quickest.sqrt(), heaviest / slowest.sqrt(), 90) {
         let from = slowest.max((lightest / ratio).powi(2));
         let to = quickest.min((heaviest / ratio).powi(2));
-        let swings = log_steps(0.9 * from, 1.1 * to, 24)
+        let swings = log_steps(0.5 * from, 2.0 * to, 40)
             .map(|square| Ok((square, largest_swing(square, ratio * square.sqrt())?)))
             .collect::<Result<Values, Cause>>()?;
         for (level, line) in levels.iter().zip(&mut lines) {
@@ -694,6 +694,17 @@ fn ramp_map(id: &str) -> Outcome {
     for (square, hue) in [(0.1, Hue::Green), (0.01, Hue::Orange), (0.001, Hue::Blue)] {
         plot.markers(&[(square, 0.02)], Marker::Ring, hue);
     }
+    let steady = [(0.52, "$2b$"), (0.34, "3"), (0.2, "5"), (0.1, "10"), (0.05, "20"), (0.0177, "50")];
+    for (damping, text) in steady {
+        let place = plot.at((1.25e-4, damping));
+        plot.drawing().label_on_face(place, Side::AboveRight, text, Hue::Ink)?;
+    }
+    for (value, text, hue) in [((1e-3, 0.25), "damper", Hue::Blue), ((0.045, 0.04), "motor", Hue::Orange)] {
+        let place = plot.at(value);
+        plot.drawing().label_on_face(place, Side::Over, text, hue)?;
+    }
+    let place = plot.at((2.5e-3, 0.05));
+    plot.drawing().label_on_face(place, Side::AboveLeft, r"$\Gamma = \sqrt{\alpha}$", Hue::Ink)?;
     Ok(drawing)
 }
 
