@@ -1,8 +1,9 @@
-//! Faddeeva's function, the error function of a complex argument: what a rotor that speeds up through its resonance obeys.
+//! Faddeeva's function, the error function of a complex argument: what a rotor that speeds up through its resonance
+//! obeys.
 //!
-//! `w(z) = e^{−z²} erfc(−iz)`. The trapezium or the midpoint rule for its integral, whichever keeps its nodes away from the
-//! pole, with the residue of the pole added (M. Al Azah & S. N. Chandler-Wilde, *SIAM Journal on Numerical Analysis* **59**
-//! (2021) 2346–2367).
+//! `w(z) = e^{−z²} erfc(−iz)`. The trapezium or the midpoint rule for its integral, whichever keeps its nodes away
+//! from the pole, with the residue of the pole added (M. Al Azah & S. N. Chandler-Wilde, *SIAM Journal on Numerical
+//! Analysis* **59** (2021) 2346–2367).
 
 use nalgebra::Complex;
 use std::f64::consts::PI;
@@ -16,12 +17,12 @@ pub(crate) const FAR: f64 = 6.139_960_247_678_931;
 /// Beyond this size only the pole i/√π z is left, to sixteen digits.
 const POLE_ONLY: f64 = 1e9;
 
-/// w(z), with an error of at most eight units in the last place of `|w|` (`f64::EPSILON`, relative) in the upper half-plane and on the real
-/// axis.
+/// w(z), with an error of at most eight units in the last place of `|w|` (`f64::EPSILON`, relative) in the upper
+/// half-plane and on the real axis.
 ///
-/// In the lower half-plane it is `2e^{−z²} − w(−z)`, with so many units of the two together, and of what a unit in the last place of z² makes of
-/// the first, which grows: beyond the largest number it is infinite. For |z| above 1e8 or so its phase is lost there, and it is
-/// NaN where z² itself is beyond the largest number.
+/// In the lower half-plane it is `2e^{−z²} − w(−z)`, with so many units of the two together, and of what a unit in
+/// the last place of z² makes of the first, which grows: beyond the largest number it is infinite. For |z| above 1e8
+/// or so its phase is lost there, and it is NaN where z² itself is beyond the largest number.
 ///
 /// ```
 /// use mechanics::faddeeva::faddeeva;
@@ -50,8 +51,8 @@ fn upper_half(z: Complex<f64>) -> Complex<f64> {
     first_quadrant(z)
 }
 
-/// 2ihz/π Σ e^{−t²}/(z² − t²) over the nodes t, whole multiples of h or half-way between, whichever are further from z; and the
-/// residue of the integrand's pole at z, 2e^{−z²}E/(E ∓ 1) with E = e^{2πiz/h}.
+/// 2ihz/π Σ e^{−t²}/(z² − t²) over the nodes t, whole multiples of h or half-way between, whichever are further from
+/// z; and the residue of the integrand's pole at z, 2e^{−z²}E/(E ∓ 1) with E = e^{2πiz/h}.
 fn first_quadrant(z: Complex<f64>) -> Complex<f64> {
     let whole = z.im < z.re && (0.25..=0.75).contains(&(z.re / SPACING).fract());
     let (shift, column, sign) = if whole { (0.0, 0, -1.0) } else { (0.5, 1, 1.0) };

@@ -2,8 +2,9 @@
 
 /// The answer for each case, in the order of the cases.
 ///
-/// With the feature `parallel` all cores of the processor share the cases (through the crate rayon); without it, and where there are no
-/// threads, as in a web page, they are taken one after the other. The answers are the same either way, to the last bit.
+/// With the feature `parallel` all cores of the processor share the cases (through the crate rayon); without it, and
+/// where there are no threads, as in a web page, they are taken one after the other. The answers are the same either
+/// way, to the last bit.
 ///
 /// ```
 /// use mechanics::scenes::laundromat::{Machine, Parameters};

@@ -3,7 +3,8 @@
 use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4, Vector4};
 
-/// What central differences of step 1e-5 leave: 1e-10 of truncation and 1e-11 of rounding, relative to the largest entry.
+/// What central differences of step 1e-5 leave: 1e-10 of truncation and 1e-11 of rounding, relative to the largest
+/// entry.
 const DIFFERENCES: f64 = 1e-8;
 
 /// Machines over two decades of damping and spin, in units of the natural frequency.
@@ -25,7 +26,8 @@ fn machines(seed: u64, count: usize) -> impl Iterator<Item = Machine> {
     })
 }
 
-/// (ε̇, ε̈, δ̇, δ̈) at (ε, ε̇, δ, δ̇) beside the steady motion of radius `r0` and lead `phi0`, from accelerations in the laboratory.
+/// (ε̇, ε̈, δ̇, δ̈) at (ε, ε̇, δ, δ̇) beside the steady motion of radius `r0` and lead `phi0`, from accelerations in
+/// the laboratory.
 fn disturbed(
     machine: &Machine,
     r0: f64,

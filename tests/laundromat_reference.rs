@@ -9,8 +9,8 @@ use serde_json::Value;
 /// The closed form at one time: about ten roundings, with room for three more.
 const CLOSED: f64 = 3e-15;
 
-/// The closed form after 1257 radians, over 800 numbers of size up to 5: the issue asks for 1e-13, and this is a few units in the
-/// last place of the largest.
+/// The closed form after 1257 radians, over 800 numbers of size up to 5: the issue asks for 1e-13, and this is a few
+/// units in the last place of the largest.
 const CLOSED_GRID: f64 = 4e-15;
 
 /// What the chapter asks of the integrator for the single state.
@@ -132,9 +132,9 @@ fn closed_form_keeps_its_digits_over_two_hundred_turns() {
     assert!(largest < CLOSED_GRID, "largest error {largest:e}");
 }
 
-/// How much larger than its tolerance the error of DOP853 may be after 200 turns of this machine, and how much smaller. The tolerance
-/// is for one step, and there are 400 of them at 1e-3 and 5000 at 1e-12. Below that the error stays at 1e-11, where the rounding
-/// of the time itself, 3e-14 at t = 400, is what the driving force sees.
+/// How much larger than its tolerance the error of DOP853 may be after 200 turns of this machine, and how much
+/// smaller. The tolerance is for one step, and there are 400 of them at 1e-3 and 5000 at 1e-12. Below that the error
+/// stays at 1e-11, where the rounding of the time itself, 3e-14 at t = 400, is what the driving force sees.
 const PROMISE: std::ops::Range<f64> = 0.1..100.0;
 
 #[test]

@@ -1,7 +1,7 @@
 //! The figures of the chapter "Physics in the laundromat".
 //!
-//! Each function draws one claim from what the library computes. Captions stand on the page. One file a chapter, however
-//! long: a reader can save it from the site and have everything.
+//! Each function draws one claim from what the library computes. Captions stand on the page. One file a chapter,
+//! however long: a reader can save it from the site and have everything.
 
 use crate::speed_and_accuracy::measured::{Measurement, front};
 use crate::speed_and_accuracy::measurements;
@@ -708,8 +708,8 @@ fn ramp_map(id: &str) -> Outcome {
     Ok(drawing)
 }
 
-/// The largest distance from O over b of a drum that speeds up from rest, through its resonance and on until the swing falls off, for
-/// α/ω₀² and Γ/ω₀.
+/// The largest distance from O over b of a drum that speeds up from rest, through its resonance and on until the
+/// swing falls off, for α/ω₀² and Γ/ω₀.
 fn largest_swing(per_square: f64, damping: f64) -> Result<f64, Cause> {
     let machine = washing_machine(damping, 0.0)?;
     let ramp = machine.ramp(per_square * NATURAL * NATURAL, Shaft::AT_REST)?;

@@ -12,8 +12,8 @@ const AMONG_NODES: f64 = 40.0;
 /// Real and imaginary parts of many numbers.
 pub(crate) type Parts<const N: usize> = [[f64; N]; 2];
 
-/// w of many numbers in the upper half-plane, up to 1e70 in size. The loops have no branch and do several numbers in one
-/// instruction.
+/// w of many numbers in the upper half-plane, up to 1e70 in size. The loops have no branch and do several numbers in
+/// one instruction.
 #[inline(always)]
 pub(crate) fn upper_half<const N: usize>([z_re, y]: &Parts<N>) -> Parts<N> {
     // In the first quadrant; w of the mirror image in the imaginary axis is the conjugate.

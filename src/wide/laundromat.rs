@@ -1,4 +1,5 @@
-//! The drum's shaft at many times at once: lightly damped machines, turning steadily away from resonance or speeding up.
+//! The drum's shaft at many times at once: lightly damped machines, turning steadily away from resonance or speeding
+//! up.
 
 use super::faddeeva::upper_half;
 use super::functions::{Clock, ROUNDABLE, at_full_width, exp, sin_cos_quarters};
@@ -33,7 +34,8 @@ fn numbers(position: Complex<f64>, velocity: Complex<f64>) -> [f64; 4] {
     Shaft { position, velocity }.to_array()
 }
 
-/// A free, lightly damped motion as a constant times cosine and another times sine, each the four numbers of x, y, ẋ, ẏ.
+/// A free, lightly damped motion as a constant times cosine and another times sine, each the four numbers of x, y, ẋ,
+/// ẏ.
 #[derive(Debug, Clone, Copy)]
 struct Swing {
     clock: Clock,

@@ -132,6 +132,7 @@ fn at_high_spin_the_disturbed_orbit_is_a_displaced_circle_for_a_while() {
     let times: Vec<f64> = (0..=64).map(|n| f64::from(n) / 64.0 * turn).collect();
     for shaft in simulated(&machine, start, &times) {
         let around = (shaft.position - displacement).norm();
-        assert_relative_eq!(around, steady.radius(), max_relative = 0.02); // the centre moves ω₁ · 2π/Ω of its own radius
+        // The centre moves ω₁ · 2π/Ω of its own radius.
+        assert_relative_eq!(around, steady.radius(), max_relative = 0.02);
     }
 }

@@ -9,8 +9,8 @@ use nalgebra::{Complex, Matrix4};
 
 const I: Complex<f64> = Complex::new(0.0, 1.0);
 
-/// r̈ of a shaft on a rail that turns with Ω at the angle −φ₀ behind the load: Newton's law with the raw parameters, along the
-/// rail. The rail pushes across it only, and r̂ turns, which adds rΩ².
+/// r̈ of a shaft on a rail that turns with Ω at the angle −φ₀ behind the load: Newton's law with the raw parameters,
+/// along the rail. The rail pushes across it only, and r̂ turns, which adds rΩ².
 fn on_a_rail(p: &Parameters, phi0: f64, t: f64, &[r, r_dot]: &[f64; 2]) -> [f64; 2] {
     let along = Complex::from_polar(1.0, p.spin * t - phi0);
     let (z, v) = (along * r, along * Complex::new(r_dot, r * p.spin));
@@ -150,7 +150,8 @@ fn eq31_slow_rate_keeps_its_digits_with_heavy_damping() {
 
 #[test]
 fn every_disturbance_decays_with_the_time_two_over_gamma() {
-    // A simulation of the lab equation, large disturbance and all: its distance from the steady motion shrinks as e^{−Γt/2}.
+    // A simulation of the lab equation, large disturbance and all: its distance from the steady motion shrinks as
+    // e^{−Γt/2}.
     let machine = washer();
     let (_, _, gamma, spin) = letters(&machine);
     let steady = machine.steady().unwrap().amplitude();
@@ -191,8 +192,8 @@ fn the_slowest_mode_stands_still_when_the_spin_passes_w1() {
 
 #[test]
 fn a_damper_on_the_radius_alone_turns_stability_round() {
-    // The quartic is the characteristic polynomial of the dual-number linearisation without the drag across the radius; at the
-    // steady motion of that machine, sin φ₀ = 0 and r₀ = b Ω²/|ω₀² − Ω²|.
+    // The quartic is the characteristic polynomial of the dual-number linearisation without the drag across the
+    // radius; at the steady motion of that machine, sin φ₀ = 0 and r₀ = b Ω²/|ω₀² − Ω²|.
     for machine in machines(33, 2000) {
         let (w0, _, gamma, spin) = letters(&machine);
         let kappa = w0 * w0 - spin * spin;

@@ -5,7 +5,8 @@ use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 
 #[test]
 fn motion_long_before_a_heavily_damped_start_is_found_if_it_can_be_written_down() {
-    // Released at rest at 1e-40 m: fifteen seconds before, e^{−λt} alone is beyond the largest number, the motion is not.
+    // Released at rest at 1e-40 m: fifteen seconds before, e^{−λt} alone is beyond the largest number, the motion is
+    // not.
     let balanced = Parameters {
         drum_mass: 1.0,
         load_mass: 0.0,
@@ -30,20 +31,23 @@ fn difference_of_exponentials_loses_eight_digits_near_critical_damping() {
     let half_gap = (damping * damping / 4.0 - 1.0).sqrt();
     let (slow, fast) = (damping / 2.0 - half_gap, damping / 2.0 + half_gap);
     let t = 1.7_f64;
-    // Free motion of a balanced machine from a push of 1 m/s: (e^{−st} − e^{−ft})/(f − s), at critical damping t e^{−t}.
+    // Free motion of a balanced machine from a push of 1 m/s: (e^{−st} − e^{−ft})/(f − s), at critical damping t
+    // e^{−t}.
     let naive = ((-slow * t).exp() - (-fast * t).exp()) / (fast - slow);
     let balanced =
         Parameters { drum_mass: 1.0, load_mass: 0.0, load_radius: 1.0, stiffness: 1.0, damping, spin: 0.0 };
     let push = Shaft { velocity: 1.0.into(), ..Shaft::AT_REST };
     let ours = Machine::new(balanced).unwrap().transient(push).unwrap().at(t).unwrap().position.re;
-    let exact = t * (-t).exp(); // to 1e-15: the difference from critical damping is second order in 1e-15 and first in Γ
+    // To 1e-15: the difference from critical damping is second order in 1e-15 and first in Γ.
+    let exact = t * (-t).exp();
     assert!((ours / exact - 1.0).abs() < 1e-14, "{ours} for {exact}");
     assert!((naive / exact - 1.0).abs() > 1e-10, "the naive form should fail and gives {naive} for {exact}");
 }
 
 #[test]
 fn slow_decay_keeps_its_digits_at_a_damping_of_1e8() {
-    // λ_slow = ω₀²/Γ (1 + ω₀²/Γ² + …) is 1e-8 to sixteen digits, and a released drum follows e^{−λt} after the first 1e-7 s.
+    // λ_slow = ω₀²/Γ (1 + ω₀²/Γ² + …) is 1e-8 to sixteen digits, and a released drum follows e^{−λt} after the first
+    // 1e-7 s.
     let balanced = Parameters {
         drum_mass: 1.0,
         load_mass: 0.0,

@@ -1,6 +1,6 @@
-//! The laundromat where naive programs fail: critical and heavy damping, resonance, high spin, late times, the origin of polar
-//! coordinates; and a drum that speeds up, which meets most of them. Each test has a judge of its own, and shows the failure where
-//! there is a naive form.
+//! The laundromat where naive programs fail: critical and heavy damping, resonance, high spin, late times, the origin
+//! of polar coordinates; and a drum that speeds up, which meets most of them. Each test has a judge of its own, and
+//! shows the failure where there is a naive form.
 
 mod damping;
 mod polar;

@@ -5,8 +5,8 @@ use mechanics::integrate::{Dop853, rk4};
 use mechanics::scenes::laundromat::{Polar, Shaft};
 use nalgebra::Complex;
 
-/// Error in place after one second of the polar equations and of the Cartesian ones, both by RK4 with steps of 1 ms, for a shaft
-/// that passes O at distance `miss`, m, halfway through; `None` where the program broke down.
+/// Error in place after one second of the polar equations and of the Cartesian ones, both by RK4 with steps of 1 ms,
+/// for a shaft that passes O at distance `miss`, m, halfway through; `None` where the program broke down.
 fn errors_of_passing(miss: f64) -> (Option<f64>, f64) {
     let machine = machine(0.01, 1e-3);
     // Straight through at 1 m/s, near enough: from half a second before the closest approach.

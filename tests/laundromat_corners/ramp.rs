@@ -7,8 +7,8 @@ use std::f64::consts::PI;
 
 #[test]
 fn a_slow_sweep_without_damping_leaves_the_amplitude_of_lewis_behind() {
-    // Long after resonance the shaft circles the place where the load has centred itself, with b ω₀ √(π/2α); on the way it
-    // overshoots by Fresnel's 1.1706, at ω₀ + 2.157 √α, both in the limit of slow sweeps.
+    // Long after resonance the shaft circles the place where the load has centred itself, with b ω₀ √(π/2α); on the
+    // way it overshoots by Fresnel's 1.1706, at ω₀ + 2.157 √α, both in the limit of slow sweeps.
     let (mut overshoots, mut places) = (Vec::new(), Vec::new());
     for acceleration in [2e-2, 1e-3, 1e-5] {
         let machine = machine(0.0, 0.0);
@@ -110,8 +110,8 @@ fn times_beyond_reach_are_refused_one_by_one_and_many_at_once() {
             assert!(!refused(&ramp, t), "{t}");
         }
     }
-    // With it, before the start, as long as what has grown backwards is a number. There |v + ½Γz|² + ω₁²|z|² grows by e a
-    // second.
+    // With it, before the start, as long as what has grown backwards is a number. There |v + ½Γz|² + ω₁²|z|² grows by
+    // e a second.
     let size = |shaft: Shaft| {
         let [z, v] = [shaft.position, shaft.velocity].map(|part| part * 1e-280);
         ((v + z * 0.5).norm_sqr() + 0.75 * z.norm_sqr()).ln()

@@ -8,7 +8,8 @@ use nalgebra::Complex;
 /// A few dozen roundings, relative to the largest number that took part.
 const ROUNDING: f64 = 1e-13;
 
-/// A machine with every frequency and rate within `decades` of one another, in either sense of spin, one in ten without damping.
+/// A machine with every frequency and rate within `decades` of one another, in either sense of spin, one in ten
+/// without damping.
 fn machine(random: &mut fastrand::Rng, decades: f64) -> Machine {
     let [low, high] = [10.0_f64.powf(-decades), 10.0_f64.powf(decades)];
     let (drum_mass, load_mass) = (between(random, 1e-2, 1e2), between(random, 1e-2, 1e2));
@@ -180,7 +181,8 @@ fn difference_of_two_motions_does_not_know_the_spin() {
 
 #[test]
 fn motion_obeys_its_equation() {
-    // By DOP853 over a short while at random times of random machines, restarted there with the load where it is by then.
+    // By DOP853 over a short while at random times of random machines, restarted there with the load where it is by
+    // then.
     let mut random = fastrand::Rng::with_seed(6);
     for _ in 0..300 {
         let (machine, start) = (machine(&mut random, 1.0), start(&mut random));

@@ -9,7 +9,8 @@ use mechanics::scenes::laundromat::Shaft;
 /// The documented error, in units in the last place of what the documentation names.
 const UNITS: f64 = 40.0 * f64::EPSILON;
 
-/// x, y, ẋ, ẏ at a time, and what the free motion makes by then of one metre and of one metre a second, position and velocity.
+/// x, y, ẋ, ẏ at a time, and what the free motion makes by then of one metre and of one metre a second, position and
+/// velocity.
 struct Truth {
     state: [Long; 4],
     of_place: [f64; 2],

@@ -181,7 +181,8 @@ fn the_locked_motion_is_exact_to_units_of_what_takes_part() {
         let basis = [carried(&free, &[one, none, none], at), carried(&free, &[none, one, none], at)];
         let motion = machine.locked(LockedState::from_array(start)).ok()?;
         let [r, r_dot] = motion.at(time).expect("an answer").to_array();
-        let part = |i: usize, j: usize| basis[i][j].abs().rounded() + 1e-9; // the judge has no digits of what has died out
+        // The judge has no digits of what has died out.
+        let part = |i: usize, j: usize| basis[i][j].abs().rounded() + 1e-9;
         let radius = steady.radius();
         // A place counts for as much as the velocity with which it would be lost by damping.
         let place = start[0].abs() + radius;

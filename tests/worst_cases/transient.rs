@@ -65,7 +65,8 @@ impl Units {
     }
 }
 
-/// x, y, ẋ, ẏ at a time, and what the free motion makes by then of one metre and of one metre a second, position and velocity.
+/// x, y, ẋ, ẏ at a time, and what the free motion makes by then of one metre and of one metre a second, position and
+/// velocity.
 struct Truth {
     state: [Long; 4],
     of_place: [f64; 2],
@@ -210,8 +211,8 @@ pub(crate) fn hostile(draw: &mut Draw<'_>) -> Option<(Machine, Shaft, [f64; 40])
     Some((machine, start, times))
 }
 
-/// Zero if a sample is refused, for the first time that `at` refuses, or is all finite as `at` is; else infinite. And whether
-/// it is refused.
+/// Zero if a sample is refused, for the first time that `at` refuses, or is all finite as `at` is; else infinite. And
+/// whether it is refused.
 pub(crate) fn agreement(
     times: &[f64],
     at: impl Fn(f64) -> Result<Shaft, InvalidQuantity>,

@@ -29,9 +29,9 @@ impl LockedState {
 
 /// Radial motion with the azimuth held at θ = Ωt − φ₀, in closed form.
 ///
-/// From [`Machine::locked`]. It comes back to r₀ below the natural frequency and runs away above it. The error is at most
-/// eight units in the last place of the sum of r₀, of what the start has become, and of what a change of the time or of the
-/// damping by such a unit makes of the motion.
+/// From [`Machine::locked`]. It comes back to r₀ below the natural frequency and runs away above it. The error is at
+/// most eight units in the last place of the sum of r₀, of what the start has become, and of what a change of the
+/// time or of the damping by such a unit makes of the motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LockedMotion {
     oscillator: Oscillator,
@@ -72,8 +72,8 @@ impl LockedMotion {
     /// Radius and radial velocity at a time, s, before or after the start.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the time is not finite or beyond 1e50 s, or if the shaft has run away beyond the largest number
-    /// by then.
+    /// [`InvalidQuantity`] if the time is not finite or beyond 1e50 s, or if the shaft has run away beyond the
+    /// largest number by then.
     pub fn at(&self, time: f64) -> Result<LockedState, InvalidQuantity> {
         InvalidQuantity::check_time(time)?;
         let (displacement, velocity) =

@@ -134,8 +134,8 @@ impl Machine {
 
     /// The direction e<sup>iΩt</sup> from the shaft to the load at time `t` in seconds.
     ///
-    /// Sixteen digits at any time: the product Ωt is formed without rounding before whole turns are taken off. NaN for a time that
-    /// is not finite, or so large that the product overflows.
+    /// Sixteen digits at any time: the product Ωt is formed without rounding before whole turns are taken off. NaN
+    /// for a time that is not finite, or so large that the product overflows.
     pub fn load_direction(&self, t: f64) -> Complex<f64> {
         direction(TwoPart::product(self.parameters.spin, t))
     }

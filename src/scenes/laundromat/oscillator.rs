@@ -72,7 +72,8 @@ impl Oscillator {
         }
     }
 
-    /// The free motion of `eq:transient` that passes through `position` with `velocity` at time zero, at time `t` before or after.
+    /// The free motion of `eq:transient` that passes through `position` with `velocity` at time zero, at time `t`
+    /// before or after.
     pub(crate) fn at(&self, position: Complex<f64>, velocity: Complex<f64>, t: f64) -> Scaled {
         match self.roots {
             Roots::Turning { frequency } => {
@@ -86,7 +87,8 @@ impl Oscillator {
                 }
             }
             Roots::Real { slow, fast, gap } => {
-                // Take out the slow exponential; long before the start, where the other is out of all proportion, that one.
+                // Take out the slow exponential; long before the start, where the other is out of all proportion,
+                // that one.
                 let steep = -gap * t > STEEP;
                 let (rate, gap) = if steep { (fast, -gap) } else { (slow, gap) };
                 let left = (-gap * t).exp();

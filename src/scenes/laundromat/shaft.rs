@@ -35,7 +35,8 @@ pub struct Polar {
 }
 
 impl Polar {
-    /// From `[r, θ, ṙ, θ̇]` in m, rad, m/s and rad/s, the state that integrators step with [`super::Machine::polar_rates`].
+    /// From `[r, θ, ṙ, θ̇]` in m, rad, m/s and rad/s, the state that integrators step with
+    /// [`super::Machine::polar_rates`].
     pub fn from_array([radius, azimuth, radius_rate, azimuth_rate]: [f64; 4]) -> Self {
         Self { radius, azimuth, radius_rate, azimuth_rate }
     }

@@ -52,8 +52,8 @@ pub(crate) struct Circle {
     pub(crate) velocity: Complex<f64>,      // v₀
 }
 
-/// Near resonance, with little damping, the circle is huge and nearly cancelled by the free motion at first. So there: the
-/// free motion from the start, and what the force adds from rest (`eq:build-up`).
+/// Near resonance, with little damping, the circle is huge and nearly cancelled by the free motion at first. So
+/// there: the free motion from the start, and what the force adds from rest (`eq:build-up`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct BuildUp {
     start: Shaft,
@@ -91,8 +91,8 @@ impl Transient {
     /// Times before the start are allowed: they ask which earlier motion leads to it.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the time is not finite or beyond 1e50 s, or if it lies so long before the start of a damped
-    /// machine that the motion there is beyond the largest number.
+    /// [`InvalidQuantity`] if the time is not finite or beyond 1e50 s, or if it lies so long before the start of a
+    /// damped machine that the motion there is beyond the largest number.
     pub fn at(&self, time: f64) -> Result<Shaft, InvalidQuantity> {
         InvalidQuantity::check_time(time)?;
         let load = self.load_direction(time);
@@ -110,8 +110,8 @@ impl Transient {
         shaft.in_range(time)
     }
 
-    /// The shaft at each of these times, s: as [`Transient::at`], to rounding, and several times as quick for lightly damped
-    /// machines away from resonance.
+    /// The shaft at each of these times, s: as [`Transient::at`], to rounding, and several times as quick for lightly
+    /// damped machines away from resonance.
     ///
     /// # Errors
     /// As [`Transient::at`], for the first time that it refuses.
@@ -122,8 +122,8 @@ impl Transient {
     /// Position of the centre of mass of drum and load at a time, s, in the laboratory, m
     /// (`eq:centre-of-mass-motion`).
     ///
-    /// Formed from its own circle and not from the shaft's, so that nothing cancels at high spin: its error is that of the
-    /// shaft, with its own circle's radius for the shaft's if that is less.
+    /// Formed from its own circle and not from the shaft's, so that nothing cancels at high spin: its error is that
+    /// of the shaft, with its own circle's radius for the shaft's if that is less.
     ///
     /// # Errors
     /// As [`Transient::at`].
@@ -146,7 +146,8 @@ impl Transient {
         direction(TwoPart::product(self.spin, time))
     }
 
-    /// Its constants where the motion is the sum of a circle and of a free motion: Ω, that sum, and the free oscillator.
+    /// Its constants where the motion is the sum of a circle and of a free motion: Ω, that sum, and the free
+    /// oscillator.
     pub(crate) fn circle(&self) -> Option<(f64, Circle, Oscillator)> {
         match self.form {
             Form::Circle(circle) => Some((self.spin, circle, self.free)),
@@ -159,7 +160,8 @@ impl Circle {
     fn new(spin: f64, offset: f64, start: Shaft, steady: &SteadyMotion) -> Self {
         let turning = Complex::i() * spin;
         let (amplitude, centre_of_mass_amplitude) = (steady.amplitude(), steady.centre_of_mass_amplitude());
-        // u₀ and v₀ of eq:transient, for the shaft or for the centre of mass, whichever has the smaller circle to be taken off.
+        // u₀ and v₀ of eq:transient, for the shaft or for the centre of mass, whichever has the smaller circle to be
+        // taken off.
         let (position, velocity, circle) = if steady.radius() <= steady.centre_of_mass_radius() {
             (start.position, start.velocity, amplitude)
         } else {

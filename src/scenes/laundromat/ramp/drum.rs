@@ -67,7 +67,8 @@ impl Forced {
             }
             Roots::Real { slow, fast, gap } => ((slow, zero), (fast, zero), Complex::new(0.5 * gap, 0.0)),
         };
-        // P varies over this width of λ, so that λ²P and its change from root to root are as λ² to λ₁ − λ₂ times the width.
+        // P varies over this width of λ, so that λ²P and its change from root to root are as λ² to λ₁ − λ₂ times the
+        // width.
         let width = drum.acceleration.sqrt().max(decay).max(half_difference.norm());
         let largest = decay + half_difference.norm();
         if largest * largest > MOST_LOST * half_difference.norm() * width {

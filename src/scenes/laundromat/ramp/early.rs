@@ -1,7 +1,7 @@
 //! A drum that speeds up slowly and starts near its resonance: what the force does before the drum has left it.
 //!
-//! Through the root that it resonates with it will do much, and in the form for all times the free motion nearly cancels that
-//! until it is done. So here it is counted from the start (`eq:ramp-early`).
+//! Through the root that it resonates with it will do much, and in the form for all times the free motion nearly
+//! cancels that until it is done. So here it is counted from the start (`eq:ramp-early`).
 
 use super::drum::Drum;
 use super::root::Root;
@@ -10,8 +10,8 @@ use crate::scenes::laundromat::oscillator::{Oscillator, Roots};
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 
-/// How near to resonance this form is used: drum's spin and root apart by less than this part of ω₀, and √α less than it.
-/// Further away, no more than two binary digits are lost.
+/// How near to resonance this form is used: drum's spin and root apart by less than this part of ω₀, and √α less than
+/// it. Further away, no more than two binary digits are lost.
 const NEAR: f64 = 0.25;
 
 /// The resonant root λ = −Γ/2 ± iω₁, and the other one.

@@ -18,14 +18,14 @@ use nalgebra::Complex;
 
 /// The motion of the shaft while the drum turns with `φ = Ωt + ½αt²`, in closed form (`eq:ramp-motion`).
 ///
-/// From [`Machine::ramp`]. The drum meets its resonance at `t = (ω₁ − Ω)/α`; what is left behind of it is an error function
-/// of a complex argument. An evaluation costs two of those, next to critical damping up to thirty-two.
+/// From [`Machine::ramp`]. The drum meets its resonance at `t = (ω₁ − Ω)/α`; what is left behind of it is an error
+/// function of a complex argument. An evaluation costs two of those, next to critical damping up to thirty-two.
 ///
 /// The error of the position is at most forty units in the last place (`f64::EPSILON`) of the sum of b, of the motion
-/// itself, of what the free motion has made of b and of the start, and of what a change of the time by such a unit makes of
-/// it; most often ten. That of the velocity is as many units of the same for velocities, with b times the largest of the
-/// rates ω₀, Γ, √α and of the drum's spin, then and at the start, for b. It holds whether the resonance lies ahead or
-/// behind or is where the drum starts.
+/// itself, of what the free motion has made of b and of the start, and of what a change of the time by such a unit
+/// makes of it; most often ten. That of the velocity is as many units of the same for velocities, with b times the
+/// largest of the rates ω₀, Γ, √α and of the drum's spin, then and at the start, for b. It holds whether the
+/// resonance lies ahead or behind or is where the drum starts.
 ///
 /// ```
 /// use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
@@ -70,12 +70,12 @@ impl Motion {
 }
 
 impl Machine {
-    /// The motion from a given start while the drum speeds up from the machine's spin at the rate `acceleration`, rad/s², or
-    /// slows down if that is negative; the load starts at azimuth zero.
+    /// The motion from a given start while the drum speeds up from the machine's spin at the rate `acceleration`,
+    /// rad/s², or slows down if that is negative; the load starts at azimuth zero.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] unless the acceleration over the square of the natural frequency is between 1e-12 and 1e12 in size,
-    /// and for a start that is not finite or beyond 1e50 m or m/s.
+    /// [`InvalidQuantity`] unless the acceleration over the square of the natural frequency is between 1e-12 and 1e12
+    /// in size, and for a start that is not finite or beyond 1e50 m or m/s.
     pub fn ramp(&self, acceleration: f64, start: Shaft) -> Result<Ramp, InvalidQuantity> {
         start.check_start()?;
         InvalidQuantity::check("angular acceleration", acceleration, "rad/s²")?;
@@ -99,8 +99,8 @@ impl Machine {
         Ok(Ramp { mirrored, drum, free, late, early })
     }
 
-    /// Rates of `[x, y, ẋ, ẏ]` at time `t`, s, while the drum turns with `φ = Ωt + ½αt²` (`eq:ramp-equation`), for an integrator. SI
-    /// units.
+    /// Rates of `[x, y, ẋ, ẏ]` at time `t`, s, while the drum turns with `φ = Ωt + ½αt²` (`eq:ramp-equation`), for an
+    /// integrator. SI units.
     pub fn ramp_rates(&self, acceleration: f64, t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
         let spin = self.spin() + acceleration * t;
         let (sin, cos) = ((self.spin() + 0.5 * acceleration * t) * t).sin_cos();
@@ -125,8 +125,8 @@ impl Ramp {
     /// Position and velocity of the shaft at a time, s, in the laboratory.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the time is not finite or beyond 1e50 s, or if it lies so long before the start of a damped
-    /// machine that the motion there is beyond the largest number.
+    /// [`InvalidQuantity`] if the time is not finite or beyond 1e50 s, or if it lies so long before the start of a
+    /// damped machine that the motion there is beyond the largest number.
     pub fn at(&self, time: f64) -> Result<Shaft, InvalidQuantity> {
         InvalidQuantity::check_time(time)?;
         let motion = match &self.early {
@@ -139,7 +139,8 @@ impl Ramp {
         if self.mirrored { shaft.mirror_image() } else { shaft }.in_range(time)
     }
 
-    /// The shaft at each of these times, s: as [`Ramp::at`], to rounding, and several times as quick for lightly damped machines.
+    /// The shaft at each of these times, s: as [`Ramp::at`], to rounding, and several times as quick for lightly
+    /// damped machines.
     ///
     /// # Errors
     /// As [`Ramp::at`], for the first time that it refuses.

@@ -39,7 +39,8 @@ impl Root {
         [part, part * self.lambda()]
     }
 
-    /// P of `eq:ramp-integral`; of a passing before the start, less what that leaves behind, which the free motion then has.
+    /// P of `eq:ramp-integral`; of a passing before the start, less what that leaves behind, which the free motion
+    /// then has.
     fn integral(&self, drum: &Drum, load: Complex<f64>, time: f64) -> Complex<f64> {
         let x = self.argument(drum, time);
         let around = if x.im >= 0.0 { load * faddeeva(x) } else { -load * faddeeva(-x) };
@@ -61,8 +62,8 @@ impl Root {
         drum.slope() * self.off_resonance(drum, time)
     }
 
-    /// e^{λT + i(λ² − Ω²)/2α}. Since αT = φ̇, the real part of the exponent is Re λ (φ̇ − Im λ)/α; the imaginary part, of
-    /// any size, is Im λ t + ½((Re λ)² − (Im λ − Ω)²)/α, from 32 digits.
+    /// e^{λT + i(λ² − Ω²)/2α}. Since αT = φ̇, the real part of the exponent is Re λ (φ̇ − Im λ)/α; the imaginary
+    /// part, of any size, is Im λ t + ½((Re λ)² − (Im λ − Ω)²)/α, from 32 digits.
     fn left_behind(&self, drum: &Drum, time: f64) -> Complex<f64> {
         let off = self.off_resonance(drum, time);
         direction(self.turning * time + self.phase) * (-off.re * off.im / drum.acceleration).exp()
