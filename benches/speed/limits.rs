@@ -69,15 +69,14 @@ type Row = (&'static str, &'static str, f64);
 /// Whatever the library says.
 pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     let times: Vec<f64> = (0..FRAMES).map(|n| 0.37 * n as f64).collect();
-    let mut shafts = vec![Shaft::AT_REST; FRAMES];
     let mut rows = Vec::new();
 
     let motion = machine(0.01, 3.0)?.transient(Shaft::AT_REST)?;
-    rows.push((
-        "washer",
-        "a sample",
-        nanoseconds(FRAMES, || Ok(motion.fill(black_box(&times), &mut shafts)?))?,
-    ));
+    let cost = nanoseconds(FRAMES, || {
+        black_box(motion.sample(black_box(&times))?);
+        Ok(())
+    })?;
+    rows.push(("washer", "a sample", cost));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((3.0 * t).sin_cos(), t.sin_cos());
         a + b + (c + d) * (-0.005 * t).exp()
@@ -85,7 +84,11 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     rows.push(("washer", "its functions", functions));
 
     let ramp = machine(0.01, 0.0)?.ramp(0.01, Shaft::AT_REST)?;
-    rows.push(("ramp", "a sample", nanoseconds(FRAMES, || Ok(ramp.fill(black_box(&times), &mut shafts)?))?));
+    let cost = nanoseconds(FRAMES, || {
+        black_box(ramp.sample(black_box(&times))?);
+        Ok(())
+    })?;
+    rows.push(("ramp", "a sample", cost));
     let functions = by_themselves(&times, |t| {
         let past = 0.05 * (t - 100.0).abs();
         let (near, far) = (faddeeva(Complex::new(past, past)), faddeeva(Complex::new(past, 5.0 + past)));
@@ -128,13 +131,12 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
         nanoseconds(FRAMES, || Ok(wobble.fill(black_box(&times), &mut rollings)?))?,
     ));
 
-    // Which of twenty thousand machines shakes most while it starts? A hundred frames of each.
+    // Which of twenty thousand machines shakes most while it starts? A hundred states of each.
     let dampings: Vec<f64> = (0..MACHINES).map(|n| 1e-4 * n as f64).collect();
     let largest = |damping: &f64| {
-        let mut frames = [Shaft::AT_REST; 100];
         let motion = machine(*damping, 3.0).ok()?.transient(Shaft::AT_REST).ok()?;
-        motion.fill(&times[..100], &mut frames).ok()?;
-        Some(frames.iter().map(|frame| frame.position.norm_sqr()).fold(0.0, f64::max))
+        let states = motion.sample(&times[..100]).ok()?;
+        Some(states.iter().map(|shaft| shaft.position.norm_sqr()).fold(0.0, f64::max))
     };
     let cost = nanoseconds(MACHINES, || {
         black_box(dampings.iter().map(largest).collect::<Vec<_>>());

@@ -95,8 +95,7 @@ fn washing_machine(spin: f64) -> Result<Machine, Cause> {
 fn washer(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::washer());
     let solve = |problem: &Problem<4>, frames: &mut Vec<Shaft>| {
-        frames.resize(problem.times.len(), Shaft::AT_REST);
-        washing_machine(3.0)?.transient(Shaft::AT_REST)?.fill(&problem.times, frames)?;
+        *frames = washing_machine(3.0)?.transient(Shaft::AT_REST)?.sample(&problem.times)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, Shaft::to_array));
@@ -106,8 +105,7 @@ fn washer(entries: &mut Vec<Entry>) {
 fn ramp(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::ramp());
     let solve = |problem: &Problem<4>, frames: &mut Vec<Shaft>| {
-        frames.resize(problem.times.len(), Shaft::AT_REST);
-        washing_machine(0.0)?.ramp(0.01, Shaft::AT_REST)?.fill(&problem.times, frames)?;
+        *frames = washing_machine(0.0)?.ramp(0.01, Shaft::AT_REST)?.sample(&problem.times)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, Shaft::to_array));

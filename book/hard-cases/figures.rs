@@ -9,7 +9,7 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::InvalidQuantity;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4, rk4_step};
-use mechanics::scenes::laundromat::{InvalidMachine, Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
@@ -20,7 +20,7 @@ const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 const LEAST: f64 = 1e-17;
 
 /// ω₀ = 1 rad/s and b = 1 m.
-fn machine(damping: f64, spin: f64) -> Result<Machine, InvalidMachine> {
+fn machine(damping: f64, spin: f64) -> Result<Machine, InvalidQuantity> {
     let [drum_mass, load_mass, load_radius, stiffness] = [0.0, 1.0, 1.0, 1.0];
     Machine::new(Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })
 }
@@ -192,8 +192,8 @@ pub(crate) fn hard_passes(id: &str) -> Outcome {
         let start = Shaft { position: Complex::new(-0.5, miss), velocity: 1.0.into() };
         let exact = drum.transient(start)?.at(1.0)?.position;
         let error = |end: Shaft| (end.position - exact).norm().max(LEAST);
-        if let Ok(end) = rk4(|t, y: &[f64; 4]| drum.polar_rates(t, y), 0.0, start.to_polar(), 1.0, 1000) {
-            polar.push((miss, error(Shaft::from_polar(end))));
+        if let Ok(end) = rk4(|t, y: &[f64; 4]| drum.polar_rates(t, y), 0.0, start.to_polar().to_array(), 1.0, 1000) {
+            polar.push((miss, error(Shaft::from_polar(Polar::from_array(end)))));
         }
         let end = rk4(|t, y: &[f64; 4]| drum.cartesian_rates(t, y), 0.0, start.to_array(), 1.0, 1000)?;
         lab.push((miss, error(Shaft::from_array(end))));
