@@ -6,6 +6,7 @@
 //! out of its reach, a motion of another kind) is done by `at`. Without this folder every `sample` would be a loop over `at`.
 
 pub(crate) mod functions;
+pub(crate) mod rolling;
 
 use functions::at_full_width;
 use std::ops::RangeInclusive;
