@@ -62,7 +62,7 @@ fn wobble(wheel: &Wheel, start: Rolling, tolerance: f64) -> Result<Wobble, Error
 
 #[test]
 fn a_wobble_is_as_good_as_its_start_and_its_time() {
-    let worst = search("wobble", 30, |draw| {
+    let worst = search("wobble", 50, |draw| {
         let parameters = parameters(draw, 1e-4);
         let wheel = Wheel::new(parameters).ok()?;
         let rate = (parameters.gravity / parameters.radius).sqrt();
