@@ -242,7 +242,7 @@ pub(crate) fn hard_passes(id: &str) -> Outcome {
     let mut plot = Plot::new(&mut drawing, Rect::new(402.0, 34.0, 268.0, 262.0), rate, work)?;
     plot.series("tilt", &by_tilt, Marker::Square, Hue::Blue);
     plot.series("lean", &by_lean, Marker::Ring, Hue::Orange);
-    plot.label((1e-6, 1e5), Side::Right, r"by the lean", Hue::Orange)?;
+    plot.label((3e-5, 1e5), Side::Right, "by the lean", Hue::Orange)?;
     plot.label((1e-7, 3e3), Side::Below, r"by the tilt", Hue::Blue)?;
     Ok(drawing)
 }
