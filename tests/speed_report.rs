@@ -109,28 +109,28 @@ fn the_closed_forms_are_exact_and_the_steppers_converge() {
 fn an_error_that_is_put_in_is_found() {
     let washer = problems::washer();
     let solver = mechanics::integrate::Dop853::new(1e-13).unwrap();
-    let (mut frames, _) = solver.sample(problems::washer_rates, 0.0, washer.start, &washer.times).unwrap();
-    assert!(washer.error(&frames) < 1e-9);
-    frames[200][3] += 1e-3;
-    assert!((washer.error(&frames) - 1e-3).abs() < 1e-9);
-    assert!(washer.error(&frames[1..]).is_nan());
-    frames[200][3] = f64::NAN;
-    assert!(washer.error(&frames).is_nan());
+    let (mut samples, _) = solver.sample(problems::washer_rates, 0.0, washer.start, &washer.times).unwrap();
+    assert!(washer.error(&samples) < 1e-9);
+    samples[200][3] += 1e-3;
+    assert!((washer.error(&samples) - 1e-3).abs() < 1e-9);
+    assert!(washer.error(&samples[1..]).is_nan());
+    samples[200][3] = f64::NAN;
+    assert!(washer.error(&samples).is_nan());
 
     let toss = problems::toss();
-    let (mut frames, _) = solver.sample(problems::flat_rates, 0.0, toss.start, &toss.times).unwrap();
-    let before = toss.error(&frames);
+    let (mut samples, _) = solver.sample(problems::flat_rates, 0.0, toss.start, &toss.times).unwrap();
+    let before = toss.error(&samples);
     // A rotation by 0.02 rad about an axis of the body, a quaternion of another length and sign, and nothing else.
-    for frame in &mut frames {
-        let [w1, w2, w3, q0, q1, q2, q3] = *frame;
+    for sample in &mut samples {
+        let [w1, w2, w3, q0, q1, q2, q3] = *sample;
         let (sin, cos) = 0.01_f64.sin_cos();
         let turned = [q0 * cos - q2 * sin, q1 * cos - q3 * sin, q2 * cos + q0 * sin, q3 * cos + q1 * sin];
         let [a, b, c, d] = turned.map(|part| -1.7 * part);
-        *frame = [w1, w2, w3, a, b, c, d];
+        *sample = [w1, w2, w3, a, b, c, d];
     }
-    assert!(before < 1e-8 && (toss.error(&frames) - 0.02).abs() < 1e-8, "{}", toss.error(&frames));
-    frames[1000][1] += 0.5;
-    assert!((toss.error(&frames) - 0.5).abs() < 1e-8);
+    assert!(before < 1e-8 && (toss.error(&samples) - 0.02).abs() < 1e-8, "{}", toss.error(&samples));
+    samples[1000][1] += 0.5;
+    assert!((toss.error(&samples) - 0.5).abs() < 1e-8);
 }
 
 #[test]

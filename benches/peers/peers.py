@@ -1,6 +1,6 @@
 """The Python peers as a contestant: heyoka, SciPy and MuJoCo, as many of them as can be imported.
 
-The lines in which it speaks are those of `benches/speed/contest.rs`. Each solver fills the whole grid of frames in one call of its own, so that
+The lines in which it speaks are those of `benches/speed/contest.rs`. Each solver fills the whole grid of samples in one call of its own, so that
 what Python costs is a few microseconds a run; SciPy and MuJoCo, whose loops run in Python, pay it at every step.
 """
 
@@ -27,10 +27,10 @@ class Problem:
         self.index = np.array(data.get("index", range(data["n"] + 1)))
         self.high, self.low = np.array(data["grid_hi"]), np.array(data["grid_lo"])
 
-    def error(self, frames):
-        if frames.shape != (len(self.times), len(self.start)) or not np.isfinite(frames).all():
+    def error(self, samples):
+        if samples.shape != (len(self.times), len(self.start)) or not np.isfinite(samples).all():
             return float("nan")
-        found = frames[self.index]
+        found = samples[self.index]
         if not self.turning:
             return float(np.abs((found - self.high) - self.low).max())
         omega = np.linalg.norm((found[:, :3] - self.high[:, :3]) - self.low[:, :3], axis=1)
@@ -161,17 +161,17 @@ def mujoco_entries():
             mujoco.mj_resetData(model, data)
             data.qvel[:] = problem.start[:3]
             data.qpos[:] = problem.start[3:]
-            frames = np.empty((len(problem.times), 7))
-            frames[0] = problem.start
-            for frame in frames[1:]:
+            samples = np.empty((len(problem.times), 7))
+            samples[0] = problem.start
+            for sample in samples[1:]:
                 mujoco.mj_step(model, data, steps)
-                frame[:3], frame[3:] = data.qvel, data.qpos
-            return frames
+                sample[:3], sample[3:] = data.qvel, data.qpos
+            return samples
 
         return solve
 
     for steps in (100, 400, 1600):
-        yield problem, "mujoco", "engine with RK4", f"{steps} steps a frame", entry(steps)
+        yield problem, "mujoco", "engine with RK4", f"{steps} steps a sample", entry(steps)
 
 
 def contestants():
@@ -193,10 +193,10 @@ def contestants():
 def measure(problem, solve):
     runs, began = 0, time.perf_counter()
     while runs == 0 or time.perf_counter() - began < SLICE:
-        frames = solve()
+        samples = solve()
         runs += 1
     seconds = (time.perf_counter() - began) / runs
-    return problem.error(frames), seconds
+    return problem.error(samples), seconds
 
 
 def main():

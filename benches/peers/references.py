@@ -4,7 +4,7 @@
 
 Route one is a Taylor integrator with 170-bit numbers (heyoka). Route two is a closed form with 50 digits (mpmath), or, where
 there is none, the same integrator with 230 bits and the constants of the motion. What is solved is the exact problem: initial values, parameters
-and the time between frames are doubles, the time of frame i is the double nearest to i * dt.
+and the time between samples are doubles, the time of sample i is the double nearest to i * dt.
 """
 
 import json
@@ -38,7 +38,7 @@ def difference(rows, others):
     return max(abs(a - b) for row, other in zip(rows, others) for a, b in zip(row, other))
 
 
-def write(folder, file, title, origin, start, frames, dt, index, rows, parameters):
+def write(folder, file, title, origin, start, samples, dt, index, rows, parameters):
     hi = [[float(x) for x in row] for row in rows]
     lo = [[float(f"{float(x - mp.mpf(h)):.3e}") for x, h in zip(row, head)] for row, head in zip(rows, hi)]
     data = {
@@ -46,7 +46,7 @@ def write(folder, file, title, origin, start, frames, dt, index, rows, parameter
         "origin": origin,
         "par": parameters,
         "y0": start,
-        "n": frames,
+        "n": samples,
         "dt": dt,
         "index": index,
         "grid_hi": hi,
@@ -54,11 +54,11 @@ def write(folder, file, title, origin, start, frames, dt, index, rows, parameter
     }
     text = json.dumps(data).replace('"grid_', '\n"grid_').replace("], [", "],\n[")
     (folder / file).write_text(text + "\n")
-    print(f"{file}: {len(rows)} of {frames + 1} frames, {len(text)} bytes")
+    print(f"{file}: {len(rows)} of {samples + 1} samples, {len(text)} bytes")
 
 
-def grid(dt, frames, every):
-    index = sorted({*range(0, frames + 1, every), frames})
+def grid(dt, samples, every):
+    index = sorted({*range(0, samples + 1, every), samples})
     return index, [float(i) * dt for i in index]
 
 

@@ -44,7 +44,7 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    /// An entry that fills a list of frames of any kind `F` and returns its evaluations. What brings a frame into the problem's form is
+    /// An entry that fills a list of samples of any kind `F` and returns its evaluations. What brings a sample into the problem's form is
     /// not timed.
     pub(crate) fn new<const N: usize, F: 'static>(
         problem: &Rc<Problem<N>>,
@@ -56,16 +56,16 @@ impl Entry {
         let name = problem.name;
         let problem = Rc::clone(problem);
         let measure = move |slice: Duration| -> Result<Measured, Cause> {
-            let mut frames = Vec::new();
+            let mut samples = Vec::new();
             let (mut runs, mut evaluations) = (0_u32, None);
             let began = Instant::now();
             while runs == 0 || began.elapsed() < slice {
-                evaluations = solve(black_box(&problem), &mut frames)?;
-                black_box(&frames);
+                evaluations = solve(black_box(&problem), &mut samples)?;
+                black_box(&samples);
                 runs += 1;
             }
             let seconds = began.elapsed().as_secs_f64() / f64::from(runs);
-            let states: Vec<[f64; N]> = frames.iter().map(&state).collect();
+            let states: Vec<[f64; N]> = samples.iter().map(&state).collect();
             Ok(Measured { error: problem.error(&states), evaluations, seconds })
         };
         Self { problem: name, contestant, method, setting, measure: Box::new(measure) }

@@ -76,7 +76,7 @@ fn steppers<const N: usize>(
             }
             Ok(Some(4 * steps * (problem.times.len() - 1)))
         };
-        entries.push(Entry::new(problem, [NAME, "RK4"], format!("{steps} steps a frame"), solve, |y| *y));
+        entries.push(Entry::new(problem, [NAME, "RK4"], format!("{steps} steps a sample"), solve, |y| *y));
     }
 }
 
@@ -95,8 +95,7 @@ fn washing_machine(spin: f64) -> Result<Machine, Cause> {
 fn washer(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::washer());
     let solve = |problem: &Problem<4>, frames: &mut Vec<Shaft>| {
-        frames.resize(problem.times.len(), Shaft::AT_REST);
-        washing_machine(3.0)?.transient(Shaft::AT_REST)?.fill(&problem.times, frames)?;
+        *frames = washing_machine(3.0)?.transient(Shaft::AT_REST)?.sample(&problem.times)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, Shaft::to_array));
@@ -106,8 +105,7 @@ fn washer(entries: &mut Vec<Entry>) {
 fn ramp(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::ramp());
     let solve = |problem: &Problem<4>, frames: &mut Vec<Shaft>| {
-        frames.resize(problem.times.len(), Shaft::AT_REST);
-        washing_machine(0.0)?.ramp(0.01, Shaft::AT_REST)?.fill(&problem.times, frames)?;
+        *frames = washing_machine(0.0)?.ramp(0.01, Shaft::AT_REST)?.sample(&problem.times)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, Shaft::to_array));
@@ -133,9 +131,8 @@ fn body(
 ) {
     let problem = Rc::new(problem);
     let solve = move |problem: &Problem<7>, frames: &mut Vec<Turning>| {
-        let start = turning(problem);
-        frames.resize(problem.times.len(), start);
-        FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, start)?.fill(&problem.times, frames)?;
+        let top = FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, turning(problem))?;
+        *frames = top.sample(&problem.times)?;
         Ok(None)
     };
     let state = |turning: &Turning| {

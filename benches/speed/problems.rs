@@ -5,20 +5,20 @@
 
 use serde_json::Value;
 
-/// A problem with `N` numbers in its state: where it starts, when frames are wanted, and what they should be.
+/// A problem with `N` numbers in its state: where it starts, when samples are wanted, and what they should be.
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<const N: usize> {
     /// Its name in the data.
     pub name: &'static str,
     /// The state at time zero.
     pub start: [f64; N],
-    /// The times of the frames, the first of them zero.
+    /// The times of the samples, the first of them zero.
     pub times: Vec<f64>,
     norm: Norm,
     kept: Vec<Kept<N>>,
 }
 
-/// A frame with a reference value: its place, and the value as an unevaluated sum.
+/// A sample with a reference value: its place, and the value as an unevaluated sum.
 #[derive(Debug, Clone)]
 struct Kept<const N: usize> {
     index: usize,
@@ -44,12 +44,12 @@ pub(crate) fn washer() -> Problem<4> {
     read("washer", Norm::Largest, include_str!("../../tests/data/two-hundred-turns.json"))
 }
 
-/// The same machine, speeding up with φ = t²/200 from rest through its resonance; 200 frames.
+/// The same machine, speeding up with φ = t²/200 from rest through its resonance; 200 samples.
 pub(crate) fn ramp() -> Problem<4> {
     read("ramp", Norm::Largest, include_str!("../../tests/data/through-resonance.json"))
 }
 
-/// A hoop pinned at 60°: ω along its axes, then the quaternion; 1000 frames, a little more than a period of ω apart.
+/// A hoop pinned at 60°: ω along its axes, then the quaternion; 1000 samples, a little more than a period of ω apart.
 pub(crate) fn hoop() -> Problem<7> {
     read("hoop", Norm::Turning, include_str!("../../tests/data/thousand-periods.json"))
 }
@@ -69,7 +69,7 @@ pub(crate) fn rest() -> Problem<8> {
     read("rest", Norm::Largest, include_str!("../../tests/data/rolling-to-rest.json"))
 }
 
-/// A tossed coin, ω = (3, 0, 1); 1000 frames, a little more than one nod apart.
+/// A tossed coin, ω = (3, 0, 1); 1000 samples, a little more than one nod apart.
 pub(crate) fn toss() -> Problem<7> {
     read("toss", Norm::Turning, include_str!("../../tests/data/tossed-coin.json"))
 }
@@ -79,7 +79,7 @@ pub(crate) fn station() -> Problem<7> {
     read("station", Norm::Turning, include_str!("../../tests/data/struck-station.json"))
 }
 
-/// A disc that spins down in air, ω along its axes through some 700 of its own nutations; 1000 frames.
+/// A disc that spins down in air, ω along its axes through some 700 of its own nutations; 1000 samples.
 pub(crate) fn drag() -> Problem<3> {
     read("drag", Norm::Largest, include_str!("../../tests/data/spun-down.json"))
 }
@@ -169,22 +169,22 @@ fn rolling_rates(film: f64, _t: f64, &[beta, w1, w2, w3, psi, _, _, _]: &[f64; 8
 }
 
 impl<const N: usize> Problem<N> {
-    /// The error of a list of frames, one for each time: the largest over all frames with a reference value. NaN if a number is, or
-    /// if there are not as many frames as times.
-    pub(crate) fn error(&self, frames: &[[f64; N]]) -> f64 {
-        if frames.len() != self.times.len() {
+    /// The error of a list of samples, one for each time: the largest over all samples with a reference value. NaN if a number is, or
+    /// if there are not as many samples as times.
+    pub(crate) fn error(&self, samples: &[[f64; N]]) -> f64 {
+        if samples.len() != self.times.len() {
             return f64::NAN;
         }
-        let errors = self.kept.iter().map(|kept| kept.error(&frames[kept.index], self.norm));
+        let errors = self.kept.iter().map(|kept| kept.error(&samples[kept.index], self.norm));
         errors.fold(0.0, |a: f64, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
     }
 
-    /// The time between frames.
+    /// The time between samples.
     pub(crate) fn dt(&self) -> f64 {
         self.times[1]
     }
 
-    /// The time of the last frame.
+    /// The time of the last sample.
     pub(crate) fn end(&self) -> f64 {
         self.times[self.times.len() - 1]
     }
@@ -229,16 +229,16 @@ fn read<const N: usize>(name: &'static str, norm: Norm, text: &str) -> Problem<N
     let file: Value = serde_json::from_str(text).expect("a file of reference values is valid JSON");
     let row = |value: &Value| -> [f64; N] { std::array::from_fn(|i| value[i].as_f64().expect("a number")) };
     let rows = |key: &str| file[key].as_array().expect("a list of states");
-    let frames = file["n"].as_u64().expect("the number of frames") as usize;
-    let dt = file["dt"].as_f64().expect("the time between frames");
+    let samples = file["n"].as_u64().expect("the number of samples") as usize;
+    let dt = file["dt"].as_f64().expect("the time between samples");
     let index: Vec<usize> = match file["index"].as_array() {
         Some(list) => list.iter().map(|i| i.as_u64().expect("an index") as usize).collect(),
-        None => (0..=frames).collect(),
+        None => (0..=samples).collect(),
     };
     let (high, low) = (rows("grid_hi"), rows("grid_lo"));
-    assert!(index.len() == high.len() && index.len() == low.len() && index.last() == Some(&frames));
+    assert!(index.len() == high.len() && index.len() == low.len() && index.last() == Some(&samples));
     let kept = index.into_iter().zip(high.iter().zip(low));
     let kept = kept.map(|(index, (high, low))| Kept { index, high: row(high), low: row(low) }).collect();
-    let times = (0..=frames).map(|i| i as f64 * dt).collect();
+    let times = (0..=samples).map(|i| i as f64 * dt).collect();
     Problem { name, start: row(&file["y0"]), times, norm, kept }
 }

@@ -31,7 +31,7 @@ pub(crate) fn long_run(csv: &str) -> String {
     text
 }
 
-/// What a frame costs, and what it cannot do without.
+/// What a sample costs, and what it cannot do without.
 pub(crate) fn limits(csv: &str) -> String {
     let mut text = String::from("| problem | what it computes | nanoseconds |\n|---|---|---|\n");
     for row in rows(csv) {

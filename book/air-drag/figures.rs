@@ -1,6 +1,6 @@
 //! The figures of the chapter "Frisbee and pencil".
 
-use crate::{Axis, Entry, Outcome, Plot, linear_steps};
+use crate::{Axis, Outcome, Plot, linear_steps};
 use drawing::kit::{Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
@@ -12,15 +12,6 @@ use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:two-bodies", draw: two_bodies },
-    Entry { id: "fig:tangent", draw: tangent },
-    Entry { id: "fig:spin-tangent", draw: spin_tangent },
-    Entry { id: "fig:wobble-turns", draw: wobble_turns },
-    Entry { id: "fig:axis-path", draw: axis_path },
-    Entry { id: "fig:drag-fault", draw: drag_fault },
-];
-
 /// A body with I₁ = 1 and a ratio of the moments, under the same drag about all axes.
 fn body(ratio: f64, drag: f64, omega_body: Vector3<f64>) -> Result<DraggedTop, InvalidQuantity> {
     let (moments, drag) = (PrincipalMoments::symmetric(1.0, ratio)?, Drag::isotropic(drag));
@@ -28,7 +19,7 @@ fn body(ratio: f64, drag: f64, omega_body: Vector3<f64>) -> Result<DraggedTop, I
 }
 
 /// A flat and a long body, and the way that drag sends the angular velocity.
-fn two_bodies(id: &str) -> Outcome {
+pub(crate) fn two_bodies(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 660.0, 350.0).titled(
         "Where drag sends the angular velocity",
         "Left a flat disc, right a pencil, each with its axis 3 upright and an angular velocity omega at an angle theta to it. A heavy curve from \
@@ -72,7 +63,7 @@ fn two_bodies(id: &str) -> Outcome {
 }
 
 /// The tangent of the angle against time, on a logarithmic scale.
-fn tangent(id: &str) -> Outcome {
+pub(crate) fn tangent(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Tangent of the angle against time",
         "The tangent of the angle between the angular velocity and the body's axis on a logarithmic scale, against time times C over \
@@ -101,7 +92,7 @@ fn tangent(id: &str) -> Outcome {
 }
 
 /// The tangent of the angle against the spin that is left.
-fn spin_tangent(id: &str) -> Outcome {
+pub(crate) fn spin_tangent(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Tangent of the angle against the spin that is left",
         "The tangent of the angle, divided by that at the start, against the spin divided by that at the start, from 0 to 1. All curves \
@@ -131,7 +122,7 @@ fn spin_tangent(id: &str) -> Outcome {
 }
 
 /// The angular velocity across the axis, as seen from the body: a spiral with a finite number of turns.
-fn wobble_turns(id: &str) -> Outcome {
+pub(crate) fn wobble_turns(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 420.0, 400.0).titled(
         "The angular velocity spirals in with a finite number of turns",
         "The component omega 2 against omega 1 in the body. The curve begins at one on the axis of omega 1, winds inwards \
@@ -156,7 +147,7 @@ fn wobble_turns(id: &str) -> Outcome {
 }
 
 /// The tip of the axis and the direction of the angular momentum, seen along the angular momentum at the start.
-fn axis_path(id: &str) -> Outcome {
+pub(crate) fn axis_path(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 420.0, 400.0).titled(
         "Paths of the axis and of the angular momentum",
         "Seen along the angular momentum at the start. The tip of the axis begins at the left, at a distance of 0.15, and spirals in \
@@ -189,7 +180,7 @@ fn axis_path(id: &str) -> Outcome {
 }
 
 /// The relative error of the angle by the inverse cosine and by the arctangent of the two parts, against its own exponential.
-fn drag_fault(id: &str) -> Outcome {
+pub(crate) fn drag_fault(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Error of the angle by the inverse cosine",
         "The relative error on a logarithmic scale against the angle, also logarithmic, from one radian down to 1e-12. By the inverse \

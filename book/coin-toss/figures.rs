@@ -1,6 +1,6 @@
 //! The figures of the chapter "The coin toss".
 
-use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
@@ -14,14 +14,6 @@ use mechanics::scenes::coin_toss::{Toss, TossParameters, angle_for_probability};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:toss", draw: toss },
-    Entry { id: "fig:cones", draw: cones },
-    Entry { id: "fig:threshold", draw: threshold },
-    Entry { id: "fig:bias", draw: bias },
-    Entry { id: "fig:gimbal", draw: gimbal },
-];
-
 /// A thin coin; its mass and radius make no difference.
 fn coin() -> Result<PrincipalMoments, InvalidQuantity> {
     Ok(Body::thin_disk(0.0075, 0.0122)?.moments())
@@ -33,7 +25,7 @@ fn tossed(omega_1: f64, omega_3: f64) -> Result<Toss, InvalidQuantity> {
 }
 
 /// The coin flat in the hand, and half a precession later.
-fn toss(id: &str) -> Outcome {
+pub(crate) fn toss(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 660.0, 330.0).titled(
         "The coin at the start and half a precession later",
         "Two pictures of the coin. Left, flat: its normal 3 points straight up, the axis 1 to the right, and the angular momentum L \
@@ -77,7 +69,7 @@ fn toss(id: &str) -> Outcome {
 }
 
 /// The path of the tip of the normal for three angles, on the unit sphere.
-fn cones(id: &str) -> Outcome {
+pub(crate) fn cones(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 440.0, 380.0).titled(
         "Paths of the tip of the normal on a sphere",
         "A unit sphere with its equator. Three circles on it pass through the north pole, where the normal starts. The smallest, for psi 30 \
@@ -113,7 +105,7 @@ fn cones(id: &str) -> Outcome {
 }
 
 /// Height of the normal for a twist just below, at and just above the threshold.
-fn threshold(id: &str) -> Outcome {
+pub(crate) fn threshold(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Height of the normal near the threshold",
         "Two plots of the height of the coin's normal against time in precessions. Left, from 0 to 2: the curves for the ratios of twist \
@@ -154,7 +146,7 @@ fn threshold(id: &str) -> Outcome {
 }
 
 /// Probability of the same face against the angle between normal and angular momentum.
-fn bias(id: &str) -> Outcome {
+pub(crate) fn bias(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Probability of the same face",
         "The probability that a coin shows the same face, against the angle psi between its normal and its angular momentum in \
@@ -182,7 +174,7 @@ fn bias(id: &str) -> Outcome {
 }
 
 /// Error of the direction of the normal by Euler's angles and by the quaternion, against the tilt of the hand.
-fn gimbal(id: &str) -> Outcome {
+pub(crate) fn gimbal(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
         "Euler's angles against the quaternion",
         "Both scales are logarithmic: along x the tilt of the coin in the hand, from a millionth of a radian to a tenth; along y the \

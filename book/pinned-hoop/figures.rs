@@ -1,6 +1,6 @@
 //! The figures of the chapter "The pinned hoop".
 
-use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
@@ -10,16 +10,6 @@ use mechanics::InvalidQuantity;
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
-
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:pinned-hoop", draw: pinned_hoop },
-    Entry { id: "fig:speed-of-b", draw: speed_of_b },
-    Entry { id: "fig:polhodes", draw: polhodes },
-    Entry { id: "fig:flip", draw: flip },
-    Entry { id: "fig:herpolhode", draw: herpolhode },
-    Entry { id: "fig:hoop-and-sphere", draw: hoop_and_sphere },
-    Entry { id: "fig:period-error", draw: period_error },
-];
 
 /// A body of mass, radius and spin one.
 fn pinned(shape: Shape, pin: Pin) -> Result<Pinning, InvalidQuantity> {
@@ -32,7 +22,7 @@ fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidQuantity> {
 }
 
 /// The hoop in the plane of the page, with A, B, both axes of rotation and the angles.
-fn pinned_hoop(id: &str) -> Outcome {
+pub(crate) fn pinned_hoop(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 500.0, 420.0).titled(
         "The hoop in its plane",
         "A circle with its centre. The old angular velocity omega zero points up along the vertical diameter. The pinned point A is on the circle, up \
@@ -102,7 +92,7 @@ fn pinned_hoop(id: &str) -> Outcome {
 }
 
 /// Speeds of the two points a quarter of the circle from A, and the stated answer.
-fn speed_of_b(id: &str) -> Outcome {
+pub(crate) fn speed_of_b(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Speeds of the two points a quarter of the circle from A",
         "Speeds in units of a omega zero against the angle theta from 0 to 90 degrees. The point at theta plus 90 degrees starts at one, falls to \
@@ -137,7 +127,7 @@ fn speed_of_b(id: &str) -> Outcome {
 }
 
 /// ω in the body after the snap, on the ellipsoid of equal energy.
-fn polhodes(id: &str) -> Outcome {
+pub(crate) fn polhodes(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 480.0, 400.0).titled(
         "Polhodes of the pinned hoop",
         "An ellipsoid, longest along axis 2. Four closed curves on it, the paths of minus omega, circle axis 2: a small one for 30 degrees, larger ones for 60 and 80, and one for \
@@ -197,7 +187,7 @@ fn polhodes(id: &str) -> Outcome {
 }
 
 /// The components of ω in the plane of the hoop for a pin near a right angle.
-fn flip(id: &str) -> Outcome {
+pub(crate) fn flip(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 340.0).titled(
         "The flip of a hoop pinned at 89.9 degrees",
         "Two components of omega against time in units of one over omega zero, from 0 to 150. The component along the tangent stays near one \
@@ -229,7 +219,7 @@ fn along_momentum(hoop: &Pinning) -> Result<(FreeTop, UnitQuaternion<f64>), Caus
 }
 
 /// The tip of ω in the room, seen along the angular momentum.
-fn herpolhode(id: &str) -> Outcome {
+pub(crate) fn herpolhode(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 420.0, 400.0).titled(
         "The herpolhode of a hoop pinned at 60 degrees",
         "Seen along the angular momentum, the tip of omega traces a rosette of twelve loops between two dashed circles about the middle.",
@@ -264,7 +254,7 @@ fn herpolhode(id: &str) -> Outcome {
 }
 
 /// Paths of the centres of a hoop and of a sphere, pinned at the same place.
-fn hoop_and_sphere(id: &str) -> Outcome {
+pub(crate) fn hoop_and_sphere(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 660.0, 285.0).titled(
         "Paths of the centre of a hoop and of a sphere",
         "Two pictures, each with the pinned point A, the upright direction of the angular momentum and the path of the centre at unit distance from A. Left, the hoop's centre \
@@ -301,7 +291,7 @@ fn hoop_and_sphere(id: &str) -> Outcome {
 }
 
 /// Error of the period by the parameter and by the complement.
-fn period_error(id: &str) -> Outcome {
+pub(crate) fn period_error(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Error of the period near a right angle",
         "Both scales are logarithmic: along x the distance of the pin from a right angle, from 1e-12 to 0.1; along y the relative error of the period. Computed from the \

@@ -1,6 +1,6 @@
 //! The figures of the chapter "The struck space station".
 
-use crate::{Axis, Entry, Outcome, Plot, linear_steps};
+use crate::{Axis, Outcome, Plot, linear_steps};
 use drawing::kit::{Heads, Marker};
 use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
@@ -11,12 +11,6 @@ use mechanics::integrate::Dop853;
 use mechanics::scenes::space_station::{Blow, Parameters, Station, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
-
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:station", draw: station },
-    Entry { id: "fig:nodding", draw: nodding },
-    Entry { id: "fig:cones-roll", draw: cones_roll },
-];
 
 /// Mass, kg, radius, m, spin, rad/s, and impulse, N·s, of the chapter.
 const MASS: f64 = 4e5;
@@ -31,7 +25,7 @@ fn struck(impulse: f64) -> Result<StruckStation, InvalidQuantity> {
 }
 
 /// The station at the moment of the blow: impulse, old and new angular velocity, angular momentum.
-fn station(id: &str) -> Outcome {
+pub(crate) fn station(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 520.0, 400.0).titled(
         "The station at the moment of the blow",
         "A ring seen from above at an angle, with axes 1 and 2 in its plane and 3 upright. At the rim, where axis 2 meets it, the impulse P \
@@ -69,7 +63,7 @@ fn station(id: &str) -> Outcome {
 }
 
 /// The cone fixed in the station rolling on the cone fixed in space.
-fn cones_roll(id: &str) -> Outcome {
+pub(crate) fn cones_roll(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 480.0, 400.0).titled(
         "Body cone and space cone",
         "Two cones with a common tip that touch along the angular velocity omega. The narrow one stands upright about the angular \
@@ -106,7 +100,7 @@ fn cones_roll(id: &str) -> Outcome {
 }
 
 /// How many times the axis has gone round L, and the axis of rotation round axis 3 on board.
-fn nodding(id: &str) -> Outcome {
+pub(crate) fn nodding(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
         "Turns of the axis in the room and of the rotation axis on board",
         "Angles in turns against time in turns of the old spin, from 0 to 4. The axis of the station in the room rises to 8.2 \

@@ -1,6 +1,6 @@
 //! The figures of the chapter "The wobble plate".
 
-use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Edges, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Role, Side, Stroke, at};
@@ -9,16 +9,6 @@ use mechanics::inertia::SymmetricMoments;
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, TAU};
-
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:wobble-plate", draw: wobble_plate },
-    Entry { id: "fig:beta", draw: beta },
-    Entry { id: "fig:engine", draw: engine },
-    Entry { id: "fig:antiphase", draw: antiphase },
-    Entry { id: "fig:residual", draw: residual },
-    Entry { id: "fig:number", draw: number },
-    Entry { id: "fig:beta-error", draw: beta_error },
-];
 
 /// The chapter's plate: 2 kg, 10 cm, with a tilt in degrees.
 fn plate(degrees: f64) -> Result<Plate, InvalidQuantity> {
@@ -37,7 +27,7 @@ fn with_pistons(plate: Plate, count: u32, part: f64) -> Result<Engine, Cause> {
 }
 
 /// The plate on its shaft, with its axes, the angular momentum and the two angles.
-fn wobble_plate(id: &str) -> Outcome {
+pub(crate) fn wobble_plate(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 460.0, 430.0).titled(
         "The wobble plate on its shaft",
         "A round plate on an upright shaft, tilted so that its left side is low. Its normal i3 leans to the left of the shaft by the angle \
@@ -85,7 +75,7 @@ fn wobble_plate(id: &str) -> Outcome {
 }
 
 /// Lean of the angular momentum against the tilt, for four thicknesses.
-fn beta(id: &str) -> Outcome {
+pub(crate) fn beta(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
         "Lean of the angular momentum against the tilt",
         "The lean beta in degrees, from minus 10 to 20, against the tilt alpha from 0 to 90 degrees. For the thin plate the curve rises from zero \
@@ -120,7 +110,7 @@ fn beta(id: &str) -> Outcome {
 }
 
 /// The engine with four pistons.
-fn engine(id: &str) -> Outcome {
+pub(crate) fn engine(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 460.0, 470.0).titled(
         "The plate with four pistons",
         "A tilted plate on an upright shaft. Four rods, a quarter turn apart, stand upright below it and touch its lower side, each with a \
@@ -160,7 +150,7 @@ fn engine(id: &str) -> Outcome {
 }
 
 /// The two parts of the momentum across the shaft, at four moments, seen along it.
-fn antiphase(id: &str) -> Outcome {
+pub(crate) fn antiphase(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 214.0).titled(
         "Momenta of plate and pistons across the shaft",
         "Four circles, views along the shaft at four moments an eighth of a turn apart. In each an arrow from the centre shows the plate's \
@@ -195,7 +185,7 @@ fn antiphase(id: &str) -> Outcome {
 }
 
 /// Torque on the frame against the mass of each piston.
-fn residual(id: &str) -> Outcome {
+pub(crate) fn residual(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 320.0).titled(
         "Torque on the frame against the mass of the pistons",
         "The torque on the frame, in units of that of the plate alone, against the mass of each piston in units of the balancing mass, from 0 to 2.5. \
@@ -218,7 +208,7 @@ fn residual(id: &str) -> Outcome {
 }
 
 /// The torque left during one turn, for one to seven pistons.
-fn number(id: &str) -> Outcome {
+pub(crate) fn number(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 340.0).titled(
         "Torque left on the frame during a turn, by number of pistons",
         "The torque left on the frame, in units of the plate alone, against the phase from 0 to 360 degrees. With one piston, or two, the curve stays \
@@ -248,7 +238,7 @@ fn number(id: &str) -> Outcome {
 }
 
 /// Errors of three programs for β.
-fn beta_error(id: &str) -> Outcome {
+pub(crate) fn beta_error(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Relative errors of three programs for the lean",
         "Two plots with logarithmic scales. Left, against the tilt from 1e-9 to one: the inverse cosine loses digits as the tilt shrinks and has \

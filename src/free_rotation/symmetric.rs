@@ -1,20 +1,20 @@
 //! A free body with an axis of symmetry: its whole motion in a handful of operations.
 
-use super::two_turns::TwoTurns;
 use crate::attitude::{check_attitude, turn};
 use crate::euler::Turning;
-use crate::frames::{InvalidFrames, fill};
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
+use crate::wide::{self, turning::TwoTurns};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// A body that is symmetric about its axis 3 and turns with no torque about its centre of mass.
 ///
-/// Its axis goes round the angular momentum **L**, which stands still in the room, at the constant rate `Λ = L/I₁`, while
-/// the body turns about that axis, relative to the plane of the two, at the rate `−σ` with `σ = ω₃(I₃ − I₁)/I₁`
+/// Its axis goes round the angular momentum **L**, which stands still in the room, at the constant rate `Λ = L/I₁`,
+/// while the body turns about that axis, relative to the plane of the two, at the rate `−σ` with `σ = ω₃(I₃ − I₁)/I₁`
 /// (`eq:top-motion`). Both angles are formed to 32 digits before whole turns are taken off, so attitude and angular
-/// velocity are as exact after a hundred million million turns as after one. [`FreeSymmetricTop::at`] allocates nothing.
+/// velocity are as exact after a hundred million million turns as after one. [`FreeSymmetricTop::at`] allocates
+/// nothing.
 ///
 /// ```
 /// use mechanics::{euler::Turning, free_rotation::FreeSymmetricTop, inertia::Body};
@@ -32,9 +32,9 @@ use nalgebra::{UnitQuaternion, Vector3};
 pub struct FreeSymmetricTop {
     moments: PrincipalMoments,
     start: Turning,
-    momentum_direction_body: Vector3<f64>, // of L at t = 0; axis 3 for a body at rest
-    precession_rate: TwoPart,
-    body_rate: TwoPart,
+    pub(crate) momentum_direction_body: Vector3<f64>, // L̂ at t = 0; axis 3 for a body at rest
+    pub(crate) precession_rate: TwoPart,              // Λ
+    pub(crate) body_rate: TwoPart,                    // σ
 }
 
 impl FreeSymmetricTop {
@@ -66,9 +66,9 @@ impl FreeSymmetricTop {
         Self { moments, start, momentum_direction_body, precession_rate, body_rate }
     }
 
-    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until the body has turned
-    /// by 1e15 rad. Then the 32 digits of the rates run out; each further decade costs one, and from 1e30 rad on only what is constant
-    /// is known.
+    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until
+    /// the body has turned by 1e15 rad. Then the 32 digits of the rates run out; each further decade costs one, and
+    /// from 1e30 rad on only what is constant is known.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
@@ -76,35 +76,21 @@ impl FreeSymmetricTop {
         let about_momentum = turn(&self.momentum_direction_body, self.precession(time)?);
         let body_turn = self.body_rate * time;
         let about_axis = turn(&Vector3::z(), -body_turn);
-        let world_from_body = self.start.world_from_body * about_momentum * about_axis; // eq:top-motion
+        // eq:top-motion-in-body, which has q₀ first, as L̂ is along the body's axes
+        let world_from_body = self.start.world_from_body * about_momentum * about_axis;
         let (sin, cos) = body_turn.sin_cos();
         let [w1, w2, w3]: [f64; 3] = self.start.omega_body.into();
         let omega_body = Vector3::new(w1 * cos - w2 * sin, w1 * sin + w2 * cos, w3); // eq:body-cone
         Ok(Turning { world_from_body, omega_body })
     }
 
-    /// Attitude and angular velocity at each of `times`, s, written to `frames` without allocating, several frames at once.
+    /// Attitude and angular velocity at each of `times`, s, as [`FreeSymmetricTop::at`], several at once.
     ///
     /// # Errors
-    /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
-    /// [`InvalidFrames::Time`] at the first time that [`FreeSymmetricTop::at`] refuses.
-    pub fn fill(&self, times: &[f64], frames: &mut [Turning]) -> Result<(), InvalidFrames<InvalidQuantity>> {
-        let quick = |times: &[f64], frames: &mut [Turning]| {
-            self.two_turns(0, &UnitQuaternion::identity()).fill(times, frames)
-        };
-        fill(times, frames, quick, |time| self.at(time))
-    }
-
-    /// The motion as two turns, for a body of which this top's axis 1 is the axis number `shift`, counted from 0.
-    pub(super) fn two_turns(&self, shift: usize, top_from_body: &UnitQuaternion<f64>) -> TwoTurns {
-        let [w1, w2, w3]: [f64; 3] = self.start.omega_body.into();
-        TwoTurns::new(
-            &self.start.world_from_body,
-            (self.momentum_direction_body, self.precession_rate),
-            (Vector3::z(), self.body_rate),
-            top_from_body,
-            [[0.0, 0.0, w3], [w1, w2, 0.0], [-w2, w1, 0.0]].map(|along_top| renamed_back(along_top, shift)),
-        )
+    /// As [`FreeSymmetricTop::at`], of the first time that is refused.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
+        let kernel = TwoTurns::of_top(self, 0, &UnitQuaternion::identity());
+        wide::sample(times, |times, states| kernel.fill(times, states), |time| self.at(time))
     }
 
     /// The direction of the axis of symmetry in the room at `time`, s; cheaper than the whole attitude
@@ -143,11 +129,11 @@ impl FreeSymmetricTop {
         self.body_rate.rounded()
     }
 
-    /// The angle between the axis of symmetry and **L**, rad, from 0 to π; constant (`eq:momentum-angle`). Zero for a body
-    /// at rest.
+    /// The angle between the axis of symmetry and **L**, rad, from 0 to π; constant (`eq:momentum-angle`). Zero for a
+    /// body at rest.
     pub fn momentum_angle(&self) -> f64 {
-        let [across_1, across_2, along]: [f64; 3] = self.momentum_direction_body.into();
-        across_1.hypot(across_2).atan2(along)
+        let [l1, l2, l3]: [f64; 3] = self.momentum_direction_body.into();
+        l1.hypot(l2).atan2(l3)
     }
 
     /// The angle between the axis of symmetry and the angular velocity, rad, from 0 to π; constant. Zero for a body at
@@ -168,7 +154,8 @@ impl FreeSymmetricTop {
     }
 }
 
-/// Components along the axes of a top, along those of a body of which the top's axis 1 is the axis number `shift`.
-pub(super) fn renamed_back(along_top: [f64; 3], shift: usize) -> Vector3<f64> {
-    Vector3::from_fn(|axis, _| along_top[(axis + 3 - shift) % 3])
+/// Components along the axes of a body from those of a top whose axis 1 is the body's axis number `shift`, counted
+/// from 0.
+pub(crate) fn renamed_back(of_top: [f64; 3], shift: usize) -> Vector3<f64> {
+    Vector3::from_fn(|axis, _| of_top[(axis + 3 - shift) % 3])
 }

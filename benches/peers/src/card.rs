@@ -17,7 +17,7 @@ pub fn describe(rounds: usize, versions: &[String], notes: &[String]) -> String 
     let mut lines = vec![
         "Error against time of the library and its peers on the problems of the report.".to_owned(),
         format!(
-            "seconds: wall clock of one run with all its frames, median and quartiles of {rounds} interleaved rounds; 3 for what takes over 0.2 s"
+            "seconds: wall clock of one run with all its samples, median and quartiles of {rounds} interleaved rounds; 3 for what takes over 0.2 s"
         ),
         machine(),
         format!(
@@ -42,7 +42,7 @@ fn machine() -> String {
 /// The lines before the data of the limits.
 pub fn head_of_limits() -> String {
     let lines = [
-        "What a frame costs in long lists, what the functions in it cost one by one, and a sweep. Nanoseconds, wall clock, median.".to_owned(),
+        "What a sample costs in long lists, what the functions in it cost one by one, and a sweep. Nanoseconds, wall clock, median.".to_owned(),
         machine(),
         format!("compiler: {}; profile bench, default flags; {}", version("rustc"), today()),
         "written by: cargo book measure".to_owned(),

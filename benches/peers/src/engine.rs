@@ -8,18 +8,18 @@ use crate::problems::{self, Problem};
 use rapier3d_f64::prelude::*;
 use std::rc::Rc;
 
-/// The entries of the engine, by steps a frame.
+/// The entries of the engine, by steps a sample.
 pub fn entries() -> Vec<Entry> {
     let problem = Rc::new(problems::hoop());
     let entry = |steps: usize| {
-        let solve = move |problem: &Problem<7>, frames: &mut Vec<[f64; 7]>| tumble(problem, steps, frames);
+        let solve = move |problem: &Problem<7>, samples: &mut Vec<[f64; 7]>| tumble(problem, steps, samples);
         let names = ["rapier3d-f64", "engine"];
-        Entry::new(&problem, names, format!("{steps} steps a frame"), solve, |y| *y)
+        Entry::new(&problem, names, format!("{steps} steps a sample"), solve, |y| *y)
     };
     [100, 400, 1600].into_iter().map(entry).collect()
 }
 
-fn tumble(problem: &Problem<7>, steps: usize, frames: &mut Vec<[f64; 7]>) -> Result<Option<usize>, Cause> {
+fn tumble(problem: &Problem<7>, steps: usize, samples: &mut Vec<[f64; 7]>) -> Result<Option<usize>, Cause> {
     let [w1, w2, w3, ..] = problem.start;
     let mut bodies = RigidBodySet::new();
     let moments = MassProperties::new(Vector::ZERO, 1.0, AngVector::new(1.5, 0.5, 2.0));
@@ -38,8 +38,8 @@ fn tumble(problem: &Problem<7>, steps: usize, frames: &mut Vec<[f64; 7]>) -> Res
     let mut multibody_joints = MultibodyJointSet::new();
     let mut soft_bodies = SoftBodySet::new();
     let mut ccd = CCDSolver::new();
-    frames.clear();
-    frames.push(problem.start);
+    samples.clear();
+    samples.push(problem.start);
     for _ in 1..problem.times.len() {
         for _ in 0..steps {
             pipeline.step(
@@ -61,7 +61,7 @@ fn tumble(problem: &Problem<7>, steps: usize, frames: &mut Vec<[f64; 7]>) -> Res
         let body = &bodies[handle];
         let q = *body.rotation();
         let w = q.inverse() * body.angvel();
-        frames.push([w.x, w.y, w.z, q.w, q.x, q.y, q.z]);
+        samples.push([w.x, w.y, w.z, q.w, q.x, q.y, q.z]);
     }
     Ok(None)
 }

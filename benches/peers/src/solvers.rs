@@ -1,6 +1,6 @@
 //! The Rust crates that solve ordinary differential equations.
 //!
-//! Each is given the same rates as the library, inlined, and the output at the times of the frames in the way that its interface offers.
+//! Each is given the same rates as the library, inlined, and the output at the times of the samples in the way that its interface offers.
 
 use crate::contest::{Cause, Entry, Note};
 use crate::problems::{self, Problem};
@@ -13,7 +13,7 @@ use std::rc::Rc;
 /// No solver may take more steps than this.
 const MOST_STEPS: usize = 3_000_000;
 
-/// What fills the frames of a problem and counts.
+/// What fills the samples of a problem and counts.
 type Solve<const N: usize> = Box<dyn Fn(&Problem<N>, &mut Vec<[f64; N]>) -> Result<Option<usize>, Cause>>;
 
 /// Rates with the interface of every crate.
@@ -64,8 +64,8 @@ pub fn entries() -> (Vec<Entry>, Vec<Note>) {
     let note = |problem, text| Note { problem, contestant: "ode_solvers", text };
     let clock = "the node of the last stage of its DOP853 is zero in this version, so rates that depend on the time are \
                  evaluated there at a wrong time; it is given the time as a fifth variable";
-    let frames = "its output in equal steps is wrong where these are longer than the solver's; it is run from frame to frame";
-    let notes = vec![note("washer", clock), note("ramp", clock), note("all", frames)];
+    let samples = "its output in equal steps is wrong where these are longer than the solver's; it is run from sample to sample";
+    let notes = vec![note("washer", clock), note("ramp", clock), note("all", samples)];
     (entries, notes)
 }
 
@@ -84,7 +84,7 @@ fn solvers<const N: usize>(
         };
         add(
             ["ivp", "DOP853"],
-            Box::new(move |problem, frames| {
+            Box::new(move |problem, samples| {
                 let system = Sliced::<_, N>(rates);
                 let solution = Ivp::first_order(&system, 0.0, problem.end(), &problem.start)
                     .method(ivp::Method::DOP853)
@@ -94,14 +94,14 @@ fn solvers<const N: usize>(
                     .t_eval(problem.times.clone())
                     .solve()
                     .map_err(|error| format!("{error:?}"))?;
-                frames.clear();
-                frames.extend(solution.y.iter().map(|y| std::array::from_fn(|i| y[i])));
+                samples.clear();
+                samples.extend(solution.y.iter().map(|y| std::array::from_fn(|i| y[i])));
                 Ok(Some(solution.nfev))
             }),
         );
         add(
             ["differential-equations", "Verner 9(8)"],
-            Box::new(move |problem, frames| {
+            Box::new(move |problem, samples| {
                 let method =
                     ExplicitRungeKutta::rkv988e().rtol(tolerance).atol(tolerance).max_steps(MOST_STEPS);
                 let solution = IVP::ode(&Rates(rates), 0.0, problem.end(), problem.start)
@@ -109,16 +109,16 @@ fn solvers<const N: usize>(
                     .method(method)
                     .solve()
                     .map_err(|error| format!("{error:?}"))?;
-                *frames = solution.y;
+                *samples = solution.y;
                 Ok(Some(solution.evals.function))
             }),
         );
         if !timed {
             add(
                 ["ode_solvers", "DOP853"],
-                Box::new(move |problem, frames| {
+                Box::new(move |problem, samples| {
                     let evaluations =
-                        ode_solvers_frames(Sliced::<_, N>(rates), problem, problem.start, tolerance, frames)?;
+                        ode_solvers_samples(Sliced::<_, N>(rates), problem, problem.start, tolerance, samples)?;
                     Ok(Some(evaluations))
                 }),
             );
@@ -126,7 +126,7 @@ fn solvers<const N: usize>(
         if digits <= 12 {
             add(
                 ["diffsol", "Tsitouras 5(4)"],
-                Box::new(move |problem, frames| {
+                Box::new(move |problem, samples| {
                     let start = problem.start;
                     let solver = OdeBuilder::<NalgebraMat<f64>>::new()
                         .rtol(tolerance)
@@ -142,9 +142,9 @@ fn solvers<const N: usize>(
                         .build()?;
                     let (states, _) = solver.tsit45()?.solve_dense(&problem.times)?;
                     let states = states.inner();
-                    frames.clear();
-                    frames
-                        .extend((0..states.ncols()).map(|frame| std::array::from_fn(|i| states[(i, frame)])));
+                    samples.clear();
+                    samples
+                        .extend((0..states.ncols()).map(|sample| std::array::from_fn(|i| states[(i, sample)])));
                     Ok(None)
                 }),
             );
@@ -165,11 +165,11 @@ fn clocked(
     };
     for digits in 3..=14 {
         let tolerance = 10.0_f64.powi(-digits);
-        let solve = move |problem: &Problem<4>, frames: &mut Vec<[f64; 5]>| {
+        let solve = move |problem: &Problem<4>, samples: &mut Vec<[f64; 5]>| {
             let [x, y, vx, vy] = problem.start;
             let start = [x, y, vx, vy, 0.0];
             let evaluations =
-                ode_solvers_frames(Sliced::<_, 5>(with_clock), problem, start, tolerance, frames)?;
+                ode_solvers_samples(Sliced::<_, 5>(with_clock), problem, start, tolerance, samples)?;
             Ok(Some(evaluations))
         };
         let setting = format!("tolerance 1e-{digits}");
@@ -183,18 +183,18 @@ fn clocked(
     }
 }
 
-/// From frame to frame, each solver beginning with the longest step of the one before: the crate's own output in equal steps is wrong
+/// From sample to sample, each solver beginning with the longest step of the one before: the crate's own output in equal steps is wrong
 /// where these are longer than the solver's.
-fn ode_solvers_frames<const N: usize, const M: usize, R: Fn(f64, &[f64; M]) -> [f64; M] + Copy>(
+fn ode_solvers_samples<const N: usize, const M: usize, R: Fn(f64, &[f64; M]) -> [f64; M] + Copy>(
     system: Sliced<R, M>,
     problem: &Problem<N>,
     start: [f64; M],
     tolerance: f64,
-    frames: &mut Vec<[f64; M]>,
+    samples: &mut Vec<[f64; M]>,
 ) -> Result<usize, Cause> {
     let (mut state, mut step, mut evaluations) = (SVector::from(start), 0.0, 0);
-    frames.clear();
-    frames.push(start);
+    samples.clear();
+    samples.push(start);
     for pair in problem.times.windows(2) {
         let mut solver = ode_solvers::Dop853::from_param(
             system,
@@ -219,7 +219,7 @@ fn ode_solvers_frames<const N: usize, const M: usize, R: Fn(f64, &[f64; M]) -> [
         let times = solver.x_out();
         step = times.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
         state = *solver.y_out().last().ok_or("no state")?;
-        frames.push(std::array::from_fn(|i| state[i]));
+        samples.push(std::array::from_fn(|i| state[i]));
     }
     Ok(evaluations)
 }
