@@ -1,11 +1,11 @@
 //! Attitude: how a body stands in the room.
 //!
-//! An attitude is a rotation `world_from_body`: it takes the components of a vector along the body's axes to its components
-//! along the axes of the room. It is kept as a unit quaternion, four numbers that know no singular direction. Its rows and
-//! columns never have to be remembered: `v_world = world_from_body * v_body`.
+//! An attitude is a rotation `world_from_body`: it takes the components of a vector along the body's axes to its
+//! components along the axes of the room. It is kept as a unit quaternion, four numbers that know no singular
+//! direction. Its rows and columns never have to be remembered: `v_world = world_from_body * v_body`.
 //!
-//! Angular velocities and momenta are along the body's axes (`_body`) or the room's (`_world`), as their names say; both
-//! are those of the body relative to the room.
+//! Angular velocities and momenta are along the body's axes (`_body`) or the room's (`_world`), as their names say;
+//! both are those of the body relative to the room.
 
 use crate::quantity::{InvalidQuantity, Rule};
 use crate::two_part::TwoPart;
@@ -26,17 +26,18 @@ pub(crate) fn check_attitude(world_from_body: &UnitQuaternion<f64>) -> Result<()
     Ok(())
 }
 
-/// The rate of change of a quaternion `world_from_body`, 1/s, of a body with angular velocity `omega_body`, rad/s, along the
-/// body's axes: `½ q ω` (`eq:quaternion-rate`).
+/// The rate of change of a quaternion `world_from_body`, 1/s, of a body with angular velocity `omega_body`, rad/s,
+/// along the body's axes: `½ q ω` (`eq:quaternion-rate`).
 ///
-/// The rate is perpendicular to the quaternion, so the exact motion keeps its length; a stepping method does so only within
-/// its error.
+/// The rate is perpendicular to the quaternion, so the exact motion keeps its length; a stepping method does so only
+/// within its error.
 pub fn quaternion_rate(world_from_body: &Quaternion<f64>, omega_body: &Vector3<f64>) -> Quaternion<f64> {
     world_from_body * Quaternion::from_imag(0.5 * omega_body)
 }
 
-/// The angle between two vectors of any size, rad, from 0 to π, to 9e-16 of itself however small: `atan2(|a × b|, a·b)`
-/// (`eq:safe-angle`), where the differences in the cross product are those of exact products. Near π the same holds of π.
+/// The angle between two vectors of any size, rad, from 0 to π, to 9e-16 of itself however small:
+/// `atan2(|a × b|, a·b)` (`eq:safe-angle`), where the differences in the cross product are those of exact products.
+/// Near π the same holds of π.
 ///
 /// The inverse cosine of the normed scalar product has an error of 1e-8 near 0 and π. Zero if one of them is zero.
 ///

@@ -20,7 +20,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// assert_eq!(euler::rates(&moments, &Vector3::new(0.0, 7.0, 0.0), &at_rest), at_rest);
 /// // ... and about no other axis.
 /// assert_ne!(euler::rates(&moments, &Vector3::new(0.1, 7.0, 0.0), &at_rest), at_rest);
-/// # Ok::<(), mechanics::inertia::InvalidMoments>(())
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 pub fn rates(
     moments: &PrincipalMoments,
@@ -77,8 +77,8 @@ impl Turning {
 /// The rates of the seven numbers of [`Turning`] for a body of these moments under a torque that may depend on time,
 /// attitude and angular velocity and is given along the body's axes, N·m (`eq:euler-rates`, `eq:quaternion-rate`).
 ///
-/// The quaternion is used as it comes, without norming it, so the state may drift from length one within the error of the
-/// method; [`Turning::from_array`] norms. To be given to [`crate::integrate::Dop853`].
+/// The quaternion is used as it comes, without norming it, so the state may drift from length one within the error of
+/// the method; [`Turning::from_array`] norms. To be given to [`crate::integrate::Dop853`].
 ///
 /// ```
 /// use mechanics::euler::{self, Turning};

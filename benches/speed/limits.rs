@@ -50,6 +50,11 @@ fn by_themselves(times: &[f64], functions: impl Fn(f64) -> f64) -> Result<f64, C
     })
 }
 
+fn sampled(top: &FreeTop, times: &[f64]) -> Result<(), Cause> {
+    black_box(top.sample(black_box(times))?);
+    Ok(())
+}
+
 fn machine(damping: f64, spin: f64) -> Result<Machine, Cause> {
     let (drum_mass, load_mass, load_radius, stiffness) = (0.0, 1.0, 1.0, 1.0);
     Ok(Machine::new(Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })?)
@@ -94,8 +99,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
 
     let start = turning(&problems::hoop());
     let top = FreeTop::new(PrincipalMoments::new(1.5, 0.5, 2.0)?, start)?;
-    let mut turnings = vec![start; FRAMES];
-    rows.push(("hoop", "a sample", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
+    rows.push(("hoop", "a sample", nanoseconds(FRAMES, || sampled(&top, &times))?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         (a + b * c + 3.0).sqrt() + (b - a * d + 3.0).sqrt() / (2.0 + a)
@@ -103,7 +107,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     rows.push(("hoop", "its functions", functions));
 
     let top = FreeTop::new(PrincipalMoments::new(0.25, 0.25, 0.5)?, turning(&problems::toss()))?;
-    rows.push(("toss", "a sample", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
+    rows.push(("toss", "a sample", nanoseconds(FRAMES, || sampled(&top, &times))?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         a * b + c * d

@@ -6,7 +6,7 @@ use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::air_drag::{Drag, DraggedTop};
+use mechanics::scenes::air_drag::{self, Drag, DraggedTop};
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
 use mechanics::scenes::spinning_coin::{EulersDisk, Sinking};
@@ -131,9 +131,8 @@ fn body(
 ) {
     let problem = Rc::new(problem);
     let solve = move |problem: &Problem<7>, frames: &mut Vec<Turning>| {
-        let start = turning(problem);
-        frames.resize(problem.times.len(), start);
-        FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, start)?.fill(&problem.times, frames)?;
+        let top = FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, turning(problem))?;
+        *frames = top.sample(&problem.times)?;
         Ok(None)
     };
     let state = |turning: &Turning| {
@@ -184,9 +183,9 @@ fn drag(entries: &mut Vec<Entry>) {
     let solve = |problem: &Problem<3>, frames: &mut Vec<Vector3<f64>>| {
         let [w1, w2, w3] = problem.start;
         let moments = PrincipalMoments::new(0.25, 0.25, 0.5)?;
-        let top = DraggedTop::new(moments, Drag::isotropic(1e-4), Vector3::new(w1, w2, w3))?;
-        frames.resize(problem.times.len(), Vector3::zeros());
-        top.fill_omega_body(&problem.times, frames)?;
+        let (drag, omega_body) = (Drag::isotropic(1e-4), Vector3::new(w1, w2, w3));
+        let top = DraggedTop::new(air_drag::Parameters { moments, drag, omega_body })?;
+        *frames = top.sample(&problem.times)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, |omega| (*omega).into()));

@@ -1,31 +1,19 @@
 //! The figures of the chapter "Hard cases".
 
-use crate::{Axis, Entry, Outcome, Plot, log_steps};
+use crate::{Axis, Outcome, Plot, log_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
 use mechanics::elliptic::quarter_period;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
-use mechanics::inertia::{InvalidMoments, PrincipalMoments};
-use mechanics::integrate::{Dop853, rk4, rk4_step};
 use mechanics::InvalidQuantity;
+use mechanics::inertia::PrincipalMoments;
+use mechanics::integrate::{Dop853, rk4, rk4_step};
 use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
-
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:hard-cancellation", draw: cancellation },
-    Entry { id: "fig:hard-critical", draw: critical },
-    Entry { id: "fig:hard-phase", draw: phase },
-    Entry { id: "fig:hard-passes", draw: passes },
-    Entry { id: "fig:hard-drift", draw: drift },
-    Entry { id: "fig:hard-separatrix", draw: separatrix },
-    Entry { id: "fig:hard-rounding", draw: rounding },
-    Entry { id: "fig:hard-stiff", draw: stiff },
-    Entry { id: "fig:hard-end", draw: end },
-];
 
 /// The unit roundoff u, and the least error that a plot shows.
 const ROUNDOFF: f64 = f64::EPSILON / 2.0;
@@ -38,7 +26,7 @@ fn machine(damping: f64, spin: f64) -> Result<Machine, InvalidQuantity> {
 }
 
 /// A hoop about its pin, and a start about the tangent and the diameter.
-fn hoop(tangent: f64, diameter: f64) -> Result<(PrincipalMoments, Turning), InvalidMoments> {
+fn hoop(tangent: f64, diameter: f64) -> Result<(PrincipalMoments, Turning), InvalidQuantity> {
     let omega_body = Vector3::new(tangent, -diameter, 0.0);
     let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
     Ok((PrincipalMoments::new(1.5, 0.5, 2.0)?, start))
@@ -49,7 +37,7 @@ fn relative(found: f64, exact: f64) -> f64 {
 }
 
 /// Four differences of nearly equal numbers.
-fn cancellation(id: &str) -> Outcome {
+pub(crate) fn hard_cancellation(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 560.0).titled(
         "Four differences of nearly equal numbers",
         "Four plots with logarithmic scales: along x a small parameter from 1e-10 to 1, along y the relative error. The rate of the figure by one minus the sine, the centre of mass by the law of \
@@ -116,7 +104,7 @@ fn cancellation(id: &str) -> Outcome {
 }
 
 /// The difference of two exponentials near critical damping.
-fn critical(id: &str) -> Outcome {
+pub(crate) fn hard_critical(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 340.0).titled(
         "Error of the difference of exponentials near critical damping",
         "Both scales are logarithmic: along x how far the damping is beyond critical, from 1e-15 to 1, along y the relative error of the position after 1.7 s. By the difference of two exponentials it \
@@ -154,7 +142,7 @@ fn exact_phase(m: u128, t: u128) -> f64 {
 }
 
 /// The phase of the drum at late times.
-fn phase(id: &str) -> Outcome {
+pub(crate) fn hard_phase(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Error of the direction of the load at late times",
         "Both scales are logarithmic: along x the time from one to 1e9 seconds, along y the error of the direction. Added up in steps of 1/128 s it grows with the square of the time, to 0.01 after 1e6 \
@@ -191,7 +179,7 @@ fn phase(id: &str) -> Outcome {
 }
 
 /// A pass near the origin of polar coordinates, and a wheel that almost falls flat.
-fn passes(id: &str) -> Outcome {
+pub(crate) fn hard_passes(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Passing near a point where the coordinates fail",
         "Two plots with logarithmic scales. Left, the error of the place of a shaft after passing O at a distance from 1e-5 to 0.1 m, by steps of a millisecond: in polar coordinates it grows with the power \
@@ -241,7 +229,7 @@ fn passes(id: &str) -> Outcome {
 }
 
 /// Length, energy and attitude over many periods by the classical method.
-fn drift(id: &str) -> Outcome {
+pub(crate) fn hard_drift(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 360.0).titled(
         "Length, energy and attitude of a tumbling hoop over ten thousand periods",
         "Both scales are logarithmic: along x the time from one to ten thousand periods, along y errors. By the Runge-Kutta method with eighty steps a period the length of the quaternion falls short by 1e-7 \
@@ -291,7 +279,7 @@ fn drift(id: &str) -> Outcome {
 }
 
 /// A hoop that has passed the separatrix twice, by stepping and in closed form.
-fn separatrix(id: &str) -> Outcome {
+pub(crate) fn hard_separatrix(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Error of the angular velocity after passing near the separatrix twice",
         "Both scales are logarithmic: along x the complementary modulus from 1e-9 to 0.1, along y the error of the angular velocity after five quarters of a period. By DOP853 at 1e-13, and by the Runge-Kutta \
@@ -325,7 +313,7 @@ fn separatrix(id: &str) -> Outcome {
 }
 
 /// More work and no more digits.
-fn rounding(id: &str) -> Outcome {
+pub(crate) fn hard_rounding(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Smaller steps and tighter tolerances, down to rounding and below",
         "Two plots with logarithmic scales. Left, the error of one turn of an oscillator against the evaluations: by the Runge-Kutta method it falls with the power minus four to 1e-15 at thirty thousand \
@@ -368,7 +356,7 @@ fn rounding(id: &str) -> Outcome {
 }
 
 /// Work against damping.
-fn stiff(id: &str) -> Outcome {
+pub(crate) fn hard_stiff(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 330.0).titled(
         "Evaluations for a hundred seconds against the damping",
         "Both scales are logarithmic: along x the damping rate from 1 to 1e4, along y the evaluations of the rates. At a tolerance of 1e-8 and at 1e-4 DOP853 needs nearly the same number above a damping \
@@ -397,7 +385,7 @@ fn stiff(id: &str) -> Outcome {
 }
 
 /// The tilt of a spinning coin towards the end.
-fn end(id: &str) -> Outcome {
+pub(crate) fn hard_end(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Error of the tilt towards the end of the motion",
         "Both scales are logarithmic: along x the part of the time that is left, from 1e-12 to 0.1, along y the relative error of the tilt. By the Runge-Kutta method with ten thousand steps it rises with the power minus \

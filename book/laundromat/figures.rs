@@ -5,7 +5,7 @@
 
 use crate::speed_and_accuracy::measured::{Measurement, front};
 use crate::speed_and_accuracy::measurements;
-use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::integrate::rk4;
@@ -13,23 +13,6 @@ use mechanics::InvalidQuantity;
 use mechanics::scenes::laundromat::{LockedState, Machine, Mode, Parameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4};
 use std::f64::consts::{PI, SQRT_2, TAU};
-
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:start", draw: start },
-    Entry { id: "fig:machine", draw: machine },
-    Entry { id: "fig:phases", draw: phases },
-    Entry { id: "fig:steady", draw: steady },
-    Entry { id: "fig:centring", draw: centring },
-    Entry { id: "fig:torque", draw: torque },
-    Entry { id: "fig:locked", draw: locked },
-    Entry { id: "fig:eigenvalues", draw: eigenvalues },
-    Entry { id: "fig:annulus", draw: annulus },
-    Entry { id: "fig:displaced", draw: displaced },
-    Entry { id: "fig:ramp", draw: ramp },
-    Entry { id: "fig:ramp-map", draw: ramp_map },
-    Entry { id: "fig:polar-fault", draw: polar_fault },
-    Entry { id: "fig:speed", draw: speed },
-];
 
 /// The dampings Γ/ω₀ that the plots compare, each with its hue.
 const DAMPINGS: [(f64, Hue); 4] = [(0.2, Hue::Blue), (0.4, Hue::Orange), (0.7, Hue::Green), (1.4, Hue::Pink)];
@@ -58,7 +41,7 @@ fn washing_machine(damping: f64, spin: f64) -> Result<Machine, InvalidQuantity> 
 }
 
 /// The machine from above: what r, θ, φ, a and b are.
-fn machine(id: &str) -> Outcome {
+pub(crate) fn machine(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 520.0, 372.0).titled(
         "The unbalanced drum, seen from above",
         "A spring k and a damper gamma, side by side, tie the shaft of the drum to the fixed point O. The vector r leads from O \
@@ -133,7 +116,7 @@ fn machine(id: &str) -> Outcome {
 }
 
 /// The steady motion well below, at, and well above the natural frequency, to scale.
-fn phases(id: &str) -> Outcome {
+pub(crate) fn phases(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 282.0).titled(
         "Three phases of the steady motion",
         "Three pictures of one machine, to scale, at half, at once and at three times the natural frequency. Each shows the \
@@ -208,7 +191,7 @@ fn cross(drawing: &mut Drawing, centre: Point, reach: f64) {
 }
 
 /// Radius of the shaft's circle and lead of the load against spin.
-fn steady(id: &str) -> Outcome {
+pub(crate) fn steady(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 560.0).titled(
         "Steady motion against spin",
         "Two plots against the spin in natural frequencies, from 0 to 3, for four dampings Gamma over omega zero: 0.2, 0.4, 0.7 and \
@@ -266,7 +249,7 @@ fn over_spin(
 }
 
 /// Radius of the centre of mass: the common point, and the true rate of self-centring.
-fn centring(id: &str) -> Outcome {
+pub(crate) fn centring(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 592.0).titled(
         "Radius of the centre of mass against spin",
         "Two plots. Above, the radius of the centre of mass over b for spins up to three natural frequencies and four dampings. \
@@ -331,7 +314,7 @@ fn centring(id: &str) -> Outcome {
 }
 
 /// What the motor must give to keep the spin constant.
-fn torque(id: &str) -> Outcome {
+pub(crate) fn torque(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 330.0).titled(
         "Torque of the motor against spin",
         "The torque, in newton metres, that keeps the spin of the chapter's machine constant, for spins up to three natural \
@@ -355,7 +338,7 @@ fn torque(id: &str) -> Outcome {
 }
 
 /// With its angle locked the machine runs away; free, it returns.
-fn locked(id: &str) -> Outcome {
+pub(crate) fn locked(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 320.0).titled(
         "Locked and free motion after the same disturbance",
         "The distance of the shaft from O, over b, against time, at one and a half natural frequencies. Both motions start at rest \
@@ -388,7 +371,7 @@ fn locked(id: &str) -> Outcome {
 }
 
 /// Four eigenvalues as the spin grows: a damper on the whole velocity, and one on ṙ only.
-fn eigenvalues(id: &str) -> Outcome {
+pub(crate) fn eigenvalues(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 420.0).titled(
         "Eigenvalues as the spin grows",
         "Two pictures of the complex plane with the paths of the four eigenvalues while the spin grows from zero to three natural \
@@ -494,7 +477,7 @@ fn path_and_centre(
 }
 
 /// One mode at a time: the circle's centre goes backwards, or forwards.
-fn annulus(id: &str) -> Outcome {
+pub(crate) fn annulus(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
         "The ring filled by one mode",
         "Two pictures of the shaft's path over several turns of the drum. In both the path fills the ring between two dashed \
@@ -546,7 +529,7 @@ fn annulus(id: &str) -> Outcome {
 }
 
 /// At high spin the disturbed motion looks like a circle beside O.
-fn displaced(id: &str) -> Outcome {
+pub(crate) fn displaced(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 440.0, 330.0).titled(
         "A displaced circle at high spin",
         "The path of the disturbed shaft during two turns of the drum, at twenty natural frequencies: a circle of radius r zero, \
@@ -579,7 +562,7 @@ fn displaced(id: &str) -> Outcome {
 }
 
 /// From rest: violent at first, then a small circle.
-fn start(id: &str) -> Outcome {
+pub(crate) fn start(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 620.0, 330.0).titled(
         "The path of the shaft from rest",
         "The path of the drum's centre, starting from rest at O, while the drum spins at three times the natural frequency. In the \
@@ -611,7 +594,7 @@ fn start(id: &str) -> Outcome {
 }
 
 /// Speeding up through the resonance.
-fn ramp(id: &str) -> Outcome {
+pub(crate) fn ramp(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 400.0).titled(
         "Speeding up through the resonance",
         "The distance of the shaft from O over b against the spin in natural frequencies, from 0 to 2.5, while the drum speeds up, at \
@@ -647,7 +630,7 @@ fn ramp(id: &str) -> Outcome {
 }
 
 /// The largest swing over acceleration and damping.
-fn ramp_map(id: &str) -> Outcome {
+pub(crate) fn ramp_map(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 470.0).titled(
         "The largest swing on the way through the resonance",
         "A map with logarithmic scales: along x the acceleration over the square of the natural frequency, from 1e-4 to 1, along y the \
@@ -726,7 +709,7 @@ fn largest_swing(per_square: f64, damping: f64) -> Result<f64, Cause> {
 }
 
 /// The naive program near O, in polar and in Cartesian coordinates.
-fn polar_fault(id: &str) -> Outcome {
+pub(crate) fn polar_fault(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 360.0).titled(
         "Error of the polar and the Cartesian program after one pass near O",
         "Both scales are logarithmic. Along x the distance at which the shaft passes O, from ten micrometres to ten centimetres; along \
@@ -767,7 +750,7 @@ fn polar_fault(id: &str) -> Outcome {
 }
 
 /// Error against work: evaluations of the rates, and time.
-fn speed(id: &str) -> Outcome {
+pub(crate) fn speed(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
         "Error against work",
         "Two plots with logarithmic scales and the error along x, for 200 turns of a lightly damped machine with a state for each \

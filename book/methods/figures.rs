@@ -1,6 +1,6 @@
 //! The figures of the chapter "Methods".
 
-use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
@@ -8,27 +8,19 @@ use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
 use mechanics::geometric::{Splitting, commutator_free};
-use mechanics::inertia::{InvalidMoments, PrincipalMoments};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::pinned_hoop::{Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, SQRT_2};
 use std::ops::ControlFlow;
-
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:method-polhodes", draw: polhodes },
-    Entry { id: "fig:method-amplitude", draw: amplitude },
-    Entry { id: "fig:method-order", draw: order },
-    Entry { id: "fig:method-steps", draw: steps },
-    Entry { id: "fig:method-energy", draw: energy },
-    Entry { id: "fig:method-attitude", draw: attitude },
-];
 
 /// A tolerance that every step meets, so that the length limit alone sets the steps of DOP853.
 const LOOSE: f64 = 1e12;
 
 /// The book of the chapter, and its motion.
-fn book() -> Result<(PrincipalMoments, Turning), InvalidMoments> {
+fn book() -> Result<(PrincipalMoments, Turning), InvalidQuantity> {
     let omega_body = Vector3::new(0.7, 0.9, 0.5);
     let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
     Ok((PrincipalMoments::new(1.0, 1.6, 2.1)?, start))
@@ -88,7 +80,7 @@ impl Fixed {
 }
 
 /// The direction of the angular momentum, seen from the book, by Euler's method and by a splitting.
-fn polhodes(id: &str) -> Outcome {
+pub(crate) fn method_polhodes(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 330.0).titled(
         "The direction of the angular momentum in the book, by Euler's method and by turns",
         "Two spheres with the axes 1, 2 and 3 of the book. On the left a curve begins near axis 1 and spirals outwards towards the dashed separatrix, which passes through axis 2 and which it does not reach. \
@@ -148,7 +140,7 @@ fn polhodes(id: &str) -> Outcome {
 }
 
 /// By which factor one step changes the amplitude of an oscillator.
-fn amplitude(id: &str) -> Outcome {
+pub(crate) fn method_amplitude(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Factor by which one step changes the amplitude of an oscillator",
         "The factor from 0.4 to 1.6 against omega h from 0 to 7. Euler's method rises from one at once. RK4 stays near one up to 0.8, falls to one half at 2.45, and rises through one at \
@@ -188,7 +180,7 @@ fn amplitude(id: &str) -> Outcome {
 }
 
 /// Error after a fixed time against the step.
-fn order(id: &str) -> Outcome {
+pub(crate) fn method_order(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 430.0).titled(
         "Error against step for five methods",
         "Both scales are logarithmic: the step from 1e-3 to 3 seconds, and the error after 30 seconds from 1e-15 to 1. Strang's points lie on a line of slope two, RK4's, CF4's and Blanes and Moan's \
@@ -220,13 +212,14 @@ fn order(id: &str) -> Outcome {
 }
 
 /// The steps of DOP853 along the motion of a hoop that waits and flips.
-fn steps(id: &str) -> Outcome {
+pub(crate) fn method_steps(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 430.0).titled(
         "The steps that DOP853 chooses for the hoop pinned at 89.9 degrees",
         "Two panels against the time from 0 to 150. Above, the component of omega along the tangent: a third, then minus a third from 28 to 84, then a third again. Below, the length of the steps on a logarithmic \
          scale from 0.1 to 10: about 1 during each flip, and up to four times as long while the hoop waits.",
     );
-    let hoop = Pinning::new(Shape::Hoop, 1.0, 1.0, 1.0, 89.9_f64.to_radians())?;
+    let pin = Pin::Angle(89.9_f64.to_radians());
+    let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
     let top = hoop.free_motion()?;
     let span = 150.0;
     let time = || Axis::linear(0.0, span, 30.0).map(|axis| axis.minor(10.0));
@@ -300,7 +293,7 @@ const LONG_RUN: [(Fixed, &str, &str, Hue, [f64; 2]); 4] = [
 ];
 
 /// Energy error against time.
-fn energy(id: &str) -> Outcome {
+pub(crate) fn method_energy(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 390.0).titled(
         "Energy errors of four methods over ten thousand rounds",
         "Both scales are logarithmic: rounds of the polhode from 1 to 10000, and the largest relative error of the energy so far. RK4 and DOP853 rise along straight lines of slope one, \
@@ -317,7 +310,7 @@ fn energy(id: &str) -> Outcome {
 }
 
 /// Attitude error against time.
-fn attitude(id: &str) -> Outcome {
+pub(crate) fn method_attitude(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 390.0).titled(
         "Attitude errors of four methods over ten thousand rounds",
         "Both scales are logarithmic: rounds of the polhode from 1 to 10000, and the largest error of the attitude so far, up to half a turn. RK4 and DOP853 rise with slope two, \

@@ -1,32 +1,28 @@
 //! The figures of the chapter "The pinned hoop".
 
-use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::elliptic::quarter_period;
 use mechanics::free_rotation::FreeTop;
-use mechanics::scenes::pinned_hoop::{InvalidPinning, Pinning, Shape};
+use mechanics::InvalidQuantity;
+use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:pinned-hoop", draw: pinned_hoop },
-    Entry { id: "fig:speed-of-b", draw: speed_of_b },
-    Entry { id: "fig:polhodes", draw: polhodes },
-    Entry { id: "fig:flip", draw: flip },
-    Entry { id: "fig:herpolhode", draw: herpolhode },
-    Entry { id: "fig:hoop-and-sphere", draw: hoop_and_sphere },
-    Entry { id: "fig:period-error", draw: period_error },
-];
+/// A body of mass, radius and spin one.
+fn pinned(shape: Shape, pin: Pin) -> Result<Pinning, InvalidQuantity> {
+    Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })
+}
 
-/// A body of mass, radius and spin one, pinned at an angle in degrees.
-fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidPinning> {
-    Pinning::new(shape, 1.0, 1.0, 1.0, degrees.to_radians())
+/// The same, pinned at an angle in degrees.
+fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidQuantity> {
+    pinned(shape, Pin::Angle(degrees.to_radians()))
 }
 
 /// The hoop in the plane of the page, with A, B, both axes of rotation and the angles.
-fn pinned_hoop(id: &str) -> Outcome {
+pub(crate) fn pinned_hoop(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 500.0, 420.0).titled(
         "The hoop in its plane",
         "A circle with its centre. The old angular velocity omega zero points up along the vertical diameter. The pinned point A is on the circle, up \
@@ -66,7 +62,7 @@ fn pinned_hoop(id: &str) -> Outcome {
     drawing.line(pin, pin - at(0.0, 96.0), Stroke::Reference, Hue::Muted);
 
     // Angles: θ at the centre; φ from the upright to ω, α from axis 1 to ω, at A.
-    let [alpha, phi] = hoop.axis_angles();
+    let (alpha, phi) = (hoop.axis_angle(), hoop.axis_shift());
     kit::angle(&mut drawing, centre, 46.0, upright, -theta, Heads::End, Hue::Ink);
     drawing.label(
         centre + Point::polar(46.0, upright - 0.5 * theta),
@@ -96,7 +92,7 @@ fn pinned_hoop(id: &str) -> Outcome {
 }
 
 /// Speeds of the two points a quarter of the circle from A, and the stated answer.
-fn speed_of_b(id: &str) -> Outcome {
+pub(crate) fn speed_of_b(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Speeds of the two points a quarter of the circle from A",
         "Speeds in units of a omega zero against the angle theta from 0 to 90 degrees. The point at theta plus 90 degrees starts at one, falls to \
@@ -106,18 +102,22 @@ fn speed_of_b(id: &str) -> Outcome {
     let angle = Axis::linear(0.0, 90.0, 15.0)?.minor(5.0).titled(r"angle $\theta$, degrees");
     let speed = Axis::linear(0.0, 1.2, 0.2)?.minor(0.05).titled(r"speed, in $a\omega_0$");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 470.0, 262.0), angle, speed)?;
-    for (which, name, hue) in [(0, "plus", Hue::Blue), (1, "minus", Hue::Green)] {
+    type Velocity = fn(&Pinning) -> f64;
+    let curves: [(Velocity, &str, Hue); 2] =
+        [(Pinning::velocity_of_b, "plus", Hue::Blue), (Pinning::velocity_opposite_b, "minus", Hue::Green)];
+    for (velocity, name, hue) in curves {
         let values = linear_steps(0.0, 90.0, 720)
-            .map(|degrees| Ok((degrees, pinning(Shape::Hoop, degrees)?.velocities_of_b()[which].abs())))
-            .collect::<Result<Vec<_>, InvalidPinning>>()?;
+            .map(|degrees| Ok((degrees, velocity(&pinning(Shape::Hoop, degrees)?).abs())))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         plot.curve(name, values, Stroke::Curve, hue);
     }
     let stated = linear_steps(0.0, 90.0, 180)
         .map(|degrees| {
-            let [below, above] = pinning(Shape::Hoop, degrees)?.velocities_of_b();
+            let hoop = pinning(Shape::Hoop, degrees)?;
+            let (below, above) = (hoop.velocity_of_b(), hoop.velocity_opposite_b());
             Ok((degrees, (0.5 * (below * below + above * above)).sqrt()))
         })
-        .collect::<Result<Vec<_>, InvalidPinning>>()?;
+        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
     plot.curve("stated", stated, Stroke::DashedCurve, Hue::Pink);
     plot.label((46.0, 0.98), Side::AboveRight, r"at $\theta - 90°$", Hue::Green)?;
     plot.label((71.0, 0.27), Side::Over, "the stated answer", Hue::Pink)?;
@@ -127,7 +127,7 @@ fn speed_of_b(id: &str) -> Outcome {
 }
 
 /// ω in the body after the snap, on the ellipsoid of equal energy.
-fn polhodes(id: &str) -> Outcome {
+pub(crate) fn polhodes(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 480.0, 400.0).titled(
         "Polhodes of the pinned hoop",
         "An ellipsoid, longest along axis 2. Four closed curves on it, the paths of minus omega, circle axis 2: a small one for 30 degrees, larger ones for 60 and 80, and one for \
@@ -152,7 +152,7 @@ fn polhodes(id: &str) -> Outcome {
         let size = (2.0 * hoop.moments_about_pin().kinetic_energy(&hoop.omega_after())).sqrt();
         let path = linear_steps(0.0, period, 720)
             .map(|time| Ok(-top.at(time)?.omega_body / size))
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         // Named where there is room: above its highest point, inside its turn, or on the way up.
         let on_the_way = path.iter().position(|point| point.x > 0.4 * path[360].x).ok_or("it crosses")?;
         let (place, step, side) = match degrees {
@@ -187,7 +187,7 @@ fn polhodes(id: &str) -> Outcome {
 }
 
 /// The components of ω in the plane of the hoop for a pin near a right angle.
-fn flip(id: &str) -> Outcome {
+pub(crate) fn flip(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 340.0).titled(
         "The flip of a hoop pinned at 89.9 degrees",
         "Two components of omega against time in units of one over omega zero, from 0 to 150. The component along the tangent stays near one \
@@ -203,7 +203,7 @@ fn flip(id: &str) -> Outcome {
     for (axis, name, hue) in [(0, "tangent", Hue::Orange), (1, "diameter", Hue::Blue)] {
         let values = linear_steps(0.0, 150.0, 1500)
             .map(|time| Ok((time, top.at(time)?.omega_body[axis])))
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         plot.curve(name, values, Stroke::Curve, hue);
     }
     plot.label((150.0, 0.33), Side::Right, r"$\omega_1$, tangent", Hue::Orange)?;
@@ -219,7 +219,7 @@ fn along_momentum(hoop: &Pinning) -> Result<(FreeTop, UnitQuaternion<f64>), Caus
 }
 
 /// The tip of ω in the room, seen along the angular momentum.
-fn herpolhode(id: &str) -> Outcome {
+pub(crate) fn herpolhode(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 420.0, 400.0).titled(
         "The herpolhode of a hoop pinned at 60 degrees",
         "Seen along the angular momentum, the tip of omega traces a rosette of twelve loops between two dashed circles about the middle.",
@@ -232,7 +232,7 @@ fn herpolhode(id: &str) -> Outcome {
             let omega = upright * top.at(time)?.omega_world();
             Ok((omega.x, omega.y))
         })
-        .collect::<Result<Vec<(f64, f64)>, mechanics::InvalidQuantity>>()?;
+        .collect::<Result<Vec<(f64, f64)>, InvalidQuantity>>()?;
     let reach = values.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     let least = values.iter().map(|(x, y)| x.hypot(*y)).fold(f64::INFINITY, f64::min);
     let side = || Axis::linear(-0.4, 0.4, 0.2).map(|axis| axis.minor(0.05));
@@ -254,7 +254,7 @@ fn herpolhode(id: &str) -> Outcome {
 }
 
 /// Paths of the centres of a hoop and of a sphere, pinned at the same place.
-fn hoop_and_sphere(id: &str) -> Outcome {
+pub(crate) fn hoop_and_sphere(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 660.0, 285.0).titled(
         "Paths of the centre of a hoop and of a sphere",
         "Two pictures, each with the pinned point A, the upright direction of the angular momentum and the path of the centre at unit distance from A. Left, the hoop's centre \
@@ -267,7 +267,7 @@ fn hoop_and_sphere(id: &str) -> Outcome {
         let (top, upright) = along_momentum(&body)?;
         let path = linear_steps(0.0, time, 4000)
             .map(|t| Ok(upright * (top.at(t)?.world_from_body * body.centre())))
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0, 0.0, -0.1],
             azimuth: -1.0,
@@ -291,7 +291,7 @@ fn hoop_and_sphere(id: &str) -> Outcome {
 }
 
 /// Error of the period by the parameter and by the complement.
-fn period_error(id: &str) -> Outcome {
+pub(crate) fn period_error(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Error of the period near a right angle",
         "Both scales are logarithmic: along x the distance of the pin from a right angle, from 1e-12 to 0.1; along y the relative error of the period. Computed from the \
@@ -300,7 +300,7 @@ fn period_error(id: &str) -> Outcome {
     let (mut naive, mut better) = (Vec::new(), Vec::new());
     for distance in log_steps(1e-12, 0.1, 66) {
         let (cos, sin) = distance.sin_cos();
-        let hoop = Pinning::at_point(Shape::Hoop, 1.0, 1.0, 1.0, [sin, cos])?;
+        let hoop = pinned(Shape::Hoop, Pin::Point { from_axis: sin, height: cos })?;
         let found = hoop.free_motion()?.period().ok_or("it tumbles")?;
         // eq:hoop-jacobi, with W from the same sine and cosine.
         let w = (sin * sin / 9.0 + cos * cos).sqrt();

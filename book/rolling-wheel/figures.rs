@@ -1,6 +1,6 @@
 //! The figures of the chapter "The rolling wheel".
 
-use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
@@ -9,23 +9,13 @@ use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
 
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:wheel-circle", draw: wheel_circle },
-    Entry { id: "fig:turn-rate", draw: turn_rate },
-    Entry { id: "fig:friction", draw: friction },
-    Entry { id: "fig:tongue", draw: tongue },
-    Entry { id: "fig:potential", draw: potential },
-    Entry { id: "fig:contact-track", draw: contact_track },
-    Entry { id: "fig:near-flat", draw: near_flat },
-];
-
 /// A wheel of mass, radius and gravity one.
 fn wheel(factor: f64) -> Result<Wheel, Cause> {
     Ok(Wheel::new(1.0, 1.0, factor, 1.0)?)
 }
 
 /// The wheel on its circle, with axes and lengths.
-fn wheel_circle(id: &str) -> Outcome {
+pub(crate) fn wheel_circle(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 640.0, 470.0).titled(
         "The wheel on its circle",
         "A table with a circle, and a wheel that stands on it and leans inward by theta. Above the table a smaller dashed circle is the path of the centre, of radius b; the \
@@ -80,7 +70,7 @@ fn wheel_circle(id: &str) -> Outcome {
 const LEANS: [(f64, Hue); 3] = [(20.0, Hue::Blue), (45.0, Hue::Green), (70.0, Hue::Orange)];
 
 /// Turn rate against the radius of the centre's circle.
-fn turn_rate(id: &str) -> Outcome {
+pub(crate) fn turn_rate(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Rate of steady rolling against the radius of the circle",
         "The square of the turn rate, in g over a, against b over a from minus 0.2 to 1, for a disc leaning by 20, 45 and 70 degrees. Each curve falls from infinity at its own \
@@ -107,7 +97,7 @@ fn turn_rate(id: &str) -> Outcome {
 }
 
 /// Friction needed against the radius of the circle.
-fn friction(id: &str) -> Outcome {
+pub(crate) fn friction(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Least coefficient of friction against the radius of the circle",
         "The least coefficient of friction against b over a from 0 to 3, for a disc leaning by 20, 45 and 60 degrees. Each curve starts at zero and rises towards a dashed level, two thirds \
@@ -132,7 +122,7 @@ fn friction(id: &str) -> Outcome {
 }
 
 /// The boundary of instability in the plane of radius and lean.
-fn tongue(id: &str) -> Outcome {
+pub(crate) fn tongue(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Where steady rolling is unstable",
         "The lean in degrees, from 0 to 25, against b over a from 0 to 4, with a curve for a hoop and one for a disc; below each the motion is unstable. Each rises from zero steeply to a tip near \
@@ -187,7 +177,7 @@ fn wobbling() -> Rolling {
 }
 
 /// The effective potential with the energy of one motion.
-fn potential(id: &str) -> Outcome {
+pub(crate) fn potential(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "The effective potential of a disc",
         "The potential, in m g a, against the lean from minus 30 to 40 degrees: a well with its bottom near 5 degrees. A level line at the energy 1.588 cuts it at minus 7.6 and at 17.2 degrees, \
@@ -212,7 +202,7 @@ fn potential(id: &str) -> Outcome {
 }
 
 /// The track of the contact over eleven wobbles, half of the first of them heavy.
-fn contact_track(id: &str) -> Outcome {
+pub(crate) fn contact_track(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 560.0, 330.0).titled(
         "Track of the contact of a wobbling disc",
         "Seen from above, a track that goes round a circle several times in eleven equal waves, so that its rounds cross one another. Half of a wave is drawn heavy, from a place farthest out to one farthest in.",
@@ -242,7 +232,7 @@ fn contact_track(id: &str) -> Outcome {
 }
 
 /// Error of the energy after a near-flat turn, by RK4 and DOP853.
-fn near_flat(id: &str) -> Outcome {
+pub(crate) fn near_flat(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Error of the energy after a near-flat turn",
         "Both scales are logarithmic: along x the turn q that the disc is given, from 1e-4 to 0.3; along y the relative error of the energy after it has come up. By RK4 with steps of a \

@@ -1,21 +1,16 @@
 //! The figures of the chapter "The struck space station".
 
-use crate::{Axis, Entry, Outcome, Plot, linear_steps};
+use crate::{Axis, Outcome, Plot, linear_steps};
 use drawing::kit::{Heads, Marker};
 use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use mechanics::InvalidQuantity;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::Body;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::space_station::{InvalidStation, Station, Struck};
+use mechanics::scenes::space_station::{Blow, Parameters, Station, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
-
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:station", draw: station },
-    Entry { id: "fig:nodding", draw: nodding },
-    Entry { id: "fig:cones-roll", draw: cones_roll },
-];
 
 /// Mass, kg, radius, m, spin, rad/s, and impulse, N·s, of the chapter.
 const MASS: f64 = 4e5;
@@ -23,12 +18,14 @@ const RADIUS: f64 = 50.0;
 const SPIN: f64 = 0.45;
 const IMPULSE: f64 = 1.8e6;
 
-fn struck() -> Result<Struck, InvalidStation> {
-    Station::ring(MASS, RADIUS, SPIN)?.struck(RADIUS, IMPULSE)
+/// The station after a blow on the rim.
+fn struck(impulse: f64) -> Result<StruckStation, InvalidQuantity> {
+    let station = Station::new(Parameters { body: Body::hoop(MASS, RADIUS)?, spin: SPIN })?;
+    station.struck(Blow { radius: RADIUS, impulse })
 }
 
 /// The station at the moment of the blow: impulse, old and new angular velocity, angular momentum.
-fn station(id: &str) -> Outcome {
+pub(crate) fn station(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 520.0, 400.0).titled(
         "The station at the moment of the blow",
         "A ring seen from above at an angle, with axes 1 and 2 in its plane and 3 upright. At the rim, where axis 2 meets it, the impulse P \
@@ -36,7 +33,7 @@ fn station(id: &str) -> Outcome {
          angular momentum L lies between the two.",
     );
     // A stronger blow than in the text, so that the angles can be seen.
-    let struck = Station::ring(MASS, RADIUS, SPIN)?.struck(RADIUS, 3.6e6)?;
+    let struck = struck(3.6e6)?;
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0, 0.0, 0.35],
         azimuth: 0.62,
@@ -66,7 +63,7 @@ fn station(id: &str) -> Outcome {
 }
 
 /// The cone fixed in the station rolling on the cone fixed in space.
-fn cones_roll(id: &str) -> Outcome {
+pub(crate) fn cones_roll(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 480.0, 400.0).titled(
         "Body cone and space cone",
         "Two cones with a common tip that touch along the angular velocity omega. The narrow one stands upright about the angular \
@@ -75,7 +72,7 @@ fn cones_roll(id: &str) -> Outcome {
     );
     // ω₁/ω₃ = tan 40°.
     let added = SPIN * 40_f64.to_radians().tan();
-    let struck = Station::ring(MASS, RADIUS, SPIN)?.struck(RADIUS, added * MASS * RADIUS / 2.0)?;
+    let struck = struck(added * MASS * RADIUS / 2.0)?;
     let momentum_body = struck.angular_momentum_world().normalize();
     let upright =
         UnitQuaternion::rotation_between(&momentum_body, &Vector3::z()).ok_or("L is not opposite to z")?;
@@ -103,7 +100,7 @@ fn cones_roll(id: &str) -> Outcome {
 }
 
 /// How many times the axis has gone round L, and the axis of rotation round axis 3 on board.
-fn nodding(id: &str) -> Outcome {
+pub(crate) fn nodding(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
         "Turns of the axis in the room and of the rotation axis on board",
         "Angles in turns against time in turns of the old spin, from 0 to 4. The axis of the station in the room rises to 8.2 \
@@ -111,7 +108,7 @@ fn nodding(id: &str) -> Outcome {
          dots from a simulation. The axis of rotation as seen on board rises to 4 turns, which is also the source's claim \
          for the axis in the room.",
     );
-    let struck = struck()?;
+    let struck = struck(IMPULSE)?;
     let period = TAU / SPIN;
     let time = Axis::linear(0.0, 4.0, 1.0)?.minor(0.25).titled("time, turns of the old spin");
     let turns = Axis::linear(0.0, 9.0, 1.0)?.titled("angle, turns");

@@ -4,23 +4,10 @@
 #[path = "../../benches/speed/measured.rs"]
 pub(crate) mod measured;
 
-use crate::{Axis, Cause, Entry, Outcome, Plot};
+use crate::{Axis, Cause, Outcome, Plot};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use measured::{Measurement, NATIVE, front, methods, parse, seconds_front};
-
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:speed-washer", draw: |id| time(id, "washer", "two hundred turns of a washing machine") },
-    Entry { id: "fig:speed-ramp", draw: |id| time(id, "ramp", "a washing machine that passes its resonance") },
-    Entry { id: "fig:speed-hoop", draw: |id| time(id, "hoop", "a thousand periods of the pinned hoop") },
-    Entry { id: "fig:speed-separatrix", draw: |id| time(id, "separatrix", "the pinned hoop beside its separatrix") },
-    Entry { id: "fig:speed-disk", draw: |id| time(id, "disk", "two hundred precessions of a rolling disk") },
-    Entry { id: "fig:speed-rest", draw: |id| time(id, "rest", "a disk that rolls to rest") },
-    Entry { id: "fig:speed-toss", draw: |id| time(id, "toss", "a tossed coin") },
-    Entry { id: "fig:speed-station", draw: |id| time(id, "station", "a struck space station") },
-    Entry { id: "fig:speed-drag", draw: |id| time(id, "drag", "a disc that spins down in air") },
-    Entry { id: "fig:speed-work", draw: work },
-];
 
 /// A contestant's method, and its errors with what they cost.
 type Series<'a> = ((&'a str, &'a str), Vec<(f64, f64)>);
@@ -66,6 +53,42 @@ fn spread(wished: &[f64], gap: f64, (from, to): (f64, f64)) -> Vec<f64> {
         free = *place - gap;
     }
     places
+}
+
+pub(crate) fn speed_washer(id: &str) -> Outcome {
+    time(id, "washer", "two hundred turns of a washing machine")
+}
+
+pub(crate) fn speed_ramp(id: &str) -> Outcome {
+    time(id, "ramp", "a washing machine that passes its resonance")
+}
+
+pub(crate) fn speed_hoop(id: &str) -> Outcome {
+    time(id, "hoop", "a thousand periods of the pinned hoop")
+}
+
+pub(crate) fn speed_separatrix(id: &str) -> Outcome {
+    time(id, "separatrix", "the pinned hoop beside its separatrix")
+}
+
+pub(crate) fn speed_disk(id: &str) -> Outcome {
+    time(id, "disk", "two hundred precessions of a rolling disk")
+}
+
+pub(crate) fn speed_rest(id: &str) -> Outcome {
+    time(id, "rest", "a disk that rolls to rest")
+}
+
+pub(crate) fn speed_toss(id: &str) -> Outcome {
+    time(id, "toss", "a tossed coin")
+}
+
+pub(crate) fn speed_station(id: &str) -> Outcome {
+    time(id, "station", "a struck space station")
+}
+
+pub(crate) fn speed_drag(id: &str) -> Outcome {
+    time(id, "drag", "a disc that spins down in air")
 }
 
 /// Error against time on one problem: all contestants.
@@ -141,7 +164,7 @@ fn describe(series: &[Series<'_>]) -> String {
 }
 
 /// Error against evaluations of the rates, for the library's steppers on all problems.
-fn work(id: &str) -> Outcome {
+pub(crate) fn speed_work(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 686.0).titled(
         "Error against evaluations of the rates",
         "Nine plots with logarithmic scales, the error along x and the number of evaluations along y, one for each problem. In each the \

@@ -1,6 +1,6 @@
 //! The figures of the chapter "The spinning coin".
 
-use crate::{Axis, Entry, Outcome, Plot, log_steps};
+use crate::{Axis, Outcome, Plot, log_steps};
 use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
@@ -9,20 +9,13 @@ use mechanics::scenes::spinning_coin::SpinningCoin;
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
 
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:coin-circle", draw: coin_circle },
-    Entry { id: "fig:coin-rates", draw: coin_rates },
-    Entry { id: "fig:mach", draw: mach },
-    Entry { id: "fig:figure-error", draw: figure_error },
-];
-
 /// The disc of the text at a tilt.
 fn disc(tilt: f64) -> Result<SpinningCoin, InvalidQuantity> {
     SpinningCoin::new(0.0375, 0.5, 9.81, tilt)
 }
 
 /// The coin with the circle of its contact.
-fn coin_circle(id: &str) -> Outcome {
+pub(crate) fn coin_circle(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 500.0, 360.0).titled(
         "The coin and the circle of its contact",
         "A coin that leans on a table, its centre above the middle of a circle drawn on the table. Its lowest point touches the circle. The angular velocity points from the contact through the \
@@ -72,7 +65,7 @@ fn coin_circle(id: &str) -> Outcome {
 }
 
 /// The three rates against the tilt.
-fn coin_rates(id: &str) -> Outcome {
+pub(crate) fn coin_rates(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 372.0).titled(
         "Three rates against the tilt",
         "Both scales are logarithmic: along x the tilt from 1e-4 to 1 rad, along y rates in rad/s. The contact's rate falls from three thousand to thirty with the power minus one half of the tilt. The \
@@ -100,7 +93,7 @@ fn coin_rates(id: &str) -> Outcome {
 }
 
 /// The Mach number of the contact against the tilt.
-fn mach(id: &str) -> Outcome {
+pub(crate) fn mach(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Mach number of the contact against the tilt",
         "Both scales are logarithmic: along x the tilt from 1e-6 to 1 rad, along y the speed of the contact over that of sound, a line falling with the power minus one half. It crosses one at \
@@ -125,7 +118,7 @@ fn mach(id: &str) -> Outcome {
 }
 
 /// Relative error of the figure's rate by the obvious formula.
-fn figure_error(id: &str) -> Outcome {
+pub(crate) fn figure_error(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 340.0).titled(
         "Error of the figure's rate by one minus the sine",
         "Both scales are logarithmic: along x the tilt from 1e-9 to 1, along y the relative error. By one minus the sine of the lean it rises from 1e-16 with the power minus two and reaches one at \

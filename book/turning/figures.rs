@@ -1,6 +1,6 @@
 //! The figures of the chapter "How a body turns".
 
-use crate::{Axis, Cause, Entry, Outcome, Plot};
+use crate::{Axis, Cause, Outcome, Plot};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Side, Stroke, at};
@@ -12,14 +12,8 @@ use mechanics::integrate::{Dop853, rk4};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:plate", draw: plate },
-    Entry { id: "fig:split", draw: split },
-    Entry { id: "fig:drift", draw: drift },
-];
-
 /// A plate after a careless throw: its axis and angular velocity on cones about the angular momentum.
-fn plate(id: &str) -> Outcome {
+pub(crate) fn plate(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 440.0, 356.0).titled(
         "A wobbling plate",
         "A flat round plate seen from the side and a little above, leaning to the right. The angular momentum L points straight \
@@ -62,7 +56,7 @@ fn plate(id: &str) -> Outcome {
 }
 
 /// The plane of axis, angular momentum and angular velocity for a flat and for a long body.
-fn split(id: &str) -> Outcome {
+pub(crate) fn split(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 660.0, 330.0).titled(
         "Axis, angular momentum and angular velocity lie in one plane",
         "Two panels, each with three arrows from one point. The axis 3 points straight up. Left, for a flat body, the angular \
@@ -110,7 +104,7 @@ fn split(id: &str) -> Outcome {
 }
 
 /// What ten seconds of stepping do to the quaternion.
-fn drift(id: &str) -> Outcome {
+pub(crate) fn drift(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
         "Length and error of a stepped quaternion",
         "Both scales are logarithmic: along x the steps a wobble of the Runge-Kutta method of order four, from four to five hundred; \

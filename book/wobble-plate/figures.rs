@@ -1,40 +1,33 @@
 //! The figures of the chapter "The wobble plate".
 
-use crate::{Axis, Cause, Entry, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Edges, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Role, Side, Stroke, at};
-use mechanics::scenes::wobble_plate::{Engine, InvalidEngine, Pistons, Plate};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::SymmetricMoments;
+use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-pub(crate) const FIGURES: &[Entry] = &[
-    Entry { id: "fig:wobble-plate", draw: wobble_plate },
-    Entry { id: "fig:beta", draw: beta },
-    Entry { id: "fig:engine", draw: engine },
-    Entry { id: "fig:antiphase", draw: antiphase },
-    Entry { id: "fig:residual", draw: residual },
-    Entry { id: "fig:number", draw: number },
-    Entry { id: "fig:beta-error", draw: beta_error },
-];
-
 /// The chapter's plate: 2 kg, 10 cm, with a tilt in degrees.
-fn plate(degrees: f64) -> Result<Plate, InvalidEngine> {
-    Plate::thin(2.0, 0.1, degrees.to_radians())
+fn plate(degrees: f64) -> Result<Plate, InvalidQuantity> {
+    plate_at(degrees.to_radians())
 }
 
 /// So many pistons on the chapter's plate, each with a multiple of the mass that balances three and more.
 fn with_pistons(plate: Plate, count: u32, part: f64) -> Result<Engine, Cause> {
-    let [transverse, _, axial] = plate.moments().to_array();
+    let SymmetricMoments { transverse, axial } = plate.moments().as_symmetric()?;
     let distance = 0.07;
     // eq:many-pistons, whether it works for this number or not.
     let cosine = plate.tilt().cos();
     let needed = 2.0 * (axial - transverse) * cosine * cosine / (f64::from(count) * distance * distance);
-    Ok(Engine::new(plate, Pistons::new(count, part * needed, distance, 0.2)?))
+    let pistons = PistonParameters { count, mass: part * needed, distance, rod: 0.2 };
+    Ok(Engine::new(plate, Pistons::new(pistons)?))
 }
 
 /// The plate on its shaft, with its axes, the angular momentum and the two angles.
-fn wobble_plate(id: &str) -> Outcome {
+pub(crate) fn wobble_plate(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 460.0, 430.0).titled(
         "The wobble plate on its shaft",
         "A round plate on an upright shaft, tilted so that its left side is low. Its normal i3 leans to the left of the shaft by the angle \
@@ -82,7 +75,7 @@ fn wobble_plate(id: &str) -> Outcome {
 }
 
 /// Lean of the angular momentum against the tilt, for four thicknesses.
-fn beta(id: &str) -> Outcome {
+pub(crate) fn beta(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
         "Lean of the angular momentum against the tilt",
         "The lean beta in degrees, from minus 10 to 20, against the tilt alpha from 0 to 90 degrees. For the thin plate the curve rises from zero \
@@ -100,31 +93,33 @@ fn beta(id: &str) -> Outcome {
         (1.0, Hue::Pink, "$h = R$", (24.0, 5.4)),
         (2.0, Hue::Orange, "$h = 2R$", (20.0, -5.6)),
     ] {
-        let lean_at = |degrees: f64| -> Result<(f64, f64), InvalidEngine> {
-            let plate = Plate::thick(2.0, radius, thickness * radius, degrees.to_radians())?;
+        let lean_at = |degrees: f64| -> Result<(f64, f64), InvalidQuantity> {
+            let (thickness, tilt) = (thickness * radius, degrees.to_radians());
+            let plate = Plate::new(PlateParameters { mass: 2.0, radius, thickness, tilt })?;
             Ok((degrees, plate.momentum_angle().to_degrees()))
         };
         let values = linear_steps(0.0, 89.999, 300).map(lean_at).collect::<Result<Vec<_>, _>>()?;
         plot.curve(&format!("thickness-{thickness}"), values, Stroke::Curve, hue);
         plot.label(place, Side::Over, name, hue)?;
     }
-    let (largest, tilt) = plate(10.0)?.largest_momentum_angle();
-    let top = (tilt.to_degrees(), largest.to_degrees());
+    let largest = plate(10.0)?.largest_momentum_angle();
+    let top = (largest.tilt.to_degrees(), largest.momentum_angle.to_degrees());
     plot.markers(&[top], Marker::Disc, Hue::Blue);
     plot.label(top, Side::Above, "19.47° at 54.74°", Hue::Blue)?;
     Ok(drawing)
 }
 
 /// The engine with four pistons.
-fn engine(id: &str) -> Outcome {
+pub(crate) fn engine(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 460.0, 470.0).titled(
         "The plate with four pistons",
         "A tilted plate on an upright shaft. Four rods, a quarter turn apart, stand upright below it and touch its lower side, each with a \
          cylindrical piston at its lower end. The pistons stand at different heights, lowest where the plate is low.",
     );
     let tilt = 24_f64.to_radians();
-    let plate = Plate::thin(2.0, 1.0, tilt)?;
-    let engine = Engine::new(plate, Pistons::new(4, 0.4, 0.72, 1.15)?);
+    let plate = Plate::new(PlateParameters { mass: 2.0, radius: 1.0, thickness: 0.0, tilt })?;
+    let pistons = PistonParameters { count: 4, mass: 0.4, distance: 0.72, rod: 1.15 };
+    let engine = Engine::new(plate, Pistons::new(pistons)?);
     let phase = 0.45_f64;
     let (s, c) = phase.sin_cos();
     let normal = Vector3::new(-tilt.sin() * c, -tilt.sin() * s, tilt.cos());
@@ -155,7 +150,7 @@ fn engine(id: &str) -> Outcome {
 }
 
 /// The two parts of the momentum across the shaft, at four moments, seen along it.
-fn antiphase(id: &str) -> Outcome {
+pub(crate) fn antiphase(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 214.0).titled(
         "Momenta of plate and pistons across the shaft",
         "Four circles, views along the shaft at four moments an eighth of a turn apart. In each an arrow from the centre shows the plate's \
@@ -190,7 +185,7 @@ fn antiphase(id: &str) -> Outcome {
 }
 
 /// Torque on the frame against the mass of each piston.
-fn residual(id: &str) -> Outcome {
+pub(crate) fn residual(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 320.0).titled(
         "Torque on the frame against the mass of the pistons",
         "The torque on the frame, in units of that of the plate alone, against the mass of each piston in units of the balancing mass, from 0 to 2.5. \
@@ -213,7 +208,7 @@ fn residual(id: &str) -> Outcome {
 }
 
 /// The torque left during one turn, for one to seven pistons.
-fn number(id: &str) -> Outcome {
+pub(crate) fn number(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 340.0).titled(
         "Torque left on the frame during a turn, by number of pistons",
         "The torque left on the frame, in units of the plate alone, against the phase from 0 to 360 degrees. With one piston, or two, the curve stays \
@@ -243,7 +238,7 @@ fn number(id: &str) -> Outcome {
 }
 
 /// Errors of three programs for β.
-fn beta_error(id: &str) -> Outcome {
+pub(crate) fn beta_error(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
         "Relative errors of three programs for the lean",
         "Two plots with logarithmic scales. Left, against the tilt from 1e-9 to one: the inverse cosine loses digits as the tilt shrinks and has \
@@ -284,8 +279,8 @@ fn beta_error(id: &str) -> Outcome {
     Ok(drawing)
 }
 
-fn plate_at(tilt: f64) -> Result<Plate, InvalidEngine> {
-    Plate::thin(2.0, 0.1, tilt)
+fn plate_at(tilt: f64) -> Result<Plate, InvalidQuantity> {
+    Plate::new(PlateParameters { mass: 2.0, radius: 0.1, thickness: 0.0, tilt })
 }
 
 fn by_cosine(plate: &Plate) -> f64 {

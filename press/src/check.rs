@@ -3,30 +3,35 @@
 use crate::api::Items;
 use crate::book::{Page, from_disk};
 use crate::fault::Faults;
-use crate::{figures, render, site, summary};
+use crate::rendered::Rendered;
+use crate::{render, site, summary};
 use std::fs;
 use std::path::Path;
 
-/// Checks the pages under `root`; returns how many there are.
+/// Checks the pages under `root`, which show what is `drawn`; returns how many there are.
 ///
 /// # Errors
 /// Every fault of every page.
-pub fn check(root: &Path) -> Result<usize, Faults> {
+pub fn check(root: &Path, drawn: &Rendered) -> Result<usize, Faults> {
     let (source, pages) = from_disk(root)?;
-    rendered(&pages, root, &source)?;
+    rendered(&pages, root, &source, drawn)?;
     Ok(pages.len())
 }
 
 /// The pages as they go to mdBook. This is the one way there, so that building, testing and checking find the same faults.
 ///
 /// # Errors
-/// Every fault of every page, of the labels that code cites, and of the lists that name the pages.
-pub(crate) fn rendered(pages: &[Page], root: &Path, source: &str) -> Result<Vec<String>, Faults> {
+/// Every fault of every page, of the labels that code cites, and of SUMMARY.md.
+pub(crate) fn rendered(
+    pages: &[Page],
+    root: &Path,
+    source: &str,
+    drawn: &Rendered,
+) -> Result<Vec<String>, Faults> {
     let mut faults = Faults::default();
     summary::strays(pages, root, source, &mut faults);
-    summary::untested(pages, root, source, &mut faults);
     site::check_style_sheets(root, source, &mut faults);
-    match render::render(pages, figures::ALL, &Items::read(root), &code(root)) {
+    match render::render(pages, drawn, &Items::read(root), &code(root)) {
         Ok(texts) if faults.is_empty() => Ok(texts),
         Ok(_) => Err(faults),
         Err(found) => {

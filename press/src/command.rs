@@ -1,7 +1,8 @@
 //! `cargo book`: what one can ask of the press by hand.
 
 use crate::book::from_disk;
-use crate::{check, figures, mdbook, outcome};
+use crate::rendered::Rendered;
+use crate::{check, mdbook, outcome};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -16,19 +17,20 @@ cargo book figures FOLDER               every figure as a standalone SVG file
 cargo book pdf [FILE]                   the book as a PDF (needs Chromium); by default target/book/things-that-spin.pdf
 cargo book measure [OPTION …]           runs the library beside its peers, for the report \"Speed and accuracy\"; --help says more";
 
-/// Runs one command; `Err` holds what to print before exiting with status 1.
+/// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before exiting with
+/// status 1.
 ///
 /// # Errors
 /// A message for the reader, complete.
-pub fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
+pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), String> {
     let (name, rest) =
         arguments.split_first().map_or(("help", &[][..]), |(name, rest)| (name.as_str(), rest));
     match name {
         "serve" | "build" | "test" => with_mdbook(root, name, rest),
         "check" => {
             none_left(name, rest)?;
-            let pages = check::check(root).map_err(|faults| faults.to_string())?;
-            say(&format!("{pages} pages, {} figures: nothing wrong", figures::ALL.len()));
+            let pages = check::check(root, drawn).map_err(|faults| faults.to_string())?;
+            say(&format!("{pages} pages, {} figures: nothing wrong", drawn.figures.len()));
             Ok(())
         }
         "figures" => {
@@ -36,8 +38,8 @@ pub fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
                 return Err(format!("`cargo book figures` takes one folder\n\n{HELP}"));
             };
             let folder = PathBuf::from(folder);
-            let count = figures::write_all(&folder)
-                .map_err(|error| format!("error: {}: {error}", folder.display()))?;
+            let count =
+                drawn.write_all(&folder).map_err(|error| format!("error: {}: {error}", folder.display()))?;
             say(&format!("{count} figures in {}", folder.display()));
             Ok(())
         }

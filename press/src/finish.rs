@@ -2,7 +2,8 @@
 
 use crate::fault::{Faults, Lines};
 use crate::preprocess::Failed;
-use crate::{api, figures, font, outcome, site};
+use crate::rendered::Rendered;
+use crate::{api, font, outcome, site};
 use mdbook_renderer::RenderContext;
 use std::collections::BTreeSet;
 use std::io::Read;
@@ -12,11 +13,11 @@ use std::{fs, io};
 /// Files of the project that belong into the site.
 const LICENCES: [&str; 1] = ["LICENSE-CC-BY-4.0"];
 
-/// Finishes and checks the site that mdBook has just rendered.
+/// Finishes and checks the site that mdBook has just rendered; `drawn` holds its figures.
 ///
 /// # Errors
 /// [`Failed`], for the caller to report; there is no site then.
-pub fn run(input: impl Read) -> Result<(), Failed> {
+pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
     let context = RenderContext::from_json(input)
         .map_err(|error| Failed::Other(format!("this is not a request of mdBook 0.5: {error:#}")))?;
     let site =
@@ -28,7 +29,7 @@ pub fn run(input: impl Read) -> Result<(), Failed> {
         Failed::Other(format!("the site in {} cannot be finished: {error}", site.display()))
     };
     let unfinished = outcome::put_aside(&site).map_err(cannot)?;
-    match finished(&unfinished, &context) {
+    match finished(&unfinished, &context, drawn) {
         Ok(faults) if faults.is_empty() => outcome::bring_back(&unfinished, &site).map_err(cannot),
         other => {
             let failed = other.map_or_else(cannot, Failed::Faults);
@@ -39,8 +40,8 @@ pub fn run(input: impl Read) -> Result<(), Failed> {
 }
 
 /// Finishes the site; what is wrong with it.
-fn finished(site: &Path, context: &RenderContext) -> io::Result<Faults> {
-    add(site, &context.root)?;
+fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
+    add(site, &context.root, drawn)?;
     let site::Report { faults: found, characters } = site::check(site)?;
     add_font(site, &characters)?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
@@ -63,8 +64,8 @@ fn add_font(site_folder: &Path, characters: &BTreeSet<char>) -> io::Result<()> {
 }
 
 /// Adds figures, the library's documentation and licences.
-fn add(site_folder: &Path, root: &Path) -> io::Result<()> {
-    figures::write_all(&site_folder.join("figures"))?;
+fn add(site_folder: &Path, root: &Path, drawn: &Rendered) -> io::Result<()> {
+    drawn.write_all(&site_folder.join("figures"))?;
     if root.join("src/lib.rs").is_file() {
         api::add(site_folder, root)?;
     }

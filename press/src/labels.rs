@@ -2,8 +2,8 @@
 
 use crate::book::Page;
 use crate::fault::{Faults, nearest};
-use crate::figures::Figure;
-use crate::page::{Item, Kind, Label, Placed};
+use crate::page::{Item, Kind, Label, Mention, Placed};
+use crate::rendered::Figure;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// How ids begin that mdBook puts on each page.
@@ -31,6 +31,36 @@ pub(crate) struct Registry {
     sources: BTreeMap<u32, Label>,
     /// Path of a page → the ids on it that a link may lead to.
     anchors: HashMap<String, BTreeSet<String>>,
+}
+
+/// Where every equation of the source has a row, if the book has such a page.
+const LEDGER: &str = "ledger.md";
+
+/// Adds a fault for each number of the source that a page gives to an equation and the ledger does not list.
+fn check_ledger(pages: &[Page], scans: &[Vec<Placed<'_>>], faults: &mut Faults) {
+    let Some(at) = pages.iter().position(|page| page.path == LEDGER) else {
+        return;
+    };
+    let listed = scans[at].iter().filter_map(|placed| match placed.item {
+        Item::Mention(Mention::Source(number)) => Some(number),
+        _ => None,
+    });
+    let listed: BTreeSet<u32> = listed.collect();
+    for (page, items) in pages.iter().zip(scans) {
+        for placed in items {
+            let Item::DisplayMaths { label: Some(equation), .. } = &placed.item else {
+                continue;
+            };
+            for &number in equation.source.iter().filter(|number| !listed.contains(number)) {
+                let line = page.lines.at(placed.range.start);
+                faults.add(
+                    &page.file,
+                    line,
+                    format!("the ledger has no row for equation ({number}) of the source"),
+                );
+            }
+        }
+    }
 }
 
 impl Registry {
@@ -109,6 +139,7 @@ impl Registry {
         }
         registry.check_figures(pages, scans, figures, faults);
         registry.check_exercises(pages, scans, faults);
+        check_ledger(pages, scans, faults);
         registry
     }
 

@@ -12,6 +12,7 @@
 //! | `… {#eq:steady-radius source=19}` | the same, with the source's number and the anchor `#source-19` |
 //! | `… {#eq:r source="12 13" corrected}` | two numbers of the source; the equation corrects it |
 //! | `![Caption.](fig:machine)` in a paragraph of its own | the figure, with number and caption |
+//! | `![](table:methods)` in a paragraph of its own | a table that the library gives |
 //! | `## Title {#sec:motion}` | a section that can be referred to |
 //! | `## Title {#ex:peak}` | an exercise with a number; it holds a hint in `<details>` |
 //! | `## {#sol:peak}` | its solution, titled and linked both ways |
@@ -41,17 +42,17 @@
 //! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are not closed
 //!   where they were opened, end tags that close nothing, mathematics or references inside;
 //! - mdBook's directives `{{#…}}`, control characters, and characters that turn the direction of the text;
-//! - pages: one that SUMMARY.md names twice, or that does not exist or is not UTF-8, one that SUMMARY.md does not name, and
-//!   one that the list of tested pages in `src/lib.rs` lacks, or the other way round.
+//! - pages: one that SUMMARY.md names twice, or that does not exist or is not UTF-8, and one that SUMMARY.md does not name;
+//! - numbers of the source: one that two equations claim, and one without a row in the ledger.
 
 pub mod book;
 pub mod check;
 pub mod command;
 pub mod fault;
-pub mod figures;
 pub mod finish;
 pub mod mdbook;
 pub mod preprocess;
+pub mod rendered;
 
 mod api;
 mod font;

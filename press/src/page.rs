@@ -84,6 +84,10 @@ pub(crate) enum Item<'a> {
         label: Label,
         caption: Vec<Event<'a>>,
     },
+    /// A table that the library gives.
+    Table {
+        name: String,
+    },
     Heading {
         level: u8,
         label: Option<Label>,

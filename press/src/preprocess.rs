@@ -2,6 +2,7 @@
 
 use crate::book::from_mdbook;
 use crate::fault::Faults;
+use crate::rendered::Rendered;
 use crate::{check, outcome, snippets};
 use mdbook_preprocessor::PreprocessorContext;
 use mdbook_preprocessor::book::{Book, BookItem};
@@ -12,7 +13,7 @@ use std::{env, fmt, fs};
 
 /// Where the finished press waits for mdBook to call it as a renderer, relative to the project's root: a place that does
 /// not depend on Cargo's settings. book.toml names it.
-const FINISHER: &str = "target/press/press";
+const FINISHER: &str = "target/press/book";
 
 /// Why there is no book.
 #[derive(Debug)]
@@ -32,20 +33,20 @@ impl fmt::Display for Failed {
     }
 }
 
-/// Reads mdBook's request from `input` and writes the answer to `output`.
+/// Reads mdBook's request from `input` and writes the answer to `output`; the pages show what is `drawn`.
 ///
 /// For the renderer `html` every page is rendered; for `test` the snippets of all pages are tested and the fences
 /// relabelled, so that mdBook's own test run finds nothing more to do.
 ///
 /// # Errors
 /// [`Failed`], for the caller to report.
-pub fn run(input: impl Read, mut output: impl Write) -> Result<(), Failed> {
+pub fn run(input: impl Read, mut output: impl Write, drawn: &Rendered) -> Result<(), Failed> {
     let (context, mut book) = mdbook_preprocessor::parse_input(input).map_err(|error| {
         Failed::Other(format!(
             "this is not a request of mdBook 0.5 ({error:#}); `cargo book help` lists what else the press can do"
         ))
     })?;
-    let answer = answer(&context, &mut book);
+    let answer = answer(&context, &mut book, drawn);
     if let Err(failed) = &answer
         && context.renderer == "html"
     {
@@ -59,10 +60,10 @@ pub fn run(input: impl Read, mut output: impl Write) -> Result<(), Failed> {
 }
 
 /// Puts what mdBook is to print, or to test, in the place of the pages.
-fn answer(context: &PreprocessorContext, book: &mut Book) -> Result<(), Failed> {
+fn answer(context: &PreprocessorContext, book: &mut Book, drawn: &Rendered) -> Result<(), Failed> {
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let pages = from_mdbook(book, &source);
-    let mut texts = check::rendered(&pages, &context.root, &source).map_err(Failed::Faults)?;
+    let mut texts = check::rendered(&pages, &context.root, &source, drawn).map_err(Failed::Faults)?;
     if context.renderer == "test" {
         test_snippets(&context.root)?;
         texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
@@ -99,11 +100,11 @@ fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = 
     }
 }
 
-/// Runs the snippets of all pages as documentation tests of the library.
+/// Runs the snippets of all pages which are the documentation tests of the crate `snippets`, and those of the library.
 fn test_snippets(root: &Path) -> Result<(), Failed> {
-    eprintln!("Testing the snippets of all pages with `cargo test --doc --package mechanics`");
+    eprintln!("Testing the snippets of all pages with `cargo test --doc`");
     let run = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["test", "--doc", "--package", "mechanics"])
+        .args(["test", "--doc"])
         .current_dir(root)
         .stdin(Stdio::null())
         .stderr(Stdio::inherit())

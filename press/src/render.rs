@@ -3,28 +3,28 @@
 use crate::api::{self, Items};
 use crate::book::{Page, relative, resolve};
 use crate::fault::Faults;
-use crate::figures::Figure;
 use crate::labels::Registry;
 use crate::maths::Maths;
 use crate::page::{EquationLabel, Item, Kind, Label, Mention, Placed};
+use crate::rendered::Rendered;
 use crate::scan::scan;
 use pulldown_cmark::{CowStr, Event, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// Renders all pages; the faults if there are any. `code` holds the files whose comments cite labels, with their text.
+/// Renders all pages with what is `drawn`; the faults if there are any. `code` holds the files whose comments cite labels, with their text.
 ///
 /// # Errors
 /// Every fault of every page, and every label that code cites and no page defines.
 pub(crate) fn render(
     pages: &[Page],
-    figures: &[Figure],
+    drawn: &Rendered,
     items: &Items,
     code: &[(String, String)],
 ) -> Result<Vec<String>, Faults> {
     let mut faults = Faults::default();
     let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
-    let registry = Registry::build(pages, &scans, figures, &mut faults);
+    let registry = Registry::build(pages, &scans, &drawn.figures, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
     let maths = Maths::new();
     let mut cited = BTreeSet::new();
@@ -34,7 +34,7 @@ pub(crate) fn render(
             page,
             registry: &registry,
             maths: &maths,
-            figures,
+            drawn,
             library: items,
             cited: &mut cited,
             faults: &mut faults,
@@ -85,7 +85,7 @@ struct Printer<'a, 'f> {
     page: &'a Page,
     registry: &'a Registry,
     maths: &'a Maths,
-    figures: &'a [Figure],
+    drawn: &'a Rendered,
     library: &'a Items,
     /// Every label that some page mentions.
     cited: &'f mut BTreeSet<Label>,
@@ -127,6 +127,7 @@ impl Printer<'_, '_> {
             Item::InlineMaths { tex } => self.inline(tex, offset + 1),
             Item::DisplayMaths { tex, label } => self.display(tex, label.as_ref(), offset),
             Item::Figure { label, caption } => self.figure(label, caption, offset),
+            Item::Table { name } => self.table(name, offset),
             Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
             Item::Mention(mention) => {
                 self.mention(mention, offset).map(|(words, target)| format!("[{words}]({target})"))
@@ -195,7 +196,7 @@ impl Printer<'_, '_> {
     }
 
     fn figure(&mut self, label: &Label, caption: &[Event<'_>], offset: usize) -> Option<String> {
-        let figure = *self.figures.iter().find(|figure| figure.id == label.written())?;
+        let figure = self.drawn.figures.iter().find(|figure| figure.id == label.written())?;
         let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
         let caption = self.caption(caption, offset);
         let up = "../".repeat(self.page.path.matches('/').count());
@@ -206,6 +207,15 @@ impl Printer<'_, '_> {
             figure.svg.trim(),
             figure.file_name(),
         ))
+    }
+
+    /// A table that the library gives.
+    fn table(&mut self, name: &str, offset: usize) -> Option<String> {
+        let table = self.drawn.tables.iter().find(|(known, _)| known == name).map(|(_, table)| table.clone());
+        if table.is_none() {
+            self.fault(offset, format!("the library gives no table `{name}`"));
+        }
+        table
     }
 
     /// A caption as HTML: Markdown's own handwriting, mathematics and references.
@@ -357,7 +367,7 @@ mod tests {
     /// What becomes of one page, which is chapter 1.
     fn printed(text: &str) -> String {
         let page = Page::new("book", "a.md".to_owned(), Some(1), text.to_owned());
-        let printed = render(&[page], &[], &Items::default(), &[]);
+        let printed = render(&[page], &Rendered::default(), &Items::default(), &[]);
         printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
     }
 

@@ -192,8 +192,20 @@ impl<'a> Scan<'a, '_> {
         }
     }
 
-    /// A figure. Its caption is read like any text.
+    /// A figure, whose caption is read like any text, or a table of the library.
     fn image(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
+        let alone = self
+            .surroundings
+            .paragraph
+            .as_ref()
+            .is_some_and(|p| self.text[p.clone()].trim() == &self.text[range.clone()]);
+        if let Some(name) = dest_url.strip_prefix("table:") {
+            if !alone {
+                self.fault(range.start, format!("the table {name} must stand in a paragraph of its own"));
+            }
+            self.place(range.clone(), Item::Table { name: name.to_owned() });
+            return;
+        }
         let label = written::label(dest_url, range.start, &mut self.report);
         let Some(label) = label.filter(|label| label.kind == Kind::Figure) else {
             self.fault(
@@ -202,11 +214,6 @@ impl<'a> Scan<'a, '_> {
             );
             return;
         };
-        let alone = self
-            .surroundings
-            .paragraph
-            .as_ref()
-            .is_some_and(|p| self.text[p.clone()].trim() == &self.text[range.clone()]);
         if !alone {
             self.fault(range.start, format!("the figure {dest_url} must stand in a paragraph of its own"));
         }

@@ -1,18 +1,15 @@
-//! SUMMARY.md: the pages that it names exist, each once, every page is named, and every page is tested.
+//! SUMMARY.md: the pages that it names exist, each once, and every page is named.
 
 use crate::book::{self, Page};
 use crate::fault::{Faults, Lines, Reporter};
 use crate::signs;
 use mdbook_summary::Summary;
 use pulldown_cmark::{Event, Parser, Tag};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
 const SUMMARY: &str = "SUMMARY.md";
-/// Where the library lists the pages whose snippets rustdoc tests, and how a line of that list begins.
-const TESTED: &str = "src/lib.rs";
-const TESTED_PAGE: &str = "#[doc = include_str!(\"../";
 
 /// Reads SUMMARY.md; faults if it is not understood, or names a page twice or one that does not exist.
 pub(crate) fn read(root: &Path, source: &str, faults: &mut Faults) -> Option<Summary> {
@@ -78,39 +75,5 @@ pub(crate) fn strays(pages: &[Page], root: &Path, source: &str, faults: &mut Fau
                 );
             }
         }
-    }
-}
-
-/// Adds a fault for each page that SUMMARY.md names and the list of tested pages does not, and the other way round.
-pub(crate) fn untested(pages: &[Page], root: &Path, source: &str, faults: &mut Faults) {
-    if !root.join(TESTED).is_file() {
-        return; // a book without a library
-    }
-    let Some(library) = book::text(root, TESTED, faults) else {
-        return;
-    };
-    let mark = format!("{TESTED_PAGE}{source}/");
-    let mut tested: BTreeMap<&str, usize> = BTreeMap::new();
-    for (n, line) in library.lines().enumerate() {
-        if let Some(path) = line.trim_start().strip_prefix(&mark).and_then(|rest| rest.split('"').next()) {
-            tested.insert(path, n + 1);
-        }
-    }
-    let file = format!("{source}/{SUMMARY}");
-    let summary = book::text(root, &file, faults).unwrap_or_default();
-    let lines = Lines::of(&summary);
-    let places: BTreeMap<String, usize> = links(&summary).into_iter().collect();
-    for page in pages {
-        if tested.remove(page.path.as_str()).is_none() {
-            let line = places.get(&page.path).map_or(0, |&offset| lines.at(offset));
-            let message = format!(
-                "the snippets of {} would never run: add {mark}{}\")] to the pages in {TESTED}",
-                page.file, page.path
-            );
-            faults.add(&file, line, message);
-        }
-    }
-    for (path, line) in tested {
-        faults.add(TESTED, line, format!("{SUMMARY} does not name the page {source}/{path}"));
     }
 }

@@ -3,8 +3,16 @@
 //! Each case is a small book of its own: a SUMMARY.md, a book.toml and a few pages, written to a temporary folder.
 
 use press::check::check;
+use press::rendered::{Figure, Rendered};
 use std::fs;
 use std::path::{Path, PathBuf};
+
+/// The only figure and the only table that these books can show.
+fn drawn() -> Rendered {
+    let [svg, standalone] = [String::new(), String::new()];
+    let figure = Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone };
+    Rendered { figures: vec![figure], tables: vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())] }
+}
 
 /// A book in a temporary folder, removed when dropped.
 struct Book {
@@ -28,7 +36,7 @@ impl Book {
 
     /// The faults as they are printed, without those of figures that this book does not show.
     fn faults(&self) -> Vec<String> {
-        let Err(faults) = check(&self.root) else {
+        let Err(faults) = check(&self.root, &drawn()) else {
             return Vec::new();
         };
         let lines = faults.sorted().iter().map(ToString::to_string).collect::<Vec<_>>();
@@ -102,13 +110,15 @@ const CASES: &[Case] = &[
     ),
     ("no-caption", "# A\n\n![](fig:machine)\n", &[(3, "has no caption")]),
     ("source-empty", "# A\n\n$$\na\n$$ {#eq:x source=}\n", &[(5, "lacks a number")]),
-    ("source-too-large", "# A\n\n$$\na\n$$ {#eq:x source=99}\n", &[(5, "from 1 to 98")]),
     ("source-comma", "# A\n\n$$\na\n$$ {#eq:x source=12,13}\n", &[(5, "source=\"12 13\"")]),
     (
         "small-hint",
         "# A\n\n<details>\n<summary>hint</summary>\n\nSo.\n\n</details>\n",
         &[(4, "the word `Hint`")],
     ),
+    ("table", "# A\n\n![](table:methods)\n", &[]),
+    ("no-table", "# A\n\n![](table:none)\n", &[(3, "the library gives no table `none`")]),
+    ("table-in-text", "# A\n\nA ![](table:methods)\n", &[(3, "the table methods must stand in a paragraph")]),
     ("image", "# A\n\n![A cat](cat.png)\n", &[(3, "not a figure of the book")]),
     ("citation", "# A\n\nSee [@cite:nobody-1999].\n", &[(3, "no page defines the label cite:nobody-1999")]),
     ("bare-entry", "# A\n\nSomewhere {#cite:x \"X\"} in a line.\n", &[(3, "list item")]),
@@ -354,34 +364,33 @@ fn equations_outside_numbered_chapters_have_no_number_to_bear() {
 fn labels_cited_in_code_must_exist() {
     let book = Book::new("code", "# A\n", "# B\n", "# C\n");
     fs::create_dir_all(book.root.join("src")).unwrap();
-    let library = "#[doc = include_str!(\"../book/a.md\")]\n#[doc = include_str!(\"../book/b.md\")]\n\
-                   #[doc = include_str!(\"../book/c.md\")]\nfn f() {} // eq:nowhere\n";
-    fs::write(book.root.join("src/lib.rs"), library).unwrap();
+    fs::write(book.root.join("src/lib.rs"), "\n\n\nfn f() {} // eq:nowhere\n").unwrap();
     let faults = book.faults();
     assert_eq!(faults, ["error: src/lib.rs:4: no page defines the label eq:nowhere"]);
 }
 
 #[test]
-fn the_lists_of_pages_agree() {
-    let book = Book::new("lists", "# A\n", "# B\n", "# C\n");
-    let write = |file: &str, text: &str| fs::write(book.root.join(file), text).unwrap();
-    fs::create_dir_all(book.root.join("src")).unwrap();
+fn a_page_that_the_summary_does_not_name_is_a_fault() {
+    let book = Book::new("stray", "# A\n", "# B\n", "# C\n");
     fs::create_dir_all(book.root.join("book/more")).unwrap();
-    let library = "//! Pages.\n    #[doc = include_str!(\"../book/a.md\")]\n    // #[doc = include_str!(\"../book/b.md\")]\n\
-                   #[doc = include_str!(\"../README.md\")]\n#[doc = include_str!(\"../book/c.md\")]\n\
-                   #[doc = include_str!(\"../book/d.md\")]\n";
-    write("src/lib.rs", library);
-    write("book/more/stray.md", "# Nobody reads this\n");
-    let faults = book.faults();
-    assert_eq!(
-        faults,
-        [
-            "error: book/SUMMARY.md:4: the snippets of book/b.md would never run: \
-             add #[doc = include_str!(\"../book/b.md\")] to the pages in src/lib.rs",
-            "error: book/more/stray.md: SUMMARY.md does not name this page: add it there, or move it out of book/",
-            "error: src/lib.rs:6: SUMMARY.md does not name the page book/d.md",
-        ]
-    );
+    fs::write(book.root.join("book/more/stray.md"), "# Nobody reads this\n").unwrap();
+    let said = "error: book/more/stray.md: SUMMARY.md does not name this page: add it there, or move it out of book/";
+    assert_eq!(book.faults(), [said]);
+}
+
+#[test]
+fn every_number_of_the_source_has_a_row_in_the_ledger_and_every_row_an_equation() {
+    let book = Book::new("ledger", "# A\n\n$$\na\n$$ {#eq:x source=\"1 3\"}\n", "# B\n", "# C\n");
+    assert_eq!(book.faults(), [""; 0], "a book without a ledger");
+    fs::write(book.root.join("book/ledger.md"), "# Ledger\n\n| a |\n|---|\n| @source:1 |\n| @source:2 |\n")
+        .unwrap();
+    fs::write(book.root.join("book/SUMMARY.md"), "- [A](a.md)\n- [B](b.md)\n- [C](c.md)\n- [L](ledger.md)\n")
+        .unwrap();
+    let expected = [
+        "error: book/a.md:3: the ledger has no row for equation (3) of the source",
+        "error: book/ledger.md:6: no page has the equation with the source's number (2)",
+    ];
+    assert_eq!(book.faults(), expected);
 }
 
 #[test]

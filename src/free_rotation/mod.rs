@@ -2,10 +2,10 @@
 //!
 //! [`FreeSymmetricTop`] has an axis of symmetry and gives names to its two rates; [`FreeTop`] takes any body.
 
-mod asymmetric;
-mod symmetric;
+pub(crate) mod asymmetric;
+pub(crate) mod symmetric;
+pub(crate) mod theta;
 mod top;
-mod two_turns;
 
-pub use symmetric::{FreeSymmetricTop, InvalidTop};
+pub use symmetric::FreeSymmetricTop;
 pub use top::FreeTop;

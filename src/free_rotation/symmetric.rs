@@ -1,22 +1,20 @@
 //! A free body with an axis of symmetry: its whole motion in a handful of operations.
 
-use super::two_turns::TwoTurns;
 use crate::attitude::{check_attitude, turn};
 use crate::euler::Turning;
-use crate::frames::{InvalidFrames, fill};
 use crate::inertia::PrincipalMoments;
-use crate::quantity::{InvalidQuantity, Shown};
+use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
+use crate::wide::{self, turning::TwoTurns};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::error::Error;
-use std::fmt;
 
 /// A body that is symmetric about its axis 3 and turns with no torque about its centre of mass.
 ///
-/// Its axis goes round the angular momentum **L**, which stands still in the room, at the constant rate `Λ = L/I₁`, while
-/// the body turns about that axis, relative to the plane of the two, at the rate `−σ` with `σ = ω₃(I₃ − I₁)/I₁`
+/// Its axis goes round the angular momentum **L**, which stands still in the room, at the constant rate `Λ = L/I₁`,
+/// while the body turns about that axis, relative to the plane of the two, at the rate `−σ` with `σ = ω₃(I₃ − I₁)/I₁`
 /// (`eq:top-motion`). Both angles are formed to 32 digits before whole turns are taken off, so attitude and angular
-/// velocity are as exact after a hundred million million turns as after one. [`FreeSymmetricTop::at`] allocates nothing.
+/// velocity are as exact after a hundred million million turns as after one. [`FreeSymmetricTop::at`] allocates
+/// nothing.
 ///
 /// ```
 /// use mechanics::{euler::Turning, free_rotation::FreeSymmetricTop, inertia::Body};
@@ -34,22 +32,19 @@ use std::fmt;
 pub struct FreeSymmetricTop {
     moments: PrincipalMoments,
     start: Turning,
-    momentum_direction_body: Vector3<f64>, // of L at t = 0; axis 3 for a body at rest
-    precession_rate: TwoPart,
-    body_rate: TwoPart,
+    pub(crate) momentum_direction_body: Vector3<f64>, // L̂ at t = 0; axis 3 for a body at rest
+    pub(crate) precession_rate: TwoPart,              // Λ
+    pub(crate) body_rate: TwoPart,                    // σ
 }
 
 impl FreeSymmetricTop {
     /// A body of these moments, and its attitude and angular velocity at time zero. A body at rest is allowed.
     ///
     /// # Errors
-    /// [`InvalidTop`] if the moments about axes 1 and 2 differ, if a number of `start` is not finite or of a size that
+    /// [`InvalidQuantity`] if the moments about axes 1 and 2 differ, if a number of `start` is not finite or of a size that
     /// cannot be computed with, or if its quaternion is not of length one to 1e-12.
-    pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidTop> {
-        let [about_1, about_2, _] = moments.to_array();
-        if moments.as_symmetric().is_none() {
-            return Err(InvalidTop::NotSymmetric { about_1, about_2 });
-        }
+    pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidQuantity> {
+        moments.as_symmetric()?;
         for component in &start.omega_body {
             InvalidQuantity::check("angular velocity", *component, "rad/s")?;
         }
@@ -71,9 +66,9 @@ impl FreeSymmetricTop {
         Self { moments, start, momentum_direction_body, precession_rate, body_rate }
     }
 
-    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until the body has turned
-    /// by 1e15 rad. Then the 32 digits of the rates run out; each further decade costs one, and from 1e30 rad on only what is constant
-    /// is known.
+    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until
+    /// the body has turned by 1e15 rad. Then the 32 digits of the rates run out; each further decade costs one, and
+    /// from 1e30 rad on only what is constant is known.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
@@ -81,35 +76,21 @@ impl FreeSymmetricTop {
         let about_momentum = turn(&self.momentum_direction_body, self.precession(time)?);
         let body_turn = self.body_rate * time;
         let about_axis = turn(&Vector3::z(), -body_turn);
-        let world_from_body = self.start.world_from_body * about_momentum * about_axis; // eq:top-motion
+        // eq:top-motion-in-body, which has q₀ first, as L̂ is along the body's axes
+        let world_from_body = self.start.world_from_body * about_momentum * about_axis;
         let (sin, cos) = body_turn.sin_cos();
         let [w1, w2, w3]: [f64; 3] = self.start.omega_body.into();
         let omega_body = Vector3::new(w1 * cos - w2 * sin, w1 * sin + w2 * cos, w3); // eq:body-cone
         Ok(Turning { world_from_body, omega_body })
     }
 
-    /// Attitude and angular velocity at each of `times`, s, written to `frames` without allocating, several frames at once.
+    /// Attitude and angular velocity at each of `times`, s, as [`FreeSymmetricTop::at`], several at once.
     ///
     /// # Errors
-    /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
-    /// [`InvalidFrames::Time`] at the first time that [`FreeSymmetricTop::at`] refuses.
-    pub fn fill(&self, times: &[f64], frames: &mut [Turning]) -> Result<(), InvalidFrames<InvalidQuantity>> {
-        let quick = |times: &[f64], frames: &mut [Turning]| {
-            self.two_turns(0, &UnitQuaternion::identity()).fill(times, frames)
-        };
-        fill(times, frames, quick, |time| self.at(time))
-    }
-
-    /// The motion as two turns, for a body of which this top's axis 1 is the axis number `shift`, counted from 0.
-    pub(super) fn two_turns(&self, shift: usize, top_from_body: &UnitQuaternion<f64>) -> TwoTurns {
-        let [w1, w2, w3]: [f64; 3] = self.start.omega_body.into();
-        TwoTurns::new(
-            &self.start.world_from_body,
-            (self.momentum_direction_body, self.precession_rate),
-            (Vector3::z(), self.body_rate),
-            top_from_body,
-            [[0.0, 0.0, w3], [w1, w2, 0.0], [-w2, w1, 0.0]].map(|along_top| renamed_back(along_top, shift)),
-        )
+    /// As [`FreeSymmetricTop::at`], of the first time that is refused.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
+        let kernel = TwoTurns::of_top(self, 0, &UnitQuaternion::identity());
+        wide::sample(times, |times, states| kernel.fill(times, states), |time| self.at(time))
     }
 
     /// The direction of the axis of symmetry in the room at `time`, s; cheaper than the whole attitude
@@ -148,11 +129,11 @@ impl FreeSymmetricTop {
         self.body_rate.rounded()
     }
 
-    /// The angle between the axis of symmetry and **L**, rad, from 0 to π; constant (`eq:momentum-angle`). Zero for a body
-    /// at rest.
+    /// The angle between the axis of symmetry and **L**, rad, from 0 to π; constant (`eq:momentum-angle`). Zero for a
+    /// body at rest.
     pub fn momentum_angle(&self) -> f64 {
-        let [across_1, across_2, along]: [f64; 3] = self.momentum_direction_body.into();
-        across_1.hypot(across_2).atan2(along)
+        let [l1, l2, l3]: [f64; 3] = self.momentum_direction_body.into();
+        l1.hypot(l2).atan2(l3)
     }
 
     /// The angle between the axis of symmetry and the angular velocity, rad, from 0 to π; constant. Zero for a body at
@@ -173,44 +154,8 @@ impl FreeSymmetricTop {
     }
 }
 
-/// Components along the axes of a top, along those of a body of which the top's axis 1 is the axis number `shift`.
-pub(super) fn renamed_back(along_top: [f64; 3], shift: usize) -> Vector3<f64> {
-    Vector3::from_fn(|axis, _| along_top[(axis + 3 - shift) % 3])
+/// Components along the axes of a body from those of a top whose axis 1 is the body's axis number `shift`, counted
+/// from 0.
+pub(crate) fn renamed_back(of_top: [f64; 3], shift: usize) -> Vector3<f64> {
+    Vector3::from_fn(|axis, _| of_top[(axis + 3 - shift) % 3])
 }
-
-/// Why a body is not a free symmetric top.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidTop {
-    /// The moments about axes 1 and 2 differ.
-    NotSymmetric {
-        /// The moment about axis 1, kg·m².
-        about_1: f64,
-        /// The moment about axis 2, kg·m².
-        about_2: f64,
-    },
-    /// A number that cannot be computed with.
-    Quantity(InvalidQuantity),
-}
-
-impl From<InvalidQuantity> for InvalidTop {
-    fn from(error: InvalidQuantity) -> Self {
-        Self::Quantity(error)
-    }
-}
-
-impl fmt::Display for InvalidTop {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NotSymmetric { about_1, about_2 } => write!(
-                out,
-                "the moments about axes 1 and 2, {} kg·m² and {} kg·m², differ; a symmetric top has axis 3 as its axis",
-                Shown(about_1),
-                Shown(about_2)
-            ),
-            Self::Quantity(error) => error.fmt(out),
-        }
-    }
-}
-
-impl Error for InvalidTop {}

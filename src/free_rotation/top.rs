@@ -2,20 +2,20 @@
 
 use super::asymmetric::Asymmetric;
 use super::symmetric::{FreeSymmetricTop, renamed_back};
-use super::two_turns::TwoTurns;
 use crate::attitude::{check_attitude, turn};
 use crate::euler::Turning;
-use crate::frames::{InvalidFrames, fill};
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
+use crate::wide::{self, tumbling::Tumbling, turning::TwoTurns};
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 
-/// A body of any shape that turns with no torque about its centre of mass (or about a point held fixed, with the moments
-/// about that point), in closed form, attitude included.
+/// A body of any shape that turns with no torque about its centre of mass (or about a point held fixed, with the
+/// moments about that point), in closed form, attitude included.
 ///
-/// With three different moments the angular velocity is made of Jacobi's elliptic functions and the attitude of theta
-/// functions. All constants come from exact differences and are kept to 30 digits, and the parameter is the
+/// With three different moments the angular velocity is made of Jacobi's elliptic functions (`eq:free-jacobi`) and the
+/// attitude of a steady turn about **L**, the shortest way to **L** and the direction of a theta function
+/// (`eq:free-attitude`). All constants come from exact differences and are kept to 30 digits, and the parameter is the
 /// complementary one, so that neither a motion next to the separatrix nor a hundred million periods cost digits
 /// ([`FreeTop::at`] says how exact it is).
 ///
@@ -42,7 +42,6 @@ pub struct FreeTop {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a handful of tops, each used thousands of times")]
 enum Motion {
     /// About one axis for ever: a principal axis, or any axis of a sphere.
     Steady { axis_body: Vector3<f64>, rate: TwoPart },
@@ -56,8 +55,8 @@ impl FreeTop {
     /// A body of these moments, and its attitude and angular velocity at time zero. A body at rest is allowed.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if a number of `start` is not finite or of a size that cannot be computed with, or if its quaternion is not
-    /// of length one to 1e-12.
+    /// [`InvalidQuantity`] if a number of `start` is not finite or of a size that cannot be computed with, or if its
+    /// quaternion is not of length one to 1e-12.
     pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidQuantity> {
         for component in &start.omega_body {
             InvalidQuantity::check("angular velocity", *component, "rad/s")?;
@@ -93,10 +92,10 @@ impl FreeTop {
         Motion::Symmetric { top, renamed_from_body, shift }
     }
 
-    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until the body has turned
-    /// by 1e15 rad (by its quickest motion). Then the 32 digits of the rates run out; each further decade costs one, and from 1e30 rad
-    /// on only what is constant is known. Next to the separatrix, where the period hangs on a small difference, they run out at `1e17 k'²` rad if
-    /// that is earlier.
+    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until
+    /// the body has turned by 1e15 rad (by its quickest motion). Then the 32 digits of the rates run out; each further
+    /// decade costs one, and from 1e30 rad on only what is constant is known. Next to the separatrix, where the period
+    /// hangs on a small difference, they run out at `1e17 k'²` rad if that is earlier.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
@@ -118,38 +117,38 @@ impl FreeTop {
         })
     }
 
-    /// Attitude and angular velocity at each of `times`, s, written to `frames` without allocating, several frames at once.
+    /// Attitude and angular velocity at each of `times`, s, as [`FreeTop::at`], several at once.
     ///
     /// # Errors
-    /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
-    /// [`InvalidFrames::Time`] at the first time that [`FreeTop::at`] refuses.
-    pub fn fill(&self, times: &[f64], frames: &mut [Turning]) -> Result<(), InvalidFrames<InvalidQuantity>> {
-        let quick = |times: &[f64], frames: &mut [Turning]| match &self.motion {
+    /// As [`FreeTop::at`], of the first time that is refused.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
+        let at = |time: f64| self.at(time);
+        match &self.motion {
             Motion::Steady { axis_body, rate } => {
-                let (still, none) = ((Vector3::z(), TwoPart::from(0.0)), Vector3::zeros());
-                let identity = UnitQuaternion::identity();
-                let omega = [self.start.omega_body, none, none];
-                TwoTurns::new(&self.start.world_from_body, (*axis_body, *rate), still, &identity, omega)
-                    .fill(times, frames)
+                let kernel = TwoTurns::steady(&self.start, axis_body, *rate);
+                wide::sample(times, |times, states| kernel.fill(times, states), at)
             }
             Motion::Symmetric { top, renamed_from_body, shift } => {
-                top.two_turns(*shift, renamed_from_body).fill(times, frames)
+                let kernel = TwoTurns::of_top(top, *shift, renamed_from_body);
+                wide::sample(times, |times, states| kernel.fill(times, states), at)
             }
-            Motion::Asymmetric(motion) => motion.fill(times, frames),
-        };
-        fill(times, frames, quick, |time| self.at(time))
+            Motion::Asymmetric(motion) => {
+                let kernel = Tumbling::new(motion);
+                wide::sample(times, |times, states| kernel.fill(times, states), at)
+            }
+        }
     }
 
-    /// The time after which the angular velocity, seen from the body, is the same again, s, with a relative error below 4e-16. `None` if it
-    /// never changes, or, on the separatrix, never comes back.
+    /// The time after which the angular velocity, seen from the body, is the same again, s, with a relative error
+    /// below 4e-16. `None` if it never changes, or, on the separatrix, never comes back.
     pub fn period(&self) -> Option<f64> {
         match &self.motion {
             Motion::Steady { .. } => None,
             Motion::Symmetric { top, .. } => {
-                let (rate, across) = (top.body_rate().abs(), top.start().omega_body.xy());
-                (rate > 0.0 && across != Vector2::zeros()).then(|| std::f64::consts::TAU / rate)
+                let (rate, transverse) = (top.body_rate().abs(), top.start().omega_body.xy());
+                (rate > 0.0 && transverse != Vector2::zeros()).then(|| std::f64::consts::TAU / rate)
             }
-            Motion::Asymmetric(motion) => Some(motion.period()).filter(|period| period.is_finite()),
+            Motion::Asymmetric(motion) => motion.period(),
         }
     }
 

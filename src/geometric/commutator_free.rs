@@ -1,25 +1,26 @@
 //! The Lie-group method of order four without commutators.
 
-use super::{check, is_finite, rotation};
+use super::{check, exp, is_finite};
 use crate::euler::{self, Turning};
 use crate::inertia::PrincipalMoments;
 use crate::integrate::Failure;
 use nalgebra::Vector3;
 
-/// Attitude and angular velocity at time `end`, s, of a body under a torque along its own axes, N·m, which may depend on time and
-/// motion, by `steps` equal steps from `state` at time `start`.
+/// Attitude and angular velocity at time `end`, s, of a body under a torque along its own axes, N·m, which may depend
+/// on time and motion, by `steps` equal steps from `state` at time `start`.
 ///
-/// The classical Runge–Kutta method, for the attitude with turns in place of sums (`eq:commutator-free`): the attitude is a product of
-/// rotations and stays a unit quaternion to rounding. The angular velocity, which may be added, is that of [`crate::integrate::rk4`], and
-/// neither energy nor angular momentum is kept. Four evaluations of the torque a step, error of order four; that of the
-/// attitude of a brick that tumbles freely is 1.5 to 7 times smaller than RK4's, but not that of any body at any time: of a pencil
-/// it was seen to be ten times larger. Works in either direction of time.
+/// The classical Runge–Kutta method, for the attitude with turns in place of sums (`eq:commutator-free`): the attitude
+/// is a product of rotations and stays a unit quaternion to rounding. The angular velocity, which may be added, is
+/// that of [`crate::integrate::rk4`], and neither energy nor angular momentum is kept. Four evaluations of the torque
+/// a step, error of order four; that of the attitude of a brick that tumbles freely is 1.5 to 7 times smaller than
+/// RK4's, but not that of any body at any time: of a pencil it was seen to be ten times larger. Works in either
+/// direction of time.
 ///
 /// Celledoni, Marthinsen & Owren, *Future Generation Computer Systems* **19** (2003) 341.
 ///
 /// # Errors
-/// [`Failure::Interval`], [`Failure::InitialState`] or [`Failure::NoSteps`] for bad input; [`Failure::NotFinite`] as soon as
-/// a step leads to an infinity or NaN.
+/// [`Failure::Interval`], [`Failure::InitialState`] or [`Failure::NoSteps`] for bad input; [`Failure::NotFinite`] as
+/// soon as a step leads to an infinity or NaN.
 ///
 /// ```
 /// use mechanics::{euler::Turning, geometric::commutator_free, inertia::Body};
@@ -59,39 +60,28 @@ pub fn commutator_free(
     Ok(now)
 }
 
-/// One step of `eq:commutator-free`.
+/// One step of `eq:commutator-free`, and of `eq:rk4` for the angular velocity.
 fn step(
     acceleration: &mut impl FnMut(f64, &Turning) -> Vector3<f64>,
     time: f64,
     first: &Turning,
     h: f64,
 ) -> Turning {
-    let half = 0.5 * h;
-    let w1 = first.omega_body;
+    let Turning { world_from_body: q0, omega_body: w1 } = *first;
     let a1 = acceleration(time, first);
-    let second = Turning {
-        world_from_body: first.world_from_body * rotation(&(w1 * half)),
-        omega_body: w1 + a1 * half,
-    };
-    let w2 = second.omega_body;
-    let a2 = acceleration(time + half, &second);
-    let third = Turning {
-        world_from_body: first.world_from_body * rotation(&(w2 * half)),
-        omega_body: w1 + a2 * half,
-    };
-    let w3 = third.omega_body;
-    let a3 = acceleration(time + half, &third);
-    let fourth = Turning {
-        world_from_body: second.world_from_body * rotation(&(w3 * h - w1 * half)),
-        omega_body: w1 + a3 * h,
-    };
-    let w4 = fourth.omega_body;
-    let a4 = acceleration(time + h, &fourth);
-    let middle = (w2 + w3) / 6.0;
+    let q2 = q0 * exp(&(w1 * (h / 2.0)));
+    let w2 = w1 + a1 * (h / 2.0);
+    let a2 = acceleration(time + h / 2.0, &Turning { world_from_body: q2, omega_body: w2 });
+    let q3 = q0 * exp(&(w2 * (h / 2.0)));
+    let w3 = w1 + a2 * (h / 2.0);
+    let a3 = acceleration(time + h / 2.0, &Turning { world_from_body: q3, omega_body: w3 });
+    let q4 = q2 * exp(&(w3 * h - w1 * (h / 2.0)));
+    let w4 = w1 + a3 * h;
+    let a4 = acceleration(time + h, &Turning { world_from_body: q4, omega_body: w4 });
     Turning {
-        world_from_body: first.world_from_body
-            * rotation(&((w1 / 4.0 + middle - w4 / 12.0) * h))
-            * rotation(&((w4 / 4.0 + middle - w1 / 12.0) * h)),
-        omega_body: w1 + (a1 + (a2 + a3) * 2.0 + a4) * (h / 6.0),
+        world_from_body: q0
+            * exp(&((w1 * 3.0 + w2 * 2.0 + w3 * 2.0 - w4) * (h / 12.0)))
+            * exp(&((-w1 + w2 * 2.0 + w3 * 2.0 + w4 * 3.0) * (h / 12.0))),
+        omega_body: w1 + (a1 + a2 * 2.0 + a3 * 2.0 + a4) * (h / 6.0),
     }
 }

@@ -1,11 +1,11 @@
 //! Stepping methods that know that the state is a rotation.
 //!
-//! A general method adds to the four numbers of a quaternion, which then is no longer of length one. These methods only ever turn: the
-//! attitude is a product of exact rotations and stays an attitude, up to rounding.
+//! A general method adds to the four numbers of a quaternion, which then is no longer of length one. These methods
+//! only ever turn: the attitude is a product of exact rotations and stays an attitude, up to rounding.
 //!
 //! | method | for |
 //! |---|---|
-//! | [`Splitting`] | a free body over very many turns: its angular momentum stands still, its energy error does not grow |
+//! | [`Splitting`] | a free body over very many turns: keeps its angular momentum, and its energy error does not grow |
 //! | [`commutator_free`] | any torque |
 //!
 //! [`crate::integrate::METHODS`] lists them with the others. A free body alone needs neither:
@@ -21,8 +21,9 @@ use crate::euler::Turning;
 use crate::integrate::Failure;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// The rotation by a vector along its own direction, its length being the angle, rad: the exponential map.
-fn rotation(scaled_axis: &Vector3<f64>) -> UnitQuaternion<f64> {
+/// The rotation by a vector along its own direction, its length being the angle, rad, however small (nalgebra's own takes
+/// angles below 4e-16 for none).
+fn exp(scaled_axis: &Vector3<f64>) -> UnitQuaternion<f64> {
     let angle = scaled_axis.norm();
     if angle == 0.0 {
         return UnitQuaternion::identity();

@@ -1,6 +1,6 @@
 //! Free rotation as a sequence of exact turns about principal axes.
 
-use super::{check, is_finite, rotation};
+use super::{check, exp, is_finite};
 use crate::euler::Turning;
 use crate::inertia::PrincipalMoments;
 use crate::integrate::Failure;
@@ -8,15 +8,16 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// A splitting method for a free body.
 ///
-/// The energy is `L²/2I_b`, with the middle moment `I_b`, and one term `½(1/I_k − 1/I_b) L_k²` for each of the other two axes
-/// (`eq:split-energy`). Each term alone would turn the body at a constant rate: the first about **L**, and as it commutes with the
-/// others it is applied once, at the end; the others about their axis (`eq:split-turn`). A step alternates between these two, with
-/// weights that make the method symmetric and of its order. Where two moments are equal one term vanishes, and the result is exact at
-/// any step.
+/// The energy is `L²/2I_b`, with the middle moment `I_b`, and one term `½(1/I_k − 1/I_b) L_k²` for each of the other
+/// two axes (`eq:split-energy`). Each term alone would turn the body at a constant rate: the first about **L**, and as
+/// it commutes with the others it is applied once, at the end; the others about their axis (`eq:split-turn`). A step
+/// alternates between these two, with weights that make the method symmetric and of its order. Where two moments are
+/// equal one term vanishes, and the result is exact at any step.
 ///
-/// Kept to rounding: the angular momentum in the room and the unit length of the attitude, to three units in the last place a turn at
-/// most; the volume of phase space; and the way back: the same steps backwards lead to the start. The energy is off by a power of the
-/// step that does not grow with the time (`eq:modified-energy`); the phase along the polhode is off in proportion to the time.
+/// Kept to rounding: the angular momentum in the room and the unit length of the attitude, to three units in the last
+/// place a turn at most; the volume of phase space; and the way back: the same steps backwards lead to the start. The
+/// energy is off by a power of the step that does not grow with the time (`eq:modified-energy`); the phase along the
+/// polhode is off in proportion to the time.
 ///
 /// Touma & Wisdom, *Astronomical Journal* **107** (1994) 1189; McLachlan, *Physical Review Letters* **71** (1993) 3043.
 ///
@@ -36,16 +37,17 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Splitting {
-    /// Half a turn about one axis, the whole about the other, half about the first: order two, two turns a step (Strang, *SIAM
-    /// Journal on Numerical Analysis* **5** (1968) 506).
+    /// Half a turn about one axis, the whole about the other, half about the first: order two, two turns a step
+    /// (Strang, *SIAM Journal on Numerical Analysis* **5** (1968) 506).
     Strang,
-    /// Order four with thirteen turns, twelve a step as the last of a step and the first of the next are one; at equal work its error
-    /// is a small part of that of the composition of Strang steps by Suzuki's rule (Blanes & Moan, *Journal of Computational and
-    /// Applied Mathematics* **142** (2002) 313, method S6 of order 4).
+    /// Order four with thirteen turns, twelve a step as the last of a step and the first of the next are one; at equal
+    /// work its error is a small part of that of the composition of Strang steps by Suzuki's rule (Blanes & Moan,
+    /// *Journal of Computational and Applied Mathematics* **142** (2002) 313, method S6 of order 4).
     BlanesMoan,
 }
 
-/// The weights of `Splitting::BlanesMoan`: of the first axis a₁, a₂, a₃, of the second b₁, b₂; the others follow from their sums.
+/// The weights of `Splitting::BlanesMoan`: of the first axis a₁, a₂, a₃, of the second b₁, b₂; the others follow from
+/// their sums.
 const A: [f64; 3] = [0.0792036964311957, 0.353172906049774, -0.0420650803577195];
 const B: [f64; 2] = [0.209515106613362, -0.143851773179818];
 const A_MIDDLE: f64 = 1.0 - 2.0 * (A[0] + A[1] + A[2]);
@@ -70,8 +72,8 @@ impl Splitting {
     /// The motion of a free body of these moments after `duration`, s, of either sign, in so many equal steps.
     ///
     /// # Errors
-    /// [`Failure::Interval`], [`Failure::InitialState`] or [`Failure::NoSteps`] for bad input; [`Failure::NotFinite`] if the
-    /// momentum or an angle leaves the range of `f64`.
+    /// [`Failure::Interval`], [`Failure::InitialState`] or [`Failure::NoSteps`] for bad input; [`Failure::NotFinite`]
+    /// if the momentum or an angle leaves the range of `f64`.
     pub fn solve(
         self,
         moments: &PrincipalMoments,
@@ -97,7 +99,7 @@ impl Splitting {
             body.turn(split.first, if step == steps { outer } else { 2.0 * outer } * h);
         }
         // The part of the energy that depends on |L| alone turns the body about L (eq:split-energy).
-        let about_momentum = rotation(&(body.momentum / split.middle * duration));
+        let about_momentum = exp(&(body.momentum / split.middle * duration));
         let end = Turning {
             world_from_body: body.world_from_body * about_momentum,
             omega_body: moments.angular_velocity(&body.momentum),
@@ -143,18 +145,19 @@ struct Body {
 }
 
 impl Body {
-    /// Turns the body about one of its axes for a time, s; the momentum, which stands still in the room, goes back by the same angle
-    /// as seen from the body (`eq:split-turn`).
+    /// Turns the body about one of its axes for a time, s; the momentum, which stands still in the room, goes back by
+    /// the same angle as seen from the body (`eq:split-turn`).
     fn turn(&mut self, Axis { index, rate }: Axis, time: f64) {
-        let (sin, cos) = (0.5 * rate * self.momentum[index] * time).sin_cos();
+        let angle = rate * self.momentum[index] * time;
+        let (sin, cos) = (0.5 * angle).sin_cos();
         let mut axis = Vector3::zeros();
         axis[index] = sin;
-        let turn = UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, axis));
-        self.world_from_body *= turn;
-        let (j, k) = ((index + 1) % 3, (index + 2) % 3);
-        let (sine, cosine) = (2.0 * sin * cos, (cos - sin) * (cos + sin));
-        let (p, q) = (self.momentum[j], self.momentum[k]);
-        self.momentum[j] = cosine * p + sine * q;
-        self.momentum[k] = cosine * q - sine * p;
+        self.world_from_body *= UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, axis));
+        // R(k̂, −χ) L_body; sin χ and cos χ from those of the half angle.
+        let (sin, cos) = (2.0 * sin * cos, (cos - sin) * (cos + sin));
+        let (i, j) = ((index + 1) % 3, (index + 2) % 3);
+        let (l_i, l_j) = (self.momentum[i], self.momentum[j]);
+        self.momentum[i] = cos * l_i + sin * l_j;
+        self.momentum[j] = cos * l_j - sin * l_i;
     }
 }

@@ -1,21 +1,22 @@
 //! Bodies of even density and simple shape.
 
-use super::moments::{InvalidMoments, PrincipalMoments};
+use super::moments::PrincipalMoments;
 use super::tensor::InertiaTensor;
 use crate::quantity::{InvalidQuantity, Rule};
-use nalgebra::{Rotation3, Vector3};
+use nalgebra::Vector3;
 
-/// A body: its mass, and its principal moments about its centre of mass. Where it has an axis of symmetry, that is axis 3.
+/// A body: its mass, and its principal moments about its centre of mass. An axis of symmetry is axis 3.
 ///
 /// ```
-/// use mechanics::inertia::Body;
+/// use mechanics::inertia::{Body, Cylinder};
 /// // A flat disc is twice as hard to spin about its axis as to turn over (eq:perpendicular-axes) ...
-/// let [across, _, along] = Body::thin_disk(1.0, 0.2)?.moments().to_array();
-/// assert_eq!(along, 2.0 * across);
+/// let disc = Body::thin_disk(1.0, 0.2)?.moments().as_symmetric()?;
+/// assert_eq!(disc.axial, 2.0 * disc.transverse);
 /// // ... and a cylinder √3 times as long as its radius is like a ball: all its moments are equal.
-/// let [across, _, along] = Body::thick_disk(1.0, 0.2, 0.2 * 3_f64.sqrt())?.moments().to_array();
-/// assert!((across / along - 1.0).abs() < 1e-15);
-/// # Ok::<(), mechanics::inertia::InvalidMoments>(())
+/// let cylinder = Cylinder { radius: 0.2, height: 0.2 * 3_f64.sqrt() };
+/// let round = Body::cylinder(1.0, cylinder)?.moments().as_symmetric()?;
+/// assert!((round.transverse / round.axial - 1.0).abs() < 1e-15);
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Body {
@@ -23,12 +24,41 @@ pub struct Body {
     moments: PrincipalMoments,
 }
 
+/// The size of a ring of rectangular section.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ring {
+    /// Radius of the hole, m, zero or more.
+    pub inner_radius: f64,
+    /// Radius, m, more than that of the hole.
+    pub outer_radius: f64,
+    /// Height along the axis, m, zero or more.
+    pub height: f64,
+}
+
+/// The size of a round rod or a disc of any thickness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cylinder {
+    /// Radius a, m, more than zero: a rod without thickness would have no moment about itself, and its spin no meaning.
+    pub radius: f64,
+    /// Height h along the axis, m, zero or more.
+    pub height: f64,
+}
+
+/// The size of a spheroid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spheroid {
+    /// Radius a of the equator, m, more than zero.
+    pub equatorial_radius: f64,
+    /// Distance c of the poles from the centre, m, more than zero.
+    pub polar_radius: f64,
+}
+
 impl Body {
     /// A body with its mass, kg, and its principal moments about the centre of mass.
     ///
     /// # Errors
-    /// [`InvalidMoments`] unless the mass is positive, finite and of a size that can be computed with.
-    pub fn new(mass: f64, moments: PrincipalMoments) -> Result<Self, InvalidMoments> {
+    /// [`InvalidQuantity`] unless the mass is positive, finite and of a size that can be computed with.
+    pub fn new(mass: f64, moments: PrincipalMoments) -> Result<Self, InvalidQuantity> {
         InvalidQuantity::check_positive("mass", mass, "kg")?;
         Ok(Self { mass, moments })
     }
@@ -36,22 +66,19 @@ impl Body {
     /// A thin hoop of mass, kg, and radius, m: `½ma²`, `½ma²`, `ma²`.
     ///
     /// # Errors
-    /// [`InvalidMoments`] unless both are positive, and so for every shape below.
-    pub fn hoop(mass: f64, radius: f64) -> Result<Self, InvalidMoments> {
+    /// [`InvalidQuantity`] if a number breaks its rule, and so for every shape below.
+    pub fn hoop(mass: f64, radius: f64) -> Result<Self, InvalidQuantity> {
         length("radius", radius)?;
         Self::symmetric(mass, 0.5 * radius * radius, radius * radius)
     }
 
-    /// A ring of rectangular section: mass, kg, inner and outer radius, m, and height along the axis, m, which may be zero.
+    /// A ring of mass, kg: with the radii b and a and the height h `m((a² + b²)/4 + h²/12)` across its axis and
+    /// `½m(a² + b²)` about it.
     ///
     /// # Errors
-    /// [`InvalidMoments`] for bad numbers, and if the inner radius is not less than the outer.
-    pub fn ring(
-        mass: f64,
-        inner_radius: f64,
-        outer_radius: f64,
-        height: f64,
-    ) -> Result<Self, InvalidMoments> {
+    /// As [`Body::hoop`].
+    pub fn ring(mass: f64, ring: Ring) -> Result<Self, InvalidQuantity> {
+        let Ring { inner_radius, outer_radius, height } = ring;
         length("outer radius", outer_radius)?;
         InvalidQuantity::check_not_negative("inner radius", inner_radius, "m")?;
         InvalidQuantity::check_not_negative("height", height, "m")?;
@@ -65,54 +92,45 @@ impl Body {
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn thin_disk(mass: f64, radius: f64) -> Result<Self, InvalidMoments> {
-        Self::thick_disk(mass, radius, 0.0)
+    pub fn thin_disk(mass: f64, radius: f64) -> Result<Self, InvalidQuantity> {
+        Self::cylinder(mass, Cylinder { radius, height: 0.0 })
     }
 
-    /// A disc of mass, kg, radius, m, and thickness, m, which may be zero: `m(a²/4 + h²/12)` across, `½ma²` along.
+    /// A cylinder of mass, kg: `m(a²/4 + h²/12)` across its axis, `½ma²` about it.
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn thick_disk(mass: f64, radius: f64, thickness: f64) -> Result<Self, InvalidMoments> {
+    pub fn cylinder(mass: f64, Cylinder { radius, height }: Cylinder) -> Result<Self, InvalidQuantity> {
         length("radius", radius)?;
-        InvalidQuantity::check_not_negative("thickness", thickness, "m")?;
+        InvalidQuantity::check_not_negative("height", height, "m")?;
         let square = radius * radius;
-        Self::symmetric(mass, 0.25 * square + thickness * thickness / 12.0, 0.5 * square)
+        Self::symmetric(mass, 0.25 * square + height * height / 12.0, 0.5 * square)
     }
 
     /// A ball of mass, kg, and radius, m: `⅖ma²` about every axis.
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn sphere(mass: f64, radius: f64) -> Result<Self, InvalidMoments> {
-        Self::spheroid(mass, radius, radius)
+    pub fn sphere(mass: f64, radius: f64) -> Result<Self, InvalidQuantity> {
+        length("radius", radius)?;
+        Self::spheroid(mass, Spheroid { equatorial_radius: radius, polar_radius: radius })
     }
 
     /// A thin spherical shell of mass, kg, and radius, m: `⅔ma²` about every axis.
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn shell(mass: f64, radius: f64) -> Result<Self, InvalidMoments> {
+    pub fn shell(mass: f64, radius: f64) -> Result<Self, InvalidQuantity> {
         length("radius", radius)?;
         let square = radius * radius / 1.5;
         Self::symmetric(mass, square, square)
-    }
-
-    /// A round rod of mass, kg, length, m, and radius, m, all more than zero: a rod without thickness would have no moment
-    /// about itself, and its spin no meaning.
-    ///
-    /// # Errors
-    /// As [`Body::hoop`].
-    pub fn rod(mass: f64, rod_length: f64, radius: f64) -> Result<Self, InvalidMoments> {
-        length("length", rod_length)?;
-        Self::thick_disk(mass, radius, rod_length)
     }
 
     /// A block of mass, kg, with edges along axes 1, 2 and 3, m.
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn cuboid(mass: f64, edges: [f64; 3]) -> Result<Self, InvalidMoments> {
+    pub fn cuboid(mass: f64, edges: [f64; 3]) -> Result<Self, InvalidQuantity> {
         for edge in edges {
             length("edge", edge)?;
         }
@@ -120,11 +138,12 @@ impl Body {
         Self::per_mass(mass, [b + c, a + c, a + b])
     }
 
-    /// A spheroid of even density: mass, kg, equatorial radius a and polar radius c, m: `⅕m(a² + c²)` across, `⅖ma²` along.
+    /// A spheroid of even density and mass, kg: `⅕m(a² + c²)` across its axis, `⅖ma²` about it.
     ///
     /// # Errors
     /// As [`Body::hoop`].
-    pub fn spheroid(mass: f64, equatorial_radius: f64, polar_radius: f64) -> Result<Self, InvalidMoments> {
+    pub fn spheroid(mass: f64, spheroid: Spheroid) -> Result<Self, InvalidQuantity> {
+        let Spheroid { equatorial_radius, polar_radius } = spheroid;
         length("equatorial radius", equatorial_radius)?;
         length("polar radius", polar_radius)?;
         let [a, c] = [equatorial_radius * equatorial_radius, polar_radius * polar_radius];
@@ -153,17 +172,11 @@ impl Body {
         Ok(InertiaTensor::principal(self.moments).shifted(self.mass, displacement))
     }
 
-    /// The inertia about the centre of mass along other axes: `other_from_body` takes components along the body's axes to
-    /// components along the others.
-    pub fn along(&self, other_from_body: &Rotation3<f64>) -> InertiaTensor {
-        InertiaTensor::principal(self.moments).rotated(other_from_body)
+    fn symmetric(mass: f64, transverse: f64, axial: f64) -> Result<Self, InvalidQuantity> {
+        Self::per_mass(mass, [transverse, transverse, axial])
     }
 
-    fn symmetric(mass: f64, across: f64, axial: f64) -> Result<Self, InvalidMoments> {
-        Self::per_mass(mass, [across, across, axial])
-    }
-
-    fn per_mass(mass: f64, squares: [f64; 3]) -> Result<Self, InvalidMoments> {
+    fn per_mass(mass: f64, squares: [f64; 3]) -> Result<Self, InvalidQuantity> {
         InvalidQuantity::check_positive("mass", mass, "kg")?;
         let [about_1, about_2, about_3] = squares.map(|square| mass * square);
         Self::new(mass, PrincipalMoments::new(about_1, about_2, about_3)?)

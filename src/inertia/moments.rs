@@ -1,12 +1,12 @@
 //! Three moments that a body can have.
 
-use crate::quantity::{InvalidQuantity, Shown};
+use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::Vector3;
-use std::error::Error;
-use std::fmt;
 
 /// How much the largest moment of a flat body may exceed the sum of the others through rounding, relative.
 const FLAT: f64 = 4.0 * f64::EPSILON;
+/// What moments are given in.
+const UNIT: &str = "kg·m²";
 
 /// The principal moments of inertia of a body, kg·m², about axes 1, 2 and 3 that are fixed in it.
 ///
@@ -17,7 +17,7 @@ const FLAT: f64 = 4.0 * f64::EPSILON;
 /// let refusal = PrincipalMoments::new(2.0, 3.0, 9.0).unwrap_err();
 /// assert_eq!(
 ///     refusal.to_string(),
-///     "principal moment 9 kg·m² exceeds the sum of the other two, 5 kg·m²"
+///     "largest principal moment 9 kg·m² exceeds the sum of the other two, 5 kg·m²"
 /// );
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,33 +25,42 @@ pub struct PrincipalMoments {
     moments: [f64; 3],
 }
 
+/// The moments of a body that is symmetric about its axis 3.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SymmetricMoments {
+    /// I₁, about every axis across the body's own, kg·m².
+    pub transverse: f64,
+    /// I₃, about the body's axis, kg·m².
+    pub axial: f64,
+}
+
 impl PrincipalMoments {
     /// Checks three moments about three perpendicular axes, kg·m².
     ///
     /// # Errors
-    /// [`InvalidMoments`] if one is not finite, is zero or less, is outside 1e-50 to 1e50, or exceeds the sum of the other
-    /// two by more than rounding.
-    pub fn new(about_1: f64, about_2: f64, about_3: f64) -> Result<Self, InvalidMoments> {
+    /// [`InvalidQuantity`] if one is not finite, is zero or less, is outside 1e-50 to 1e50, or exceeds the sum of the
+    /// other two by more than rounding.
+    pub fn new(about_1: f64, about_2: f64, about_3: f64) -> Result<Self, InvalidQuantity> {
         let moments = [about_1, about_2, about_3];
         for moment in moments {
-            InvalidQuantity::check_positive("principal moment", moment, "kg·m²")?;
+            InvalidQuantity::check_positive("principal moment", moment, UNIT)?;
         }
         let mut sorted = moments;
         sorted.sort_by(f64::total_cmp);
         let [smallest, middle, largest] = sorted;
         let others = smallest + middle;
-        if largest > others * (1.0 + FLAT) {
-            return Err(InvalidMoments::Triangle { moment: largest, others });
-        }
+        let rule = Rule::NotAbove { what: "the sum of the other two", limit: others };
+        let is_body = largest <= others * (1.0 + FLAT); // eq:triangle
+        InvalidQuantity::require(is_body, "largest principal moment", largest, UNIT, rule)?;
         Ok(Self { moments })
     }
 
-    /// The moments of a body with an axis of symmetry, along axis 3: `transverse` about every axis across it, `axial` about
-    /// it, kg·m².
+    /// The moments of a body with an axis of symmetry, along axis 3: `transverse` about every axis across it, `axial`
+    /// about it, kg·m².
     ///
     /// # Errors
     /// As [`PrincipalMoments::new`].
-    pub fn symmetric(transverse: f64, axial: f64) -> Result<Self, InvalidMoments> {
+    pub fn symmetric(transverse: f64, axial: f64) -> Result<Self, InvalidQuantity> {
         Self::new(transverse, transverse, axial)
     }
 
@@ -60,13 +69,18 @@ impl PrincipalMoments {
         self.moments
     }
 
-    /// The transverse and the axial moment, kg·m², of a body that is symmetric about axis 3; `None` for any other.
-    pub fn as_symmetric(self) -> Option<(f64, f64)> {
-        let [first, second, axial] = self.moments;
-        (first == second).then_some((first, axial))
+    /// The two moments of a body that is symmetric about axis 3.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if the moment about axis 2 is not the one about axis 1.
+    pub fn as_symmetric(self) -> Result<SymmetricMoments, InvalidQuantity> {
+        let [transverse, other, axial] = self.moments;
+        let rule = Rule::EqualTo(transverse);
+        InvalidQuantity::require(other == transverse, "moment about axis 2", other, UNIT, rule)?;
+        Ok(SymmetricMoments { transverse, axial })
     }
 
-    /// The same body with the names of its axes moved on: its axis 1 is the present axis number `shift`, counted from 0.
+    /// The same body with its axes renamed: its axis 1 is the present axis number `shift`, counted from 0.
     pub(crate) fn renamed(self, shift: usize) -> Self {
         Self { moments: std::array::from_fn(|axis| self.moments[(axis + shift) % 3]) }
     }
@@ -89,40 +103,3 @@ impl PrincipalMoments {
         momentum_body.component_div(&Vector3::from(self.moments))
     }
 }
-
-/// Why three numbers are not the principal moments of a body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidMoments {
-    /// A moment, or a mass or length that it comes from, is not a positive number of this world.
-    Quantity(InvalidQuantity),
-    /// A moment exceeds the sum of the other two.
-    Triangle {
-        /// The largest moment, kg·m².
-        moment: f64,
-        /// The sum of the other two, kg·m².
-        others: f64,
-    },
-}
-
-impl From<InvalidQuantity> for InvalidMoments {
-    fn from(error: InvalidQuantity) -> Self {
-        Self::Quantity(error)
-    }
-}
-
-impl fmt::Display for InvalidMoments {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Quantity(error) => error.fmt(out),
-            Self::Triangle { moment, others } => write!(
-                out,
-                "principal moment {} kg·m² exceeds the sum of the other two, {} kg·m²",
-                Shown(moment),
-                Shown(others)
-            ),
-        }
-    }
-}
-
-impl Error for InvalidMoments {}

@@ -1,6 +1,7 @@
 //! Inertia about any point, along any axes.
 
-use super::moments::{InvalidMoments, PrincipalMoments};
+use super::moments::PrincipalMoments;
+use crate::quantity::InvalidQuantity;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
 /// What it costs to turn a matrix and to find its axes, of the largest moment.
@@ -21,8 +22,17 @@ pub struct InertiaTensor {
     matrix: Matrix3<f64>,
 }
 
+/// The principal axes of an inertia tensor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PrincipalAxes {
+    /// The moments about them, smallest first.
+    pub moments: PrincipalMoments,
+    /// Takes components along them to components along the axes of the tensor.
+    pub present_from_principal: Rotation3<f64>,
+}
+
 impl InertiaTensor {
-    /// The tensor along the principal axes.
+    /// The tensor about the point that the moments are about, along their axes.
     pub fn principal(moments: PrincipalMoments) -> Self {
         Self { matrix: Matrix3::from_diagonal(&moments.to_array().into()) }
     }
@@ -37,27 +47,25 @@ impl InertiaTensor {
         self.matrix * omega
     }
 
-    /// The tensor along other axes, `R I Rᵀ`, where R takes components along the present axes to those along the others.
+    /// The tensor along other axes, `R I Rᵀ`: R takes components along the present axes to those along the others.
     #[must_use]
     pub fn rotated(&self, other_from_present: &Rotation3<f64>) -> Self {
         let turn = other_from_present.matrix();
         Self { matrix: symmetrised(turn * self.matrix * turn.transpose()) }
     }
 
-    /// From the centre of mass of a body of mass `mass`, kg, to the point at `displacement` from it, m
-    /// (`eq:steiner`). Starting from any other point the result is meaningless.
-    #[must_use]
-    pub fn shifted(&self, mass: f64, displacement: &Vector3<f64>) -> Self {
+    /// From the centre of mass of a body of mass `mass`, kg, to the point at `displacement` from it, m. From any other
+    /// point it would be meaningless, so that only a body, which knows its centre of mass, may ask for it.
+    pub(super) fn shifted(&self, mass: f64, displacement: &Vector3<f64>) -> Self {
         let square = Matrix3::from_diagonal_element(displacement.norm_squared());
-        Self { matrix: self.matrix + (square - displacement * displacement.transpose()) * mass }
+        Self { matrix: self.matrix + (square - displacement * displacement.transpose()) * mass } // eq:steiner
     }
 
-    /// The principal moments, smallest first, and the rotation that takes components along the principal axes to those
-    /// along the axes of this tensor. Good to 5e-15 of the largest moment.
+    /// The principal moments and the axes that they are about. Good to 5e-15 of the largest moment.
     ///
     /// # Errors
-    /// [`InvalidMoments`] if the matrix is not the inertia of a body with three positive moments.
-    pub fn principal_axes(&self) -> Result<(PrincipalMoments, Rotation3<f64>), InvalidMoments> {
+    /// [`InvalidQuantity`] if the matrix is not the inertia of a body with three positive moments.
+    pub fn principal_axes(&self) -> Result<PrincipalAxes, InvalidQuantity> {
         if let Some(&bad) = self.matrix.iter().find(|entry| !entry.is_finite()) {
             PrincipalMoments::new(bad, bad, bad)?;
         }
@@ -70,7 +78,10 @@ impl InertiaTensor {
         // A flat body's is not more than the sum of the others through rounding.
         let others = about_1 + about_2;
         let about_3 = if largest - others < ROUNDING * largest { largest.min(others) } else { largest };
-        Ok((PrincipalMoments::new(about_1, about_2, about_3)?, Rotation3::from_matrix_unchecked(axes)))
+        Ok(PrincipalAxes {
+            moments: PrincipalMoments::new(about_1, about_2, about_3)?,
+            present_from_principal: Rotation3::from_matrix_unchecked(axes),
+        })
     }
 }
 

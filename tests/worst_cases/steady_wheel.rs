@@ -4,7 +4,7 @@ use crate::long::{Long, PI, long};
 use crate::search::{Case, search};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::SpinningCoin;
-use mechanics::scenes::wobble_plate::{Engine, Pistons, Plate};
+use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use std::f64::consts::FRAC_PI_2;
 
 /// Units in the last place.
@@ -120,14 +120,14 @@ fn a_balanced_engine_shakes_by_rounding_only() {
             _ => FRAC_PI_2 - draw.decades(1.75e-4, 1.0), // 89.99°
         };
         let radius = draw.decades(1e-3, 1e3);
-        let plate =
-            Plate::thick(draw.decades(1e-3, 1e3), radius, radius * draw.signed(1e-3, 1.7).abs(), tilt)
-                .ok()?;
+        let mass = draw.decades(1e-3, 1e3);
+        let thickness = radius * draw.signed(1e-3, 1.7).abs();
+        let plate = Plate::new(PlateParameters { mass, radius, thickness, tilt }).ok()?;
         let (count, way) =
             if draw.below(2) == 0 { (3 + draw.below(8), "few") } else { (3 + draw.below(998), "many") };
-        let pistons = Pistons::new(u32::try_from(count).ok()?, 1.0, draw.decades(1e-3, 1e3), 0.1).ok()?;
-        let mass = plate.balancing_mass(&pistons).ok()?;
-        let engine = Engine::new(plate, pistons.with_mass(mass).ok()?);
+        let (count, distance) = (u32::try_from(count).ok()?, draw.decades(1e-3, 1e3));
+        let pistons = Pistons::new(PistonParameters { count, mass: 1.0, distance, rod: 0.1 }).ok()?;
+        let engine = Engine::new(plate, pistons.with_mass(plate.balancing_mass(&pistons).ok()?).ok()?);
         let (phase, spin) = (draw.between(-10.0, 10.0), draw.decades(1e-3, 1e3));
         let own = plate.bearing_torque_rotating(spin).norm();
         let error = engine.frame_torque(phase, spin).norm() / own;

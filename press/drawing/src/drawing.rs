@@ -70,6 +70,30 @@ pub struct Item {
     pub name: Option<String>,
 }
 
+/// A scale of a plot, from the value at its beginning to that at its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    /// The value at its beginning: left or below.
+    pub from: f64,
+    /// The value at its end: right or above.
+    pub to: f64,
+    /// Whether equal distances are equal ratios.
+    pub logarithmic: bool,
+}
+
+/// The axes of a plot: what the places of its curves mean.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axes {
+    /// The rectangle of the plot, px; the axes run along its lower and its left edge.
+    pub frame: Rect,
+    /// The scale from left to right.
+    pub x: Scale,
+    /// The scale from below to above.
+    pub y: Scale,
+    /// The names of the curves that are drawn over them.
+    pub curves: Vec<String>,
+}
+
 /// A figure: shapes with roles, in the order in which they are painted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {
@@ -79,6 +103,7 @@ pub struct Drawing {
     title: String,
     description: String,
     items: Vec<Item>,
+    axes: Vec<Axes>,
     flaw: Option<Flaw>,
 }
 
@@ -86,7 +111,16 @@ impl Drawing {
     /// An empty figure with its id (`fig:orbit`) and its full size, px.
     pub fn new(id: &str, width: f64, height: f64) -> Self {
         let [title, description] = [String::new(), String::new()];
-        Self { id: id.into(), width, height, title, description, items: Vec::new(), flaw: None }
+        Self {
+            id: id.into(),
+            width,
+            height,
+            title,
+            description,
+            items: Vec::new(),
+            axes: Vec::new(),
+            flaw: None,
+        }
     }
 
     /// The figure with the words for readers who cannot see it: a short title, and what it shows.
@@ -127,6 +161,16 @@ impl Drawing {
         &self.items
     }
 
+    /// The axes of its plots.
+    pub fn axes(&self) -> &[Axes] {
+        &self.axes
+    }
+
+    /// Adds the axes of a plot.
+    pub fn add_axes(&mut self, axes: Axes) {
+        self.axes.push(axes);
+    }
+
     /// The rectangle of the whole figure.
     pub fn frame(&self) -> Rect {
         Rect::new(0.0, 0.0, self.width, self.height)
@@ -147,10 +191,16 @@ impl Drawing {
         self.items.push(Item { role, shape, name: None });
     }
 
-    /// Names the shape that was added last.
-    pub fn name_last(&mut self, name: &str) {
-        if let Some(item) = self.items.last_mut() {
-            item.name = Some(name.into());
+    /// Names the shapes that were added last, the pieces of a curve, over the axes that were: the first with the curve's name,
+    /// the others with `-2`, `-3` after it.
+    pub fn name_curve(&mut self, name: &str, pieces: usize) {
+        let first = self.items.len().saturating_sub(pieces);
+        for (item, piece) in self.items[first..].iter_mut().zip(1..) {
+            let name = if piece == 1 { name.to_owned() } else { format!("{name}-{piece}") };
+            if let Some(axes) = self.axes.last_mut() {
+                axes.curves.push(name.clone());
+            }
+            item.name = Some(name);
         }
     }
 

@@ -44,7 +44,7 @@ mod style;
 mod svg;
 
 pub use clip::clip;
-pub use drawing::{Drawing, Item, Shape};
+pub use drawing::{Axes, Drawing, Item, Scale, Shape};
 pub use flaw::Flaw;
 pub use label::{Label, LabelError, Piece, Segment, Side, TEX_COMMANDS};
 pub use point::{Point, Rect, at};

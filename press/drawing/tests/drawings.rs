@@ -91,7 +91,7 @@ fn everything() -> Drawing {
         kit::marker(&mut drawing, at(250.0, 150.0), marker, Hue::Green);
     }
     drawing.disc(at(100.0, 150.0), 20.0, Hue::Blue);
-    drawing.name_last("edge");
+    drawing.name_curve("edge", 1);
     drawing.label(at(100.0, 180.0), Side::Below, r"$\omega_0 < 1$ & more", Hue::Blue).expect("a label");
     drawing
 }

@@ -1,30 +1,16 @@
 //! What can go wrong with a figure.
 
-use crate::Chapter;
+use crate::Cause;
 use std::error::Error;
 use std::fmt;
 
 /// A figure that could not be drawn.
 #[derive(Debug)]
 pub struct Failure {
-    chapter: String,
-    line: usize,
-    figure: String,
-    cause: Box<dyn Error + Send + Sync>,
-}
-
-impl Failure {
-    /// The failure of a figure of a chapter, at the line that lists it.
-    pub(crate) fn new(chapter: &Chapter, figure: &str, cause: Box<dyn Error + Send + Sync>) -> Self {
-        let listed = chapter.source.lines().position(|line| line.contains(&format!("\"{figure}\"")));
-        let line = listed.map_or(0, |before| before + 1);
-        Self { chapter: chapter.folder.into(), line, figure: figure.into(), cause }
-    }
-
-    /// The id of the figure, as in `fig:machine`.
-    pub fn figure(&self) -> &str {
-        &self.figure
-    }
+    pub(crate) chapter: &'static str,
+    pub(crate) line: usize,
+    pub(crate) figure: &'static str,
+    pub(crate) cause: Cause,
 }
 
 impl fmt::Display for Failure {
@@ -41,40 +27,23 @@ impl Error for Failure {
 
 /// An axis that no plot can have.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidAxis {
-    /// The axis ends where it begins, or before, or at no number.
-    Range {
-        /// Where it begins.
-        from: f64,
-        /// Where it ends.
-        to: f64,
-    },
-    /// A logarithmic axis that begins at zero or below.
-    NotPositive {
-        /// Where it begins.
-        from: f64,
-    },
-    /// Ticks that are no distance apart, or more than a hundred.
-    Step {
-        /// The distance between ticks.
-        step: f64,
-    },
+pub struct InvalidAxis {
+    /// Where it would begin.
+    pub from: f64,
+    /// Where it would end.
+    pub to: f64,
+    /// The distance between its ticks: a difference of values, or a number of decades.
+    pub step: f64,
 }
 
 impl fmt::Display for InvalidAxis {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Range { from, to } => {
-                write!(out, "axis from {from} to {to}: it must end beyond its beginning")
-            }
-            Self::NotPositive { from } => {
-                write!(out, "logarithmic axis from {from}: it must begin above zero")
-            }
-            Self::Step { step } => {
-                write!(out, "ticks every {step}: the distance must be positive and give at most a hundred")
-            }
-        }
+        write!(
+            out,
+            "axis from {} to {}, ticks every {}: it must end beyond its beginning, a logarithmic one begin above zero, \
+             and ticks be a positive distance apart that gives at most a hundred",
+            self.from, self.to, self.step
+        )
     }
 }
 

@@ -1,40 +1,19 @@
 //! Every figure of the book: the house plot style, and the collection of `book/*/figures.rs`.
 //!
 //! A figure is a function that takes what the library computes and returns a [`Drawing`]. Each chapter keeps its figures in
-//! its own folder, in `figures.rs`; this crate compiles those files and gives them the plot style ([`Plot`], [`Axis`]) and
-//! the drawing kit. The press calls [`all`] while it is built, so Cargo renders again exactly what has changed.
+//! its own folder, in `figures.rs`; this crate finds and compiles those files and gives them the plot style ([`Plot`],
+//! [`Axis`]) and the drawing kit. Another build script calls [`of`] for the chapters whose code has changed.
 
 mod axis;
+mod canvas;
 mod failure;
+#[cfg(test)]
+mod list; // of the build script
 mod plot;
 mod sample;
 
-/// The chapters with figures: a module for each `figures.rs`, and the list in the order of the book.
-macro_rules! chapters {
-    ($($name:ident in $folder:literal: $path:literal;)*) => {
-        $(
-            #[path = $path]
-            mod $name;
-        )*
-        const CHAPTERS: &[Chapter] =
-            &[$(Chapter { folder: $folder, entries: $name::FIGURES, source: include_str!($path) }),*];
-    };
-}
-
-chapters! {
-    laundromat in "laundromat": "../../../book/laundromat/figures.rs";
-    turning in "turning": "../../../book/turning/figures.rs";
-    wobble_plate in "wobble-plate": "../../../book/wobble-plate/figures.rs";
-    coin_toss in "coin-toss": "../../../book/coin-toss/figures.rs";
-    space_station in "space-station": "../../../book/space-station/figures.rs";
-    air_drag in "air-drag": "../../../book/air-drag/figures.rs";
-    pinned_hoop in "pinned-hoop": "../../../book/pinned-hoop/figures.rs";
-    rolling_wheel in "rolling-wheel": "../../../book/rolling-wheel/figures.rs";
-    spinning_coin in "spinning-coin": "../../../book/spinning-coin/figures.rs";
-    methods in "methods": "../../../book/methods/figures.rs";
-    speed_and_accuracy in "speed-and-accuracy": "../../../book/speed-and-accuracy/figures.rs";
-    hard_cases in "hard-cases": "../../../book/hard-cases/figures.rs";
-}
+// A module for each chapter, and `ENTRIES`, every figure in the order of the book: the build script reads both off the files.
+include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 
 pub use axis::Axis;
 pub use drawing::Drawing;
@@ -43,6 +22,7 @@ pub use plot::Plot;
 pub use sample::{linear_steps, log_steps};
 
 use std::error::Error;
+use std::{panic, thread};
 
 /// Why a figure could not be drawn: whatever the library or the kit says.
 pub type Cause = Box<dyn Error + Send + Sync>;
@@ -50,17 +30,12 @@ pub type Cause = Box<dyn Error + Send + Sync>;
 /// What a figure function returns: a drawing, or why there is none.
 pub type Outcome = Result<Drawing, Cause>;
 
-/// A figure to be drawn: its id on the page and the function that draws it.
-pub(crate) struct Entry {
-    pub(crate) id: &'static str,
-    pub(crate) draw: fn(&str) -> Outcome,
-}
-
-/// The figures of a chapter: its folder, its list, and the text of its file, in which failures find their lines.
-struct Chapter {
-    folder: &'static str,
-    entries: &'static [Entry],
-    source: &'static str,
+/// A figure to be drawn: its id on the page, its chapter, the line that names it there, and the function that draws it.
+struct Entry {
+    id: &'static str,
+    chapter: &'static str,
+    line: usize,
+    draw: fn(&str) -> Outcome,
 }
 
 /// A figure of the book, rendered.
@@ -85,39 +60,50 @@ pub struct Figure {
 /// Draws every figure of the book, chapter by chapter.
 ///
 /// # Errors
-/// A [`Failure`] for each figure that could not be drawn, or whose id another figure has, with its file and the reason.
+/// A [`Failure`] for each figure that could not be drawn, with its file and the reason.
 pub fn all() -> Result<Vec<Figure>, Vec<Failure>> {
-    let (mut figures, mut failures) = (Vec::<Figure>::new(), Vec::new());
-    for chapter in CHAPTERS {
-        for entry in chapter.entries {
-            match render(chapter, entry) {
-                Ok(figure) => match figures.iter().find(|other| other.id == figure.id) {
-                    Some(other) => {
-                        let cause =
-                            format!("book/{}/figures.rs has a figure of this name too", other.chapter);
-                        failures.push(Failure::new(chapter, entry.id, cause.into()));
-                    }
-                    None => figures.push(figure),
-                },
-                Err(cause) => failures.push(Failure::new(chapter, entry.id, cause)),
-            }
+    of(|_| true)
+}
+
+/// Draws the figures of those chapters whose folders are `wanted`, each chapter on a thread of its own.
+///
+/// # Errors
+/// As for [`all`].
+pub fn of(wanted: impl Fn(&str) -> bool) -> Result<Vec<Figure>, Vec<Failure>> {
+    let draw = |entry: &Entry| render(entry).map_err(|cause| failed(entry, cause));
+    let drawn: Vec<Result<Figure, Failure>> = thread::scope(|scope| {
+        let chapters = ENTRIES.chunk_by(|one, next| one.chapter == next.chapter);
+        let threads: Vec<_> = chapters
+            .filter(|chapter| wanted(chapter[0].chapter))
+            .map(|chapter| scope.spawn(move || chapter.iter().map(draw).collect::<Vec<_>>()))
+            .collect();
+        threads
+            .into_iter()
+            .flat_map(|thread| thread.join().unwrap_or_else(|cause| panic::resume_unwind(cause)))
+            .collect()
+    });
+    let (mut figures, mut failures) = (Vec::new(), Vec::new());
+    for result in drawn {
+        match result {
+            Ok(figure) => figures.push(figure),
+            Err(failure) => failures.push(failure),
         }
     }
     if failures.is_empty() { Ok(figures) } else { Err(failures) }
 }
 
-fn render(chapter: &Chapter, entry: &Entry) -> Result<Figure, Cause> {
-    let sound = |b: u8| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-';
-    if !entry.id.strip_prefix("fig:").is_some_and(|name| !name.is_empty() && name.bytes().all(sound)) {
-        return Err("the id of a figure is `fig:` and lower-case letters, digits and hyphens".into());
-    }
+fn failed(entry: &Entry, cause: Cause) -> Failure {
+    Failure { chapter: entry.chapter, line: entry.line, figure: entry.id, cause }
+}
+
+fn render(entry: &Entry) -> Result<Figure, Cause> {
     let drawing = (entry.draw)(entry.id)?;
     if drawing.title().trim().is_empty() || drawing.description().trim().is_empty() {
         return Err("the figure lacks a title or a description for those who cannot see it".into());
     }
     Ok(Figure {
         id: entry.id.into(),
-        chapter: chapter.folder.into(),
+        chapter: entry.chapter.into(),
         title: drawing.title().into(),
         description: drawing.description().into(),
         svg: drawing.to_svg()?,
@@ -128,15 +114,13 @@ fn render(chapter: &Chapter, entry: &Entry) -> Result<Figure, Cause> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Cause, Chapter, Drawing, Entry, Failure, Outcome, Plot, render};
+    use super::{Axis, Drawing, Entry, Outcome, Plot, failed, render};
     use drawing::{Hue, Rect, Side, Stroke, at};
 
-    /// What is said of a figure that is drawn by `draw` and listed in the third line of its file.
-    fn said(id: &'static str, draw: fn(&str) -> Outcome) -> String {
-        let source = "use drawing::Drawing;\n\nconst FIGURES: &[Entry] = &[Entry { id: \"gimbal\", draw }, Entry { id: \"fig:typo\", draw }];\n";
-        let chapter = Chapter { folder: "nowhere", entries: &[], source };
-        let cause: Cause = render(&chapter, &Entry { id, draw }).expect_err("it is wrong");
-        Failure::new(&chapter, id, cause).to_string()
+    /// What is said of a figure that is drawn by `draw`, in the third line of its file.
+    fn said(draw: fn(&str) -> Outcome) -> String {
+        let entry = Entry { id: "fig:typo", chapter: "nowhere", line: 3, draw };
+        failed(&entry, render(&entry).expect_err("it is wrong")).to_string()
     }
 
     fn empty(id: &str) -> Drawing {
@@ -161,21 +145,15 @@ mod tests {
             Ok(drawing)
         };
         assert_eq!(
-            said("fig:typo", typo),
+            said(typo),
             r"book/nowhere/figures.rs:3: fig:typo: label `$\omga$`: unknown command `\omga`"
         );
-        for id in ["gimbal", "fig:", "fig:Gimbal"] {
-            let said = said(id, |id| Ok(empty(id)));
-            let rule =
-                format!("{id}: the id of a figure is `fig:` and lower-case letters, digits and hyphens");
-            assert!(said.ends_with(&rule), "{said}");
-        }
         for draw in
             [(|id| Ok(Drawing::new(id, 9.0, 9.0).titled("", "Words."))) as fn(&str) -> Outcome, |id| {
                 Ok(Drawing::new(id, 9.0, 9.0).titled("Words", " "))
             }]
         {
-            assert!(said("fig:typo", draw).contains("lacks a title or a description"));
+            assert!(said(draw).contains("lacks a title or a description"));
         }
     }
 
@@ -190,7 +168,7 @@ mod tests {
             let mut drawing = empty(id);
             let line = [at(1.0, 1.0), at(2.0, 2.0), at(3.0, f64::NAN), at(4.0, 4.0)];
             drawing.polyline(&line, Stroke::Curve, Hue::Blue);
-            drawing.name_last("path");
+            drawing.name_curve("path", 1);
             Ok(drawing)
         };
         for (draw, expected) in [
@@ -204,7 +182,7 @@ mod tests {
             (|id| curve(id, &[(1.0, 2.0), (2.0, 3.0), (3.0, 0.0)]), "the curve body goes through (3, 0)"),
             (|id| curve(id, &[(20.0, 2.0), (30.0, 3.0)]), "no part of the curve body lies inside the frame"),
         ] {
-            let said = said("fig:typo", draw);
+            let said = said(draw);
             assert!(
                 said.starts_with("book/nowhere/figures.rs:3: fig:typo: ") && said.contains(expected),
                 "{said}"

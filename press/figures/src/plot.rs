@@ -3,37 +3,41 @@
 //! Axes at the left and below, ticks outward, no grid, no frame; the y title stands horizontally above its axis; curves carry
 //! their labels beside them.
 
+use crate::Cause;
 use crate::axis::Axis;
+use crate::canvas::{Canvas, pen, point, units};
 use drawing::kit::{self, Marker};
 use drawing::{
-    Drawing, Fill, Flaw, Hue, Label, LabelError, Point, Rect, Role, Shape, Side, Stroke, at, clip,
+    Axes, Drawing, Fill, Flaw, Hue, Label, LabelError, Point, Rect, Role, Shape, Side, Stroke, at, clip,
+};
+use plotters::coord::cartesian::{Cartesian2d, MeshLine};
+use plotters::prelude::{
+    ChartBuilder, CoordTranslate, DrawingBackend, IntoDrawingArea, LabelAreaPosition, PathElement,
 };
 
-/// Type sizes of ticks, and of titles and labels, px.
-const TICK_TYPE: f64 = 13.0;
+/// The type size of titles, px.
 const TITLE_TYPE: f64 = 14.0;
 /// Lengths of major and minor ticks, px.
 const MAJOR: f64 = 5.0;
 const MINOR: f64 = 3.0;
 
 /// A plot in a rectangle of a drawing. Points are given as values, (x, y).
-#[derive(Debug)]
 pub struct Plot<'a> {
     drawing: &'a mut Drawing,
     frame: Rect,
-    x: Axis,
-    y: Axis,
+    axes: Cartesian2d<Axis, Axis>,
 }
 
 impl<'a> Plot<'a> {
     /// A plot whose axes run along the left and the lower edge of a rectangle of the drawing, px. The axes are drawn at once.
     ///
     /// # Errors
-    /// [`LabelError`] if a title or tick cannot be set.
-    pub fn new(drawing: &'a mut Drawing, frame: Rect, x: Axis, y: Axis) -> Result<Self, LabelError> {
-        let mut plot = Self { drawing, frame, x, y };
-        plot.draw_axes()?;
-        Ok(plot)
+    /// [`LabelError`] if a title or a tick's label cannot be set.
+    pub fn new(drawing: &'a mut Drawing, frame: Rect, x: Axis, y: Axis) -> Result<Self, Cause> {
+        draw_axes(drawing, frame, &x, &y)?;
+        draw_title(drawing, x.title.as_deref(), |width| at(frame.right - width, frame.bottom + 40.0))?;
+        draw_title(drawing, y.title.as_deref(), |_| at((frame.left - 34.0).max(2.0), frame.top - 15.0))?;
+        Ok(Self::in_frame(drawing, frame, x, y))
     }
 
     /// A plot without axes: the same values along x and along y, one unit of them `scale` px, about the point `origin`.
@@ -50,7 +54,13 @@ impl<'a> Plot<'a> {
         let half = scale * reach;
         let axis = Axis::linear(-reach, reach, reach)?;
         let frame = Rect::new(origin.x - half, origin.y - half, 2.0 * half, 2.0 * half);
-        Ok(Self { drawing, frame, x: axis.clone(), y: axis })
+        Ok(Self::in_frame(drawing, frame, axis.clone(), axis))
+    }
+
+    fn in_frame(drawing: &'a mut Drawing, frame: Rect, x: Axis, y: Axis) -> Self {
+        drawing.add_axes(Axes { frame, x: x.scale, y: y.scale, curves: Vec::new() });
+        let pixels = (units(frame.left)..units(frame.right), units(frame.bottom)..units(frame.top));
+        Self { drawing, frame, axes: Cartesian2d::new(x, y, pixels) }
     }
 
     /// The drawing beneath, for what is not given by values.
@@ -63,12 +73,36 @@ impl<'a> Plot<'a> {
         self.frame
     }
 
-    /// Where a pair of values lies in the drawing, px.
-    pub fn at(&self, (x, y): (f64, f64)) -> Point {
-        at(
-            self.x.place(x, self.frame.left, self.frame.right),
-            self.y.place(y, self.frame.bottom, self.frame.top),
-        )
+    /// Where a pair of values lies in the drawing, px; NaN for what has no place on these axes.
+    pub fn at(&self, value: (f64, f64)) -> Point {
+        let place = self.place(value).map(|place| point(self.axes.translate(&(place.x, place.y))));
+        place.unwrap_or(at(f64::NAN, f64::NAN))
+    }
+
+    /// Where a pair of values stands on the scales.
+    fn place(&self, (x, y): (f64, f64)) -> Option<Point> {
+        Some(at(self.axes.x_spec().place(x)?, self.axes.y_spec().place(y)?))
+    }
+
+    /// Where a pair of values stands on the scales. The drawing is refused for one that has no place there.
+    fn placed(&mut self, what: &str, value: (f64, f64)) -> Option<Point> {
+        let place = self.place(value);
+        if place.is_none() {
+            self.drawing.refuse(Flaw::NoNumber { what: what.to_owned(), place: value });
+        }
+        place
+    }
+
+    /// Draws a line through values in pieces, cut at the frame, along which plotters would go on. How many pieces there are.
+    fn line(&mut self, what: &str, values: &[(f64, f64)], stroke: Stroke, hue: Hue) -> usize {
+        let places: Vec<Point> = values.iter().filter_map(|&value| self.placed(what, value)).collect();
+        let (x, y) = (self.axes.get_x_range(), self.axes.get_y_range());
+        let pieces = clip(&places, &Rect { left: x.start, top: y.start, right: x.end, bottom: y.end });
+        let area = Canvas(self.drawing).into_drawing_area().apply_coord_spec(&self.axes);
+        let pairs = |piece: &[Point]| piece.iter().map(|place| (place.x, place.y)).collect::<Vec<_>>();
+        let drawn =
+            |piece: &&Vec<Point>| area.draw(&PathElement::new(pairs(piece), pen(stroke, hue))).is_ok();
+        pieces.iter().filter(drawn).count()
     }
 
     /// A curve through values, cut at the frame and thinned to what can be seen. Its name becomes an id; if the frame cuts it
@@ -82,20 +116,12 @@ impl<'a> Plot<'a> {
     ) {
         let values: Vec<(f64, f64)> = values.into_iter().collect();
         let what = format!("the curve {name}");
-        let points = self.placed(&what, &values);
-        let pieces = clip(&points, &self.frame);
+        let pieces = self.line(&what, &values, stroke, hue);
         // A series may have a single point, or none, and then no curve.
-        if pieces.is_empty() && points.len() > 1 {
+        if pieces == 0 && values.len() > 1 {
             self.drawing.refuse(Flaw::NothingToSee { what });
         }
-        for (index, piece) in pieces.iter().enumerate() {
-            self.drawing.polyline(piece, stroke, hue);
-            self.drawing.name_last(&if index == 0 {
-                name.to_owned()
-            } else {
-                format!("{name}-{}", index + 1)
-            });
-        }
+        self.drawing.name_curve(name, pieces);
     }
 
     /// Values joined by a thin line, each with a marker.
@@ -106,38 +132,29 @@ impl<'a> Plot<'a> {
 
     /// A marker at each pair of values inside the frame.
     pub fn markers(&mut self, values: &[(f64, f64)], form: Marker, hue: Hue) {
-        for point in self.placed("a marker", values) {
-            if self.frame.grown(0.5).contains(point) {
-                kit::marker(self.drawing, point, form, hue);
+        for &value in values {
+            let frame = self.frame.grown(0.5);
+            if self.placed("a marker", value).is_some() && frame.contains(self.at(value)) {
+                kit::marker(self.drawing, self.at(value), form, hue);
             }
         }
     }
 
-    /// Where values lie in the drawing, px. The drawing is refused for one that has no place on these axes.
-    fn placed(&mut self, what: &str, values: &[(f64, f64)]) -> Vec<Point> {
-        let points: Vec<Point> = values.iter().map(|&value| self.at(value)).collect();
-        if let Some(at) = points.iter().position(|point| !(point.x.is_finite() && point.y.is_finite())) {
-            self.drawing.refuse(Flaw::NoNumber { what: what.to_owned(), place: values[at] });
-        }
-        points
-    }
-
     /// A reference line between two pairs of values, cut at the frame.
     pub fn reference(&mut self, from: (f64, f64), to: (f64, f64), stroke: Stroke) {
-        let ends = self.placed("a reference line", &[from, to]);
-        for piece in clip(&ends, &self.frame) {
-            self.drawing.push(Role::Line(stroke, Hue::Muted), Shape::Polyline(piece));
-        }
+        self.line("a reference line", &[from, to], stroke, Hue::Muted);
     }
 
     /// A reference line at a value of y, across the whole plot.
     pub fn level(&mut self, y: f64, stroke: Stroke) {
-        self.reference((self.x.from(), y), (self.x.to(), y), stroke);
+        let x = self.axes.x_spec().scale;
+        self.reference((x.from, y), (x.to, y), stroke);
     }
 
     /// A reference line at a value of x, from the axis to the top of the plot.
     pub fn upright(&mut self, x: f64, stroke: Stroke) {
-        self.reference((x, self.y.from()), (x, self.y.to()), stroke);
+        let y = self.axes.y_spec().scale;
+        self.reference((x, y.from), (x, y.to), stroke);
     }
 
     /// A tinted region between two corners.
@@ -154,50 +171,44 @@ impl<'a> Plot<'a> {
         let point = self.at(value);
         self.drawing.label(point, side, text, hue)
     }
+}
 
-    fn draw_axes(&mut self) -> Result<(), LabelError> {
-        let frame = self.frame;
-        let corner = at(frame.left, frame.bottom);
-        self.drawing.line(corner, at(frame.right, frame.bottom), Stroke::Axis, Hue::Ink);
-        self.drawing.line(corner, at(frame.left, frame.top), Stroke::Axis, Hue::Ink);
-        for tick in self.x.ticks() {
-            let foot = at(self.x.place(tick.value, frame.left, frame.right), frame.bottom);
-            self.draw_tick(foot, at(0.0, 1.0), Side::Below, tick.label.as_deref())?;
-        }
-        for tick in self.y.ticks() {
-            let foot = at(frame.left, self.y.place(tick.value, frame.bottom, frame.top));
-            self.draw_tick(foot, at(-1.0, 0.0), Side::Left, tick.label.as_deref())?;
-        }
-        if let Some(title) = self.x.title.clone() {
-            let label = Label::new(&title, TITLE_TYPE)?;
-            let start = at(frame.right - label.width(), frame.bottom + 40.0);
-            self.drawing.push(Role::Text(Hue::Ink), Shape::Label(label.from_baseline(start)));
-        }
-        if let Some(title) = self.y.title.clone() {
-            let label = Label::new(&title, TITLE_TYPE)?;
-            let start = at((frame.left - 34.0).max(2.0), frame.top - 15.0);
-            self.drawing.push(Role::Text(Hue::Ink), Shape::Label(label.from_baseline(start)));
-        }
-        Ok(())
-    }
+fn draw_axes(drawing: &mut Drawing, frame: Rect, x: &Axis, y: &Axis) -> Result<(), Cause> {
+    let [right, below] = [drawing.width() - frame.right, drawing.height() - frame.bottom];
+    let area = Canvas(drawing).into_drawing_area();
+    let mut chart = ChartBuilder::on(&area)
+        .margin_top(units(frame.top))
+        .margin_right(units(right))
+        .set_label_area_size(LabelAreaPosition::Left, units(frame.left))
+        .set_label_area_size(LabelAreaPosition::Bottom, units(below))
+        .build_cartesian_2d(x.clone(), y.clone())?;
+    chart
+        .configure_mesh()
+        .disable_mesh()
+        .axis_style(pen(Stroke::Axis, Hue::Ink))
+        .set_all_tick_mark_size(units(MAJOR))
+        .draw()?;
+    // Of minor ticks plotters knows the places only.
+    let length = units(MINOR);
+    let minor = |canvas: &mut Canvas<'_>, line: MeshLine<'_, Axis, Axis>| {
+        let ends = match line {
+            MeshLine::XMesh(foot, ..) => [foot, (foot.0, foot.1 + length)],
+            MeshLine::YMesh(foot, ..) => [foot, (foot.0 - length, foot.1)],
+        };
+        canvas.draw_path(ends, &pen(Stroke::Tick, Hue::Ink))
+    };
+    Ok(chart.plotting_area().draw_mesh(minor, 0, 0)?)
+}
 
-    fn draw_tick(
-        &mut self,
-        foot: Point,
-        out: Point,
-        side: Side,
-        label: Option<&str>,
-    ) -> Result<(), LabelError> {
-        let (length, stroke) = if label.is_some() { (MAJOR, Stroke::Axis) } else { (MINOR, Stroke::Tick) };
-        self.drawing.line(foot, foot + out * length, stroke, Hue::Ink);
-        let Some(text) = label.filter(|text| !text.is_empty()) else { return Ok(()) };
-        // Numbers below an axis stand on one baseline, whatever their ink.
-        if side == Side::Below {
-            let label = Label::new(text, TICK_TYPE)?;
-            let start = foot + at(-0.5 * label.width(), 20.0);
-            self.drawing.push(Role::PlainText(Hue::Ink), Shape::Label(label.from_baseline(start)));
-            return Ok(());
-        }
-        self.drawing.label_set(foot, side, MAJOR + 4.0, TICK_TYPE, text, Role::PlainText(Hue::Ink))
-    }
+/// Draws the title of an axis, if it has one; its baseline starts at a place that may depend on its width.
+fn draw_title(
+    drawing: &mut Drawing,
+    title: Option<&str>,
+    place: impl Fn(f64) -> Point,
+) -> Result<(), LabelError> {
+    let Some(title) = title else { return Ok(()) };
+    let label = Label::new(title, TITLE_TYPE)?;
+    let start = place(label.width());
+    drawing.push(Role::Text(Hue::Ink), Shape::Label(label.from_baseline(start)));
+    Ok(())
 }

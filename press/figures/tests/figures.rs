@@ -4,9 +4,11 @@ use drawing::{Fill, Point, Rect, Role, Shape};
 use figures::{Figure, all};
 use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
-fn every_figure() -> Vec<Figure> {
-    let figures = all().expect("every figure can be drawn");
+fn every_figure() -> &'static [Figure] {
+    static FIGURES: OnceLock<Vec<Figure>> = OnceLock::new();
+    let figures = FIGURES.get_or_init(|| all().expect("every figure can be drawn"));
     assert!(figures.len() >= 12, "only {} figures were found", figures.len());
     figures
 }
@@ -22,7 +24,7 @@ fn child<'a>(root: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
 #[test]
 fn every_figure_is_xml_with_title_and_description() {
     for figure in every_figure() {
-        let document = parsed(&figure);
+        let document = parsed(figure);
         let root = document.root_element();
         assert_eq!(root.attribute("role"), Some("img"), "{}", figure.id);
         let named =
@@ -59,7 +61,7 @@ fn no_figure_holds_a_colour() {
         for word in ["rgb", "hsl", "fill=", "stroke=", "fill:", "stroke:", "color"] {
             assert!(!text.contains(word), "{} contains `{word}`", figure.id);
         }
-        let document = parsed(&figure);
+        let document = parsed(figure);
         let attributes = document.descendants().flat_map(|node| node.attributes());
         assert!(
             attributes
@@ -76,7 +78,7 @@ fn ids_are_unique_in_the_whole_book() {
     let mut seen = BTreeSet::new();
     for figure in every_figure() {
         let prefix = figure.id.replace(':', "-");
-        for node in parsed(&figure).descendants() {
+        for node in parsed(figure).descendants() {
             let Some(id) = node.attribute("id") else { continue };
             assert!(id.starts_with(&prefix), "{}: the id `{id}` does not begin with the figure's", figure.id);
             assert!(seen.insert(id.to_owned()), "the id `{id}` occurs twice");
@@ -155,7 +157,7 @@ fn words(label: &drawing::Label) -> String {
 
 #[test]
 fn two_renderings_are_equal_byte_for_byte() {
-    for (first, second) in every_figure().iter().zip(every_figure()) {
+    for (first, second) in every_figure().iter().zip(all().expect("every figure can be drawn")) {
         assert_eq!(first.svg, second.svg, "{}", first.id);
         assert_eq!(first.standalone, second.standalone, "{}", first.id);
     }

@@ -33,9 +33,9 @@ pub struct View {
 pub struct Camera {
     target: Vec3,
     /// Unit vectors of the world: to the right and up on the page, and towards the eye.
-    right: Vec3,
-    up: Vec3,
-    back: Vec3,
+    pub(super) right: Vec3,
+    pub(super) up: Vec3,
+    pub(super) back: Vec3,
     /// 1/distance; 0 for an eye at infinity.
     nearness: f64,
     centre: Point,
@@ -48,21 +48,6 @@ impl Camera {
     /// # Errors
     /// [`SpaceError`] for numbers that are not finite (the distance may be infinite), for a distance or scale that is not
     /// positive, and for an elevation beyond ±π/2.
-    ///
-    /// ```
-    /// use drawing::{at, space::{Camera, SpaceError, View}};
-    /// let view = View {
-    ///     target: [0.0; 3], azimuth: 0.0, elevation: 0.0, distance: 4.0, centre: at(100.0, 100.0), scale: 30.0,
-    /// };
-    /// let camera = Camera::new(view)?; // on the x axis, 4 units from the origin
-    /// // One unit to the right (y) and one up, at the target's depth; then two units closer, where all is twice as large.
-    /// assert_eq!(camera.project([0.0, 1.0, 1.0]), Some(at(130.0, 70.0)));
-    /// assert_eq!(camera.project([2.0, 1.0, 1.0]), Some(at(160.0, 40.0)));
-    /// assert_eq!(camera.project([5.0, 0.0, 0.0]), None); // behind the eye
-    /// let parallel = Camera::new(View { distance: f64::INFINITY, ..view })?;
-    /// assert_eq!(parallel.project([2.0, 1.0, 1.0]), Some(at(130.0, 70.0)));
-    /// # Ok::<(), SpaceError>(())
-    /// ```
     pub fn new(view: View) -> Result<Self, SpaceError> {
         let target = finite("target", view.target)?;
         finite("camera", [view.azimuth, view.elevation, 0.0])?;
@@ -81,28 +66,6 @@ impl Camera {
         Ok(Self { target, right, up, back, nearness, centre: view.centre, scale })
     }
 
-    /// Where a point of the world lands on the page; none if it lies behind the eye or too close to it.
-    pub fn project(&self, point: impl Into<[f64; 3]>) -> Option<Point> {
-        let point = Vec3(point.into());
-        let weight = self.weight(point);
-        (point.is_finite() && weight > NEAREST).then(|| self.land(point))
-    }
-
-    /// The unit vector from the target towards the eye, in the world.
-    pub fn towards_eye(&self) -> [f64; 3] {
-        self.back.0
-    }
-
-    /// The unit vector of the world that points to the right on the page.
-    pub fn right(&self) -> [f64; 3] {
-        self.right.0
-    }
-
-    /// The unit vector of the world that points upwards on the page.
-    pub fn up(&self) -> [f64; 3] {
-        self.up.0
-    }
-
     /// Where the eye is; none for an eye at infinity.
     pub(super) fn eye(&self) -> Option<Vec3> {
         (self.nearness > 0.0).then(|| self.target + self.back * (1.0 / self.nearness))
@@ -110,10 +73,8 @@ impl Camera {
 
     /// A point that must be seen.
     pub(super) fn check(&self, point: Vec3) -> Result<(), SpaceError> {
-        match self.project(point.0) {
-            Some(_) => Ok(()),
-            None => Err(SpaceError::BehindTheEye { point: point.0 }),
-        }
+        let seen = point.is_finite() && self.weight(point) > NEAREST;
+        if seen { Ok(()) } else { Err(SpaceError::BehindTheEye { point: point.0 }) }
     }
 
     /// The page point of a point that has been checked.

@@ -1,7 +1,6 @@
 //! Cones: open shells without thickness.
 
 use super::camera::Camera;
-use super::conic;
 use super::form::{Edge, Form, Part, Patch};
 use super::ray::{Ray, Span, roots};
 use super::rim::{self, steps};
@@ -145,7 +144,7 @@ impl Form for Cone {
         }
         let shape = if sweep >= TAU {
             let (first, second) = (self.across.0 * self.radius(), self.across.1 * self.radius());
-            conic::ellipse(camera, self.rim_centre(), first, second)
+            rim::ellipse(camera, self.rim_centre(), first, second)
         } else {
             let rim: Vec<Point> =
                 steps(from, sweep).into_iter().map(|angle| camera.land(self.rim(angle))).collect();

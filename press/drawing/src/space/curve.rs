@@ -3,7 +3,6 @@
 use super::error::{SpaceError, direction, finite, positive};
 use super::track::Track;
 use super::vector::Vec3;
-use std::f64::consts::TAU;
 
 /// How much of a curve is drawn where a solid hides it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -24,13 +23,9 @@ pub enum Hiding {
 ///
 /// ```
 /// use drawing::space::{Curve, SpaceError};
-/// // A quarter of a circle about z, right-handed: from x through the diagonal to y.
-/// let arc = Curve::arc([0.0; 3], [0.0, 0.0, 1.0], [2.0, 0.0, 0.0], std::f64::consts::FRAC_PI_2)?;
-/// let [x, y, z] = arc.middle();
-/// assert!((x - 2.0_f64.sqrt()).abs() < 1e-12 && (y - x).abs() < 1e-12 && z == 0.0);
-/// // The same as the angle between two directions.
-/// let angle = Curve::between([0.0; 3], [1.0, 0.0, 0.0], [0.0, 3.0, 0.0], 2.0)?;
-/// assert!((angle.end()[1] - 2.0).abs() < 1e-12);
+/// // A quarter of a circle of radius 2 about z, from x to y.
+/// Curve::between([0.0; 3], [1.0, 0.0, 0.0], [0.0, 3.0, 0.0], 2.0)?;
+/// assert_eq!(Curve::segment([1.0; 3], [1.0; 3]), Err(SpaceError::NoCurve));
 /// # Ok::<(), SpaceError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +35,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    fn new(track: Track) -> Self {
+    pub(super) fn new(track: Track) -> Self {
         Self { track, hiding: Hiding::default() }
     }
 
@@ -69,14 +64,6 @@ impl Curve {
         Self::joined([from.into(), to.into()], false)
     }
 
-    /// Straight lines from point to point.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite and fewer than two points that differ.
-    pub fn polyline(points: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Result<Self, SpaceError> {
-        Self::joined(points, false)
-    }
-
     /// A smooth curve through points that lie close enough for a cubic between neighbours: some hundred for a turn. It is
     /// closed if the last point is the first. Such a curve may lie on the surface of a solid.
     ///
@@ -99,29 +86,6 @@ impl Curve {
         let (first, second) = axis.companions();
         let radius = positive("radius", radius)?;
         Ok(Self::new(Track::circle(centre, first * radius, second * radius)))
-    }
-
-    /// What the point `start` passes over when it turns by `sweep` (rad, right-handed if positive) about the axis through
-    /// `centre`.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, an axis without length, a start on the axis, a sweep of zero.
-    pub fn arc(
-        centre: impl Into<[f64; 3]>,
-        axis: impl Into<[f64; 3]>,
-        start: impl Into<[f64; 3]>,
-        sweep: f64,
-    ) -> Result<Self, SpaceError> {
-        let (centre, axis) = (finite("centre", centre)?, direction("axis", axis)?);
-        let start = finite("start", start)? - centre;
-        if !(sweep.is_finite() && sweep.abs() < 1e3 * TAU) {
-            return Err(SpaceError::NotFinite { what: "sweep" });
-        }
-        direction("start of the arc, seen from the axis", start.across(axis).0)?;
-        if sweep == 0.0 {
-            return Err(SpaceError::NoCurve);
-        }
-        Ok(Self::new(Track::arc(centre, axis, start, sweep)))
     }
 
     /// The arc of an angle at `vertex`, from one direction to another, by the shorter way.
@@ -148,20 +112,5 @@ impl Curve {
     #[must_use]
     pub fn hiding(self, hiding: Hiding) -> Self {
         Self { hiding, ..self }
-    }
-
-    /// Where it begins.
-    pub fn start(&self) -> [f64; 3] {
-        self.track.at(0.0).0
-    }
-
-    /// Its point half-way: of an arc, the middle.
-    pub fn middle(&self) -> [f64; 3] {
-        self.track.middle().0
-    }
-
-    /// Where it ends.
-    pub fn end(&self) -> [f64; 3] {
-        self.track.at(self.track.chords() as f64).0
     }
 }

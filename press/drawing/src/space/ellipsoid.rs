@@ -1,7 +1,6 @@
 //! Ellipsoids and spheres.
 
 use super::camera::Camera;
-use super::conic;
 use super::form::{Edge, Form, Part, Patch};
 use super::ray::{Ray, Span, below_zero};
 use super::rim;
@@ -54,7 +53,7 @@ impl Ellipsoid {
     /// The point of the unit sphere where the light falls steepest, drawn towards the eye until it is well in sight.
     fn pole(&self, camera: &Camera, (middle, offset): (Vec3, f64)) -> Vec3 {
         let [right, up, back] = LIGHT;
-        let light = Vec3(camera.right()) * right + Vec3(camera.up()) * up + Vec3(camera.towards_eye()) * back;
+        let light = camera.right * right + camera.up * up + camera.back * back;
         let stretched = self.axes.map(|axis| axis.dot(light));
         let mut pole = Vec3([0, 1, 2].map(|index| self.radii[index] * stretched[index]));
         pole = pole.unit().unwrap_or(middle);
@@ -108,7 +107,7 @@ impl Form for Ellipsoid {
         let cap = self.seen_cap(camera);
         let (centre, first, second) = self.circle(cap.0, cap.1);
         let light = camera.land(self.centre + self.grown(self.pole(camera, cap)));
-        let shape = match conic::ellipse(camera, centre, first, second) {
+        let shape = match rim::ellipse(camera, centre, first, second) {
             Shape::Ellipse { centre, radii, turn } => Shape::Rounded { centre, radii, turn, light },
             other => other,
         };

@@ -48,8 +48,6 @@ pub enum SpaceError {
         /// The largest cosine of the angle between two of them.
         cosine: f64,
     },
-    /// Three perpendicular axes whose third points against the cross product of the first two.
-    LeftHanded,
     /// A curve of fewer than two points, or one whose points all coincide.
     NoCurve,
     /// Two directions that fix no plane: parallel, or opposite.
@@ -90,9 +88,6 @@ impl fmt::Display for SpaceError {
             }
             Self::NotPerpendicular { cosine } => {
                 write!(out, "axes are not perpendicular: the cosine of an angle between two is {cosine}")
-            }
-            Self::LeftHanded => {
-                write!(out, "the axes are left-handed: the third points against first × second")
             }
             Self::NoCurve => write!(out, "a curve needs two points that differ"),
             Self::NoPlane => write!(out, "directions that are parallel or opposite fix no plane"),

@@ -75,11 +75,7 @@ impl<'a> Ink<'a> {
             found.push((junction.track.clone(), runs));
         }
         for (track, runs) in found {
-            let dashed = |sight: Sight| match solid.edges {
-                Edges::Seen => false,
-                Edges::BehindOthers => sight == Sight::BehindOther,
-                Edges::All => true,
-            };
+            let dashed = |sight: Sight| solid.edges == Edges::BehindOthers && sight == Sight::BehindOther;
             let kept: Vec<Run> =
                 runs.into_iter().filter(|run| run.sight == Sight::Seen || dashed(run.sight)).collect();
             let pieces = self.pieces(&track, &kept);

@@ -1,11 +1,12 @@
-//! Points, labels, named arrows, angles and axes of a scene.
+//! Points, labels, named vectors and angles of a scene.
 
 use super::curve::Curve;
-use super::error::{SpaceError, direction, finite, perpendicular, positive};
+use super::error::{SpaceError, direction, finite, positive};
 use super::stage::Stage;
+use super::track::Track;
 use super::vector::Vec3;
 use crate::drawing::Drawing;
-use crate::kit::{self, Heads, Marker};
+use crate::kit::Heads;
 use crate::label::{Label, Side};
 use crate::point::{Point, at};
 use crate::role::{Hue, Role, Stroke};
@@ -17,8 +18,6 @@ const GAP: f64 = 6.0;
 const TIP_GAP: f64 = 5.0;
 /// Where an arrow that turns begins and ends, rad behind and before the direction to the right.
 const OPENING: (f64, f64) = (0.45, 0.25);
-/// The radius of the hollow dot in place of a hidden marker, px.
-const HOLLOW: f64 = 3.4;
 
 /// A point that is marked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +25,6 @@ pub(super) enum Dot {
     Disc(f64),
     /// A disc that is seen whatever stands before it.
     InFront(f64),
-    Marker(Marker),
 }
 
 /// A label where it stands on the page.
@@ -40,9 +38,7 @@ impl Dot {
     pub(super) fn write(self, drawing: &mut Drawing, centre: Point, hidden: bool, hue: Hue) {
         match self {
             Self::Disc(radius) if hidden => drawing.circle(centre, radius, Role::Line(Stroke::Hidden, hue)),
-            Self::Marker(_) if hidden => drawing.circle(centre, HOLLOW, Role::Line(Stroke::Hidden, hue)),
             Self::Disc(radius) | Self::InFront(radius) => drawing.dot(centre, radius, hue),
-            Self::Marker(marker) => kit::marker(drawing, centre, marker, hue),
         }
     }
 }
@@ -59,24 +55,10 @@ impl Stage {
         name: &str,
         hue: Hue,
     ) -> Result<(), SpaceError> {
-        self.named_arrow(Curve::segment(from, to)?, Stroke::Vector, name, hue)
-    }
-
-    /// Adds a straight or curved arrow with its name beyond the tip.
-    ///
-    /// # Errors
-    /// [`SpaceError`] if a part of it is behind the eye, and for a name that cannot be set.
-    pub fn named_arrow(
-        &mut self,
-        curve: Curve,
-        stroke: Stroke,
-        name: &str,
-        hue: Hue,
-    ) -> Result<(), SpaceError> {
-        let track = curve.track.clone();
-        self.arrow(curve, stroke, Heads::End, hue)?;
-        let [before, tip] = [track.points[track.chords() - 1], track.points[track.chords()]];
-        let along = self.camera.land(tip) - self.camera.land(before);
+        let curve = Curve::segment(from, to)?;
+        let [tail, tip] = [curve.track.points[0], curve.track.points[1]];
+        self.arrow(curve, Stroke::Vector, Heads::End, hue)?;
+        let along = self.camera.land(tip) - self.camera.land(tail);
         self.caption_beyond(tip, along, name, hue)
     }
 
@@ -95,12 +77,12 @@ impl Stage {
     ) -> Result<(), SpaceError> {
         let (centre, axis) = (finite("centre", centre)?, direction("axis", axis)?);
         let radius = positive("radius", radius)?;
-        let right = Vec3(self.camera.right()).across(axis);
+        let right = self.camera.right.across(axis);
         let right = right.unit().unwrap_or(axis.companions().0);
         let (sin, cos) = OPENING.0.sin_cos();
-        let start = centre + (right * cos + axis.cross(right) * sin) * radius;
-        let curve = Curve::arc(centre.0, axis.0, start.0, TAU - OPENING.0 - OPENING.1)?;
-        self.arrow(curve, Stroke::Outline, Heads::End, hue)
+        let start = (right * cos + axis.cross(right) * sin) * radius;
+        let track = Track::arc(centre, axis, start, TAU - OPENING.0 - OPENING.1);
+        self.arrow(Curve::new(track), Stroke::Outline, Heads::End, hue)
     }
 
     /// Adds the arc of an angle between two directions at a vertex, by the shorter way, with its name outside the middle; an
@@ -119,7 +101,7 @@ impl Stage {
     ) -> Result<(), SpaceError> {
         let vertex = finite("vertex", vertex)?;
         let curve = Curve::between(vertex.0, from, to, radius)?;
-        let middle = Vec3(curve.middle());
+        let middle = curve.track.middle();
         self.camera.check(vertex)?;
         self.curve(curve, Stroke::Outline, hue)?;
         if name.is_empty() {
@@ -150,14 +132,6 @@ impl Stage {
     ) -> Result<(), SpaceError> {
         let dot = Dot::InFront(positive("radius", radius)?);
         self.point(point, dot, hue)
-    }
-
-    /// Adds a marker; a hollow dashed dot where a solid hides it.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for a point that is not finite or lies behind the eye.
-    pub fn marker(&mut self, point: impl Into<[f64; 3]>, marker: Marker, hue: Hue) -> Result<(), SpaceError> {
-        self.point(point, Dot::Marker(marker), hue)
     }
 
     fn point(&mut self, point: impl Into<[f64; 3]>, dot: Dot, hue: Hue) -> Result<(), SpaceError> {
@@ -210,31 +184,6 @@ impl Stage {
         let middle = self.camera.land(point) + way * (TIP_GAP + reach);
         let label = label.from_baseline(middle - ink.centre());
         self.captions.push(Caption { label, hue });
-        Ok(())
-    }
-
-    /// Adds three axes of equal length with their names.
-    ///
-    /// # Errors
-    /// [`SpaceError::LeftHanded`] and [`SpaceError::NotPerpendicular`] if they are no right-handed triad; otherwise as for
-    /// [`Stage::named_vector`].
-    pub fn triad(
-        &mut self,
-        origin: impl Into<[f64; 3]>,
-        axes: [impl Into<[f64; 3]>; 3],
-        length: f64,
-        names: [&str; 3],
-        hue: Hue,
-    ) -> Result<(), SpaceError> {
-        let (origin, axes) = (finite("origin", origin)?, perpendicular(axes)?);
-        let length = positive("length", length)?;
-        if axes[0].cross(axes[1]).dot(axes[2]) < 0.0 {
-            return Err(SpaceError::LeftHanded);
-        }
-        for (axis, name) in axes.into_iter().zip(names) {
-            let curve = Curve::segment(origin.0, (origin + axis * length).0)?;
-            self.named_arrow(curve, Stroke::Axis, name, hue)?;
-        }
         Ok(())
     }
 }

@@ -17,7 +17,7 @@
 //! | module | holds |
 //! |---|---|
 //! | `camera` | the eye and its page |
-//! | `solid`, `form` | solids, and what each can say of itself: `tube` (disc, rod, ring), `cone`, `ellipsoid`, `cuboid` |
+//! | `solid`, `form` | solids, and what each can say of itself: `tube` (disc, rod, ring), `cone`, `ellipsoid` |
 //! | `curve`, `track` | lines in space |
 //! | `hide` | lines divided into what is seen and what is hidden |
 //! | `pierce`, `order` | which areas are painted when |
@@ -42,8 +42,6 @@
 
 mod camera;
 mod cone;
-mod conic;
-mod cuboid;
 mod curve;
 mod ellipsoid;
 mod error;

@@ -1,7 +1,6 @@
 //! Solids.
 
 use super::cone::Cone;
-use super::cuboid::Cuboid;
 use super::ellipsoid::Ellipsoid;
 use super::error::{SpaceError, direction, finite, perpendicular, positive};
 use super::form::Form;
@@ -16,8 +15,6 @@ pub enum Edges {
     Seen,
     /// Those that another solid hides, as a shaft behind a plate; not those at the solid's own back.
     BehindOthers,
-    /// All.
-    All,
 }
 
 /// What a solid does to what is painted behind it.
@@ -55,7 +52,6 @@ enum Body {
     Tube(Tube),
     Cone(Cone),
     Ellipsoid(Ellipsoid),
-    Cuboid(Cuboid),
 }
 
 impl Solid {
@@ -164,23 +160,6 @@ impl Solid {
         Ok(Self::new(Body::Ellipsoid(Ellipsoid { name: "ellipsoid", centre, axes, radii: semi_axes })))
     }
 
-    /// A cuboid with half of its edges along three perpendicular directions.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, directions without length or not perpendicular, and an edge that is not
-    /// positive.
-    pub fn cuboid(
-        centre: impl Into<[f64; 3]>,
-        axes: [impl Into<[f64; 3]>; 3],
-        half_edges: [f64; 3],
-    ) -> Result<Self, SpaceError> {
-        let (centre, axes) = (finite("centre", centre)?, perpendicular(axes)?);
-        for half_edge in half_edges {
-            positive("half-edge", half_edge)?;
-        }
-        Ok(Self::new(Body::Cuboid(Cuboid { centre, axes, halves: half_edges })))
-    }
-
     /// The solid with its hidden edges drawn dashed, or not.
     #[must_use]
     pub fn edges(self, edges: Edges) -> Self {
@@ -198,7 +177,6 @@ impl Solid {
             Body::Tube(tube) => tube,
             Body::Cone(cone) => cone,
             Body::Ellipsoid(ellipsoid) => ellipsoid,
-            Body::Cuboid(cuboid) => cuboid,
         }
     }
 

@@ -1,7 +1,6 @@
 //! Discs, rods and rings: cylinders, with or without a hole along the axis.
 
 use super::camera::Camera;
-use super::conic;
 use super::form::{Edge, Form, Part, Patch};
 use super::ray::{Ray, Span, below_zero, slab};
 use super::rim::{self, common_arcs, steps};
@@ -120,7 +119,7 @@ impl Tube {
         let shape = match sector {
             None if self.inner == 0.0 => {
                 let (first, second) = (self.across.0 * self.outer, self.across.1 * self.outer);
-                conic::ellipse(camera, self.centre + self.axis * height, first, second)
+                rim::ellipse(camera, self.centre + self.axis * height, first, second)
             }
             // Out along one rim and back along the other, so that the hole stays empty.
             _ => {

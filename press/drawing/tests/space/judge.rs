@@ -68,7 +68,7 @@ impl Chance {
 pub(crate) struct Eye {
     pub(crate) view: View,
     pub(crate) back: Vector,
-    right: Vector,
+    pub(crate) right: Vector,
     up: Vector,
 }
 
@@ -124,8 +124,6 @@ pub(crate) enum Body {
     Cone(Vector, Vector, f64, f64),
     /// Centre, axes, semi-axes.
     Ellipsoid(Vector, [Vector; 3], Vector),
-    /// Centre, axes, half-edges.
-    Cuboid(Vector, [Vector; 3], Vector),
 }
 
 impl Body {
@@ -144,7 +142,6 @@ impl Body {
             }
             Self::Cone(apex, axis, half_angle, length) => Solid::cone(apex, axis, half_angle, length),
             Self::Ellipsoid(centre, axes, radii) => Solid::ellipsoid(centre, axes, radii),
-            Self::Cuboid(centre, axes, halves) => Solid::cuboid(centre, axes, halves),
         }
     }
 
@@ -169,10 +166,6 @@ impl Body {
                 let square: f64 = (0..3).map(|index| (dot(far, axes[index]) / radii[index]).powi(2)).sum();
                 Some(square <= 1.0)
             }
-            Self::Cuboid(centre, axes, halves) => {
-                let far = step(centre, point);
-                Some((0..3).all(|index| dot(far, axes[index]).abs() <= halves[index]))
-            }
         }
     }
 
@@ -195,7 +188,7 @@ impl Body {
 /// A body at random near the origin.
 pub(crate) fn some_body(kind: u32, chance: &mut Chance) -> Body {
     let centre = chance.vector(0.4);
-    match kind % 6 {
+    match kind % 5 {
         kind @ 0..=2 => {
             let (long, wide) = match kind {
                 0 => (chance.number(0.05, 0.3), chance.number(0.5, 1.0)),
@@ -207,13 +200,9 @@ pub(crate) fn some_body(kind: u32, chance: &mut Chance) -> Body {
             Body::Tube(step(axis, centre), sum(centre, axis), wide, hole)
         }
         3 => Body::Cone(centre, chance.direction(), chance.number(0.2, 1.2), chance.number(0.5, 1.3)),
-        4 => {
+        _ => {
             let radii = [chance.number(0.3, 1.0), chance.number(0.3, 1.0), chance.number(0.3, 1.0)];
             Body::Ellipsoid(centre, chance.axes(), radii)
-        }
-        _ => {
-            let halves = [chance.number(0.2, 0.7), chance.number(0.2, 0.7), chance.number(0.2, 0.7)];
-            Body::Cuboid(centre, chance.axes(), halves)
         }
     }
 }

@@ -1,7 +1,6 @@
 //! The pinned hoop, the rolling wheel and the spinning coin: formulas and equations of motion written out here.
 
-use crate::Range::{Linear, Log};
-use crate::{Frame, PIXELS, distance, lies_on, path};
+use crate::{PIXELS, curve, lies_on, place};
 
 /// One Runge-Kutta step.
 pub(crate) fn step<const N: usize>(
@@ -20,16 +19,14 @@ pub(crate) fn step<const N: usize>(
 
 #[test]
 fn the_speeds_of_b_are_a_difference_a_sum_and_a_root() {
-    let frame = Frame { place: [52.0, 34.0, 470.0, 262.0], x: Linear(0.0, 90.0), y: Linear(0.0, 1.2) };
     let parts = |degrees: f64| (degrees.to_radians().sin() / 3.0, degrees.to_radians().cos());
-    lies_on("speed-of-b", "plus", &frame, |degrees| (parts(degrees).0 - parts(degrees).1).abs());
-    lies_on("speed-of-b", "minus", &frame, |degrees| parts(degrees).0 + parts(degrees).1);
-    lies_on("speed-of-b", "stated", &frame, |degrees| parts(degrees).0.hypot(parts(degrees).1));
+    lies_on("speed-of-b", "plus", |degrees| (parts(degrees).0 - parts(degrees).1).abs());
+    lies_on("speed-of-b", "minus", |degrees| parts(degrees).0 + parts(degrees).1);
+    lies_on("speed-of-b", "stated", |degrees| parts(degrees).0.hypot(parts(degrees).1));
 }
 
 #[test]
 fn the_hoop_flips_as_eulers_equations_say() {
-    let frame = Frame { place: [58.0, 34.0, 500.0, 250.0], x: Linear(0.0, 150.0), y: Linear(-0.4, 0.4) };
     // Moments 3/2, 1/2 and 2 about the pin.
     let rates = |_: f64, [a, b, c]: [f64; 3]| [-b * c, c * a, 0.5 * a * b];
     let angle = 89.9_f64.to_radians();
@@ -39,7 +36,7 @@ fn the_hoop_flips_as_eulers_equations_say() {
         motion.push(step(rates, 0.0, motion[n], h));
     }
     for (axis, name) in [(0, "tangent"), (1, "diameter")] {
-        lies_on("flip", name, &frame, |time| {
+        lies_on("flip", name, |time| {
             let n = (time / h) as usize;
             step(rates, 0.0, motion[n], time - h * n as f64)[axis]
         });
@@ -49,22 +46,19 @@ fn the_hoop_flips_as_eulers_equations_say() {
 #[test]
 fn the_turn_rate_and_the_friction_of_a_disc_follow_their_formulas() {
     let square = |lean: f64, b: f64| 2.0 * lean.tan() / (3.0 * b + 0.5 * lean.sin());
-    let frame = Frame { place: [48.0, 34.0, 540.0, 262.0], x: Linear(-0.2, 1.0), y: Linear(0.0, 20.0) };
     for degrees in [20.0_f64, 45.0, 70.0] {
-        lies_on("turn-rate", &format!("lean-{degrees}"), &frame, |b| square(degrees.to_radians(), b));
+        lies_on("turn-rate", &format!("lean-{degrees}"), |b| square(degrees.to_radians(), b));
     }
-    let frame = Frame { place: [52.0, 34.0, 540.0, 262.0], x: Linear(0.0, 3.0), y: Linear(0.0, 1.25) };
     for degrees in [20.0_f64, 45.0, 60.0] {
-        lies_on("friction", &format!("lean-{degrees}"), &frame, |b| b * square(degrees.to_radians(), b));
+        lies_on("friction", &format!("lean-{degrees}"), |b| b * square(degrees.to_radians(), b));
     }
 }
 
 #[test]
 fn the_potential_is_the_energy_of_spin_and_height() {
-    let frame = Frame { place: [58.0, 34.0, 540.0, 262.0], x: Linear(-30.0, 40.0), y: Linear(1.54, 1.66) };
     // Across and along spin as functions of the lean, from the motion of the text: 0.45 and 0.9 at 0.3.
     let rates = |lean: f64, [across, along]: [f64; 2]| [across * lean.tan() + 2.0 * along, across / 1.5];
-    lies_on("potential", "potential", &frame, |degrees| {
+    lies_on("potential", "potential", |degrees| {
         let (start, lean) = (0.3, degrees.to_radians());
         let h = (lean - start) / 200.0;
         let end = (0..200).fold([0.45, 0.9], |spins, n| step(rates, start + h * f64::from(n), spins, h));
@@ -76,12 +70,10 @@ fn the_potential_is_the_energy_of_spin_and_height() {
 fn the_rates_of_the_coin_are_straight_until_it_stands_up() {
     let (radius, gravity) = (0.0375, 9.81);
     let contact = |tilt: f64| (4.0 * gravity / (radius * tilt.sin())).sqrt();
-    let frame = Frame { place: [60.0, 34.0, 470.0, 286.0], x: Log(1e-4, 1.0), y: Log(1e-5, 1e4) };
-    lies_on("coin-rates", "contact", &frame, contact);
-    lies_on("coin-rates", "figure", &frame, |tilt| contact(tilt) * 2.0 * (0.5 * tilt).sin().powi(2));
-    lies_on("coin-rates", "vertical", &frame, |tilt| contact(tilt) * tilt.sin().powi(2));
-    let frame = Frame { place: [60.0, 34.0, 560.0, 262.0], x: Log(1e-6, 1.0), y: Log(1e-3, 10.0) };
-    lies_on("mach", "mach", &frame, |tilt| contact(tilt) * radius * tilt.cos() / 343.0);
+    lies_on("coin-rates", "contact", contact);
+    lies_on("coin-rates", "figure", |tilt| contact(tilt) * 2.0 * (0.5 * tilt).sin().powi(2));
+    lies_on("coin-rates", "vertical", |tilt| contact(tilt) * tilt.sin().powi(2));
+    lies_on("mach", "mach", |tilt| contact(tilt) * radius * tilt.cos() / 343.0);
 }
 
 #[test]
@@ -103,10 +95,9 @@ fn the_tongue_ends_where_the_well_of_the_potential_becomes_flat() {
             let h = 1e-3;
             energy(steady + h) - 2.0 * energy(steady) + energy(steady - h)
         };
-        let curve = path("tongue", name);
-        assert!(curve.len() > 50);
-        for &(x, y) in curve.iter().step_by(3) {
-            let (b, degrees) = ((x - 48.0) / 540.0 * 4.0, (296.0 - y) / 262.0 * 25.0);
+        let values = curve("tongue", name).values();
+        assert!(values.len() > 50);
+        for &(b, degrees) in values.iter().step_by(3) {
             let [below, above] = [-0.05, 0.05].map(|off: f64| curvature(b, (degrees + off).to_radians()));
             assert!(below < 0.0 && above > 0.0, "{name}: b = {b}, {degrees}°: {below:e}, {above:e}");
         }
@@ -136,7 +127,7 @@ fn the_rosette_is_drawn_by_eulers_equations() {
     let momentum = [0.5 * sin / length, -0.5 * cos / length, 0.0];
     // The shortest turn that takes the momentum upright.
     let axis = cross(momentum, [0.0, 0.0, 1.0]);
-    let curve = path("herpolhode", "rosette");
+    let curve = curve("herpolhode", "rosette");
     let (h, mut state) = (0.005, start);
     for n in 1..16_000 {
         state = step(rates, 0.0, state, h);
@@ -147,8 +138,8 @@ fn the_rosette_is_drawn_by_eulers_equations() {
         let twice = cross([x, y, z], [a, b, c]).map(|part| 2.0 * part);
         let room = add(add([a, b, c], twice, w), cross([x, y, z], twice), 1.0);
         let turned = add(add(room, cross(axis, room), 1.0), cross(axis, cross(axis, room)), 1.0);
-        let point = (218.0 + 400.0 * turned[0], 194.0 - 400.0 * turned[1]);
-        assert!(distance(&curve, point) < PIXELS, "{point:?}: {}", distance(&curve, point));
+        let off = curve.distance((turned[0], turned[1]));
+        assert!(off < PIXELS, "{turned:?}: {off}");
     }
 }
 
@@ -171,20 +162,21 @@ fn the_track_of_the_contact_is_that_of_all_wobbles_integrated() {
     };
     let contact = |[lean, _, _, _, heading, x, y]: [f64; 7]| {
         let (s, c) = heading.sin_cos();
-        (233.0 + 50.0 * (x - s * lean.sin()), 160.0 - 50.0 * (y + c * lean.sin()))
+        (x - s * lean.sin(), y + c * lean.sin())
     };
     let lean: f64 = 0.55;
     let turn = (2.0 * lean.tan() / (3.0 * 1.6 + 0.5 * lean.sin())).sqrt();
     let mut state = [lean, 0.3, turn * lean.cos(), turn * 1.6, 0.0, 0.0, 1.6];
-    let [all, half] = ["all", "half"].map(|name| path("contact-track", name));
+    let [all, half] = ["all", "half"].map(|name| curve("contact-track", name));
     let (h, mut turns) = (0.002, 0);
     for n in 0.. {
         let next = step(rates, 0.0, state, h);
         if (next[1] > 0.0) != (state[1] > 0.0) {
             turns += 1;
             if turns <= 2 {
-                let end = if turns == 1 { half[0] } else { half[half.len() - 1] };
-                let off = (contact(next).0 - end.0).hypot(contact(next).1 - end.1);
+                let end = half.points[if turns == 1 { 0 } else { half.points.len() - 1 }];
+                let found = place(&half.axes, contact(next));
+                let off = (found.0 - end.0).hypot(found.1 - end.1);
                 assert!(off < 0.2, "{turns}: {off}"); // a step is 0.1 px
             }
         }
@@ -193,7 +185,7 @@ fn the_track_of_the_contact_is_that_of_all_wobbles_integrated() {
             break;
         }
         if turns > 0 && n % 50 == 0 {
-            let off = distance(&all, contact(state));
+            let off = all.distance(contact(state));
             assert!(off < PIXELS, "{turns} turns: {off}");
         }
     }

@@ -1,12 +1,10 @@
 //! The curves of the wobble plate and of the free tops, read back from the SVG, lie on formulas that are written out here.
 
-use crate::Range::{Linear, Log};
-use crate::{Frame, PIXELS, lies_on, path};
+use crate::{PIXELS, curve, lies_on, place};
 use std::f64::consts::{PI, TAU};
 
 #[test]
 fn the_lean_of_the_momentum_follows_its_tangent() {
-    let frame = Frame { place: [52.0, 34.0, 520.0, 286.0], x: Linear(0.0, 90.0), y: Linear(-10.0, 22.0) };
     for thickness in [0.0, 0.5, 1.0, 2.0] {
         let lean = |degrees: f64| {
             let u = degrees.to_radians().tan();
@@ -14,43 +12,37 @@ fn the_lean_of_the_momentum_follows_its_tangent() {
             let across = 0.25 + thickness * thickness / 12.0;
             ((0.5 - across) * u / (0.5 + across * u * u)).atan().to_degrees()
         };
-        lies_on("beta", &format!("thickness-{thickness}"), &frame, lean);
+        lies_on("beta", &format!("thickness-{thickness}"), lean);
     }
 }
 
 #[test]
 fn the_residual_torque_is_a_v_and_the_pair_swings() {
-    let frame = Frame { place: [52.0, 34.0, 520.0, 234.0], x: Linear(0.0, 2.5), y: Linear(0.0, 1.6) };
-    lies_on("residual", "torque", &frame, |mass| (1.0 - mass).abs());
-    let frame = Frame { place: [52.0, 34.0, 470.0, 254.0], x: Linear(0.0, 360.0), y: Linear(0.0, 1.6) };
-    lies_on("number", "pistons-2", &frame, |degrees| degrees.to_radians().cos().abs());
-    let zero = frame.at((0.0, 0.0)).1;
+    lies_on("residual", "torque", |mass| (1.0 - mass).abs());
+    lies_on("number", "pistons-2", |degrees| degrees.to_radians().cos().abs());
     for count in [3, 5, 7] {
-        assert!(
-            path("number", &format!("pistons-{count}")).iter().all(|point| (point.1 - zero).abs() < PIXELS)
-        );
+        let flat = curve("number", &format!("pistons-{count}"));
+        let (_, zero) = place(&flat.axes, (0.0, 0.0));
+        assert!(flat.points.iter().all(|point| (point.1 - zero).abs() < PIXELS), "{count} pistons");
     }
 }
 
 #[test]
 fn the_height_of_the_normal_is_a_cosine() {
-    let whole = Frame { place: [54.0, 34.0, 330.0, 262.0], x: Linear(0.0, 2.0), y: Linear(-0.8, 1.0) };
-    let part = Frame { place: [450.0, 34.0, 190.0, 262.0], x: Linear(0.4, 0.6), y: Linear(-0.04, 0.1) };
     for (ratio, name) in [(0.2, "0.2"), (0.49, "0.49"), (0.5, "0.5"), (0.51, "0.51")] {
         let tangent: f64 = 1.0 / (2.0 * ratio);
         let sine = tangent * tangent / (1.0 + tangent * tangent);
         let height = |turns: f64| 1.0 - sine + sine * (TAU * turns).cos();
-        lies_on("threshold", &format!("whole-{name}"), &whole, height);
+        lies_on("threshold", &format!("whole-{name}"), height);
         if ratio > 0.4 {
-            lies_on("threshold", &format!("part-{name}"), &part, height);
+            lies_on("threshold", &format!("part-{name}"), height);
         }
     }
 }
 
 #[test]
 fn the_bias_is_an_inverse_sine() {
-    let frame = Frame { place: [58.0, 34.0, 560.0, 262.0], x: Linear(0.0, 90.0), y: Linear(0.5, 1.0) };
-    lies_on("bias", "probability", &frame, |degrees| {
+    lies_on("bias", "probability", |degrees| {
         let cotangent = 1.0 / degrees.to_radians().tan();
         if degrees <= 45.0 { 0.9999999 } else { 0.5 + (cotangent * cotangent).asin() / PI }
     });
@@ -58,31 +50,27 @@ fn the_bias_is_an_inverse_sine() {
 
 #[test]
 fn the_station_nods_faster_than_twice() {
-    let frame = Frame { place: [48.0, 34.0, 420.0, 286.0], x: Linear(0.0, 4.0), y: Linear(0.0, 9.0) };
-    lies_on("nodding", "in-the-room", &frame, |turns| turns * (4.0 + 0.4_f64.powi(2)).sqrt());
-    lies_on("nodding", "on-board", &frame, |turns| turns);
+    lies_on("nodding", "in-the-room", |turns| turns * (4.0 + 0.4_f64.powi(2)).sqrt());
+    lies_on("nodding", "on-board", |turns| turns);
 }
 
 #[test]
 fn the_tangent_falls_and_rises_exponentially_and_as_a_power_of_the_spin() {
-    let frame = Frame { place: [58.0, 34.0, 470.0, 262.0], x: Linear(0.0, 6.0), y: Log(1e-3, 1e3) };
     for (ratio, name) in [(2.0, "2"), (1.0, "1"), (0.5, "0.5")] {
-        lies_on("tangent", &format!("ratio-{name}"), &frame, |t: f64| 0.3 * (-(1.0 - 1.0 / ratio) * t).exp());
+        lies_on("tangent", &format!("ratio-{name}"), |t: f64| 0.3 * (-(1.0 - 1.0 / ratio) * t).exp());
     }
-    let frame = Frame { place: [58.0, 34.0, 470.0, 262.0], x: Linear(0.0, 1.0), y: Linear(0.0, 2.0) };
     for (ratio, name) in [(2.0, "2"), (1.5, "1.5"), (1.0, "1"), (0.5, "0.5")] {
-        lies_on("spin-tangent", &format!("ratio-{name}"), &frame, |spin: f64| spin.powf(ratio - 1.0));
+        lies_on("spin-tangent", &format!("ratio-{name}"), |spin: f64| spin.powf(ratio - 1.0));
     }
 }
 
 #[test]
 fn the_spiral_makes_three_turns() {
-    let curve = path("wobble-turns", "spiral");
-    let centre = (212.0, 194.0);
+    let spiral = curve("wobble-turns", "spiral").values();
     let mut turned = 0.0;
-    for pair in curve.windows(2) {
-        let [a, b] = [pair[0], pair[1]].map(|(x, y)| (x - centre.0, centre.1 - y));
-        if a.0.hypot(a.1) > 0.5 && b.0.hypot(b.1) > 0.5 {
+    for pair in spiral.windows(2) {
+        let [a, b] = [pair[0], pair[1]];
+        if a.0.hypot(a.1) > 0.003 && b.0.hypot(b.1) > 0.003 {
             turned += (a.0 * b.1 - a.1 * b.0).atan2(a.0 * b.0 + a.1 * b.1);
         }
     }

@@ -1,20 +1,16 @@
 //! The hard cases: every point that is drawn lies where the error analysis, written out here, or a computation of its own says.
 
-use crate::Range::{self, Log};
 use crate::constrained::step;
-use crate::{Frame, distance, lies_on, path};
+use crate::{curve, lies_on};
 use std::f64::consts::TAU;
 
 const ROUNDOFF: f64 = f64::EPSILON / 2.0;
 
 /// A curve's corners as values.
-fn values(figure: &str, name: &str, [place_x, place_y]: [Range; 2], place: [f64; 4]) -> Vec<(f64, f64)> {
-    let [left, top, width, height] = place;
-    let points = path(figure, name);
-    assert!(points.len() > 3, "{figure} {name} has {} points", points.len());
-    let value =
-        |(x, y): (f64, f64)| (place_x.value((x - left) / width), place_y.value(1.0 - (y - top) / height));
-    points.into_iter().map(value).collect()
+fn values(figure: &str, name: &str) -> Vec<(f64, f64)> {
+    let values = curve(figure, name).values();
+    assert!(values.len() > 3, "{figure} {name} has {} points", values.len());
+    values
 }
 
 /// Each point between two bounds, of which the lower may be nothing.
@@ -36,13 +32,9 @@ fn middle_ratio(values: &[(f64, f64)], from: f64, to: f64, law: impl Fn(f64) -> 
 
 #[test]
 fn differences_lose_two_digits_a_decade_and_the_library_none() {
-    let axes = [Log(1e-10, 1.0), Log(1e-17, 1e2)];
     // The largest error over u/ε²: of the sine; of a few numbers over (Γ/ω₀)² = 0.09; of the root; of the parameter in a logarithm.
-    for (index, (name, most)) in
-        [("coin", 1.0), ("spin", 45.0), ("root", 1.0), ("period", 1.0)].into_iter().enumerate()
-    {
-        let place = [58.0 + 340.0 * (index % 2) as f64, 34.0 + 278.0 * (index / 2) as f64, 276.0, 196.0];
-        let naive = values("hard-cancellation", &format!("{name}-naive"), axes, place);
+    for (name, most) in [("coin", 1.0), ("spin", 45.0), ("root", 1.0), ("period", 1.0)] {
+        let naive = values("hard-cancellation", &format!("{name}-naive"));
         let law = |small: f64| ROUNDOFF / (small * small);
         between(name, &naive, |small| {
             (
@@ -52,26 +44,24 @@ fn differences_lose_two_digits_a_decade_and_the_library_none() {
         });
         let middle = middle_ratio(&naive, 1e-7, 1e-2, law);
         assert!(middle > 0.01 * most && middle < 0.7 * most, "{name}: {middle}");
-        let cured = values("hard-cancellation", &format!("{name}-cured"), axes, place);
+        let cured = values("hard-cancellation", &format!("{name}-cured"));
         between(name, &cured, |_| (0.0, 2e-15));
     }
 }
 
 #[test]
 fn the_difference_of_exponentials_loses_half_a_digit_a_decade() {
-    let (axes, place) = ([Log(1e-15, 1.0), Log(1e-17, 1e-6)], [66.0, 34.0, 592.0, 252.0]);
     let law = |beyond: f64| ROUNDOFF / (8.0 * beyond).sqrt();
-    let naive = values("hard-critical", "naive", axes, place);
+    let naive = values("hard-critical", "naive");
     between("critical", &naive, |beyond| (0.0, 4.0 * law(beyond) + 1e-15));
     assert!((0.05..1.5).contains(&middle_ratio(&naive, 1e-15, 1e-4, law)));
-    between("critical, cured", &values("hard-critical", "cured", axes, place), |_| (0.0, 2e-15));
+    between("critical, cured", &values("hard-critical", "cured"), |_| (0.0, 2e-15));
 }
 
 #[test]
 fn the_phase_loses_one_digit_a_decade_by_a_product_and_two_by_a_sum() {
-    let (axes, place) = ([Log(1.0, 1e9), Log(1e-17, 1.0)], [66.0, 34.0, 592.0, 262.0]);
     let phase = |time: f64| 11.503_217 * time;
-    let of = |name: &str| values("hard-phase", name, axes, place);
+    let of = |name: &str| values("hard-phase", name);
     between("product", &of("product"), |time| (0.0, ROUNDOFF * phase(time) + 3e-16));
     assert!((0.1..0.8).contains(&middle_ratio(&of("product"), 1e3, 1e9, |time| ROUNDOFF * phase(time))));
     let sum = |time: f64| 64.0 * time * ROUNDOFF * phase(time);
@@ -99,24 +89,20 @@ fn polar_error(miss: f64) -> f64 {
 
 #[test]
 fn the_polar_program_fails_as_another_polar_program_does() {
-    let (axes, place) = ([Log(1e-5, 1e-1), Log(1e-16, 1.0)], [62.0, 34.0, 268.0, 262.0]);
-    let frame = Frame { place, x: axes[0], y: axes[1] };
-    lies_on("hard-passes", "polar", &frame, |miss| if miss > 4e-3 { polar_error(miss) } else { f64::NAN });
+    lies_on("hard-passes", "polar", |miss| if miss > 4e-3 { polar_error(miss) } else { f64::NAN });
     // The push of the load that the lab program feels is in its judge too.
-    let lab = path("hard-passes", "cartesian");
-    let [low, high] = [1e-15, 3e-14].map(|error| place[1] + place[3] * (1.0 - axes[1].part(error)));
-    assert!(lab.iter().all(|(_, y)| *y < low && *y > high));
+    let lab = curve("hard-passes", "cartesian").values();
+    assert!(lab.iter().all(|&(_, error)| error > 1e-15 && error < 3e-14));
 }
 
 #[test]
 fn the_wheel_costs_a_thousand_evaluations_a_decade_by_its_tilt() {
-    let (axes, place) = ([Log(1e-10, 1e-1), Log(1e2, 1e6)], [402.0, 34.0, 268.0, 262.0]);
-    let tilt = values("hard-passes", "tilt", axes, place);
+    let tilt = values("hard-passes", "tilt");
     between("tilt", &tilt, |across| {
         let expected = 250.0 - 1020.0 * across.log10();
         (0.9 * expected, 1.1 * expected)
     });
-    let lean = values("hard-passes", "lean", axes, place);
+    let lean = values("hard-passes", "lean");
     let least = lean.iter().map(|point| point.0).fold(1.0, f64::min);
     assert!((1e-7..1e-5).contains(&least), "the lean gets lost at {least:e}");
     assert!(lean.iter().any(|point| point.1 > 2e4));
@@ -124,8 +110,7 @@ fn the_wheel_costs_a_thousand_evaluations_a_decade_by_its_tilt() {
 
 #[test]
 fn length_and_energy_of_the_hoop_drift_as_by_another_program() {
-    let (axes, place) = ([Log(1.0, 1e4), Log(1e-17, 10.0)], [66.0, 34.0, 480.0, 272.0]);
-    let of = |name: &str| values("hard-drift", name, axes, place);
+    let of = |name: &str| values("hard-drift", name);
     // Moments 3/2, 1/2, 2: Euler's equations and the quaternion written out.
     let rates = |_: f64, [q, i, j, k, a, b, c]: [f64; 7]| {
         [
@@ -145,7 +130,6 @@ fn length_and_energy_of_the_hoop_drift_as_by_another_program() {
         (0..periods * steps).fold(start, |state, _| step(rates, 0.0, state, h))
     };
     let energy = |s: [f64; 7]| 1.5 * s[4] * s[4] + 0.5 * s[5] * s[5] + 2.0 * s[6] * s[6];
-    let frame = Frame { place, x: axes[0], y: axes[1] };
     for periods in [1, 10, 100] {
         let (found, judge) = (run(periods, 80), run(periods, 640));
         let length = found[..4].iter().map(|q| q * q).sum::<f64>().sqrt();
@@ -157,7 +141,7 @@ fn length_and_energy_of_the_hoop_drift_as_by_another_program() {
             ("attitude", off(1.0).min(off(-1.0))),
         ];
         for (name, error) in errors {
-            let pixels = distance(&path("hard-drift", name), frame.at((f64::from(periods), error)));
+            let pixels = curve("hard-drift", name).distance((f64::from(periods), error));
             assert!(pixels < 0.3, "{name} after {periods}: {pixels} px off {error:e}");
         }
     }
@@ -168,8 +152,7 @@ fn length_and_energy_of_the_hoop_drift_as_by_another_program() {
 
 #[test]
 fn stepping_past_the_separatrix_loses_two_digits_a_decade() {
-    let (axes, place) = ([Log(1e-9, 1e-1), Log(1e-17, 10.0)], [66.0, 34.0, 592.0, 262.0]);
-    let of = |name: &str| values("hard-separatrix", name, axes, place);
+    let of = |name: &str| values("hard-separatrix", name);
     let law = |modulus: f64| ROUNDOFF / (modulus * modulus);
     for (name, floor) in [("dop853", 3e-11), ("rk4", 3e-10)] {
         between(name, &of(name), |modulus| (0.0, (100.0 * law(modulus) + floor).min(1.0)));
@@ -181,11 +164,9 @@ fn stepping_past_the_separatrix_loses_two_digits_a_decade() {
 
 #[test]
 fn steps_and_tolerances_help_down_to_rounding() {
-    let (axes, place) = ([Log(10.0, 1e8), Log(1e-16, 1.0)], [62.0, 34.0, 268.0, 262.0]);
-    let rk4 = values("hard-rounding", "rk4", axes, place);
+    let rk4 = values("hard-rounding", "rk4");
     // One step multiplies x − iv by a polynomial of ih; in a turn its logarithm grows by n of its steps' errors.
-    let frame = Frame { place, x: axes[0], y: axes[1] };
-    lies_on("hard-rounding", "rk4", &frame, |work| {
+    lies_on("hard-rounding", "rk4", |work| {
         if !(100.0..8e3).contains(&work) {
             return f64::NAN;
         }
@@ -198,8 +179,7 @@ fn steps_and_tolerances_help_down_to_rounding() {
     let fine: Vec<_> = rk4.iter().copied().filter(|(work, _)| *work > 1e5).collect();
     between("RK4, fine", &fine, |work| (1e-16, ROUNDOFF * work.sqrt() * 3.0));
     assert!(fine.iter().any(|point| point.1 > 5e-14));
-    let (axes, place) = ([Log(1e-15, 1e-3), Log(1e-16, 1.0)], [402.0, 34.0, 268.0, 262.0]);
-    between("tolerance", &values("hard-rounding", "tolerance", axes, place), |tolerance| {
+    between("tolerance", &values("hard-rounding", "tolerance"), |tolerance| {
         let expected = 3.5 * tolerance;
         (0.25 * expected.min(1e-12), 2.0 * expected + 2e-11)
     });
@@ -207,9 +187,8 @@ fn steps_and_tolerances_help_down_to_rounding() {
 
 #[test]
 fn work_grows_with_the_damping() {
-    let (axes, place) = ([Log(1.0, 1e4), Log(0.5, 1e7)], [62.0, 34.0, 592.0, 242.0]);
     for name in ["coarse", "fine"] {
-        let curve = values("hard-stiff", name, axes, place);
+        let curve = values("hard-stiff", name);
         let heavy: Vec<_> = curve.into_iter().filter(|(damping, _)| *damping > 20.0).collect();
         // Twelve evaluations a step of 6.4/Γ, for 100 s.
         between(name, &heavy, |damping| (0.88 * 187.5 * damping, 1.12 * 187.5 * damping));
@@ -218,8 +197,7 @@ fn work_grows_with_the_damping() {
 
 #[test]
 fn towards_the_end_the_tilt_is_the_third_root_of_what_is_left() {
-    let (axes, place) = ([Log(1e-12, 1e-1), Log(1e-17, 10.0)], [66.0, 34.0, 592.0, 262.0]);
-    let of = |name: &str| values("hard-end", name, axes, place);
+    let of = |name: &str| values("hard-end", name);
     // DOP853 has moved the end once and for all: 3.2e-11 over what is left, until that is all there is.
     let late: Vec<_> = of("dop853").into_iter().filter(|(left, _)| *left > 1e-9).collect();
     between("dop853", &late, |left| (0.75 * 3.2e-11 / left, 1.1 * 3.2e-11 / left));

@@ -1,6 +1,7 @@
 //! The curves of the figures, read back from the SVG, agree with formulas or the library at points that the figure did not sample.
 //!
-//! The tests know where the axes of each plot stand, and nothing else of how it was drawn.
+//! What the places of a curve mean is read off the axes that its drawing carries, and that these are the axes a reader sees is
+//! a test of its own: the numbers at the ticks stand where their values belong.
 
 mod constrained;
 mod free_tops;
@@ -9,6 +10,7 @@ mod laundromat;
 mod methods;
 mod report;
 
+use drawing::{Axes, Piece, Point, Role, Scale, Shape};
 use figures::{Figure, all};
 use roxmltree::Document;
 use std::sync::OnceLock;
@@ -16,90 +18,142 @@ use std::sync::OnceLock;
 /// Thinning may move a curve by 0.06 px; reading two decimals costs 0.005 px, the coordinates 0.001 px, sampling the rest.
 const PIXELS: f64 = 0.08;
 
-/// The points of the path with this name, of the figure with this id without its `fig:`.
-fn path(figure: &str, name: &str) -> Vec<(f64, f64)> {
+fn figures() -> &'static [Figure] {
     static FIGURES: OnceLock<Vec<Figure>> = OnceLock::new();
-    let figures = FIGURES.get_or_init(|| all().expect("every figure can be drawn"));
-    let svg = &figures.iter().find(|other| other.id == format!("fig:{figure}")).expect("the figure").svg;
-    let document = Document::parse(svg).expect("valid XML");
-    let id = format!("fig-{figure}-{name}");
-    let node = document.descendants().find(|node| node.attribute("id") == Some(&id));
-    let data = node
-        .unwrap_or_else(|| panic!("no path {id}"))
-        .attribute("d")
-        .expect("a path")
-        .replace(['M', 'L'], " ");
-    let number = |text: &str| text.parse::<f64>().expect("a number");
-    data.split_whitespace()
-        .map(|pair| pair.split_once(',').map(|(x, y)| (number(x), number(y))).expect("a pair"))
-        .collect()
+    FIGURES.get_or_init(|| all().expect("every figure can be drawn"))
 }
 
-/// The least distance of a point from a polyline, px.
-fn distance(polyline: &[(f64, f64)], (x, y): (f64, f64)) -> f64 {
-    polyline
-        .windows(2)
-        .map(|pair| {
+/// A curve over the axes of its plot.
+struct Curve {
+    /// Its corners, px.
+    points: Vec<(f64, f64)>,
+    axes: Axes,
+}
+
+/// The curve with this name, of the figure with this id without its `fig:`.
+fn curve(figure: &str, name: &str) -> Curve {
+    let figure = figures().iter().find(|other| other.id == format!("fig:{figure}")).expect("the figure");
+    let carries = |axes: &&Axes| axes.curves.iter().any(|curve| curve == name);
+    let axes = figure.drawing.axes().iter().find(carries).unwrap_or_else(|| panic!("no curve {name}"));
+    let document = Document::parse(&figure.svg).expect("valid XML");
+    let id = format!("{}-{name}", figure.id.replace(':', "-"));
+    let node =
+        document.descendants().find(|node| node.attribute("id") == Some(&id)).expect("a path of this id");
+    let data = node.attribute("d").expect("a path").replace(['M', 'L'], " ");
+    let number = |text: &str| text.parse::<f64>().expect("a number");
+    let pair = |pair: &str| pair.split_once(',').map(|(x, y)| (number(x), number(y))).expect("a pair");
+    Curve { points: data.split_whitespace().map(pair).collect(), axes: axes.clone() }
+}
+
+/// The value at a part of a scale.
+fn value(scale: Scale, part: f64) -> f64 {
+    let Scale { from, to, logarithmic } = scale;
+    if logarithmic { from * (to / from).powf(part) } else { from + (to - from) * part }
+}
+
+/// Which part of a scale leads to a value.
+fn part(scale: Scale, value: f64) -> f64 {
+    let Scale { from, to, logarithmic } = scale;
+    if logarithmic { (value / from).ln() / (to / from).ln() } else { (value - from) / (to - from) }
+}
+
+/// Where a pair of values belongs, px.
+fn place(axes: &Axes, (x, y): (f64, f64)) -> (f64, f64) {
+    let frame = axes.frame;
+    (frame.left + frame.width() * part(axes.x, x), frame.bottom - frame.height() * part(axes.y, y))
+}
+
+impl Curve {
+    /// How far from the curve a pair of values lies, px.
+    fn distance(&self, pair: (f64, f64)) -> f64 {
+        let (x, y) = place(&self.axes, pair);
+        let from = |pair: &[(f64, f64)]| {
             let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
             let (dx, dy) = (x1 - x0, y1 - y0);
             let part = (((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
             (x0 + part * dx - x).hypot(y0 + part * dy - y)
-        })
-        .fold(f64::INFINITY, f64::min)
-}
-
-/// The range of an axis.
-#[derive(Clone, Copy)]
-enum Range {
-    Linear(f64, f64),
-    Log(f64, f64),
-}
-
-impl Range {
-    /// The value at a part of the way from the first to the last.
-    fn value(self, part: f64) -> f64 {
-        match self {
-            Self::Linear(from, to) => from + (to - from) * part,
-            Self::Log(from, to) => from * (to / from).powf(part),
-        }
+        };
+        self.points.windows(2).map(from).fold(f64::INFINITY, f64::min)
     }
 
-    /// Which part of the way a value is at.
-    fn part(self, value: f64) -> f64 {
-        match self {
-            Self::Linear(from, to) => (value - from) / (to - from),
-            Self::Log(from, to) => (value / from).ln() / (to / from).ln(),
-        }
+    /// Its corners as values.
+    fn values(&self) -> Vec<(f64, f64)> {
+        let frame = self.axes.frame;
+        let pair = |&(x, y): &(f64, f64)| {
+            let parts = ((x - frame.left) / frame.width(), (frame.bottom - y) / frame.height());
+            (value(self.axes.x, parts.0), value(self.axes.y, parts.1))
+        };
+        self.points.iter().map(pair).collect()
     }
-}
 
-/// The frame of a plot, px, left, top, width and height, and the ranges of its axes.
-struct Frame {
-    place: [f64; 4],
-    x: Range,
-    y: Range,
-}
-
-impl Frame {
-    fn at(&self, (x, y): (f64, f64)) -> (f64, f64) {
-        let [left, top, width, height] = self.place;
-        (left + width * self.x.part(x), top + height * (1.0 - self.y.part(y)))
+    /// Its value at x, on the straight line between two corners.
+    fn value(&self, x: f64) -> f64 {
+        let Axes { frame, y, .. } = self.axes;
+        let (across, _) = place(&self.axes, (x, y.to));
+        let pair = self.points.windows(2).find(|pair| pair[0].0 <= across && across <= pair[1].0);
+        let Some(&[(x0, y0), (x1, y1)]) = pair else { panic!("the curve does not reach {x}") };
+        let height = y0 + (y1 - y0) * (across - x0) / (x1 - x0);
+        value(y, (frame.bottom - height) / frame.height())
     }
 }
 
 /// Wherever the formula is inside the frame, the curve passes there.
-fn lies_on(figure: &str, name: &str, frame: &Frame, formula: impl Fn(f64) -> f64) {
-    let curve = path(figure, name);
+fn lies_on(figure: &str, name: &str, formula: impl Fn(f64) -> f64) {
+    let curve = curve(figure, name);
     let mut checked = 0;
     for step in 1..400 {
-        let x = frame.x.value((f64::from(step) + 0.37) / 400.0);
+        let x = value(curve.axes.x, (f64::from(step) + 0.37) / 400.0);
         let y = formula(x);
-        let part = frame.y.part(y);
+        let part = part(curve.axes.y, y);
         if part > 0.0 && part < 1.0 {
-            let off = distance(&curve, frame.at((x, y)));
+            let off = curve.distance((x, y));
             assert!(off < PIXELS, "{figure} {name}: {off} px off at {x}");
             checked += 1;
         }
     }
     assert!(checked > 100, "{figure} {name}: only {checked} points");
+}
+
+/// The number that a label at a tick shows, and the label's middle, px.
+fn tick(role: Role, shape: &Shape) -> Option<(f64, Point)> {
+    let (Role::PlainText(_), Shape::Label(label)) = (role, shape) else { return None };
+    let number = |piece: &Piece| match piece {
+        Piece::Words { text, .. } => text.replace('−', "-").parse::<f64>().ok(),
+        Piece::Outline(_) => None,
+    };
+    let shown = match &label.pieces[..] {
+        [number_alone] => number(number_alone)?,
+        [ten, power] => number(ten)?.powf(number(power)?),
+        _ => return None,
+    };
+    Some((shown, label.bounds.centre()))
+}
+
+#[test]
+fn the_numbers_at_ticks_stand_where_their_values_belong() {
+    let mut checked = [0, 0];
+    for figure in figures() {
+        let items = figure.drawing.items();
+        let ticks: Vec<_> = items.iter().filter_map(|item| tick(item.role, &item.shape)).collect();
+        for axes in figure.drawing.axes() {
+            let frame = axes.frame;
+            for &(shown, middle) in &ticks {
+                let (x, y) = place(axes, (shown, shown));
+                let (below, beside) = (middle.y - frame.bottom, frame.left - middle.x);
+                let near = (frame.left - 9.0..frame.right + 9.0).contains(&middle.x)
+                    && (10.0..20.0).contains(&below);
+                if near {
+                    assert!((middle.x - x).abs() < 1.5, "{}: {shown} stands at {middle:?}", figure.id);
+                    checked[0] += 1;
+                }
+                let near = (frame.top - 9.0..frame.bottom + 9.0).contains(&middle.y)
+                    && (9.0..30.0).contains(&beside);
+                if near {
+                    assert!((middle.y - y).abs() < 3.0, "{}: {shown} stands at {middle:?}", figure.id);
+                    checked[1] += 1;
+                }
+            }
+        }
+    }
+    assert!(checked[0] > 250 && checked[1] > 250, "{checked:?}");
 }

@@ -1,8 +1,7 @@
 //! The chapter on methods: factors by formulas, errors by methods written out here, slopes where the text claims them.
 
-use crate::Range::{Linear, Log};
 use crate::constrained::step;
-use crate::{Frame, PIXELS, distance, lies_on, path};
+use crate::{PIXELS, curve, lies_on};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 /// Attitude as w, x, y, z, and angular velocity along the body's axes.
@@ -102,57 +101,39 @@ fn round() -> f64 {
 
 #[test]
 fn the_factors_of_the_amplitude_are_those_of_their_polynomials() {
-    let frame = Frame { place: [52.0, 34.0, 560.0, 262.0], x: Linear(0.0, 7.0), y: Linear(0.4, 1.6) };
-    lies_on("method-amplitude", "rk4", &frame, |z| (1.0 - z.powi(6) / 72.0 + z.powi(8) / 576.0).sqrt());
-    let euler = path("method-amplitude", "euler");
+    lies_on("method-amplitude", "rk4", |z| (1.0 - z.powi(6) / 72.0 + z.powi(8) / 576.0).sqrt());
+    let euler = curve("method-amplitude", "euler");
     for z in [0.1, 0.37, 0.71, 1.13] {
-        let at = frame.at((z, f64::hypot(1.0, z)));
-        assert!(distance(&euler, at) < PIXELS, "Euler at {z}");
+        assert!(euler.distance((z, f64::hypot(1.0, z))) < PIXELS, "Euler at {z}");
     }
     // The product of DOP853's stages agrees with e^{iz} to z⁸: no loss to be seen below 2, and one again at 5.96.
-    let dop853 = path("method-amplitude", "dop853");
+    let dop853 = curve("method-amplitude", "dop853");
     for at in [(1.0, 1.0), (1.9, 1.0), (5.9604, 1.0)] {
-        assert!(distance(&dop853, frame.at(at)) < PIXELS, "DOP853 at {at:?}");
+        assert!(dop853.distance(at) < PIXELS, "DOP853 at {at:?}");
     }
     // The mark stands where the curve of RK4 passes one.
-    let rk4 = path("method-amplitude", "rk4");
-    assert!(distance(&rk4, frame.at((2.0 * SQRT_2, 1.0))) < PIXELS);
+    let rk4 = curve("method-amplitude", "rk4");
+    assert!(rk4.distance((2.0 * SQRT_2, 1.0)) < PIXELS);
 }
 
 #[test]
 fn the_errors_of_rk4_and_of_the_splitting_are_those_of_programs_written_twice() {
-    let frame = Frame { place: [64.0, 34.0, 500.0, 340.0], x: Log(1e-3, 10.0), y: Log(1e-15, 1.0) };
     let exact = rk4(START, 30.0, 12_000);
     let mut checked = 0;
     for n in 7..=15 {
         let steps = (10.0 * 3000_f64.powf(f64::from(n) / 24.0)).round() as u32;
         for (name, found) in [("rk4", rk4(START, 30.0, steps)), ("strang", strang(START, 30.0, steps))] {
             let error = attitude_error(found, exact);
-            let at = frame.at((30.0 / f64::from(steps), error));
-            assert!(distance(&path("method-order", name), at) < PIXELS, "{name}, {steps} steps: {error:e}");
+            let off = curve("method-order", name).distance((30.0 / f64::from(steps), error));
+            assert!(off < PIXELS, "{name}, {steps} steps: {error:e}");
             checked += 1;
         }
     }
     assert_eq!(checked, 18);
 }
 
-/// The value of a curve at x, between its points on the scales of its axes.
-fn value(figure: &str, name: &str, frame: &Frame, x: f64) -> f64 {
-    let (across, _) = frame.at((x, 1.0));
-    let curve = path(figure, name);
-    let pair = curve.windows(2).find(|pair| pair[0].0 <= across && across <= pair[1].0);
-    let [(x0, y0), (x1, y1)] = *pair.unwrap_or_else(|| panic!("{name} does not reach {x}")) else {
-        unreachable!("a pair has two points")
-    };
-    let height = y0 + (y1 - y0) * (across - x0) / (x1 - x0);
-    let [_, top, _, tall] = frame.place;
-    frame.y.value(1.0 - (height - top) / tall)
-}
-
 #[test]
 fn energy_and_attitude_begin_as_programs_written_twice_say() {
-    let energies = Frame { place: [64.0, 34.0, 500.0, 300.0], x: Log(1.0, 1e4), y: Log(1e-10, 1.0) };
-    let attitudes = Frame { y: Log(1e-8, 10.0), place: energies.place, x: energies.x };
     let part = round() / 5.0;
     let run: [(&str, Program, u32); 2] = [("rk4", rk4, 24), ("strang", strang, 48)];
     for (name, method, steps) in run {
@@ -165,10 +146,8 @@ fn energy_and_attitude_begin_as_programs_written_twice_say() {
             worst.1 = worst.1.max(attitude_error(book, exact));
             if look % 5 == 0 {
                 let rounds = f64::from(look / 5);
-                for (figure, frame, error) in
-                    [("method-energy", &energies, worst.0), ("method-attitude", &attitudes, worst.1)]
-                {
-                    let off = distance(&path(figure, name), frame.at((rounds, error)));
+                for (figure, error) in [("method-energy", worst.0), ("method-attitude", worst.1)] {
+                    let off = curve(figure, name).distance((rounds, error));
                     assert!(off < PIXELS, "{figure} {name}: {off} px off after {rounds} rounds");
                 }
             }
@@ -178,32 +157,29 @@ fn energy_and_attitude_begin_as_programs_written_twice_say() {
 
 #[test]
 fn errors_grow_as_the_text_says() {
-    let energies = Frame { place: [64.0, 34.0, 500.0, 300.0], x: Log(1.0, 1e4), y: Log(1e-10, 1.0) };
-    let attitudes = Frame { y: Log(1e-8, 10.0), place: energies.place, x: energies.x };
-    let slope = |figure, name, frame: &Frame, from: f64, to: f64| {
-        (value(figure, name, frame, to) / value(figure, name, frame, from)).ln() / (to / from).ln()
+    let slope = |figure, name, from: f64, to: f64| {
+        let curve = curve(figure, name);
+        (curve.value(to) / curve.value(from)).ln() / (to / from).ln()
     };
     for (name, expected) in [("rk4", 1.0), ("dop853", 1.0), ("strang", 0.0), ("blanes-moan", 0.0)] {
-        let found = slope("method-energy", name, &energies, 50.0, 9000.0);
+        let found = slope("method-energy", name, 50.0, 9000.0);
         assert!((found - expected).abs() < 0.03, "energy of {name}: {found}");
     }
     for (name, to, expected) in
         [("rk4", 300.0, 2.0), ("dop853", 9000.0, 2.0), ("strang", 90.0, 1.0), ("blanes-moan", 9000.0, 1.0)]
     {
-        let found = slope("method-attitude", name, &attitudes, to / 5.0, to);
+        let found = slope("method-attitude", name, to / 5.0, to);
         assert!((found - expected).abs() < 0.15, "attitude of {name}: {found}");
     }
     // Hundreds of times better at the beginning, worse at the end.
     let [first, last] = [1.5, 9000.0].map(|x| {
-        value("method-attitude", "blanes-moan", &attitudes, x)
-            / value("method-attitude", "dop853", &attitudes, x)
+        curve("method-attitude", "blanes-moan").value(x) / curve("method-attitude", "dop853").value(x)
     });
     assert!(first > 200.0 && last < 0.3, "{first} {last}");
 }
 
 #[test]
 fn the_steps_of_the_hoop_tile_the_time_and_follow_its_tumbles() {
-    let above = Frame { place: [58.0, 34.0, 560.0, 110.0], x: Linear(0.0, 150.0), y: Linear(-0.4, 0.4) };
     let h = 0.005;
     let hoop = |_: f64, [a, b, c]: [f64; 3]| [-b * c, c * a, 0.5 * a * b];
     let angle = 89.9_f64.to_radians();
@@ -211,16 +187,12 @@ fn the_steps_of_the_hoop_tile_the_time_and_follow_its_tumbles() {
     for n in 0..30_000 {
         motion.push(step(hoop, 0.0, motion[n], h));
     }
-    lies_on("method-steps", "tangent", &above, |time| {
+    lies_on("method-steps", "tangent", |time| {
         let n = (time / h) as usize;
         step(hoop, 0.0, motion[n], time - h * n as f64)[0]
     });
     // A marker stands at the middle of its step, as high as the step is long: neighbours touch.
-    let (left, top, wide, tall) = (58.0, 190.0, 560.0, 190.0);
-    let steps: Vec<(f64, f64)> = path("method-steps", "steps")
-        .into_iter()
-        .map(|(x, y)| ((x - left) / wide * 150.0, 0.1 * 100_f64.powf(1.0 - (y - top) / tall)))
-        .collect();
+    let steps = curve("method-steps", "steps").values();
     let touching = steps.windows(2).filter(|pair| {
         let gap = pair[1].0 - pair[0].0 - 0.5 * (pair[0].1 + pair[1].1);
         gap.abs() < 0.02

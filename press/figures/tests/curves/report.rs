@@ -1,6 +1,6 @@
 //! The figures of the report, held to the committed measurements, read here anew.
 
-use crate::{Frame, PIXELS, Range, distance, path};
+use crate::{PIXELS, curve};
 
 /// A run: problem, contestant, method, error, evaluations (NaN where they are not counted), seconds.
 struct Run<'a> {
@@ -53,24 +53,14 @@ fn every_measurement_that_is_not_beaten_lies_on_its_curve() {
                 (name, pairs.into_iter().filter(|pair| pair.0 < 1.0).collect())
             })
             .collect();
-        let all = || curves.iter().flat_map(|(_, pairs)| pairs);
-        let least = all().map(|pair| pair.1).fold(f64::INFINITY, f64::min);
-        let most = all().map(|pair| pair.1).fold(0.0, f64::max);
-        let coarsest = all().map(|pair| pair.0).fold(0.0, f64::max);
-        let power = |exponent: f64| 10.0_f64.powf(exponent);
-        let sample = Frame {
-            place: [62.0, 34.0, 440.0, 312.0],
-            x: Range::Log(1e-16, power(coarsest.log10().ceil().clamp(-2.0, 0.0))),
-            y: Range::Log(power((least.log10() - 0.2).floor()), power(most.log10().ceil())),
-        };
         for ([_, contestant, method], pairs) in &curves {
             if pairs.len() < 2 {
                 continue;
             }
             let name = format!("{contestant} {method}").replace([' ', '(', ')'], "-");
-            let curve = path(&format!("speed-{problem}"), &name);
+            let curve = curve(&format!("speed-{problem}"), &name);
             for &pair in pairs {
-                let off = distance(&curve, sample.at(pair));
+                let off = curve.distance(pair);
                 assert!(off < PIXELS, "{problem}, {name}: {off} px off at {pair:?}");
                 checked += 1;
             }
@@ -83,13 +73,7 @@ fn every_measurement_that_is_not_beaten_lies_on_its_curve() {
 fn the_evaluations_lie_on_their_curves_with_the_slopes_of_their_orders() {
     let runs = runs();
     let mut checked = 0;
-    for (place, problem) in PROBLEMS.into_iter().enumerate() {
-        let corner = [50.0 + 218.0 * (place % 3) as f64, 40.0 + 216.0 * (place / 3) as f64];
-        let sample = Frame {
-            place: [corner[0], corner[1], 176.0, 150.0],
-            x: Range::Log(1e-12, 1.0),
-            y: Range::Log(1e3, 1e8),
-        };
+    for problem in PROBLEMS {
         for method in ["RK4", "DOP853"] {
             let mine = runs.iter().filter(|run| run.name == [problem, "mechanics", method]);
             let pairs = unbeaten(&mine.map(|run| (run.error, run.evaluations)).collect::<Vec<_>>());
@@ -97,9 +81,9 @@ fn the_evaluations_lie_on_their_curves_with_the_slopes_of_their_orders() {
             if inside.len() < 2 {
                 continue;
             }
-            let curve = path("speed-work", &format!("{problem}-{method}"));
+            let curve = curve("speed-work", &format!("{problem}-{method}"));
             for &pair in &inside {
-                assert!(distance(&curve, sample.at(pair)) < PIXELS, "{problem}, {method}, {pair:?}");
+                assert!(curve.distance(pair) < PIXELS, "{problem}, {method}, {pair:?}");
                 checked += 1;
             }
         }

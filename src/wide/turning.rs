@@ -1,15 +1,17 @@
-//! Many frames of a body whose attitude is a steady turn about **L** and one about its own axis.
+//! A body whose attitude is a steady turn about **L** and one about its own axis, and one that only turns steadily.
 
+use super::functions::{Clock, sin_cos_quarters};
+use super::{Branchless, several_at_once};
 use crate::euler::Turning;
+use crate::free_rotation::FreeSymmetricTop;
+use crate::free_rotation::symmetric::renamed_back;
 use crate::two_part::TwoPart;
-use crate::wide::functions::{Clock, sin_cos_quarters};
-use crate::wide::{Branchless, several_at_once};
 use nalgebra::{Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 
-/// The motion `q(t) = start · turn(first, Λt) · turn(second, −σt) · then`, in numbers that make a frame of few operations
-/// (`eq:top-motion`, `eq:body-cone`).
+/// The motion `q(t) = q₀ R(L̂, Λt) R(3̂, −σt) · then` (`eq:top-motion-in-body`) and ω (`eq:body-cone`), in numbers
+/// that make a state of few operations.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct TwoTurns {
+pub(crate) struct TwoTurns {
     about_first: Clock,  // half of Λt
     about_second: Clock, // half of σt
     /// Takes the products cc, sc, cs, ss of the cosines and sines of both to the quaternion, scalar last.
@@ -19,11 +21,30 @@ pub(super) struct TwoTurns {
 }
 
 /// One of the two turns: about which axis, and at which rate, rad/s.
-pub(super) type SteadyTurn = (Vector3<f64>, TwoPart);
+type SteadyTurn = (Vector3<f64>, TwoPart);
 
 impl TwoTurns {
-    /// From the attitude that comes before both turns and that after them; ω is as in the field of this name.
-    pub(super) fn new(
+    /// The motion of a top for a body of which this top's axis 1 is the axis number `shift`, counted from 0.
+    pub(crate) fn of_top(top: &FreeSymmetricTop, shift: usize, top_from_body: &UnitQuaternion<f64>) -> Self {
+        let [w1, w2, w3]: [f64; 3] = top.start().omega_body.into();
+        let omega = [[0.0, 0.0, w3], [w1, w2, 0.0], [-w2, w1, 0.0]];
+        Self::new(
+            &top.start().world_from_body,
+            (top.momentum_direction_body, top.precession_rate),
+            (Vector3::z(), top.body_rate),
+            top_from_body,
+            omega.map(|of_top| renamed_back(of_top, shift)),
+        )
+    }
+
+    /// A rotation at a constant rate, rad/s, about an axis.
+    pub(crate) fn steady(start: &Turning, axis_body: &Vector3<f64>, rate: TwoPart) -> Self {
+        let (still, none) = ((Vector3::z(), TwoPart::from(0.0)), Vector3::zeros());
+        let omega = [start.omega_body, none, none];
+        Self::new(&start.world_from_body, (*axis_body, rate), still, &UnitQuaternion::identity(), omega)
+    }
+
+    fn new(
         start: &UnitQuaternion<f64>,
         (first, first_rate): SteadyTurn,
         (second, second_rate): SteadyTurn,
@@ -42,10 +63,10 @@ impl TwoTurns {
         }
     }
 
-    /// Fills the frames at times within reach and says how many, as [`several_at_once`] does.
-    pub(super) fn fill(&self, times: &[f64], frames: &mut [Turning]) -> usize {
+    /// Fills the states at times within reach and says how many, as [`several_at_once`] does.
+    pub(crate) fn fill(&self, times: &[f64], states: &mut [Turning]) -> usize {
         let reach = self.about_first.reach().min(self.about_second.reach());
-        several_at_once(*self, -reach..=reach, times, frames)
+        several_at_once(*self, -reach..=reach, times, states)
     }
 }
 

@@ -1,60 +1,49 @@
-//! The frames of a motion, by theta functions, without a branch: a loop over many of them does several in one instruction.
+//! A free body with three different moments, by polynomials in the theta series' own variables.
 //!
-//! Everything follows from two phases that grow at a constant rate: the argument u, which makes the angular velocity and the
-//! theta function of the attitude, and half the steady angle about **L**. Of the angle that the theta function adds, the half is
-//! found without the angle: a complex number Z has the same direction as the square of `|Z| + Z`.
+//! A state follows from two phases that grow at a constant rate: the argument u, and half the steady angle about
+//! **L**. All four theta functions that make sn, cn, dn and the direction of `eq:beyond-steady` are polynomials of
+//! degree three in cos 2v, or in `e^{−2w}` and `q'e^{2w}`. Of the angle beyond the steady one the half is found
+//! without the angle: a complex number Z has the direction of the square of `|Z| + Z`.
 
+use super::functions::{Clock, at_full_width, exp, nearest, sin_cos_quarters};
+use super::{BLOCK, in_blocks};
+use crate::euler::Turning;
+use crate::free_rotation::asymmetric::Asymmetric;
+use crate::free_rotation::theta::{Side, Theta};
+use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
-use crate::wide::BLOCK;
-use crate::wide::functions::{Clock, ROUNDABLE, at_full_width, exp, nearest, sin_cos_quarters};
+use nalgebra::{Matrix3, Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
-/// Terms of the theta series. The nome is below 0.0433 on either side, and its sixteenth power times the growth of the
-/// hyperbolic functions below 1e-17.
+/// Terms of the theta series: the nome is below 0.0433 on either side, and a term of number j at most its power `j²`.
 const TERMS: usize = 4;
 
 /// Coefficients of a polynomial, the constant first.
 type Cubic = [f64; TERMS];
 
-/// What a motion's frames are made from. Times in units that make the largest rate about one; `scale` such units are a second.
-pub(super) struct Constants {
-    pub(super) moments: [f64; 3],
-    pub(super) amplitudes: [f64; 3],
-    pub(super) momentum: f64,
-    pub(super) sense: f64,              // σ
-    pub(super) rate: TwoPart,           // p
-    pub(super) scale: f64,              // a power of two
-    pub(super) first_argument: TwoPart, // u at the start
-    pub(super) half_period: TwoPart,    // 2K/p; infinite on the separatrix
-    pub(super) quarter: TwoPart,        // K
-    pub(super) other_quarter: f64,      // K'
-    pub(super) parameter: f64,          // k²
-    pub(super) turn_rate: TwoPart,      // Λ
-    pub(super) zeta: f64,
-    pub(super) tilt: f64, // √(1 + n)
-}
-
 /// The motion, ready to be evaluated.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Wave {
-    argument: Clock, // u in quarter turns of the theta functions, or in half periods, or as it is: see `Side`
+pub(crate) struct Tumbling {
+    argument: Clock, // u in quarter turns of v, or in half periods, or as it is: see `Series`
     first_argument: TwoPart,
     half_turn: Clock, // half the steady angle about L
-    reach: f64,
-    sense: f64,
-    tilt: f64,
-    amplitudes: [f64; 3],          // per second
-    momentum_over_omega: [f64; 3], // I/G
-    side: Side,
+    sense: f64,       // s
+    ratio: f64,       // |I₂B/I₁A| = √(1 + n)
+    amplitudes: Vector3<f64>,
+    moments_by_l: Vector3<f64>,
+    series: Series,
+    /// Takes the quaternion of the renamed axes in upright ones, scalar last, to the attitude's.
+    attitude: Matrix4<f64>,
+    body_from_renamed: Matrix3<f64>,
 }
 
 /// The theta functions of one side, as polynomials.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a handful of motions, each used for thousands of frames")]
-enum Side {
-    /// k² ≤ ½: circular functions of v = πu/2K, the nome of K'/K, polynomials in cos 2v.
+#[expect(clippy::large_enum_variant, reason = "one for thousands of states")]
+enum Series {
+    /// Circular functions of v = πu/2K, polynomials in cos 2v.
     Slow(Slow),
-    /// k² > ½: hyperbolic functions of w = πu/2K', the nome of K/K'.
+    /// Hyperbolic functions of w = πu/2K'.
     Fast(Fast),
 }
 
@@ -78,7 +67,7 @@ struct Values {
 }
 
 /// The theta functions of one side, without a branch.
-trait Theta {
+trait Polynomials {
     fn at(&self, argument: f64, argument_low: f64) -> Values;
 }
 
@@ -110,89 +99,71 @@ fn cubic([c0, c1, c2, c3]: &Cubic, x: f64) -> f64 {
     ((c3 * x + c2) * x + c1) * x + c0
 }
 
-impl Wave {
-    pub(super) fn new(constants: &Constants) -> Self {
-        let Constants { moments, amplitudes, momentum, scale, first_argument, half_period, .. } = *constants;
-        let (side, argument, first_argument) = if constants.parameter <= 0.5 {
-            // v in quarter turns is u/K.
-            let rate = TwoPart::from(2.0 * scale) / half_period;
-            (Side::Slow(Slow::new(constants)), rate, first_argument / constants.quarter)
-        } else if constants.quarter.rounded().is_finite() {
-            let rate = TwoPart::from(scale) / half_period;
-            (Side::Fast(Fast::new(constants)), rate, first_argument / (constants.quarter * 2.0))
-        } else {
-            (Side::Fast(Fast::new(constants)), constants.rate * scale, first_argument)
+impl Tumbling {
+    pub(crate) fn new(motion: &Asymmetric) -> Self {
+        let (argument_rate, first_argument, theta) =
+            (motion.argument_rate, motion.first_argument, &motion.theta);
+        let (series, per) = match (theta.side, motion.quarter) {
+            (Side::Circular, Some(quarter)) => (Series::Slow(Slow::new(theta)), quarter), // v in quarter turns is u/K
+            (_, Some(quarter)) => (Series::Fast(Fast::new(theta)), quarter * 2.0),
+            (_, None) => (Series::Fast(Fast::new(theta)), TwoPart::from(1.0)),
         };
-        let argument = Clock::from_quarters(argument);
-        let half_turn = Clock::from_rate(constants.turn_rate * (0.5 * scale));
+        let [a, b, _]: [f64; 3] = motion.amplitudes.component_mul(&motion.moments_by_l).into();
+        let [left, right] = [&motion.world_from_upright, &motion.renamed_from_body];
         Self {
-            argument,
-            first_argument,
-            half_turn,
-            reach: argument.reach().min(half_turn.reach()),
-            sense: constants.sense,
-            tilt: constants.tilt,
-            amplitudes: amplitudes.map(|amplitude| amplitude * scale),
-            momentum_over_omega: moments.map(|moment| moment / (momentum * scale)),
-            side,
+            argument: Clock::from_quarters(argument_rate / per),
+            first_argument: first_argument / per,
+            half_turn: Clock::from_rate(motion.steady_rate * 0.5),
+            sense: theta.sense,
+            ratio: (b / a).abs(),
+            amplitudes: motion.amplitudes,
+            moments_by_l: motion.moments_by_l,
+            series,
+            attitude: both_sides(left, right),
+            body_from_renamed: motion.body_from_renamed,
         }
     }
 
-    /// Up to which time, of either sign, [`Wave::fill`] can go.
-    pub(super) fn reach(&self) -> f64 {
-        self.reach
-    }
-
-    /// The quaternion of the renamed axes in axes of which the third lies along **L** (i, j, k, scalar, not of length one) and ω
-    /// along the renamed axes, rad/s, at a time, s.
-    pub(super) fn at(&self, time: f64) -> [f64; 7] {
-        let (argument, half_turn) = (self.argument.at(time), self.half_turn.at(time));
-        let comes_back = !matches!(self.side, Side::Fast(Fast { wraps: 0.0, .. }));
-        // Beyond reach, whole periods are taken off first.
-        let near = |(high, low): (f64, f64)| {
-            if high.abs() < ROUNDABLE { (high, low) } else { (high % 4.0, low % 4.0) }
-        };
-        let argument = if comes_back { near(argument) } else { argument };
-        match &self.side {
-            Side::Slow(slow) => self.frame(slow, argument, near(half_turn)),
-            Side::Fast(fast) => self.frame(fast, argument, near(half_turn)),
-        }
-    }
-
-    /// [`Wave::at`] for up to [`BLOCK`] times within reach, one list for each number.
-    pub(super) fn fill(&self, times: &[f64], block: &mut [[f64; BLOCK]; 7]) {
-        let mut padded = [0.0; BLOCK];
-        padded[..times.len()].copy_from_slice(times);
-        at_full_width(
-            #[inline(always)]
-            || match &self.side {
-                Side::Slow(slow) => self.fill_with(slow, &padded, block),
-                Side::Fast(fast) => self.fill_with(fast, &padded, block),
-            },
-        );
+    /// Fills the states at times within reach and says how many, as [`in_blocks`] does.
+    pub(crate) fn fill(&self, times: &[f64], states: &mut [Turning]) -> usize {
+        let reach = self.argument.reach().min(self.half_turn.reach());
+        let reached = |time: f64| time.abs() <= reach && InvalidQuantity::check_time(time).is_ok();
+        let mut block = [[0.0; BLOCK]; 7];
+        in_blocks(times, states, reached, |times, states| {
+            let mut padded = [0.0; BLOCK];
+            padded[..times.len()].copy_from_slice(times);
+            at_full_width(
+                #[inline(always)]
+                || match &self.series {
+                    Series::Slow(slow) => self.fill_block(slow, &padded, &mut block),
+                    Series::Fast(fast) => self.fill_block(fast, &padded, &mut block),
+                },
+            );
+            for (n, state) in states.iter_mut().enumerate() {
+                *state = self.turning(std::array::from_fn(|i| block[i][n]));
+            }
+            true
+        })
     }
 
     #[inline(always)]
-    fn fill_with(&self, theta: &impl Theta, times: &[f64; BLOCK], block: &mut [[f64; BLOCK]; 7]) {
-        let [i, j, k, w, wa, wb, wc] = block;
+    fn fill_block(&self, series: &impl Polynomials, times: &[f64; BLOCK], block: &mut [[f64; BLOCK]; 7]) {
+        let [i, j, k, w, w1, w2, w3] = block;
         for n in 0..BLOCK {
-            let (argument, half_turn) = (self.argument.at(times[n]), self.half_turn.at(times[n]));
-            [i[n], j[n], k[n], w[n], wa[n], wb[n], wc[n]] = self.frame(theta, argument, half_turn);
+            [i[n], j[n], k[n], w[n], w1[n], w2[n], w3[n]] = self.numbers(series, times[n]);
         }
     }
 
+    /// The quaternion of the renamed axes in upright ones (i, j, k, scalar, not of length one), and ω along the
+    /// renamed axes, rad/s.
     #[inline(always)]
-    fn frame(
-        &self,
-        theta: &impl Theta,
-        (high, low): (f64, f64),
-        (turn_high, turn_low): (f64, f64),
-    ) -> [f64; 7] {
+    fn numbers(&self, series: &impl Polynomials, time: f64) -> [f64; 7] {
+        let ((high, low), (turn_high, turn_low)) = (self.argument.at(time), self.half_turn.at(time));
         let (first, first_low) = self.first_argument.parts();
         let (argument, argument_low) = (TwoPart::sum(high, first) + (low + first_low)).parts();
-        let Values { jacobi: [cn, sn, dn], theta: [re, im], flip, drift } = theta.at(argument, argument_low);
-        // Z, the number whose direction is the angle beyond the steady turn, and |Z| + Z, without a difference.
-        let (x, y) = (re * cn + im * self.tilt * sn, im * cn - re * self.tilt * sn);
+        let Values { jacobi: [cn, sn, dn], theta: [re, im], flip, drift } = series.at(argument, argument_low);
+        // Z of eq:beyond-steady without the factor e^{iαu/K}, and |Z| + Z, without a difference.
+        let (x, y) = (re * cn + im * self.ratio * sn, im * cn - re * self.ratio * sn);
         // x is a sum of two products of numbers with the same sign.
         let half_x = (x * x + y * y).sqrt() + x.abs();
         let half_y = self.sense * y;
@@ -201,21 +172,37 @@ impl Wave {
         let (c, s) = (cos * half_x - sin * half_y, sin * half_x + cos * half_y);
 
         let turned = |value: f64| f64::from_bits(value.to_bits() ^ flip);
-        let [size_a, size_b, size_c] = self.amplitudes;
-        let omega = [turned(size_a * cn), turned(self.sense * size_b * sn), size_c * dn];
-        // L along the renamed axes; the rotation that takes it upright; then the turn about the upright.
-        let [la, lb, lc]: [f64; 3] = std::array::from_fn(|n| self.momentum_over_omega[n] * omega[n]);
-        let (w, i, j) = (1.0 + lc, lb, -la);
+        let [size_1, size_2, size_3]: [f64; 3] = self.amplitudes.into();
+        let omega = [turned(size_1 * cn), turned(size_2 * sn), size_3 * dn];
+        // L̂ along the renamed axes; the rotation that takes it upright; then the turn about the upright.
+        let [l1, l2, l3]: [f64; 3] = std::array::from_fn(|n| self.moments_by_l[n] * omega[n]);
+        let (w, i, j) = (1.0 + l3, l2, -l1);
         [c * i - s * j, c * j + s * i, s * w, c * w, omega[0], omega[1], omega[2]]
+    }
+
+    fn turning(&self, [i, j, k, w, w1, w2, w3]: [f64; 7]) -> Turning {
+        let q = self.attitude * Vector4::new(i, j, k, w);
+        Turning {
+            world_from_body: UnitQuaternion::new_unchecked(Quaternion::from(q / q.norm())),
+            omega_body: self.body_from_renamed * Vector3::new(w1, w2, w3),
+        }
     }
 }
 
+/// The matrix that multiplies a quaternion, as a column with the scalar last, by one from the left and one from the
+/// right.
+fn both_sides(left: &UnitQuaternion<f64>, right: &UnitQuaternion<f64>) -> Matrix4<f64> {
+    let column = |n: usize| {
+        let unit = Quaternion::from(Vector4::from_fn(|i, _| if i == n { 1.0 } else { 0.0 }));
+        (left.quaternion() * unit * right.quaternion()).coords
+    };
+    Matrix4::from_columns(&[column(0), column(1), column(2), column(3)])
+}
+
 impl Slow {
-    fn new(constants: &Constants) -> Self {
-        let quarter = constants.quarter.rounded();
-        let nome = (-PI * constants.other_quarter / quarter).exp();
+    fn new(&Theta { nome, shift, .. }: &Theta) -> Self {
+        let eta = shift.abs();
         let power = |n: usize| nome.powi(n as i32);
-        let hyper = FRAC_PI_2 / quarter * constants.zeta;
         let theta_2 = cos_odd(std::array::from_fn(|j| power(j * (j + 1))));
         let theta_1 = sin_odd(std::array::from_fn(|j| alternating(j) * power(j * (j + 1))));
         let theta_3 = cos_even(std::array::from_fn(|j| power(j * j)));
@@ -225,7 +212,7 @@ impl Slow {
         let weighted = |function: fn(f64) -> f64| {
             std::array::from_fn(|j| {
                 let weight = alternating(j) * power(j * (j + 1));
-                if weight == 0.0 { 0.0 } else { weight * function((2 * j + 1) as f64 * hyper) }
+                if weight == 0.0 { 0.0 } else { weight * function((2 * j + 1) as f64 * eta) }
             })
         };
         Self {
@@ -240,14 +227,13 @@ impl Slow {
 }
 
 impl Fast {
-    fn new(constants: &Constants) -> Self {
-        let quarter = constants.quarter.rounded();
-        let limit = PI * quarter / constants.other_quarter;
-        let nome = (-limit).exp();
+    fn new(&Theta { nome, shift, quarter, other_quarter, .. }: &Theta) -> Self {
+        let angle = shift.abs();
+        let limit = PI * quarter / other_quarter;
         let power = |n: usize| nome.powi(n as i32);
-        let angle = FRAC_PI_2 / constants.other_quarter * constants.zeta;
-        // For a sum of q'^{j(j+1)} a_j (e^{(2j+1)w} + e^{−(2j+1)w}), times e^{−w}; of the same with a minus, over e^w − e^{−w}, which is the sum of all
-        // q'^{j(j+1)} a_j e^{2iw} with |i| ≤ j and has no difference that is small with w; and of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
+        // For a sum of q'^{j(j+1)} a_j (e^{(2j+1)w} + e^{−(2j+1)w}), times e^{−w}; of the same with a minus, over e^w
+        // − e^{−w}, which is the sum of all q'^{j(j+1)} a_j e^{2iw} with |i| ≤ j and has no difference that is small
+        // with w; and of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
         let cosh = |weight: &dyn Fn(usize) -> f64| Parts {
             up: std::array::from_fn(|j| weight(j) * power(j * j)),
             down: std::array::from_fn(|j| weight(j) * power(j * (j + 1))),
@@ -268,7 +254,7 @@ impl Fast {
         let at_4 = 1.0 + 2.0 * sum(&|j| alternating(j) * power(j * j));
         let comes_back = quarter.is_finite();
         Self {
-            stretch: if comes_back { limit } else { FRAC_PI_2 / constants.other_quarter },
+            stretch: if comes_back { limit } else { FRAC_PI_2 / other_quarter },
             limit,
             wraps: if comes_back { 1.0 } else { 0.0 },
             drift: if comes_back { FRAC_2_PI * angle } else { 0.0 },
@@ -283,7 +269,7 @@ impl Fast {
     }
 }
 
-impl Theta for Slow {
+impl Polynomials for Slow {
     #[inline(always)]
     fn at(&self, argument: f64, argument_low: f64) -> Values {
         let (sin, cos) = sin_cos_quarters(argument, argument_low);
@@ -302,7 +288,7 @@ impl Theta for Slow {
     }
 }
 
-impl Theta for Fast {
+impl Polynomials for Fast {
     #[inline(always)]
     fn at(&self, high: f64, low: f64) -> Values {
         let (whole, bits) = nearest(high);

@@ -1,0 +1,64 @@
+//! Renders the figures of the book as SVG, and tables of the library as Markdown, into Cargo's `OUT_DIR`.
+//!
+//! The library and the figures are build-dependencies, so Cargo runs this when their code has changed. It draws the
+//! figures of those chapters again whose stamp has changed with it (`stamps.rs`).
+
+mod stamps;
+
+use mechanics::integrate::METHODS;
+use mechanics::integrate::methods::Method;
+use std::error::Error;
+use std::path::PathBuf;
+use std::{env, fs, process};
+
+fn main() {
+    println!("cargo::rerun-if-changed=build.rs");
+    if let Err(error) = render() {
+        eprintln!("error: {error}");
+        process::exit(1);
+    }
+}
+
+fn render() -> Result<(), Box<dyn Error>> {
+    let out = PathBuf::from(env::var_os("OUT_DIR").ok_or("Cargo sets OUT_DIR")?);
+    let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").ok_or("Cargo sets CARGO_MANIFEST_DIR")?);
+    let stamps = stamps::Stamps::read(package.ancestors().nth(2).ok_or("the workspace is two folders up")?)?;
+    let list = out.join("figures.txt");
+    // A line of the list: the chapter, the figure, the stamp with which it was drawn.
+    let known = fs::read_to_string(&list).unwrap_or_default();
+    let is_fresh = |line: &&str| {
+        let words: Vec<&str> = line.split(' ').collect();
+        matches!(words[..], [chapter, _, stamp] if stamp == stamps.of(chapter))
+    };
+    let mut lines: Vec<String> = known.lines().filter(is_fresh).map(str::to_owned).collect();
+    let is_old = |chapter: &str| !lines.iter().any(|line| line.starts_with(&format!("{chapter} ")));
+    let figures = figures::of(is_old).map_err(|failures| {
+        let lines: Vec<String> = failures.iter().map(ToString::to_string).collect();
+        lines.join("\nerror: ")
+    })?;
+    let _ = fs::remove_file(&list); // from here on the folder holds something else
+    for figure in figures {
+        let name = figure.id.trim_start_matches("fig:");
+        fs::write(out.join(format!("{name}.inline.svg")), &figure.svg)?;
+        fs::write(out.join(format!("{name}.svg")), &figure.standalone)?;
+        lines.push(format!("{} {} {}", figure.chapter, figure.id, stamps.of(&figure.chapter)));
+    }
+    fs::write(out.join("methods.md"), methods())?;
+    fs::write(list, lines.join("\n"))?;
+    Ok(())
+}
+
+/// The table of the stepping methods.
+fn methods() -> String {
+    let row = |method: &Method| {
+        let Method { name, order, dense_order, cost, adaptive, keeps } = method;
+        let dense = dense_order.map_or("–".to_owned(), |order| order.to_string());
+        let adapts = if *adaptive { "yes" } else { "no" };
+        let kept: Vec<String> = keeps.iter().map(ToString::to_string).collect();
+        let kept = if kept.is_empty() { "nothing".to_owned() } else { kept.join(", ") };
+        format!("| {name} | {order} | {dense} | {cost} | {adapts} | {kept} |\n")
+    };
+    "| method | order | dense output | a step costs | adapts | keeps, of a free body |\n|---|---|---|---|---|---|\n"
+        .to_owned()
+        + &METHODS.iter().map(row).collect::<String>()
+}

@@ -1,0 +1,82 @@
+//! Only figures whose code has changed are drawn again, and no figure is kept that would be drawn otherwise.
+
+#[path = "../stamps.rs"]
+mod stamps;
+
+use press::rendered::Rendered;
+use stamps::Stamps;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+#[test]
+fn the_figures_that_are_kept_are_those_that_would_be_drawn_now() {
+    let kept = Rendered::read(Path::new(env!("OUT_DIR"))).expect("they are there").figures;
+    let drawn = figures::all().expect("every figure can be drawn");
+    assert_eq!(kept.len(), drawn.len());
+    for figure in drawn {
+        let same = kept.iter().find(|kept| kept.id == figure.id).expect("it is kept");
+        assert!(same.svg == figure.svg && same.standalone == figure.standalone, "{} is old", figure.id);
+    }
+}
+
+/// A workspace with three chapters, two scenes and some shared code: path and text.
+const WORKSPACE: [(&str, &str); 12] = [
+    ("Cargo.toml", ""),
+    ("Cargo.lock", ""),
+    ("press/book/build.rs", ""),
+    ("press/drawing/src/lib.rs", ""),
+    ("press/figures/src/lib.rs", ""),
+    ("src/lib.rs", "//! Has the wheel.\npub mod scenes;\nmod shared;\n"),
+    ("src/shared.rs", "pub fn wheel() {}\n"),
+    ("src/scenes/mod.rs", "pub mod wheel;\npub mod two_coins;\n"),
+    ("src/scenes/wheel.rs", "//! Unlike two_coins.\nuse crate::shared;\n"),
+    ("src/scenes/two_coins/mod.rs", "const A: f64 = 1.0;\n"),
+    ("book/two-coins/figures.rs", "const DATA: &str = include_str!(\"data.csv\");\n"),
+    ("book/methods/figures.rs", "use mechanics::scenes::wheel;\ninclude_str!(\"../../tests/data.csv\");\n"),
+];
+
+/// The stamps of the chapters `two-coins` and `methods` after some files have been written.
+fn stamps_with(root: &Path, changes: &[(&str, &str)]) -> [String; 2] {
+    let _ = fs::remove_dir_all(root);
+    for (path, text) in WORKSPACE.iter().chain(changes) {
+        let path: PathBuf = root.join(path);
+        fs::create_dir_all(path.parent().expect("a folder")).expect("a folder");
+        fs::write(path, text).expect("a file");
+    }
+    let stamps = Stamps::read(root).expect("all can be read");
+    ["two-coins", "methods"].map(|chapter| stamps.of(chapter))
+}
+
+#[test]
+fn a_stamp_changes_with_what_its_figures_are_drawn_from_and_with_nothing_else() {
+    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stamps");
+    let before = stamps_with(&root, &[]);
+    let uses_both = ("src/scenes/wheel.rs", "use super::two_coins;\n");
+    for (changes, expected) in [
+        // Pages and tests draw nothing.
+        (&[("book/two-coins/index.md", "new"), ("press/figures/tests/a.rs", "new")][..], [false, false]),
+        // What all figures share.
+        (&[("src/shared.rs", "pub fn wheel() { new() }\n")], [true, true]),
+        (&[("press/drawing/src/lib.rs", "new")], [true, true]),
+        (&[("press/figures/src/lib.rs", "new")], [true, true]),
+        (&[("src/wide/two_coins.rs", "new")], [true, true]),
+        (&[("Cargo.lock", "new")], [true, true]),
+        // A scene, the chapter of its name, and those that mention it.
+        (&[("src/scenes/wheel.rs", "new")], [false, true]),
+        (&[("src/scenes/two_coins/mod.rs", "new")], [true, false]),
+        (&[("src/scenes/two_coins/deep/er.rs", "new")], [true, false]),
+        (&[("book/two-coins/figures.rs", "new")], [true, false]),
+        (&[("book/two-coins/data.csv", "new")], [true, false]),
+        (&[("tests/data.csv", "new")], [false, true]),
+    ] {
+        let after = stamps_with(&root, changes);
+        let changed = [0, 1].map(|n| after[n] != before[n]);
+        assert_eq!(changed, expected, "{changes:?}");
+    }
+    // A scene that uses another, and shared code that uses one, pass its changes on.
+    for by in [uses_both, ("src/shared.rs", "use crate::scenes::two_coins;\n")] {
+        let before = stamps_with(&root, &[by]);
+        let after = stamps_with(&root, &[by, ("src/scenes/two_coins/mod.rs", "new")]);
+        assert!(after[0] != before[0] && after[1] != before[1], "{by:?}");
+    }
+}

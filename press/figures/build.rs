@@ -1,0 +1,49 @@
+//! Lists the chapters and their figures, so that nobody has to: a module for each `book/*/figures.rs` in the order of
+//! SUMMARY.md, and an entry for each function in it that draws a figure.
+
+#[path = "src/list.rs"]
+mod list;
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{env, fs};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../..").canonicalize()?;
+    let summary = root.join("book/SUMMARY.md");
+    println!("cargo::rerun-if-changed={}", summary.display());
+    let (mut modules, mut entries) = (String::new(), String::new());
+    let mut places = BTreeMap::new();
+    let fault = |place: &str, what: &str| println!("cargo::error={place}: {what}");
+    for folder in list::chapters(&fs::read_to_string(summary)?) {
+        let path = root.join("book").join(folder).join("figures.rs");
+        let Ok(source) = fs::read_to_string(&path) else {
+            // A chapter without figures, until it has some.
+            println!("cargo::rerun-if-changed={}", root.join("book").join(folder).display());
+            continue;
+        };
+        println!("cargo::rerun-if-changed={}", path.display());
+        let module = folder.replace('-', "_");
+        writeln!(modules, "#[path = {path:?}]\nmod {module};")?;
+        let found = list::figures(&source).unwrap_or_else(|faults| {
+            faults.iter().for_each(|(line, what)| fault(&format!("book/{folder}/figures.rs:{line}"), what));
+            Vec::new()
+        });
+        for list::Found { id, function, line } in found {
+            let place = format!("book/{folder}/figures.rs:{line}");
+            if let Some(other) = places.insert(id.clone(), place.clone()) {
+                fault(&place, &format!("{id}: {other} has a figure of this name too"));
+            }
+            let draw = format!("{module}::{function}");
+            writeln!(
+                entries,
+                "    Entry {{ id: {id:?}, chapter: {folder:?}, line: {line}, draw: {draw} }},"
+            )?;
+        }
+    }
+    let text = format!("{modules}\nconst ENTRIES: &[Entry] = &[\n{entries}];\n");
+    fs::write(Path::new(&env::var("OUT_DIR")?).join("figures.rs"), text)?;
+    Ok(())
+}

@@ -1,0 +1,82 @@
+//! A drawing as a backend of plotters: a thousandth of a pixel is its unit, roles are its colours.
+
+use drawing::{Drawing, Hue, Label, LabelError, Point, Role, Shape, Side, Stroke, at};
+use plotters::style::{RGBColor, ShapeStyle};
+use plotters_backend::text_anchor::HPos;
+use plotters_backend::{
+    BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
+};
+
+/// The coordinates of plotters are whole numbers, so many a pixel.
+const UNITS: f64 = 1000.0;
+/// The type size of numbers at ticks, px.
+const TICK_TYPE: f64 = 13.0;
+
+/// Pixels in units of plotters.
+pub(crate) fn units(pixels: f64) -> i32 {
+    (pixels * UNITS).round() as i32
+}
+
+/// A point of plotters, px.
+pub(crate) fn point((x, y): BackendCoord) -> Point {
+    at(f64::from(x) / UNITS, f64::from(y) / UNITS)
+}
+
+/// The role of a line as a colour: the places of the stroke and the hue among all.
+pub(crate) fn pen(stroke: Stroke, hue: Hue) -> ShapeStyle {
+    ShapeStyle::from(&RGBColor(stroke as u8, hue as u8, 0))
+}
+
+/// The backend. It draws what the axes and lines of a plot need.
+pub(crate) struct Canvas<'a>(pub(crate) &'a mut Drawing);
+
+type Drawn = Result<(), DrawingErrorKind<LabelError>>;
+
+impl DrawingBackend for Canvas<'_> {
+    type ErrorType = LabelError;
+
+    fn get_size(&self) -> (u32, u32) {
+        (units(self.0.width()).unsigned_abs(), units(self.0.height()).unsigned_abs())
+    }
+
+    fn ensure_prepared(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn present(&mut self) -> Drawn {
+        Ok(())
+    }
+
+    fn draw_pixel(&mut self, place: BackendCoord, color: BackendColor) -> Drawn {
+        self.0.dot(point(place), 0.5, Hue::ALL[usize::from(color.rgb.1)]);
+        Ok(())
+    }
+
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
+        &mut self,
+        path: I,
+        style: &S,
+    ) -> Drawn {
+        let (stroke, hue, _) = style.color().rgb;
+        let points: Vec<Point> = path.into_iter().map(point).collect();
+        self.0.polyline(&points, Stroke::ALL[usize::from(stroke)], Hue::ALL[usize::from(hue)]);
+        Ok(())
+    }
+
+    /// The number at a tick, 10 px from the axis for plotters. To the left of an axis it stands 1 px nearer; those below an
+    /// axis stand on one baseline, whatever their ink.
+    fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, place: BackendCoord) -> Drawn {
+        let label = Label::new(text, TICK_TYPE).map_err(DrawingErrorKind::DrawingError)?;
+        let label = match style.anchor().h_pos {
+            HPos::Right => label.placed(point(place), Side::Left, -1.0),
+            _ => {
+                let start = point(place) + at(-0.5 * label.width(), 10.0);
+                label.from_baseline(start)
+            }
+        };
+        if !text.is_empty() {
+            self.0.push(Role::PlainText(Hue::Ink), Shape::Label(label));
+        }
+        Ok(())
+    }
+}

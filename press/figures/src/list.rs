@@ -1,0 +1,73 @@
+//! The list of figures, read from the pages' order and the text of `book/*/figures.rs`; the build script uses it.
+
+/// A figure as it stands in the text of its chapter.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Found {
+    /// Its label on the page, as in `fig:two-bodies`.
+    pub(crate) id: String,
+    /// The function that draws it, as in `two_bodies`.
+    pub(crate) function: String,
+    /// The line that names it.
+    pub(crate) line: usize,
+}
+
+/// The folders of the chapters, in the order of SUMMARY.md.
+pub(crate) fn chapters(summary: &str) -> impl Iterator<Item = &str> {
+    summary.lines().filter_map(|line| Some(line.split_once("](")?.1.split_once("/index.md)")?.0))
+}
+
+/// The figures of a chapter: every function `pub(crate) fn two_bodies(…) -> Outcome` is the figure `fig:two-bodies`.
+///
+/// # Errors
+/// The line and the fault of each function whose name makes no id.
+pub(crate) fn figures(source: &str) -> Result<Vec<Found>, Vec<(usize, String)>> {
+    let (mut found, mut faults) = (Vec::new(), Vec::new());
+    for (index, text) in source.lines().enumerate() {
+        let Some((function, rest)) =
+            text.strip_prefix("pub(crate) fn ").and_then(|text| text.split_once('('))
+        else {
+            continue;
+        };
+        let line = index + 1;
+        if !rest.contains("-> Outcome") {
+            continue;
+        }
+        let sound = |part: &str| part.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit());
+        if function.split('_').all(|part| !part.is_empty() && sound(part)) {
+            let id = format!("fig:{}", function.replace('_', "-"));
+            found.push(Found { id, function: function.into(), line });
+        } else {
+            let rule =
+                "the name of a figure is lower-case letters and digits, with single underscores between";
+            faults.push((line, format!("{function}: {rule}")));
+        }
+    }
+    if faults.is_empty() { Ok(found) } else { Err(faults) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Found, chapters, figures};
+
+    #[test]
+    fn chapters_follow_the_summary() {
+        let summary = "# Summary\n[Preface](preface.md)\n- [Tops](free-tops/index.md)\n  - [Exercises](free-tops/exercises.md)\n- [Coin](coin/index.md)\n";
+        assert_eq!(chapters(summary).collect::<Vec<_>>(), ["free-tops", "coin"]);
+    }
+
+    #[test]
+    fn every_function_that_draws_is_a_figure_of_its_name() {
+        let source = "//! Figures.\nfn helper(id: &str) -> Outcome {\npub(crate) fn two_bodies(id: &str) -> Outcome {\n\
+                      pub(crate) fn data() -> Result<(), Cause> {\npub(crate) fn drag2(id: &str) -> Outcome {\n";
+        let found = |id: &str, function: &str, line| Found { id: id.into(), function: function.into(), line };
+        assert_eq!(
+            figures(source),
+            Ok(vec![found("fig:two-bodies", "two_bodies", 3), found("fig:drag2", "drag2", 5)])
+        );
+        for name in ["Gimbal", "two__bodies", "_top", "top_", "kreisel_ä"] {
+            let faults = figures(&format!("\npub(crate) fn {name}(id: &str) -> Outcome {{"));
+            let [(2, fault)] = &faults.expect_err("no id")[..] else { panic!("one fault in line 2") };
+            assert!(fault.starts_with(&format!("{name}: the name of a figure is ")), "{fault}");
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! The figures of the book and the tables of the library, as the build script of the crate `book` rendered them.
+
+use std::path::Path;
+use std::{fs, io};
+
+/// What a build script has rendered, read from its folder.
+#[derive(Debug, Clone, Default)]
+pub struct Rendered {
+    /// Every figure.
+    pub figures: Vec<Figure>,
+    /// Tables in Markdown, each with its name: `methods`.
+    pub tables: Vec<(String, String)>,
+}
+
+/// One rendered figure.
+#[derive(Debug, Clone)]
+pub struct Figure {
+    /// Its label: `fig:machine`.
+    pub id: String,
+    /// The folder of the chapter that draws it: `laundromat`.
+    pub chapter: String,
+    /// SVG for a page, coloured by the page's style sheet.
+    pub svg: String,
+    /// SVG that stands alone, for slides.
+    pub standalone: String,
+}
+
+impl Rendered {
+    /// Reads `folder`: `figures.txt` with a line `chapter fig:name …` for each figure, its `name.inline.svg` and `name.svg`,
+    /// and the tables, `table.md`.
+    ///
+    /// # Errors
+    /// If a file is missing or cannot be read.
+    pub fn read(folder: &Path) -> io::Result<Self> {
+        let text = |name: &str| {
+            fs::read_to_string(folder.join(name)).map_err(|error| {
+                io::Error::new(error.kind(), format!("{}/{name}: {error}", folder.display()))
+            })
+        };
+        let mut rendered = Self::default();
+        for line in text("figures.txt")?.lines() {
+            let mut words = line.split(' ');
+            let (chapter, id) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+            let name = file_stem(id);
+            rendered.figures.push(Figure {
+                id: id.to_owned(),
+                chapter: chapter.to_owned(),
+                svg: text(&format!("{name}.inline.svg"))?,
+                standalone: text(&format!("{name}.svg"))?,
+            });
+        }
+        for entry in fs::read_dir(folder)? {
+            let name = entry?.file_name().to_string_lossy().into_owned();
+            if let Some(table) = name.strip_suffix(".md") {
+                rendered.tables.push((table.to_owned(), text(&name)?));
+            }
+        }
+        Ok(rendered)
+    }
+
+    /// Writes every figure into `folder` as a standalone SVG file, `machine.svg`; returns how many there are.
+    ///
+    /// # Errors
+    /// If the folder or a file cannot be written.
+    pub fn write_all(&self, folder: &Path) -> io::Result<usize> {
+        fs::create_dir_all(folder)?;
+        for figure in &self.figures {
+            fs::write(folder.join(figure.file_name()), &figure.standalone)?;
+        }
+        Ok(self.figures.len())
+    }
+}
+
+impl Figure {
+    /// The ids in its SVG.
+    pub(crate) fn ids(&self) -> impl Iterator<Item = &str> {
+        self.svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next())
+    }
+
+    /// The name of its file: `machine.svg`.
+    pub(crate) fn file_name(&self) -> String {
+        format!("{}.svg", file_stem(&self.id))
+    }
+}
+
+/// `fig:machine` → `machine`.
+fn file_stem(id: &str) -> &str {
+    id.trim_start_matches("fig:")
+}
