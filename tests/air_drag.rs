@@ -251,7 +251,7 @@ fn the_axis_goes_where_the_decay_rates_send_it() {
             AxisTrend::Aligning => assert!(angle < 1e-25),
             AxisTrend::Tumbling => assert!(angle == FRAC_PI_2),
             AxisTrend::Unchanged => {
-                assert_relative_eq!(angle, 0.25 * std::f64::consts::PI, max_relative = 1e-15)
+                assert_relative_eq!(angle, 0.25 * std::f64::consts::PI, max_relative = 1e-15);
             }
         }
         top.axis_trend()
