@@ -9,8 +9,8 @@
 //! | The struck space station | [`scenes::space_station`] |
 //! | Frisbee and pencil | [`scenes::air_drag`] |
 //! | The pinned hoop | [`scenes::pinned_hoop`], [`elliptic`] |
-//! | The rolling wheel | [`scenes::rolling_wheel`], [`conical`] |
-//! | The spinning coin | [`scenes::spinning_coin`] |
+//! | The rolling wheel | [`scenes::rolling_wheel`], [`rolling`], [`conical`] |
+//! | The spinning coin | [`scenes::spinning_coin`], [`rolling`] |
 //! | Methods | [`integrate`], [`geometric`] |
 //! | Speed and accuracy | [`measure`], [`sweep`] |
 //! | Hard cases | all of them, where digits get lost |
@@ -21,27 +21,21 @@
 //!
 //! SI units and radians throughout. Labels such as `eq:steady-radius` in comments are those of the book's equations.
 
-pub mod attitude;
-pub mod conical;
-pub mod elliptic;
-pub mod euler;
-pub mod faddeeva;
-pub mod free_rotation;
-pub mod geometric;
-pub mod inertia;
 pub mod integrate;
 pub mod measure;
 pub mod scenes;
 pub mod sweep;
 
+mod bodies;
 mod error;
-mod frames;
-mod quantity;
-mod rolling;
-mod two_part;
+mod numbers;
+mod special;
 mod wide;
 
+pub use bodies::{attitude, euler, free_rotation, geometric, inertia, rolling};
 pub use error::Error;
-pub use frames::InvalidFrames;
 pub use nalgebra;
-pub use quantity::{InvalidQuantity, Rule};
+pub use numbers::quantity::{InvalidQuantity, Rule};
+pub use special::{conical, elliptic, faddeeva};
+
+use numbers::{quantity, two_part};

@@ -2,8 +2,9 @@
 
 /// The answer for each case, in the order of the cases.
 ///
-/// With the feature `parallel` all cores of the processor share the cases (through the crate rayon); without it, and where there are no
-/// threads, as in a web page, they are taken one after the other. The answers are the same either way, to the last bit.
+/// With the feature `parallel` all cores of the processor share the cases (through the crate rayon); without it, and
+/// where there are no threads, as in a web page, they are taken one after the other. The answers are the same either
+/// way, to the last bit.
 ///
 /// ```
 /// use mechanics::scenes::laundromat::{Machine, Parameters};
@@ -16,7 +17,7 @@
 ///     })?;
 ///     Ok(machine.peak().map(|peak| peak.radius))
 /// });
-/// let peaks: Vec<Option<f64>> = peaks.into_iter().collect::<Result<_, mechanics::scenes::laundromat::InvalidMachine>>()?;
+/// let peaks: Vec<Option<f64>> = peaks.into_iter().collect::<Result<_, mechanics::InvalidQuantity>>()?;
 /// assert!(peaks[0].is_none() && peaks[999] > peaks[500]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -5,7 +5,8 @@ use mechanics::euler::{self, Turning};
 use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::coin_toss::{
-    Face, Flight, Toss, angle_for_probability, ratio_for_probability, steady_face_ratio,
+    Face, Flight, FlightParameters, Toss, TossParameters, angle_for_probability, ratio_for_probability,
+    steady_face_ratio,
 };
 use nalgebra::{UnitQuaternion, Vector3};
 use serde_json::Value;
@@ -14,6 +15,10 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 /// A thin coin; mass and radius drop out of everything.
 fn coin() -> PrincipalMoments {
     Body::thin_disk(0.0075, 0.0122).expect("a coin").moments()
+}
+
+fn tossed(moments: PrincipalMoments, omega_1: f64, omega_3: f64) -> Toss {
+    Toss::new(TossParameters { moments, omega_1, omega_3 }).expect("a coin that turns")
 }
 
 /// A body with I₃/I₁ from a pencil's to a plate's.
@@ -38,8 +43,8 @@ fn simulated(moments: PrincipalMoments, omega_1: f64, omega_3: f64, times: &[f64
     simulated_turnings(moments, omega_1, omega_3, times).iter().map(Turning::axis_3_world).collect()
 }
 
-/// The angular momentum in the room of a thin disc of `mass` and `radius`, added up over its mass: twelve points of equal weight
-/// have the disc's moments.
+/// The angular momentum in the room of a thin disc of `mass` and `radius`, added up over its mass: twelve points of
+/// equal weight have the disc's moments.
 fn summed_momentum(mass: f64, radius: f64, turning: &Turning) -> Vector3<f64> {
     let omega = turning.omega_world();
     (0..12)
@@ -58,13 +63,14 @@ fn eq46_angular_momentum_stays_where_the_hand_left_it() {
     let quarter = 0.25 * mass * radius * radius;
     for _ in 0..50 {
         let (omega_1, omega_3) = (random.f64() * 200.0 + 1.0, random.f64() * 100.0 + 1.0);
-        let toss = Toss::new(coin(), omega_1, omega_3).unwrap();
+        let toss = tossed(coin(), omega_1, omega_3);
         // At the start, along axes that are the room's as well as the coin's.
         let stated = Vector3::new(omega_1, 0.0, 2.0 * omega_3) * quarter;
         let start = summed_momentum(mass, radius, &toss.at(0.0).unwrap());
         assert_relative_eq!(start, stated, max_relative = 1e-13);
         assert_relative_eq!(toss.momentum_angle().tan(), omega_1 / (2.0 * omega_3), max_relative = 1e-13);
-        // And in the room it is still there when the coin stands quite differently: in the simulation and in the closed form.
+        // And in the room it is still there when the coin stands quite differently: in the simulation and in the closed
+        // form.
         let times = [0.05, 0.21, 0.45];
         for (time, simulated) in times.into_iter().zip(simulated_turnings(coin(), omega_1, omega_3, &times)) {
             for turning in [simulated, toss.at(time).unwrap()] {
@@ -83,7 +89,7 @@ fn eq46_the_normal_of_a_simulated_coin_goes_round_the_angular_momentum() {
         let [transverse, _, axial] = moments.to_array();
         let (omega_1, omega_3) = (100.0 * random.f64() + 1.0, 100.0 * random.f64() - 50.0);
         let times: Vec<f64> = (1..=40).map(|n| 0.01 * f64::from(n)).collect();
-        let toss = Toss::new(moments, omega_1, omega_3).unwrap();
+        let toss = tossed(moments, omega_1, omega_3);
         let momentum = Vector3::new(transverse * omega_1, 0.0, axial * omega_3).normalize();
         for (&time, normal) in times.iter().zip(simulated(moments, omega_1, omega_3, &times)) {
             assert_relative_eq!(toss.normal(time).unwrap(), normal, epsilon = 2e-11);
@@ -106,7 +112,7 @@ fn eq47_a_simulated_coin_shows_its_other_face_below_the_threshold_only() {
             assert_eq!(threshold, 0.5);
         }
         for factor in [0.98, 1.02] {
-            let toss = Toss::new(moments, 1.0, factor * threshold).unwrap();
+            let toss = tossed(moments, 1.0, factor * threshold);
             let times: Vec<f64> = (0..=400).map(|n| 0.025 * f64::from(n)).collect();
             let lowest = simulated(moments, 1.0, factor * threshold, &times)
                 .iter()
@@ -121,7 +127,7 @@ fn eq47_a_simulated_coin_shows_its_other_face_below_the_threshold_only() {
 
 #[test]
 fn eq47_at_the_threshold_the_angle_is_half_a_right_angle() {
-    let toss = Toss::new(coin(), 2.0, 1.0).unwrap();
+    let toss = tossed(coin(), 2.0, 1.0);
     assert_relative_eq!(toss.momentum_angle(), FRAC_PI_4, max_relative = 1e-15);
     assert_eq!(toss.lowest_normal(), 0.0);
     assert!(toss.keeps_its_face() && toss.first_edge().is_none());
@@ -129,7 +135,7 @@ fn eq47_at_the_threshold_the_angle_is_half_a_right_angle() {
     // A hair below it shows the other face, for as short a time as the hair is thin.
     for exponent in [-15, -10, -5] {
         let hair = 10_f64.powi(exponent);
-        let toss = Toss::new(coin(), 2.0 * (1.0 + hair), 1.0).unwrap();
+        let toss = tossed(coin(), 2.0 * (1.0 + hair), 1.0);
         assert!(!toss.keeps_its_face());
         let missing = 1.0 - toss.same_face_probability();
         assert_relative_eq!(missing, 2.0 / PI * hair.sqrt(), max_relative = 0.12);
@@ -141,7 +147,7 @@ fn the_reference_toss_is_met_to_its_last_digits() {
     let file: Value = serde_json::from_str(include_str!("data/coin-toss.json")).expect("a valid file");
     assert_eq!(file["inputs"]["omega1"], "2 pi 38 rad/s");
     let value = |name: &str| file["values"][name].as_str().unwrap().parse::<f64>().unwrap();
-    let toss = Toss::new(coin(), TAU * 38.0, TAU * 4.0).unwrap();
+    let toss = tossed(coin(), TAU * 38.0, TAU * 4.0);
     let normal = toss.normal(0.45).unwrap();
     // The phase is 110 rad; TAU·38 and 0.45 are rounded before the library sees them, which turns it by up to 3e-14.
     for (found, name) in [(normal.x, "n_x"), (normal.y, "n_y"), (normal.z, "n_z")] {
@@ -164,7 +170,7 @@ fn the_same_face_is_up_for_that_part_of_a_simulated_precession() {
     for _ in 0..20 {
         let moments = moments(&mut random);
         let threshold = steady_face_ratio(moments).unwrap();
-        let toss = Toss::new(moments, 50.0, 50.0 * threshold * random.f64()).unwrap();
+        let toss = tossed(moments, 50.0, 50.0 * threshold * random.f64());
         let period = TAU / toss.precession_rate();
         let times: Vec<f64> = (0..2000).map(|n| period * (f64::from(n) + 0.5) / 2000.0).collect();
         let omega_3 = toss.at(0.0).unwrap().omega_body.z;
@@ -187,7 +193,7 @@ fn probability_and_ratio_undo_each_other_at_both_ends() {
         let small = 10_f64.powf(-14.0 * random.f64()) / 4.0;
         let probability = if n % 2 == 0 { 0.5 + small } else { 1.0 - small };
         let ratio = ratio_for_probability(moments, probability).unwrap();
-        let found = Toss::new(moments, 1.0, ratio).unwrap().same_face_probability();
+        let found = tossed(moments, 1.0, ratio).same_face_probability();
         // Near 1 the ratio is 1 − π²(1 − p)²/4: one ulp of it stands for so much of the probability.
         let ulp = (f64::EPSILON / (1.0 - probability)).min(f64::EPSILON.sqrt());
         assert_relative_eq!(found, probability, epsilon = 4.0 * ulp);
@@ -201,14 +207,14 @@ fn probability_and_ratio_undo_each_other_at_both_ends() {
 
 #[test]
 fn a_coin_without_spin_about_its_axis_is_fair_and_one_without_tumble_is_not_tossed() {
-    let tumbling = Toss::new(coin(), 200.0, 0.0).unwrap();
+    let tumbling = tossed(coin(), 200.0, 0.0);
     assert_eq!((tumbling.same_face_probability(), tumbling.lowest_normal()), (0.5, -1.0));
     assert_relative_eq!(tumbling.first_edge().unwrap(), FRAC_PI_2 / 200.0, max_relative = 1e-15);
-    let spinning = Toss::new(coin(), 0.0, 200.0).unwrap();
+    let spinning = tossed(coin(), 0.0, 200.0);
     assert_eq!((spinning.same_face_probability(), spinning.normal_height(3.3).unwrap()), (1.0, 1.0));
     // The sense of either spin makes no difference to the height.
     for (omega_1, omega_3) in [(-9.0, 2.0), (9.0, -2.0), (-9.0, -2.0)] {
-        let [a, b] = [(9.0, 2.0), (omega_1, omega_3)].map(|(p, q)| Toss::new(coin(), p, q).unwrap());
+        let [a, b] = [(9.0, 2.0), (omega_1, omega_3)].map(|(p, q)| tossed(coin(), p, q));
         assert_relative_eq!(a.normal_height(0.7).unwrap(), b.normal_height(0.7).unwrap(), epsilon = 1e-15);
         assert_eq!(a.lowest_normal(), b.lowest_normal());
     }
@@ -221,11 +227,11 @@ fn a_coin_is_caught_when_it_comes_down() {
         let (speed, gravity) = (5.0 * random.f64() + 0.1, 9.81);
         let highest = 0.5 * speed * speed / gravity;
         let catch_height = highest * (2.0 * random.f64() - 1.0);
-        let flight = Flight::new(speed, gravity, catch_height).unwrap();
+        let flight = Flight::new(FlightParameters { speed, gravity, catch_height }).unwrap();
         assert_relative_eq!(flight.height(flight.duration()), catch_height, epsilon = 1e-13);
         assert!(flight.duration() >= speed / gravity); // on the way down
     }
-    assert!(Flight::new(1.0, 9.81, 0.06).is_err());
+    assert!(Flight::new(FlightParameters { speed: 1.0, gravity: 9.81, catch_height: 0.06 }).is_err());
 }
 
 #[test]
@@ -233,7 +239,7 @@ fn a_coin_whose_normal_is_level_stands_on_edge() {
     // At the time of the edge the height is a rounding above zero, one below, or none.
     let mut faces = [0; 3];
     for n in 1..2000 {
-        let toss = Toss::new(coin(), f64::from(n), 0.3).unwrap();
+        let toss = tossed(coin(), f64::from(n), 0.3);
         let time = toss.first_edge().unwrap();
         let height = toss.normal_height(time).unwrap();
         assert!(height.abs() < 2e-15);
@@ -250,11 +256,12 @@ fn a_coin_whose_normal_is_level_stands_on_edge() {
 
 #[test]
 fn a_coin_that_keeps_its_face_shows_no_other_at_any_time() {
-    // At the threshold, half a precession after the start, the height is zero: a rounding below would be the other face.
+    // At the threshold, half a precession after the start, the height is zero: a rounding below would be the other
+    // face.
     let mut random = fastrand::Rng::with_seed(10);
     for _ in 0..300 {
         let spin = f64::from(random.u32(1..1000));
-        let toss = Toss::new(coin(), 2.0 * spin, spin).unwrap();
+        let toss = tossed(coin(), 2.0 * spin, spin);
         assert!(toss.keeps_its_face());
         let half = PI / toss.precession_rate();
         for n in 0..20 {

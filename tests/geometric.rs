@@ -1,4 +1,5 @@
-//! The methods that only turn: splittings against the closed form and over many turns, the Lie-group method under torques.
+//! The methods that only turn: splittings against the closed form and over many turns, the Lie-group method under
+//! torques.
 
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
@@ -138,7 +139,8 @@ fn a_million_steps_keep_momentum_and_unit_length() {
     assert!(length < 4e-12, "{length:e}");
 }
 
-/// A heavy top that somebody shakes: gravity on an arm along axis 3 and a bit of axis 1, and a torque that swings with the time.
+/// A heavy top that somebody shakes: gravity on an arm along axis 3 and a bit of axis 1, and a torque that swings with
+/// the time.
 fn shaken(time: f64, body: &Turning) -> Vector3<f64> {
     let down_body = body.world_from_body.inverse() * Vector3::new(0.0, 0.0, -1.0);
     Vector3::new(0.1, 0.0, 0.4).cross(&down_body) + Vector3::new(0.2 * (1.3 * time).sin(), 0.0, 0.1)

@@ -1,9 +1,10 @@
 //! The stability matrices are the derivatives of the equations of motion, and the modes are their eigenvectors.
 
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4, Vector4};
 
-/// What central differences of step 1e-5 leave: 1e-10 of truncation and 1e-11 of rounding, relative to the largest entry.
+/// What central differences of step 1e-5 leave: 1e-10 of truncation and 1e-11 of rounding, relative to the largest
+/// entry.
 const DIFFERENCES: f64 = 1e-8;
 
 /// Machines over two decades of damping and spin, in units of the natural frequency.
@@ -25,7 +26,8 @@ fn machines(seed: u64, count: usize) -> impl Iterator<Item = Machine> {
     })
 }
 
-/// (ε̇, ε̈, δ̇, δ̈) at (ε, ε̇, δ, δ̇) beside the steady motion of radius `r0` and lead `phi0`, from accelerations in the laboratory.
+/// (ε̇, ε̈, δ̇, δ̈) at (ε, ε̇, δ, δ̇) beside the steady motion of radius `r0` and lead `phi0`, from accelerations in
+/// the laboratory.
 fn disturbed(
     machine: &Machine,
     r0: f64,
@@ -36,7 +38,7 @@ fn disturbed(
     let spin = machine.spin();
     let [r, theta] = [r0 * (1.0 + x[0]), -phi0 + x[2]]; // at t = 0, when the load is at azimuth 0
     let [r_dot, theta_dot] = [r0 * x[1], spin + x[3]];
-    let shaft = Shaft::from_polar([r, theta, r_dot, theta_dot]);
+    let shaft = Shaft::from_polar(Polar::from_array([r, theta, r_dot, theta_dot]));
     let [_, _, ax, ay] = rates(0.0, &shaft.to_array());
     let turned = Complex::new(ax, ay) * Complex::from_polar(1.0, -theta);
     let r_ddot = turned.re + r * theta_dot.powi(2);

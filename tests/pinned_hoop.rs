@@ -1,10 +1,11 @@
-//! The pinned hoop: equations (59) to (71), each by a route that shares no code with it, and the free motion afterwards.
+//! The pinned hoop: equations (59) to (71), each by a route that shares no code with it, and the free motion
+//! afterwards.
 
 mod printed;
 
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
-use mechanics::scenes::pinned_hoop::{Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use printed::corrected_holds_and_printed_fails;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -17,7 +18,9 @@ const SHAPES: [Shape; 3] = [Shape::Hoop, Shape::Disk, Shape::Sphere];
 const BODY: (f64, f64, f64) = (0.7, 1.3, 2.1);
 
 fn pinning(shape: Shape, degrees: f64) -> Pinning {
-    Pinning::new(shape, BODY.0, BODY.1, BODY.2, degrees.to_radians()).expect("a pinning")
+    let (mass, radius, spin) = BODY;
+    let pin = Pin::Angle(degrees.to_radians());
+    Pinning::new(Parameters { shape, mass, radius, spin, pin }).expect("a pinning")
 }
 
 /// Points of equal or weighted mass about the centre, in axes 1, 2, 3, that have the inertia of the shape.
@@ -50,8 +53,8 @@ fn spin_before(degrees: f64) -> Vector3<f64> {
     Vector3::new(theta.sin(), -theta.cos(), 0.0) * BODY.2
 }
 
-/// The snap from first principles: an unknown impulse at A and the rigid velocities after it, with A at rest. Nine equations
-/// for the velocity of the centre, the angular velocity and the impulse.
+/// The snap from first principles: an unknown impulse at A and the rigid velocities after it, with A at rest. Nine
+/// equations for the velocity of the centre, the angular velocity and the impulse.
 fn snapped(shape: Shape, degrees: f64) -> (Vector3<f64>, Vector3<f64>, Vector3<f64>) {
     let a = Vector3::new(0.0, -BODY.1, 0.0); // the pinned point from the centre
     let before = spin_before(degrees);
@@ -144,7 +147,8 @@ fn eq65_the_speed_of_b_is_a_signed_sum_and_the_stated_answer_a_root_mean_square(
         // B on the hoop itself, a quarter of the circle from A on either side.
         let velocity = |b: Vector3<f64>| (v + omega.cross(&b)).z;
         let judges = [velocity(Vector3::new(-BODY.1, 0.0, 0.0)), velocity(Vector3::new(BODY.1, 0.0, 0.0))];
-        let found = pinning(Shape::Hoop, degrees).velocities_of_b();
+        let hoop = pinning(Shape::Hoop, degrees);
+        let found = [hoop.velocity_of_b(), hoop.velocity_opposite_b()];
         assert_relative_eq!(found[0], judges[0], epsilon = ROUNDING);
         assert_relative_eq!(found[1], judges[1], epsilon = ROUNDING);
         let (sin, cos) = degrees.to_radians().sin_cos();
@@ -159,8 +163,7 @@ fn eq65_the_speed_of_b_is_a_signed_sum_and_the_stated_answer_a_root_mean_square(
     }
     // The point stands still where the axis of rotation passes through it.
     let still = 3_f64.atan();
-    let hoop = Pinning::new(Shape::Hoop, 1.0, 1.0, 1.0, still).unwrap();
-    assert!(hoop.velocities_of_b()[0].abs() < 1e-15);
+    assert!(pinning(Shape::Hoop, still.to_degrees()).velocity_of_b().abs() < 1e-15);
     assert_relative_eq!(still.to_degrees(), 71.565, max_relative = 1e-5);
 }
 
@@ -198,7 +201,8 @@ fn the_snap_takes_energy_and_leaves_the_least_that_the_momentum_allows() {
     assert_relative_eq!(hoop, expected, max_relative = ROUNDING);
 }
 
-/// Positions, velocities and accelerations of the points of a body that turns steadily with ω about A: by rotating them.
+/// Positions, velocities and accelerations of the points of a body that turns steadily with ω about A: by rotating
+/// them.
 fn steady_rates(shape: Shape, degrees: f64) -> (Vector3<f64>, Vector3<f64>) {
     let (_, omega, _) = snapped(shape, degrees);
     let a = Vector3::new(0.0, -BODY.1, 0.0);
@@ -249,7 +253,8 @@ fn eq70_the_angles_obey_the_corrected_relation_and_not_the_printed_one() {
         .map(f64::from)
         .map(|degrees| {
             let (_, omega, _) = snapped(Shape::Hoop, degrees);
-            let [alpha, phi] = pinning(Shape::Hoop, degrees).axis_angles();
+            let hoop = pinning(Shape::Hoop, degrees);
+            let (alpha, phi) = (hoop.axis_angle(), hoop.axis_shift());
             let theta = degrees.to_radians();
             assert_relative_eq!(alpha, angle_between(&omega, &Vector3::x()), epsilon = 1e-12);
             assert_relative_eq!(phi, angle_between(&omega, &spin_before(degrees)), epsilon = 1e-12);
@@ -267,10 +272,9 @@ fn eq70_the_angles_obey_the_corrected_relation_and_not_the_printed_one() {
         .collect();
     corrected_holds_and_printed_fails(cases, 1e-12, 0.1);
     // The axis turns by 30° at most, for a point at 60°.
-    let largest =
-        (1..900).map(|n| pinning(Shape::Hoop, 0.1 * f64::from(n)).axis_angles()[1]).fold(0.0, f64::max);
+    let largest = (1..900).map(|n| pinning(Shape::Hoop, 0.1 * f64::from(n)).axis_shift()).fold(0.0, f64::max);
     assert_relative_eq!(largest, PI / 6.0, max_relative = 1e-9);
-    assert_relative_eq!(pinning(Shape::Hoop, 60.0).axis_angles()[1], PI / 6.0, max_relative = 1e-14);
+    assert_relative_eq!(pinning(Shape::Hoop, 60.0).axis_shift(), PI / 6.0, max_relative = 1e-14);
 }
 
 #[test]
@@ -301,7 +305,8 @@ fn eq71_the_holding_force_is_the_rate_of_the_momentum_across_the_axis() {
 
 #[test]
 fn the_free_hoop_is_a_pendulum_in_its_plane() {
-    // ω₁² + ω₂² stays W², and ω₁ = W cos χ, ω₂ = −W sin χ with χ̇ = −ω₃, χ̈ = ¼W² sin 2χ: checked on the closed form by differences.
+    // ω₁² + ω₂² stays W², and ω₁ = W cos χ, ω₂ = −W sin χ with χ̇ = −ω₃, χ̈ = ¼W² sin 2χ: checked on the closed form by
+    // differences.
     for degrees in [30.0, 60.0, 89.0] {
         let hoop = pinning(Shape::Hoop, degrees);
         let top = hoop.free_motion().unwrap();
@@ -353,13 +358,15 @@ fn the_hoop_at_a_right_angle_is_unstable_and_the_sphere_turns_steadily() {
 
 #[test]
 fn the_pinned_point_may_be_given_by_its_place() {
-    let by_angle = Pinning::new(Shape::Hoop, 1.0, 2.0, 3.0, 0.6).unwrap();
-    let by_place =
-        Pinning::at_point(Shape::Hoop, 1.0, 2.0, 3.0, [2.0 * 0.6_f64.sin(), 2.0 * 0.6_f64.cos()]).unwrap();
+    let pinned =
+        |pin: Pin| Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 2.0, spin: 3.0, pin });
+    let by_angle = pinned(Pin::Angle(0.6)).unwrap();
+    let (sin, cos) = 0.6_f64.sin_cos();
+    let by_place = pinned(Pin::Point { from_axis: 2.0 * sin, height: 2.0 * cos }).unwrap();
     assert_relative_eq!(by_angle.omega_after(), by_place.omega_after(), max_relative = 1e-15);
-    let error = Pinning::at_point(Shape::Hoop, 1.0, 2.0, 3.0, [1.0, 1.0]).unwrap_err();
+    let error = pinned(Pin::Point { from_axis: 1.0, height: 1.0 }).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "the point at 1.4142135623730951 m from the centre is not on the rim, at 2 m"
+        "distance of the point from the centre 1.4142135623730951 m is not 2 m to rounding"
     );
 }

@@ -5,9 +5,9 @@ mod printed;
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
-use mechanics::inertia::Body;
+use mechanics::inertia::{Body, Cylinder};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::space_station::{Station, Struck};
+use mechanics::scenes::space_station::{Blow, Parameters, Station, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
 use printed::corrected_holds_and_printed_fails;
 use std::f64::consts::TAU;
@@ -17,13 +17,20 @@ use std::ops::AddAssign;
 const RING: (f64, f64, f64) = (4e5, 50.0, 0.45);
 const ROUNDING: f64 = 1e-13;
 
-fn struck(impulse: f64) -> Struck {
-    let (mass, radius, spin) = RING;
-    Station::ring(mass, radius, spin).and_then(|station| station.struck(radius, impulse)).expect("a station")
+/// The ring struck on its rim.
+fn struck(impulse: f64) -> StruckStation {
+    struck_at(RING.1, impulse)
 }
 
-/// The blow from first principles: a chain of point masses gets, besides its spin, the one rigid velocity `v + ω × r` whose
-/// momentum is P and whose angular momentum is r × P. Six equations for six numbers, solved by elimination.
+fn struck_at(distance: f64, impulse: f64) -> StruckStation {
+    let (mass, radius, spin) = RING;
+    let body = Body::hoop(mass, radius).expect("a ring");
+    let station = Station::new(Parameters { body, spin }).expect("a station");
+    station.struck(Blow { radius: distance, impulse }).expect("a blow")
+}
+
+/// The blow from first principles: a chain of point masses gets, besides its spin, the one rigid velocity `v + ω × r`
+/// whose momentum is P and whose angular momentum is r × P. Six equations for six numbers, solved by elimination.
 fn blow(mass: f64, radius: f64, impulse: f64) -> (Vector3<f64>, Vector3<f64>) {
     let points: Vec<Vector3<f64>> = (0..360)
         .map(|n| {
@@ -73,10 +80,10 @@ fn eq48_the_blow_adds_twice_the_impulse_over_mass_and_radius() {
 #[test]
 fn eq48_a_blow_along_the_axis_at_the_centre_only_pushes() {
     // "at radius a ẑ", as printed, would be a point of the axis: no torque, no wobble.
-    let (mass, radius, spin) = RING;
+    let (_, radius, _) = RING;
     let push = Vector3::new(0.0, 0.0, 1.8e6);
     assert_eq!(Vector3::new(0.0, 0.0, radius).cross(&push), Vector3::zeros());
-    let pushed = Station::ring(mass, radius, spin).unwrap().struck(0.0, 1.8e6).unwrap();
+    let pushed = struck_at(0.0, 1.8e6);
     assert_eq!((pushed.added_rate(), pushed.axis_angle()), (0.0, 0.0));
     assert!(struck(1.8e6).added_rate() != 0.0);
 }
@@ -125,7 +132,7 @@ fn eq50_the_angular_momentum_gains_lever_arm_times_impulse() {
 }
 
 /// The simulated motion at `times`, by Euler's equations and a quaternion.
-fn simulated(struck: &Struck, times: &[f64]) -> Vec<Turning> {
+fn simulated(struck: &StruckStation, times: &[f64]) -> Vec<Turning> {
     let (mass, radius, _) = RING;
     let moments = Body::hoop(mass, radius).unwrap().moments();
     let start = struck.at(0.0).unwrap();
@@ -160,7 +167,8 @@ fn eq51_on_board_the_axis_of_rotation_goes_round_with_the_old_spin() {
     for (time, turning) in times.iter().zip(&turnings) {
         assert_relative_eq!(struck.at(*time).unwrap().omega_body, turning.omega_body, epsilon = 1e-10);
     }
-    // The printed ẑ is not the station's axis but, if anything, the room's, along the old spin: seen from on board it wanders.
+    // The printed ẑ is not the station's axis but, if anything, the room's, along the old spin: seen from on board it
+    // wanders.
     let cases = rates_on_board(&struck).into_iter().map(|(turning, rate)| {
         let corrected = (Vector3::z() * spin).cross(&turning.omega_body);
         let printed = (turning.world_from_body.inverse() * Vector3::z() * spin).cross(&turning.omega_body);
@@ -170,7 +178,7 @@ fn eq51_on_board_the_axis_of_rotation_goes_round_with_the_old_spin() {
 }
 
 /// Attitude and ω̇ along the station's axes, by differences of the simulation, at many moments of a minute.
-fn rates_on_board(struck: &Struck) -> Vec<(Turning, Vector3<f64>)> {
+fn rates_on_board(struck: &StruckStation) -> Vec<(Turning, Vector3<f64>)> {
     let h = 1e-3;
     let moments = (1..=40).map(|n| 1.5 * f64::from(n) - 0.7);
     let times: Vec<f64> = moments.flat_map(|t| [t - h, t, t + h]).collect();
@@ -181,7 +189,8 @@ fn rates_on_board(struck: &Struck) -> Vec<(Turning, Vector3<f64>)> {
 
 #[test]
 fn eq52_the_rate_on_board_is_a_vector_along_the_axis_of_the_station() {
-    // ω̇ = Ω × ω. The printed number ω₀ says how long Ω is; along L, to which the source's next sentence puts it, it fails.
+    // ω̇ = Ω × ω. The printed number ω₀ says how long Ω is; along L, to which the source's next sentence puts it, it
+    // fails.
     let (_, _, spin) = RING;
     let struck = struck(1.8e6);
     let momentum = struck.angular_momentum_world().normalize();
@@ -233,14 +242,14 @@ fn a_mark_on_the_rim_drifts_and_turns_as_simulated() {
 fn solid_stations_nod_at_their_own_rate() {
     // A spheroid as long as wide does not nod; a long one nods slowly, a disc like a ring.
     let nod = |body: Body| {
-        let station = Station::new(body, 0.5).unwrap();
+        let station = Station::new(Parameters { body, spin: 0.5 }).unwrap();
         assert_eq!(station.spin(), 0.5);
-        station.struck(1.0, 1e-6).unwrap().nodding_rate() / 0.5
+        station.struck(Blow { radius: 1.0, impulse: 1e-6 }).unwrap().nodding_rate() / 0.5
     };
     assert_relative_eq!(nod(Body::sphere(1.0, 1.0).unwrap()), 1.0, max_relative = 1e-9);
     assert_relative_eq!(nod(Body::thin_disk(1.0, 1.0).unwrap()), 2.0, max_relative = 1e-9);
     assert_relative_eq!(
-        nod(Body::rod(1.0, 10.0, 1.0).unwrap()),
+        nod(Body::cylinder(1.0, Cylinder { radius: 1.0, height: 10.0 }).unwrap()),
         0.5 / (0.25 + 100.0 / 12.0),
         max_relative = 1e-9
     );

@@ -1,13 +1,14 @@
 //! What a frame costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and on all.
 
 use crate::contest::Cause;
-use crate::ours::turning;
+use crate::ours::{UNIT_DISC, turning};
 use crate::problems;
 use mechanics::faddeeva::faddeeva;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
+use mechanics::integrate::Taylor;
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
-use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
 use mechanics::scenes::spinning_coin::EulersDisk;
 use mechanics::sweep::sweep;
 use nalgebra::Complex;
@@ -50,6 +51,11 @@ fn by_themselves(times: &[f64], functions: impl Fn(f64) -> f64) -> Result<f64, C
     })
 }
 
+fn sampled(top: &FreeTop, times: &[f64]) -> Result<(), Cause> {
+    black_box(top.sample(black_box(times))?);
+    Ok(())
+}
+
 fn machine(damping: f64, spin: f64) -> Result<Machine, Cause> {
     let (drum_mass, load_mass, load_radius, stiffness) = (0.0, 1.0, 1.0, 1.0);
     Ok(Machine::new(Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })?)
@@ -64,15 +70,14 @@ type Row = (&'static str, &'static str, f64);
 /// Whatever the library says.
 pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     let times: Vec<f64> = (0..FRAMES).map(|n| 0.37 * n as f64).collect();
-    let mut shafts = vec![Shaft::AT_REST; FRAMES];
     let mut rows = Vec::new();
 
     let motion = machine(0.01, 3.0)?.transient(Shaft::AT_REST)?;
-    rows.push((
-        "washer",
-        "a sample",
-        nanoseconds(FRAMES, || Ok(motion.fill(black_box(&times), &mut shafts)?))?,
-    ));
+    let cost = nanoseconds(FRAMES, || {
+        black_box(motion.sample(black_box(&times))?);
+        Ok(())
+    })?;
+    rows.push(("washer", "a sample", cost));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((3.0 * t).sin_cos(), t.sin_cos());
         a + b + (c + d) * (-0.005 * t).exp()
@@ -80,7 +85,11 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     rows.push(("washer", "its functions", functions));
 
     let ramp = machine(0.01, 0.0)?.ramp(0.01, Shaft::AT_REST)?;
-    rows.push(("ramp", "a sample", nanoseconds(FRAMES, || Ok(ramp.fill(black_box(&times), &mut shafts)?))?));
+    let cost = nanoseconds(FRAMES, || {
+        black_box(ramp.sample(black_box(&times))?);
+        Ok(())
+    })?;
+    rows.push(("ramp", "a sample", cost));
     let functions = by_themselves(&times, |t| {
         let past = 0.05 * (t - 100.0).abs();
         let (near, far) = (faddeeva(Complex::new(past, past)), faddeeva(Complex::new(past, 5.0 + past)));
@@ -91,8 +100,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
 
     let start = turning(&problems::hoop());
     let top = FreeTop::new(PrincipalMoments::new(1.5, 0.5, 2.0)?, start)?;
-    let mut turnings = vec![start; FRAMES];
-    rows.push(("hoop", "a sample", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
+    rows.push(("hoop", "a sample", nanoseconds(FRAMES, || sampled(&top, &times))?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         (a + b * c + 3.0).sqrt() + (b - a * d + 3.0).sqrt() / (2.0 + a)
@@ -100,37 +108,36 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     rows.push(("hoop", "its functions", functions));
 
     let top = FreeTop::new(PrincipalMoments::new(0.25, 0.25, 0.5)?, turning(&problems::toss()))?;
-    rows.push(("toss", "a sample", nanoseconds(FRAMES, || Ok(top.fill(black_box(&times), &mut turnings)?))?));
+    rows.push(("toss", "a sample", nanoseconds(FRAMES, || sampled(&top, &times))?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         a * b + c * d
     })?;
     rows.push(("toss", "its functions", functions));
 
-    let disk = EulersDisk::new(1.0, 0.5, 1.0, 1e-5)?;
-    let sinking = disk.steady(0.3)?;
-    let mut frame = [sinking];
-    let cost = nanoseconds(1, || Ok(disk.fill(black_box(&sinking), &[1e-3], 1e-11, &mut frame)?))?;
+    let disk = EulersDisk::new(UNIT_DISC, 1e-5)?;
+    let sinking = disk.sinking(disk.steady(0.3)?, &Taylor::new(1e-11)?)?;
+    let cost = nanoseconds(1, || {
+        black_box(sinking.at(black_box(1e-3))?);
+        Ok(())
+    })?;
     rows.push(("rest", "a step with its sample", cost));
 
-    let wheel = Wheel::new(1.0, 1.0, 0.5, 1.0)?;
-    let mut rolling = wheel.steady(0.5, 3.0)?.state();
-    rolling.lean_rate = -0.15;
-    let wobble = wheel.wobble(rolling, 1e-16)?;
-    let mut rollings = vec![rolling; FRAMES];
-    rows.push((
-        "disk",
-        "a sample",
-        nanoseconds(FRAMES, || Ok(wobble.fill(black_box(&times), &mut rollings)?))?,
-    ));
+    let wheel = Wheel::new(UNIT_DISC)?;
+    let rolling = Rolling { omega_1: -0.15, ..wheel.steady(0.5, 3.0)?.state() };
+    let wobble = wheel.wobble(rolling, &Taylor::new(1e-16)?)?;
+    let cost = nanoseconds(FRAMES, || {
+        black_box(wobble.sample(black_box(&times))?);
+        Ok(())
+    })?;
+    rows.push(("disk", "a sample", cost));
 
-    // Which of twenty thousand machines shakes most while it starts? A hundred frames of each.
+    // Which of twenty thousand machines shakes most while it starts? A hundred states of each.
     let dampings: Vec<f64> = (0..MACHINES).map(|n| 1e-4 * n as f64).collect();
     let largest = |damping: &f64| {
-        let mut frames = [Shaft::AT_REST; 100];
         let motion = machine(*damping, 3.0).ok()?.transient(Shaft::AT_REST).ok()?;
-        motion.fill(&times[..100], &mut frames).ok()?;
-        Some(frames.iter().map(|frame| frame.position.norm_sqr()).fold(0.0, f64::max))
+        let states = motion.sample(&times[..100]).ok()?;
+        Some(states.iter().map(|shaft| shaft.position.norm_sqr()).fold(0.0, f64::max))
     };
     let cost = nanoseconds(MACHINES, || {
         black_box(dampings.iter().map(largest).collect::<Vec<_>>());

@@ -1,18 +1,21 @@
 //! The figures of the chapter "Frisbee and pencil".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps};
+use crate::{Axis, Outcome, Plot, linear_steps};
 use drawing::kit::{Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
 use mechanics::inertia::{Body, PrincipalMoments};
-use mechanics::scenes::air_drag::{Drag, DraggedTop};
+use mechanics::integrate::Dop853;
+use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
 /// A body with I₁ = 1 and a ratio of the moments, under the same drag about all axes.
-fn body(ratio: f64, drag: f64, omega: Vector3<f64>) -> Result<DraggedTop, Cause> {
-    Ok(DraggedTop::new(PrincipalMoments::symmetric(1.0, ratio)?, Drag::isotropic(drag), omega)?)
+fn body(ratio: f64, drag: f64, omega_body: Vector3<f64>) -> Result<DraggedTop, InvalidQuantity> {
+    let (moments, drag) = (PrincipalMoments::symmetric(1.0, ratio)?, Drag::isotropic(drag));
+    DraggedTop::new(Parameters { moments, drag, omega_body })
 }
 
 /// A flat and a long body, and the way that drag sends the angular velocity.
@@ -42,7 +45,7 @@ pub(crate) fn two_bodies(id: &str) -> Outcome {
                 let (sin, cos) = top.axis_angle(time)?.sin_cos();
                 Ok([length * sin, 0.0, length * cos])
             })
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         let start = path[0];
         let travelled = Curve::smooth(path)?.hiding(Hiding::Ignored);
         stage.named_vector([0.0; 3], [0.0, 0.0, 1.75], r"$\hat{\mathbf{3}}$", Hue::Ink)?;
@@ -79,7 +82,7 @@ pub(crate) fn tangent(id: &str) -> Outcome {
         let top = body(ratio, 1.0, Vector3::new(0.3, 0.0, 1.0))?;
         let values = linear_steps(0.0, 6.0, 60)
             .map(|t| Ok((t, top.axis_angle(t)?.tan())))
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         let end = values.last().copied().ok_or("a curve has an end")?;
         plot.curve(&format!("ratio-{ratio}"), values, Stroke::Curve, hue);
         plot.label(end, side, name, hue)?;
@@ -106,9 +109,9 @@ pub(crate) fn spin_tangent(id: &str) -> Outcome {
         let values = linear_steps(1e-4, 1.0, 300)
             .map(|left| {
                 let time = -left.ln() * ratio;
-                Ok((top.omega_body(time)?.z, top.axis_angle(time)?.tan()))
+                Ok((top.at(time)?.z, top.axis_angle(time)?.tan()))
             })
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         plot.curve(&format!("ratio-{ratio}"), values, Stroke::Curve, hue);
     }
     plot.label((0.47, 0.4), Side::BelowRight, r"$I_3/I_1 = 2$", Hue::Blue)?;
@@ -132,10 +135,8 @@ pub(crate) fn wobble_turns(id: &str) -> Outcome {
     let across = || Axis::linear(-1.0, 1.0, 0.5).map(|axis| axis.minor(0.1));
     let (x, y) = (across()?.titled(r"$\omega_1$"), across()?.titled(r"$\omega_2$"));
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 320.0), x, y)?;
-    let times = linear_steps(0.0, 12.0 / drag, 4000);
-    let values = times
-        .map(|t| top.omega_body(t).map(|omega| (omega.x, omega.y)))
-        .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+    let times: Vec<f64> = linear_steps(0.0, 12.0 / drag, 4000).collect();
+    let values = top.sample(&times)?.into_iter().map(|omega| (omega.x, omega.y));
     // The direction of arrival, from the number of turns.
     let (sin, cos) = (TAU * top.total_body_turns()).sin_cos();
     plot.reference((0.0, 0.0), (cos, sin), Stroke::Reference);
@@ -152,19 +153,19 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
         "Seen along the angular momentum at the start. The tip of the axis begins at the left, at a distance of 0.15, and spirals in \
          about ten times; the direction of the angular momentum stays within a small distance of the middle.",
     );
-    let disc = Body::thin_disk(0.175, 0.137)?.moments();
-    let omega = Vector3::new(12.0, 0.0, 40.0);
-    let top = DraggedTop::new(disc, Drag::isotropic(2e-3), omega)?;
+    let moments = Body::thin_disk(0.175, 0.137)?.moments();
+    let (drag, omega_body) = (Drag::isotropic(2e-3), Vector3::new(12.0, 0.0, 40.0));
+    let top = DraggedTop::new(Parameters { moments, drag, omega_body })?;
     // Stand so that the angular momentum is upright at the start.
-    let momentum = disc.angular_momentum(&omega);
+    let momentum = moments.angular_momentum(&omega_body);
     let upright =
         UnitQuaternion::rotation_between(&momentum, &Vector3::z()).ok_or("L is not opposite to z")?;
     let times: Vec<f64> = linear_steps(0.0, 6.0, 6000).collect();
-    let states = top.sample(upright, &times, 1e-10)?;
+    let states = top.thrown(upright, &Dop853::new(1e-10)?)?.sample(&times)?;
     let axis: Vec<(f64, f64)> = states.iter().map(Turning::axis_3_world).map(|n| (n.x, n.y)).collect();
     let momenta: Vec<(f64, f64)> = states
         .iter()
-        .map(|state| state.angular_momentum_world(&disc).normalize())
+        .map(|state| state.angular_momentum_world(&moments).normalize())
         .map(|l| (l.x, l.y))
         .collect();
     let across = || Axis::linear(-0.16, 0.16, 0.08).map(|axis| axis.minor(0.02));
@@ -189,7 +190,7 @@ pub(crate) fn drag_fault(id: &str) -> Outcome {
     let top = body(2.0, 1.0, Vector3::new(1.0, 0.0, 1.0))?;
     let (mut naive, mut better) = (Vec::new(), Vec::new());
     for t in linear_steps(1.0, 55.0, 90) {
-        let omega = top.omega_body(t)?;
+        let omega = top.at(t)?;
         let cosine = (omega.z / omega.norm()).acos();
         let exact = top.axis_angle(t)?;
         if cosine > 0.0 {

@@ -7,15 +7,21 @@ use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeSymmetricTop;
-use mechanics::inertia::{Body, InvalidMoments, PrincipalMoments};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::rk4;
-use mechanics::scenes::coin_toss::{Toss, angle_for_probability};
+use mechanics::scenes::coin_toss::{Toss, TossParameters, angle_for_probability};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A thin coin; its mass and radius make no difference.
-fn coin() -> Result<PrincipalMoments, InvalidMoments> {
+fn coin() -> Result<PrincipalMoments, InvalidQuantity> {
     Ok(Body::thin_disk(0.0075, 0.0122)?.moments())
+}
+
+/// That coin with a tumble and a twist, rad/s.
+fn tossed(omega_1: f64, omega_3: f64) -> Result<Toss, InvalidQuantity> {
+    Toss::new(TossParameters { moments: coin()?, omega_1, omega_3 })
 }
 
 /// The coin flat in the hand, and half a precession later.
@@ -26,7 +32,7 @@ pub(crate) fn toss(id: &str) -> Outcome {
          leans to the right at the angle psi to the normal. Right, half a precession later: L is where it was, the normal has \
          gone to its other side, at the angle psi again, and points below the horizon, so the lower face is seen from above.",
     );
-    let toss = Toss::new(coin()?, 1.0, 0.31)?;
+    let toss = tossed(1.0, 0.31)?;
     let half = 0.5 * TAU / toss.precession_rate();
     let momentum = Vector3::new(toss.momentum_angle().sin(), 0.0, toss.momentum_angle().cos());
     for (x, time) in [(170.0, 0.0), (490.0, half)] {
@@ -81,11 +87,11 @@ pub(crate) fn cones(id: &str) -> Outcome {
     stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), 1.0)?, Stroke::Reference, Hue::Ink)?;
     for (degrees, hue) in [(30.0_f64, Hue::Blue), (45.0, Hue::Green), (75.0, Hue::Pink)] {
-        let toss = Toss::new(coin()?, 2.0 * degrees.to_radians().tan(), 1.0)?;
+        let toss = tossed(2.0 * degrees.to_radians().tan(), 1.0)?;
         let period = TAU / toss.precession_rate();
         let path = linear_steps(0.0, period, 360)
             .map(|time| toss.normal(time))
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         stage.curve(Curve::smooth(path)?, Stroke::Curve, hue)?;
         let momentum = Vector3::new(toss.momentum_angle().sin(), 0.0, toss.momentum_angle().cos());
         stage.dot(momentum, 3.0, hue)?;
@@ -110,7 +116,7 @@ pub(crate) fn threshold(id: &str) -> Outcome {
     );
     let curves = [(0.20, Hue::Muted), (0.49, Hue::Pink), (0.50, Hue::Green), (0.51, Hue::Blue)];
     let values = |ratio: f64, from: f64, to: f64| -> Result<Vec<(f64, f64)>, Cause> {
-        let toss = Toss::new(coin()?, 1.0, ratio)?;
+        let toss = tossed(1.0, ratio)?;
         let period = TAU / toss.precession_rate();
         linear_steps(from, to, 300).map(|turns| Ok((turns, toss.normal_height(turns * period)?))).collect()
     };
@@ -156,7 +162,7 @@ pub(crate) fn bias(id: &str) -> Outcome {
     // Dense near 45°, where the curve leaves with an upright tangent.
     let mut values = vec![(0.0, 1.0), (45.0, 1.0)];
     for step in linear_steps(0.0, 1.0, 400) {
-        let toss = Toss::new(coin()?, 1.0, 0.5 * (1.0 - step * step))?;
+        let toss = tossed(1.0, 0.5 * (1.0 - step * step))?;
         values.push((toss.momentum_angle().to_degrees(), toss.same_face_probability()));
     }
     plot.curve("probability", values, Stroke::Curve, Hue::Blue);

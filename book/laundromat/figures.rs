@@ -1,7 +1,7 @@
 //! The figures of the chapter "Physics in the laundromat".
 //!
-//! Each function draws one claim from what the library computes. Captions stand on the page. One file a chapter, however
-//! long: a reader can save it from the site and have everything.
+//! Each function draws one claim from what the library computes. Captions stand on the page. One file a chapter,
+//! however long: a reader can save it from the site and have everything.
 
 use crate::speed_and_accuracy::measured::{Measurement, front};
 use crate::speed_and_accuracy::measurements;
@@ -9,7 +9,8 @@ use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::integrate::rk4;
-use mechanics::scenes::laundromat::{InvalidMachine, Machine, Mode, NoSteadyMotion, Parameters, Shaft};
+use mechanics::InvalidQuantity;
+use mechanics::scenes::laundromat::{LockedState, Machine, Mode, Parameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4};
 use std::f64::consts::{PI, SQRT_2, TAU};
 
@@ -27,7 +28,7 @@ type WorkOf = fn(&Measurement) -> f64;
 const NATURAL: f64 = 10.0;
 
 /// The chapter's machine, with other damping and spin, both in natural frequencies.
-fn washing_machine(damping: f64, spin: f64) -> Result<Machine, InvalidMachine> {
+fn washing_machine(damping: f64, spin: f64) -> Result<Machine, InvalidQuantity> {
     let (drum_mass, load_mass) = (28.0, 2.0);
     Machine::new(Parameters {
         drum_mass,
@@ -240,7 +241,7 @@ fn over_spin(
     damping: f64,
     from: f64,
     to: f64,
-    quantity: impl Fn(&Machine) -> Result<f64, NoSteadyMotion>,
+    quantity: impl Fn(&Machine) -> Result<f64, InvalidQuantity>,
 ) -> Result<Values, Cause> {
     linear_steps(from, to, 1200)
         .map(|ratio| Ok((ratio, quantity(&washing_machine(damping, ratio)?)?)))
@@ -257,12 +258,12 @@ pub(crate) fn centring(id: &str) -> Outcome {
          1.4, which lies below the true curve and misses the point. Below, both scales logarithmic, up to a thousand natural \
          frequencies: the true radius falls as one over the spin, the source's formula as one over its square.",
     );
-    let printed = |machine: &Machine| -> Result<f64, NoSteadyMotion> {
+    let printed = |machine: &Machine| -> Result<f64, InvalidQuantity> {
         // b ω₀²/D, the source's (20), is the shaft's radius times ω₀²/Ω².
         let ratio = machine.natural_frequency() / machine.spin();
         Ok(machine.steady()?.radius() * ratio * ratio / machine.offset())
     };
-    let true_radius = |machine: &Machine| -> Result<f64, NoSteadyMotion> {
+    let true_radius = |machine: &Machine| -> Result<f64, InvalidQuantity> {
         Ok(machine.steady()?.centre_of_mass_radius() / machine.offset())
     };
 
@@ -298,7 +299,7 @@ pub(crate) fn centring(id: &str) -> Outcome {
     let spin = Axis::log(1.0, 1000.0, 1)?.titled(r"spin $\Omega/\omega_0$");
     let radius = Axis::log(1e-6, 10.0, 2)?.titled(r"$r_\text{cm}/b$ at high spin");
     let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 336.0, 600.0, 204.0), spin, radius)?;
-    let high = |damping: f64, quantity: &dyn Fn(&Machine) -> Result<f64, NoSteadyMotion>| {
+    let high = |damping: f64, quantity: &dyn Fn(&Machine) -> Result<f64, InvalidQuantity>| {
         log_steps(1.0, 1000.0, 900)
             .map(|ratio| Ok((ratio, quantity(&washing_machine(damping, ratio)?)?)))
             .collect::<Result<Vec<_>, Cause>>()
@@ -348,9 +349,10 @@ pub(crate) fn locked(id: &str) -> Outcome {
     );
     let machine = washing_machine(0.3, 1.5)?;
     let (b, steady) = (machine.offset(), machine.steady()?);
-    let r = 1.3 * steady.radius();
-    let runaway = machine.locked(r, 0.0)?;
-    let free = machine.transient(Shaft::from_polar([r, -steady.phase(), 0.0, machine.spin()]))?;
+    let (radius, azimuth, spin) = (1.3 * steady.radius(), -steady.phase(), machine.spin());
+    let runaway = machine.locked(LockedState { radius, radius_rate: 0.0 })?;
+    let start = Polar { radius, azimuth, radius_rate: 0.0, azimuth_rate: spin };
+    let free = machine.transient(Shaft::from_polar(start))?;
 
     let time = Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled("time, s");
     let radius = Axis::linear(0.0, 5.0, 1.0)?.minor(0.5).titled("distance of the shaft from $O$, $r/b$");
@@ -359,7 +361,7 @@ pub(crate) fn locked(id: &str) -> Outcome {
     let times = || linear_steps(0.0, 2.5, 1500);
     let returning =
         times().map(|t| Ok((t, free.at(t)?.position.norm() / b))).collect::<Result<Vec<_>, Cause>>()?;
-    let leaving = times().map(|t| Ok((t, runaway.at(t)?[0] / b))).collect::<Result<Vec<_>, Cause>>()?;
+    let leaving = times().map(|t| Ok((t, runaway.at(t)?.radius / b))).collect::<Result<Vec<_>, Cause>>()?;
     plot.curve("locked", leaving, Stroke::Curve, Hue::Orange);
     plot.curve("free", returning, Stroke::Curve, Hue::Blue);
     plot.label((0.24, 3.8), Side::Right, "angle locked", Hue::Orange)?;
@@ -422,7 +424,7 @@ pub(crate) fn eigenvalues(id: &str) -> Outcome {
 }
 
 /// The paths of four eigenvalues over ω₀ while Ω/ω₀ grows from 0, each value joined to the nearest of the step before.
-fn eigenvalue_paths(damping: f64, to: f64, matrix: MatrixOf) -> Result<[Values; 4], InvalidMachine> {
+fn eigenvalue_paths(damping: f64, to: f64, matrix: MatrixOf) -> Result<[Values; 4], InvalidQuantity> {
     let mut paths: [Values; 4] = Default::default();
     for ratio in linear_steps(0.0, to, 3000) {
         let machine = washing_machine(damping, ratio)?;
@@ -447,7 +449,7 @@ fn eigenvalue_paths(damping: f64, to: f64, matrix: MatrixOf) -> Result<[Values; 
 }
 
 /// Where the shaft starts when one mode of the steady motion is excited with the size ε₀, a part of the steady radius.
-fn disturbed(machine: &Machine, mode: Mode, size: f64) -> Result<Shaft, NoSteadyMotion> {
+fn disturbed(machine: &Machine, mode: Mode, size: f64) -> Result<Shaft, InvalidQuantity> {
     let amplitude = machine.steady()?.amplitude();
     let spin = Complex::new(0.0, machine.spin());
     let drift = Complex::new(0.0, -1.0) * mode.frequency.conj(); // ζ = ε + iδ = ε₀ e^{−iω*t}
@@ -614,16 +616,96 @@ pub(crate) fn ramp(id: &str) -> Outcome {
     {
         let motion = machine.ramp(per_square * NATURAL * NATURAL, Shaft::AT_REST)?;
         let end = 2.5 / (per_square * NATURAL);
-        let values = linear_steps(0.0, end, points)
-            .map(|t| Ok((motion.spin(t) / NATURAL, motion.at(t)?.position.norm() / machine.offset())));
-        let values: Result<Values, Cause> = values.collect();
-        plot.curve(&format!("ramp-{per_square}"), values?, Stroke::Curve, hue);
+        let times: Vec<f64> = linear_steps(0.0, end, points).collect();
+        let values = times.iter().zip(motion.sample(&times)?).map(|(&t, shaft)| {
+            (motion.spin(t) / NATURAL, shaft.position.norm() / machine.offset())
+        });
+        plot.curve(&format!("ramp-{per_square}"), values, Stroke::Curve, hue);
     }
     plot.label((1.08, 26.5), Side::Right, r"$\alpha/\omega_0^2 = 0.001$", Hue::Blue)?;
     plot.label((1.2, 13.2), Side::AboveRight, "0.01", Hue::Orange)?;
     plot.label((1.72, 4.6), Side::Below, "0.1", Hue::Green)?;
     plot.label((0.955, 11.0), Side::Left, "steady", Hue::Muted)?;
     Ok(drawing)
+}
+
+/// The largest swing over acceleration and damping.
+pub(crate) fn ramp_map(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 680.0, 470.0).titled(
+        "The largest swing on the way through the resonance",
+        "A map with logarithmic scales: along x the acceleration over the square of the natural frequency, from 1e-4 to 1, along y the \
+         damping over the natural frequency, from 0.01 to 1. Lines join the machines whose largest swing is 2, 3, 5, 10, 20 and 50 \
+         times b. Each runs level from the left, bends at the dashed diagonal, where the damping is the root of the acceleration, and \
+         then runs straight down. The half above the diagonal is called the damper's, that below the motor's. Three \
+         rings near the lower edge, at the damping 0.02, are the ramps of the figure before.",
+    );
+    let (slowest, quickest, lightest, heaviest) = (1e-4, 1.0, 1e-2, 1.0);
+    let acceleration = Axis::log(slowest, quickest, 1)?.titled(r"acceleration $\alpha/\omega_0^2$");
+    let damping = Axis::log(lightest, heaviest, 1)?.titled(r"damping $\Gamma/\omega_0$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 600.0, 384.0), acceleration, damping)?;
+    let corner = |hue, value, plot: &mut Plot<'_>| {
+        let corners = [(slowest, lightest), value, (quickest, heaviest)].map(|value| plot.at(value));
+        plot.drawing().polygon(corners.to_vec(), Fill::Ground, hue);
+    };
+    corner(Hue::Blue, (slowest, heaviest), &mut plot);
+    corner(Hue::Orange, (quickest, lightest), &mut plot);
+    plot.reference((slowest, lightest), (quickest, heaviest), Stroke::Reference);
+
+    // Along lines of constant Γ/√α the swing falls all the way; each level is met once.
+    let levels = [2.0, 3.0, 5.0, 10.0, 20.0, 50.0];
+    let mut lines = levels.map(|_| Values::new());
+    for ratio in log_steps(lightest / quickest.sqrt(), heaviest / slowest.sqrt(), 90) {
+        let from = slowest.max((lightest / ratio).powi(2));
+        let to = quickest.min((heaviest / ratio).powi(2));
+        let swings = log_steps(0.5 * from, 2.0 * to, 40)
+            .map(|square| Ok((square, largest_swing(square, ratio * square.sqrt())?)))
+            .collect::<Result<Values, Cause>>()?;
+        for (level, line) in levels.iter().zip(&mut lines) {
+            for pair in swings.windows(2) {
+                let [(a, above), (b, below)] = [pair[0], pair[1]];
+                if (below..above).contains(level) {
+                    let part = (above / level).ln() / (above / below).ln();
+                    let square = a * (b / a).powf(part);
+                    line.push((square, ratio * square.sqrt()));
+                }
+            }
+        }
+    }
+    for (level, line) in levels.iter().zip(lines) {
+        plot.curve(&format!("swing-{level}"), line, Stroke::Curve, Hue::Ink);
+    }
+    for (square, hue) in [(0.1, Hue::Green), (0.01, Hue::Orange), (0.001, Hue::Blue)] {
+        plot.markers(&[(square, 0.02)], Marker::Ring, hue);
+    }
+    let steady = [(0.52, "$2b$"), (0.34, "3"), (0.2, "5"), (0.1, "10"), (0.05, "20"), (0.0177, "50")];
+    for (damping, text) in steady {
+        let place = plot.at((1.25e-4, damping));
+        plot.drawing().label_on_face(place, Side::AboveRight, text, Hue::Ink)?;
+    }
+    for (value, text, hue) in [((1e-3, 0.25), "damper", Hue::Blue), ((0.045, 0.04), "motor", Hue::Orange)] {
+        let place = plot.at(value);
+        plot.drawing().label_on_face(place, Side::Over, text, hue)?;
+    }
+    let place = plot.at((2.5e-3, 0.05));
+    plot.drawing().label_on_face(place, Side::AboveLeft, r"$\Gamma = \sqrt{\alpha}$", Hue::Ink)?;
+    Ok(drawing)
+}
+
+/// The largest distance from O over b of a drum that speeds up from rest, through its resonance and on until the
+/// swing falls off, for α/ω₀² and Γ/ω₀.
+fn largest_swing(per_square: f64, damping: f64) -> Result<f64, Cause> {
+    let machine = washing_machine(damping, 0.0)?;
+    let ramp = machine.ramp(per_square * NATURAL * NATURAL, Shaft::AT_REST)?;
+    let largest = |from: f64, to: f64, count: u32| -> Result<(f64, f64), Cause> {
+        let times: Vec<f64> = linear_steps(from, to, count).collect();
+        let swings = ramp.sample(&times)?.into_iter().map(|shaft| shaft.position.norm());
+        let largest = times.into_iter().zip(swings).max_by(|a, b| a.1.total_cmp(&b.1));
+        largest.ok_or_else(|| "no states".into())
+    };
+    let (end, count) = ((1.6 + 6.0 * per_square.sqrt()) / (per_square * NATURAL), 800);
+    let (time, _) = largest(0.0, end, count)?;
+    let step = end / f64::from(count);
+    Ok(largest((time - step).max(0.0), time + step, 40)?.1 / machine.offset())
 }
 
 /// The naive program near O, in polar and in Cartesian coordinates.
@@ -647,9 +729,9 @@ pub(crate) fn polar_fault(id: &str) -> Outcome {
         let [start, exact] = [motion.at(before)?, motion.at(after)?];
         let error = |end: Shaft| (end.position - exact.position).norm();
         if let Ok(end) =
-            rk4(|t, y: &[f64; 4]| machine.polar_rates(t, y), before, start.to_polar(), after, steps)
+            rk4(|t, y: &[f64; 4]| machine.polar_rates(t, y), before, start.to_polar().to_array(), after, steps)
         {
-            polar.push((distance, error(Shaft::from_polar(end))));
+            polar.push((distance, error(Shaft::from_polar(Polar::from_array(end)))));
         }
         let end =
             rk4(|t, y: &[f64; 4]| machine.cartesian_rates(t, y), before, start.to_array(), after, steps)?;
@@ -671,7 +753,7 @@ pub(crate) fn polar_fault(id: &str) -> Outcome {
 pub(crate) fn speed(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
         "Error against work",
-        "Two plots with logarithmic scales and the error along x, for 200 turns of a lightly damped machine with a frame for each \
+        "Two plots with logarithmic scales and the error along x, for 200 turns of a lightly damped machine with a state for each \
          turn. Left, the evaluations of the rates: the Runge-Kutta method of order four needs ten times as many for \
          four more digits, \
          DOP853 about three times as many. Right, the time in milliseconds: both integrators take longer for more digits, \

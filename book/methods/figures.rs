@@ -8,9 +8,10 @@ use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
 use mechanics::geometric::{Splitting, commutator_free};
-use mechanics::inertia::{InvalidMoments, PrincipalMoments};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::pinned_hoop::{Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, SQRT_2};
 use std::ops::ControlFlow;
@@ -19,7 +20,7 @@ use std::ops::ControlFlow;
 const LOOSE: f64 = 1e12;
 
 /// The book of the chapter, and its motion.
-fn book() -> Result<(PrincipalMoments, Turning), InvalidMoments> {
+fn book() -> Result<(PrincipalMoments, Turning), InvalidQuantity> {
     let omega_body = Vector3::new(0.7, 0.9, 0.5);
     let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
     Ok((PrincipalMoments::new(1.0, 1.6, 2.1)?, start))
@@ -217,7 +218,8 @@ pub(crate) fn method_steps(id: &str) -> Outcome {
         "Two panels against the time from 0 to 150. Above, the component of omega along the tangent: a third, then minus a third from 28 to 84, then a third again. Below, the length of the steps on a logarithmic \
          scale from 0.1 to 10: about 1 during each flip, and up to four times as long while the hoop waits.",
     );
-    let hoop = Pinning::new(Shape::Hoop, 1.0, 1.0, 1.0, 89.9_f64.to_radians())?;
+    let pin = Pin::Angle(89.9_f64.to_radians());
+    let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
     let top = hoop.free_motion()?;
     let span = 150.0;
     let time = || Axis::linear(0.0, span, 30.0).map(|axis| axis.minor(10.0));

@@ -6,13 +6,19 @@ use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::elliptic::quarter_period;
 use mechanics::free_rotation::FreeTop;
-use mechanics::scenes::pinned_hoop::{InvalidPinning, Pinning, Shape};
+use mechanics::InvalidQuantity;
+use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-/// A body of mass, radius and spin one, pinned at an angle in degrees.
-fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidPinning> {
-    Pinning::new(shape, 1.0, 1.0, 1.0, degrees.to_radians())
+/// A body of mass, radius and spin one.
+fn pinned(shape: Shape, pin: Pin) -> Result<Pinning, InvalidQuantity> {
+    Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })
+}
+
+/// The same, pinned at an angle in degrees.
+fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidQuantity> {
+    pinned(shape, Pin::Angle(degrees.to_radians()))
 }
 
 /// The hoop in the plane of the page, with A, B, both axes of rotation and the angles.
@@ -56,7 +62,7 @@ pub(crate) fn pinned_hoop(id: &str) -> Outcome {
     drawing.line(pin, pin - at(0.0, 96.0), Stroke::Reference, Hue::Muted);
 
     // Angles: θ at the centre; φ from the upright to ω, α from axis 1 to ω, at A.
-    let [alpha, phi] = hoop.axis_angles();
+    let (alpha, phi) = (hoop.axis_angle(), hoop.axis_shift());
     kit::angle(&mut drawing, centre, 46.0, upright, -theta, Heads::End, Hue::Ink);
     drawing.label(
         centre + Point::polar(46.0, upright - 0.5 * theta),
@@ -96,18 +102,22 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
     let angle = Axis::linear(0.0, 90.0, 15.0)?.minor(5.0).titled(r"angle $\theta$, degrees");
     let speed = Axis::linear(0.0, 1.2, 0.2)?.minor(0.05).titled(r"speed, in $a\omega_0$");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 470.0, 262.0), angle, speed)?;
-    for (which, name, hue) in [(0, "plus", Hue::Blue), (1, "minus", Hue::Green)] {
+    type Velocity = fn(&Pinning) -> f64;
+    let curves: [(Velocity, &str, Hue); 2] =
+        [(Pinning::velocity_of_b, "plus", Hue::Blue), (Pinning::velocity_opposite_b, "minus", Hue::Green)];
+    for (velocity, name, hue) in curves {
         let values = linear_steps(0.0, 90.0, 720)
-            .map(|degrees| Ok((degrees, pinning(Shape::Hoop, degrees)?.velocities_of_b()[which].abs())))
-            .collect::<Result<Vec<_>, InvalidPinning>>()?;
+            .map(|degrees| Ok((degrees, velocity(&pinning(Shape::Hoop, degrees)?).abs())))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         plot.curve(name, values, Stroke::Curve, hue);
     }
     let stated = linear_steps(0.0, 90.0, 180)
         .map(|degrees| {
-            let [below, above] = pinning(Shape::Hoop, degrees)?.velocities_of_b();
+            let hoop = pinning(Shape::Hoop, degrees)?;
+            let (below, above) = (hoop.velocity_of_b(), hoop.velocity_opposite_b());
             Ok((degrees, (0.5 * (below * below + above * above)).sqrt()))
         })
-        .collect::<Result<Vec<_>, InvalidPinning>>()?;
+        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
     plot.curve("stated", stated, Stroke::DashedCurve, Hue::Pink);
     plot.label((46.0, 0.98), Side::AboveRight, r"at $\theta - 90°$", Hue::Green)?;
     plot.label((71.0, 0.27), Side::Over, "the stated answer", Hue::Pink)?;
@@ -142,7 +152,7 @@ pub(crate) fn polhodes(id: &str) -> Outcome {
         let size = (2.0 * hoop.moments_about_pin().kinetic_energy(&hoop.omega_after())).sqrt();
         let path = linear_steps(0.0, period, 720)
             .map(|time| Ok(-top.at(time)?.omega_body / size))
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         // Named where there is room: above its highest point, inside its turn, or on the way up.
         let on_the_way = path.iter().position(|point| point.x > 0.4 * path[360].x).ok_or("it crosses")?;
         let (place, step, side) = match degrees {
@@ -193,7 +203,7 @@ pub(crate) fn flip(id: &str) -> Outcome {
     for (axis, name, hue) in [(0, "tangent", Hue::Orange), (1, "diameter", Hue::Blue)] {
         let values = linear_steps(0.0, 150.0, 1500)
             .map(|time| Ok((time, top.at(time)?.omega_body[axis])))
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         plot.curve(name, values, Stroke::Curve, hue);
     }
     plot.label((150.0, 0.33), Side::Right, r"$\omega_1$, tangent", Hue::Orange)?;
@@ -222,7 +232,7 @@ pub(crate) fn herpolhode(id: &str) -> Outcome {
             let omega = upright * top.at(time)?.omega_world();
             Ok((omega.x, omega.y))
         })
-        .collect::<Result<Vec<(f64, f64)>, mechanics::InvalidQuantity>>()?;
+        .collect::<Result<Vec<(f64, f64)>, InvalidQuantity>>()?;
     let reach = values.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     let least = values.iter().map(|(x, y)| x.hypot(*y)).fold(f64::INFINITY, f64::min);
     let side = || Axis::linear(-0.4, 0.4, 0.2).map(|axis| axis.minor(0.05));
@@ -257,7 +267,7 @@ pub(crate) fn hoop_and_sphere(id: &str) -> Outcome {
         let (top, upright) = along_momentum(&body)?;
         let path = linear_steps(0.0, time, 4000)
             .map(|t| Ok(upright * (top.at(t)?.world_from_body * body.centre())))
-            .collect::<Result<Vec<_>, mechanics::InvalidQuantity>>()?;
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0, 0.0, -0.1],
             azimuth: -1.0,
@@ -290,7 +300,7 @@ pub(crate) fn period_error(id: &str) -> Outcome {
     let (mut naive, mut better) = (Vec::new(), Vec::new());
     for distance in log_steps(1e-12, 0.1, 66) {
         let (cos, sin) = distance.sin_cos();
-        let hoop = Pinning::at_point(Shape::Hoop, 1.0, 1.0, 1.0, [sin, cos])?;
+        let hoop = pinned(Shape::Hoop, Pin::Point { from_axis: sin, height: cos })?;
         let found = hoop.free_motion()?.period().ok_or("it tumbles")?;
         // eq:hoop-jacobi, with W from the same sine and cosine.
         let w = (sin * sin / 9.0 + cos * cos).sqrt();

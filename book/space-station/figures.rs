@@ -4,10 +4,11 @@ use crate::{Axis, Outcome, Plot, linear_steps};
 use drawing::kit::{Heads, Marker};
 use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use mechanics::InvalidQuantity;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::Body;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::space_station::{InvalidStation, Station, Struck};
+use mechanics::scenes::space_station::{Blow, Parameters, Station, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
@@ -17,8 +18,10 @@ const RADIUS: f64 = 50.0;
 const SPIN: f64 = 0.45;
 const IMPULSE: f64 = 1.8e6;
 
-fn struck() -> Result<Struck, InvalidStation> {
-    Station::ring(MASS, RADIUS, SPIN)?.struck(RADIUS, IMPULSE)
+/// The station after a blow on the rim.
+fn struck(impulse: f64) -> Result<StruckStation, InvalidQuantity> {
+    let station = Station::new(Parameters { body: Body::hoop(MASS, RADIUS)?, spin: SPIN })?;
+    station.struck(Blow { radius: RADIUS, impulse })
 }
 
 /// The station at the moment of the blow: impulse, old and new angular velocity, angular momentum.
@@ -30,7 +33,7 @@ pub(crate) fn station(id: &str) -> Outcome {
          angular momentum L lies between the two.",
     );
     // A stronger blow than in the text, so that the angles can be seen.
-    let struck = Station::ring(MASS, RADIUS, SPIN)?.struck(RADIUS, 3.6e6)?;
+    let struck = struck(3.6e6)?;
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0, 0.0, 0.35],
         azimuth: 0.62,
@@ -69,7 +72,7 @@ pub(crate) fn cones_roll(id: &str) -> Outcome {
     );
     // ω₁/ω₃ = tan 40°.
     let added = SPIN * 40_f64.to_radians().tan();
-    let struck = Station::ring(MASS, RADIUS, SPIN)?.struck(RADIUS, added * MASS * RADIUS / 2.0)?;
+    let struck = struck(added * MASS * RADIUS / 2.0)?;
     let momentum_body = struck.angular_momentum_world().normalize();
     let upright =
         UnitQuaternion::rotation_between(&momentum_body, &Vector3::z()).ok_or("L is not opposite to z")?;
@@ -105,7 +108,7 @@ pub(crate) fn nodding(id: &str) -> Outcome {
          dots from a simulation. The axis of rotation as seen on board rises to 4 turns, which is also the source's claim \
          for the axis in the room.",
     );
-    let struck = struck()?;
+    let struck = struck(IMPULSE)?;
     let period = TAU / SPIN;
     let time = Axis::linear(0.0, 4.0, 1.0)?.minor(0.25).titled("time, turns of the old spin");
     let turns = Axis::linear(0.0, 9.0, 1.0)?.titled("angle, turns");

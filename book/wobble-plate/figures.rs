@@ -4,23 +4,26 @@ use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Edges, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Role, Side, Stroke, at};
-use mechanics::scenes::wobble_plate::{Engine, InvalidEngine, Pistons, Plate};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::SymmetricMoments;
+use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The chapter's plate: 2 kg, 10 cm, with a tilt in degrees.
-fn plate(degrees: f64) -> Result<Plate, InvalidEngine> {
-    Plate::thin(2.0, 0.1, degrees.to_radians())
+fn plate(degrees: f64) -> Result<Plate, InvalidQuantity> {
+    plate_at(degrees.to_radians())
 }
 
 /// So many pistons on the chapter's plate, each with a multiple of the mass that balances three and more.
 fn with_pistons(plate: Plate, count: u32, part: f64) -> Result<Engine, Cause> {
-    let [transverse, _, axial] = plate.moments().to_array();
+    let SymmetricMoments { transverse, axial } = plate.moments().as_symmetric()?;
     let distance = 0.07;
     // eq:many-pistons, whether it works for this number or not.
     let cosine = plate.tilt().cos();
     let needed = 2.0 * (axial - transverse) * cosine * cosine / (f64::from(count) * distance * distance);
-    Ok(Engine::new(plate, Pistons::new(count, part * needed, distance, 0.2)?))
+    let pistons = PistonParameters { count, mass: part * needed, distance, rod: 0.2 };
+    Ok(Engine::new(plate, Pistons::new(pistons)?))
 }
 
 /// The plate on its shaft, with its axes, the angular momentum and the two angles.
@@ -90,16 +93,17 @@ pub(crate) fn beta(id: &str) -> Outcome {
         (1.0, Hue::Pink, "$h = R$", (24.0, 5.4)),
         (2.0, Hue::Orange, "$h = 2R$", (20.0, -5.6)),
     ] {
-        let lean_at = |degrees: f64| -> Result<(f64, f64), InvalidEngine> {
-            let plate = Plate::thick(2.0, radius, thickness * radius, degrees.to_radians())?;
+        let lean_at = |degrees: f64| -> Result<(f64, f64), InvalidQuantity> {
+            let (thickness, tilt) = (thickness * radius, degrees.to_radians());
+            let plate = Plate::new(PlateParameters { mass: 2.0, radius, thickness, tilt })?;
             Ok((degrees, plate.momentum_angle().to_degrees()))
         };
         let values = linear_steps(0.0, 89.999, 300).map(lean_at).collect::<Result<Vec<_>, _>>()?;
         plot.curve(&format!("thickness-{thickness}"), values, Stroke::Curve, hue);
         plot.label(place, Side::Over, name, hue)?;
     }
-    let (largest, tilt) = plate(10.0)?.largest_momentum_angle();
-    let top = (tilt.to_degrees(), largest.to_degrees());
+    let largest = plate(10.0)?.largest_momentum_angle();
+    let top = (largest.tilt.to_degrees(), largest.momentum_angle.to_degrees());
     plot.markers(&[top], Marker::Disc, Hue::Blue);
     plot.label(top, Side::Above, "19.47° at 54.74°", Hue::Blue)?;
     Ok(drawing)
@@ -113,8 +117,9 @@ pub(crate) fn engine(id: &str) -> Outcome {
          cylindrical piston at its lower end. The pistons stand at different heights, lowest where the plate is low.",
     );
     let tilt = 24_f64.to_radians();
-    let plate = Plate::thin(2.0, 1.0, tilt)?;
-    let engine = Engine::new(plate, Pistons::new(4, 0.4, 0.72, 1.15)?);
+    let plate = Plate::new(PlateParameters { mass: 2.0, radius: 1.0, thickness: 0.0, tilt })?;
+    let pistons = PistonParameters { count: 4, mass: 0.4, distance: 0.72, rod: 1.15 };
+    let engine = Engine::new(plate, Pistons::new(pistons)?);
     let phase = 0.45_f64;
     let (s, c) = phase.sin_cos();
     let normal = Vector3::new(-tilt.sin() * c, -tilt.sin() * s, tilt.cos());
@@ -274,8 +279,8 @@ pub(crate) fn beta_error(id: &str) -> Outcome {
     Ok(drawing)
 }
 
-fn plate_at(tilt: f64) -> Result<Plate, InvalidEngine> {
-    Plate::thin(2.0, 0.1, tilt)
+fn plate_at(tilt: f64) -> Result<Plate, InvalidQuantity> {
+    Plate::new(PlateParameters { mass: 2.0, radius: 0.1, thickness: 0.0, tilt })
 }
 
 fn by_cosine(plate: &Plate) -> f64 {

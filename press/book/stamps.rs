@@ -32,9 +32,15 @@ impl Stamps {
     /// If a file cannot be read.
     pub(crate) fn read(root: &Path) -> io::Result<Self> {
         let mut stamps = Self::default();
-        for path in
-            ["Cargo.lock", "Cargo.toml", "press/book", "press/drawing", "press/figures", "src", "book"]
-        {
+        for path in [
+            "Cargo.lock",
+            "Cargo.toml",
+            "press/book/build.rs",
+            "press/drawing",
+            "press/figures",
+            "src",
+            "book",
+        ] {
             stamps.add(&root.join(path), &root.join("src/scenes"), &root.join("book"))?;
         }
         Ok(stamps)

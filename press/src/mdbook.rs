@@ -8,6 +8,22 @@ use std::{env, io};
 const SERIES: &str = "0.5.";
 const VERSION: &str = "0.5.4";
 
+/// What of it is optimised: where a build of the book spends its time. The rest, mostly the server, compiles in half the time.
+const OPTIMISED: [&str; 12] = [
+    "elasticlunr-rs",
+    "handlebars",
+    "html5ever",
+    "markup5ever",
+    "mdbook-html",
+    "memchr",
+    "pest",
+    "pulldown-cmark",
+    "regex-automata",
+    "serde_json",
+    "sha2",
+    "tendril",
+];
+
 /// The program `mdbook` of the right series: the one on PATH, else the one under `target/tools`, else a fresh one there.
 ///
 /// Installing takes some minutes and needs a network; it says so on standard error.
@@ -24,15 +40,20 @@ pub fn locate(root: &Path) -> io::Result<PathBuf> {
     }
     eprintln!(
         "There is no mdBook {SERIES}x on this machine. Installing mdBook {VERSION} into target/tools: \
-         three to ten minutes, once, and it needs a network."
+         some two to five minutes, once, and it needs a network."
     );
-    let status = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["install", "mdbook", "--version", VERSION, "--locked", "--root"])
-        .arg(&tools)
-        .current_dir(env::temp_dir()) // away from this workspace's settings
-        .env_remove("CARGO_TARGET_DIR")
-        .stdin(Stdio::null())
-        .status()?;
+    let status =
+        Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+            .args(["install", "mdbook", "--version", VERSION, "--locked", "--root"])
+            .arg(&tools)
+            .args(["--config", "profile.release.opt-level=0"])
+            .args(OPTIMISED.iter().flat_map(|name| {
+                ["--config".to_owned(), format!("profile.release.package.{name}.opt-level=2")]
+            }))
+            .current_dir(env::temp_dir()) // away from this workspace's settings
+            .env_remove("CARGO_TARGET_DIR")
+            .stdin(Stdio::null())
+            .status()?;
     if status.success() && is_of_series(&local) {
         Ok(local)
     } else {

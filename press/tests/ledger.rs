@@ -182,6 +182,35 @@ fn the_tables_of_the_chapters_and_the_changelog_list_what_the_ledger_corrects() 
 }
 
 #[test]
+fn the_readme_lists_the_chapters_and_the_equations_that_they_derive() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("the readme");
+    let summary = fs::read_to_string(root().join("book/SUMMARY.md")).expect("the summary");
+    let chapters: Vec<(&str, &str)> = summary
+        .lines()
+        .filter_map(|line| line.strip_prefix("- [")?.strip_suffix("/index.md)")?.split_once("]("))
+        .collect();
+    assert!(chapters.len() >= 12, "{chapters:?}");
+    for (title, folder) in chapters {
+        let name = title.split(':').next().expect("a name");
+        let row = readme.lines().find_map(|line| line.strip_prefix(&format!("| {name} |")));
+        let row = row.unwrap_or_else(|| panic!("the table has no row for {name}"));
+        // "(1), (2), (34) to (45)"
+        let mut listed = BTreeSet::new();
+        let mut last = 0;
+        for (at, _) in row.match_indices('(') {
+            if let Some(Ok(number)) = row[at + 1..].split(')').next().map(str::parse::<usize>) {
+                let first = if row[..at].ends_with(" to ") { last + 1 } else { number };
+                listed.extend(first..=number);
+                last = number;
+            }
+        }
+        let labels = labels(&texts(&root().join("book").join(folder), ".md"));
+        let derived: BTreeSet<usize> = labels.into_iter().flat_map(|(numbers, _)| numbers).collect();
+        assert_eq!(listed, derived, "the row of {name} and its pages");
+    }
+}
+
+#[test]
 fn every_claim_without_a_number_names_an_equation_and_a_test() {
     let ledger = ledger();
     let rows = rows(&ledger, "{#sec:ledger-claims}");

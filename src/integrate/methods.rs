@@ -1,16 +1,7 @@
 //! The one table of stepping methods: what each promises.
 //!
-//! | method | order | dense | a step costs | adaptive | keeps, of a free body |
-//! |---|---|---|---|---|---|
-//! | RK4 ([`super::rk4`]) | 4 | – | 4 evaluations | no | nothing |
-//! | DOP853 ([`super::Dop853`]) | 8 | 7 | 12 evaluations | yes | nothing |
-//! | Taylor ([`super::Taylor`]) | 16 | 16 | 1 series | yes | nothing |
-//! | CF4 ([`crate::geometric::commutator_free`]) | 4 | – | 4 evaluations | no | unit length |
-//! | Strang ([`crate::geometric::Splitting::Strang`]) | 2 | – | 2 turns | no | unit length, angular momentum, volume, way back |
-//! | Blanes–Moan ([`crate::geometric::Splitting::BlanesMoan`]) | 4 | – | 12 turns | no | unit length, angular momentum, volume, way back |
-//!
-//! `tests/orders` measures every entry of [`METHODS`] and holds it equal to this table and to that of the book; a method that is
-//! added here needs a row in both and a line in the test that says how it is run.
+//! [`METHODS`] is the table, and the book prints it. `tests/orders` measures every entry; a method that is added needs a line there
+//! that says how it is run.
 
 use super::TAYLOR_ORDER;
 use Kept::{AngularMomentum, UnitLength, Volume, WayBack};

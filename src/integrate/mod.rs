@@ -9,7 +9,7 @@
 //! | [`Dop853`] | everything else: order eight, step control, dense output, events |
 //! | [`crate::geometric`] | rotations: methods that only ever turn |
 //!
-//! [`METHODS`] states what each promises, [`methods`] has the table; `tests/orders` measures it.
+//! [`METHODS`] states what each promises; `tests/orders` measures it.
 
 mod control;
 mod dop853;

@@ -2,17 +2,15 @@
 //!
 //! Before, the centre is at rest and the body turns with ω₀ about a diameter. Axes 1, 2, 3 are those of the body at the
 //! moment of the snap, and of the room: 2 from the pinned point A to the centre, 1 along the tangent on the side of ω₀,
-//! 3 = 1 × 2. The pole of ω₀ is at the polar angle θ from A, and `ω₀ = ω₀ (sin θ, −cos θ, 0)`. A hoop and a disc lie in the plane
-//! of 1 and 2.
+//! 3 = 1 × 2. The pole of ω₀ is at the polar angle θ from A, and `ω₀ = ω₀ (sin θ, −cos θ, 0)`. A hoop and a disc lie in
+//! the plane of 1 and 2.
 
 use crate::euler::Turning;
 use crate::free_rotation::FreeTop;
-use crate::inertia::{Body, InvalidMoments, PrincipalMoments};
-use crate::quantity::{InvalidQuantity, Rule, Shown};
+use crate::inertia::{Body, PrincipalMoments};
+use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::error::Error;
 use std::f64::consts::PI;
-use std::fmt;
 
 /// How far, relative to the radius, a point may be from the surface through rounding.
 const ON_THE_SURFACE: f64 = 1e-12;
@@ -28,15 +26,48 @@ pub enum Shape {
     Sphere,
 }
 
-/// A spinning body and the point at which it is pinned. What it says of the snap is good to 1.4e-15 of itself.
+/// A spinning body and where it is pinned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters {
+    /// What spins.
+    pub shape: Shape,
+    /// Mass m, kg, more than zero.
+    pub mass: f64,
+    /// Radius a, m, more than zero.
+    pub radius: f64,
+    /// Angular velocity ω₀ about a diameter, rad/s, of either sign, not zero.
+    pub spin: f64,
+    /// The pinned point A.
+    pub pin: Pin,
+}
+
+/// A point of the surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pin {
+    /// The angle θ from the axis of rotation, rad, from 0 to π.
+    ///
+    /// Near a right angle the motion afterwards hangs on its cosine, of which few digits survive the rounding of θ in
+    /// radians: at 89.999° eleven. [`Pin::Point`] keeps all.
+    Angle(f64),
+    /// The place of the point, which has to be at the distance of the radius from the centre, to rounding.
+    Point {
+        /// How far from the axis of rotation, `a sin θ`, m, zero or more.
+        from_axis: f64,
+        /// How far from the centre along that axis, `a cos θ`, m, of either sign.
+        height: f64,
+    },
+}
+
+/// A spinning body that is pinned. What it says of the snap is good to 1.4e-15 of itself.
 ///
 /// ```
-/// use mechanics::scenes::pinned_hoop::{Pinning, Shape};
-/// let hoop = Pinning::new(Shape::Hoop, 1.0, 1.0, 1.0, 60_f64.to_radians())?;
-/// // A third of the component across A survives, and all of the component along it (eq:spin-after).
+/// use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+/// let pin = Pin::Angle(60_f64.to_radians());
+/// let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
+/// // A third of the component along the tangent survives, and all of that along the diameter (eq:spin-after).
 /// let omega = hoop.omega_after();
 /// assert!((omega.x - 60_f64.to_radians().sin() / 3.0).abs() < 1e-15 && (omega.y + 0.5).abs() < 1e-15);
-/// # Ok::<(), mechanics::scenes::pinned_hoop::InvalidPinning>(())
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pinning {
@@ -51,66 +82,24 @@ pub struct Pinning {
 }
 
 impl Pinning {
-    /// A body of mass, kg, and radius, m, that turns with `spin`, rad/s, of either sign, about a diameter, and the angle θ,
-    /// rad, from 0 to π, of the pinned point from the axis of rotation.
-    ///
-    /// Near a right angle the motion afterwards hangs on the cosine of θ, and few digits of it survive the rounding of θ in radians: at
-    /// 89.999° eleven. [`Pinning::at_point`] takes both components as they are and keeps all.
+    /// The body at the moment of the snap.
     ///
     /// # Errors
-    /// [`InvalidPinning`] if a number breaks its rule.
-    pub fn new(shape: Shape, mass: f64, radius: f64, spin: f64, angle: f64) -> Result<Self, InvalidPinning> {
-        InvalidQuantity::check_not_negative("angle from the axis", angle, "rad")?;
-        InvalidQuantity::require(angle <= PI, "angle from the axis", angle, "rad", Rule::AtMost(PI))?;
-        let (sin, cos) = angle.sin_cos();
-        Self::with_direction(shape, mass, radius, spin, angle, sin, cos)
-    }
-
-    /// The same with the pinned point given by its position from the centre, m: its first component across the axis of
-    /// rotation, its second along it.
-    ///
-    /// # Errors
-    /// [`InvalidPinning::NotOnSurface`] if the point is not at the distance of the radius, to rounding; else as
-    /// [`Pinning::new`].
-    pub fn at_point(
-        shape: Shape,
-        mass: f64,
-        radius: f64,
-        spin: f64,
-        point: [f64; 2],
-    ) -> Result<Self, InvalidPinning> {
-        for component in point {
-            InvalidQuantity::check("position of the point", component, "m")?;
-        }
-        let [across, along] = point;
-        let distance = across.hypot(along);
-        InvalidQuantity::check_positive("radius", radius, "m")?;
-        if (distance - radius).abs() > ON_THE_SURFACE * radius {
-            return Err(InvalidPinning::NotOnSurface { distance, radius });
-        }
-        let (sin, cos) = (across.abs() / distance, along / distance);
-        Self::with_direction(shape, mass, radius, spin, sin.atan2(cos), sin, cos)
-    }
-
-    fn with_direction(
-        shape: Shape,
-        mass: f64,
-        radius: f64,
-        spin: f64,
-        angle: f64,
-        sin: f64,
-        cos: f64,
-    ) -> Result<Self, InvalidPinning> {
-        InvalidQuantity::check("spin", spin, "rad/s")?;
-        InvalidQuantity::require(spin != 0.0, "spin", spin, "rad/s", Rule::NotZero)?;
-        let body = match shape {
+    /// [`InvalidQuantity`] if a number breaks its rule.
+    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
+        let Parameters { shape, mass, radius, spin, pin } = parameters;
+        let about_centre = match shape {
             Shape::Hoop => Body::hoop(mass, radius),
             Shape::Disk => Body::thin_disk(mass, radius),
             Shape::Sphere => Body::sphere(mass, radius),
-        }?;
-        let about_centre = body.moments();
+        }?
+        .moments();
+        InvalidQuantity::check("spin", spin, "rad/s")?;
+        InvalidQuantity::require(spin != 0.0, "spin", spin, "rad/s", Rule::NotZero)?;
+        let (angle, (sin, cos)) = pin.direction(radius)?;
         let [tangent, diameter, normal] = about_centre.to_array();
-        let shift = mass * radius * radius; // eq:steiner
+        let shift = mass * radius * radius;
+        // eq:moments-about-pin
         let about_pin = PrincipalMoments::new(tangent + shift, diameter, normal + shift)?;
         Ok(Self { mass, radius, spin, angle, sin, cos, about_centre, about_pin })
     }
@@ -145,11 +134,17 @@ impl Pinning {
         Vector3::new(self.survival() * self.sin, -self.cos, 0.0) * self.spin
     }
 
-    /// The velocities along axis 3, m/s, just after, of the two points B a quarter of the circle from A: first that at polar
-    /// angle θ + 90°, then that at θ − 90° (`eq:speed-of-b`).
-    pub fn velocities_of_b(&self) -> [f64; 2] {
+    /// The velocity along axis 3, m/s, just after, of the point B a quarter of the circle from A, at the polar angle θ
+    /// + 90° (`eq:speed-of-b`).
+    pub fn velocity_of_b(&self) -> f64 {
         let omega = self.omega_after();
-        [self.radius * (omega.x + omega.y), self.radius * (omega.x - omega.y)]
+        self.radius * (omega.x + omega.y)
+    }
+
+    /// The velocity along axis 3, m/s, just after, of the point opposite B, at the polar angle θ − 90°.
+    pub fn velocity_opposite_b(&self) -> f64 {
+        let omega = self.omega_after();
+        self.radius * (omega.x - omega.y)
     }
 
     /// The velocity of the centre just after, m/s (`eq:centre-after`).
@@ -164,8 +159,8 @@ impl Pinning {
 
     /// The energy that the snap takes, J (`eq:energy-lost`).
     pub fn energy_lost(&self) -> f64 {
-        let transverse = self.about_centre.to_array()[0];
-        0.5 * transverse * (self.spin * self.sin).powi(2) * (1.0 - self.survival())
+        let diameter = self.about_centre.to_array()[0];
+        0.5 * diameter * (self.spin * self.sin).powi(2) * (1.0 - self.survival()) // eq:energy-lost
     }
 
     /// The torque about A, N·m, that would keep the angular velocity as it is just after (`eq:holding-torque`).
@@ -179,13 +174,18 @@ impl Pinning {
         omega.cross(&omega.cross(&self.centre())) * self.mass
     }
 
-    /// The angle α from axis 1 to the axis of rotation after the snap, rad, and the angle φ between the axes of rotation
-    /// before and after, rad: `α + θ − φ = π/2` (`eq:pin-angles`). Both for positive spin.
-    pub fn axis_angles(&self) -> [f64; 2] {
+    /// The angle α from axis 1, the tangent at A, to the axis of rotation after the snap, rad: `tan α = cos θ/(κ sin
+    /// θ)` (`eq:pin-angles`). For positive spin.
+    pub fn axis_angle(&self) -> f64 {
+        self.cos.atan2(self.survival() * self.sin)
+    }
+
+    /// The angle φ from the axis of rotation before the snap to that after it, towards A, rad: `α + θ − φ = π/2`
+    /// (`eq:pin-angles`). For positive spin.
+    pub fn axis_shift(&self) -> f64 {
         let kappa = self.survival();
-        let turned =
-            ((1.0 - kappa) * self.sin * self.cos).atan2(kappa * self.sin * self.sin + self.cos * self.cos);
-        [self.cos.atan2(kappa * self.sin), turned]
+        // eq:pin-angles with κ for ⅓.
+        ((1.0 - kappa) * self.sin * self.cos).atan2(self.cos * self.cos + kappa * self.sin * self.sin)
     }
 
     /// The motion afterwards if nothing but the pin holds the body: free rotation about A, in closed form.
@@ -203,48 +203,24 @@ impl Pinning {
     }
 }
 
-/// Why there is no such snap.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidPinning {
-    /// The mass or the radius is not that of a body.
-    Body(InvalidMoments),
-    /// Another number breaks a rule.
-    Quantity(InvalidQuantity),
-    /// The point is not on the rim.
-    NotOnSurface {
-        /// Its distance from the centre, m.
-        distance: f64,
-        /// The radius, m.
-        radius: f64,
-    },
-}
-
-impl From<InvalidMoments> for InvalidPinning {
-    fn from(error: InvalidMoments) -> Self {
-        Self::Body(error)
-    }
-}
-
-impl From<InvalidQuantity> for InvalidPinning {
-    fn from(error: InvalidQuantity) -> Self {
-        Self::Quantity(error)
-    }
-}
-
-impl fmt::Display for InvalidPinning {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Body(error) => error.fmt(out),
-            Self::Quantity(error) => error.fmt(out),
-            Self::NotOnSurface { distance, radius } => write!(
-                out,
-                "the point at {} m from the centre is not on the rim, at {} m",
-                Shown(distance),
-                Shown(radius)
-            ),
+impl Pin {
+    /// The angle θ, rad, and its sine and cosine, on a body of a radius, m.
+    fn direction(self, radius: f64) -> Result<(f64, (f64, f64)), InvalidQuantity> {
+        match self {
+            Self::Angle(angle) => {
+                InvalidQuantity::check_not_negative("angle from the axis", angle, "rad")?;
+                InvalidQuantity::require(angle <= PI, "angle from the axis", angle, "rad", Rule::AtMost(PI))?;
+                Ok((angle, angle.sin_cos()))
+            }
+            Self::Point { from_axis, height } => {
+                InvalidQuantity::check_not_negative("distance of the point from the axis", from_axis, "m")?;
+                InvalidQuantity::check("height of the point", height, "m")?;
+                let distance = from_axis.hypot(height);
+                let is_on_surface = (distance - radius).abs() <= ON_THE_SURFACE * radius;
+                let name = "distance of the point from the centre";
+                InvalidQuantity::require(is_on_surface, name, distance, "m", Rule::EqualTo(radius))?;
+                Ok((from_axis.atan2(height), (from_axis / distance, height / distance)))
+            }
         }
     }
 }
-
-impl Error for InvalidPinning {}

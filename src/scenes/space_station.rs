@@ -1,101 +1,106 @@
 //! A turning ring struck by a meteor. Chapter "The struck space station".
 //!
-//! Axes 1, 2, 3 are fixed in the station, 3 along its axis; at time zero, the moment of the blow, they are the axes x, y, z
-//! of the room, whose origin is where the station's centre then is. The station turns with ω₀ about 3 and is struck at
-//! `+r` along axis 2 with an impulse P along axis 3. Only the impulse counts: no mass is added.
+//! Axes 1, 2, 3 are fixed in the station, 3 along its axis; at time zero, the moment of the blow, they are the axes x,
+//! y, z of the room, whose origin is where the station's centre then is. The station turns with ω₀ about 3 and is
+//! struck at `+r` along axis 2 with an impulse P along axis 3. Only the impulse counts: no mass is added.
 
 use crate::euler::Turning;
-use crate::free_rotation::{FreeSymmetricTop, InvalidTop};
-use crate::inertia::{Body, InvalidMoments};
+use crate::free_rotation::FreeSymmetricTop;
+use crate::inertia::Body;
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::error::Error;
-use std::fmt;
 
 /// A station that turns about its axis of symmetry.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Station {
-    body: Body,
-    spin: f64,
+pub struct Station(Parameters);
+
+/// What turns, and how fast.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters {
+    /// Mass and moments; the axis of symmetry is axis 3.
+    pub body: Body,
+    /// Angular velocity ω₀ about axis 3, rad/s, of either sign, not zero.
+    pub spin: f64,
 }
 
-/// The station after the blow: a free symmetric top whose centre drifts. Its angles and rates are good to 9e-16 of themselves.
+/// A blow along axis 3, on axis 2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blow {
+    /// How far from axis 3 it strikes, m, zero or more; the radius a for one on the rim.
+    pub radius: f64,
+    /// The impulse P along axis 3, N·s, of either sign.
+    pub impulse: f64,
+}
+
+/// The station after the blow: a free symmetric top whose centre drifts. Its angles and rates are good to 9e-16 of
+/// themselves.
 ///
 /// ```
-/// use mechanics::scenes::space_station::Station;
+/// use mechanics::{inertia::Body, scenes::space_station::{Blow, Parameters, Station}};
 /// // A ring of 400 t and 50 m radius that turns in about fourteen seconds, struck on the rim.
-/// let struck = Station::ring(4e5, 50.0, 0.45)?.struck(50.0, 1.8e6)?;
+/// let station = Station::new(Parameters { body: Body::hoop(4e5, 50.0)?, spin: 0.45 })?;
+/// let struck = station.struck(Blow { radius: 50.0, impulse: 1.8e6 })?;
 /// // The angular momentum tilts by half as much as the axis of rotation (eq:struck-angle, eq:struck-momentum).
 /// let ratio = struck.momentum_angle().tan() / struck.axis_angle().tan();
 /// assert!((ratio - 0.5).abs() < 1e-14);
 /// // It nods twice as often as one sees it turn (eq:nodding-rate).
 /// assert!((struck.nodding_rate() / 0.45 - 2.0).abs() < 0.04);
-/// # Ok::<(), mechanics::scenes::space_station::InvalidStation>(())
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Struck {
+pub struct StruckStation {
     top: FreeSymmetricTop,
     drift: f64,
     spin: f64,
 }
 
 impl Station {
-    /// A station with its mass and moments that turns with `spin`, rad/s, of either sign, about axis 3.
+    /// The station before the blow.
     ///
     /// # Errors
-    /// [`InvalidStation`] if the body has no axis of symmetry, or the spin is zero, not finite or of a size that cannot be
-    /// computed with.
-    pub fn new(body: Body, spin: f64) -> Result<Self, InvalidStation> {
+    /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, or the spin is zero, not finite or of a size
+    /// that cannot be computed with.
+    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
+        let Parameters { body, spin } = parameters;
+        body.moments().as_symmetric()?;
         InvalidQuantity::check("spin", spin, "rad/s")?;
         InvalidQuantity::require(spin != 0.0, "spin", spin, "rad/s", Rule::NotZero)?;
-        let station = Self { body, spin };
-        station.turning_with(0.0)?;
-        Ok(station)
-    }
-
-    /// A station in the form of a thin ring of mass, kg, and radius, m, with its spin, rad/s.
-    ///
-    /// # Errors
-    /// As [`Station::new`], and for a mass or radius that is not positive.
-    pub fn ring(mass: f64, radius: f64, spin: f64) -> Result<Self, InvalidStation> {
-        Self::new(Body::hoop(mass, radius)?, spin)
+        Ok(Self(parameters))
     }
 
     /// The mass and the moments.
     pub fn body(&self) -> Body {
-        self.body
+        self.0.body
     }
 
     /// The angular velocity ω₀ before the blow, rad/s.
     pub fn spin(&self) -> f64 {
-        self.spin
+        self.0.spin
     }
 
-    /// The station just after a blow with `impulse`, N·s, along axis 3, at the distance `radius`, m, from the axis, in the
-    /// direction of axis 2 (`eq:struck-rate`).
+    /// The station just after a blow (`eq:struck-rate`).
     ///
     /// # Errors
-    /// [`InvalidStation`] for a negative radius, and for numbers that are not finite or of a size that cannot be computed
-    /// with.
-    pub fn struck(&self, radius: f64, impulse: f64) -> Result<Struck, InvalidStation> {
+    /// [`InvalidQuantity`] for a negative radius, and for numbers that are not finite or of a size that cannot be
+    /// computed with.
+    pub fn struck(&self, Blow { radius, impulse }: Blow) -> Result<StruckStation, InvalidQuantity> {
+        let Self(Parameters { body, spin }) = *self;
         InvalidQuantity::check_not_negative("radius of the blow", radius, "m")?;
         InvalidQuantity::check("impulse", impulse, "N·s")?;
-        let [transverse, _, _] = self.body.moments().to_array();
-        let gained = InvalidQuantity::check("angular velocity", radius * impulse / transverse, "rad/s")?;
-        let drift = InvalidQuantity::check("drift", impulse / self.body.mass(), "m/s")?;
-        Ok(Struck { top: self.turning_with(gained)?, drift, spin: self.spin })
-    }
-
-    fn turning_with(&self, omega_1: f64) -> Result<FreeSymmetricTop, InvalidTop> {
+        let i1 = body.moments().as_symmetric()?.transverse;
+        let added = radius * impulse / i1; // eq:struck-rate
+        let drift = impulse / body.mass(); // eq:drift
+        InvalidQuantity::check("angular velocity", added, "rad/s")?;
+        InvalidQuantity::check("drift", drift, "m/s")?;
         let start = Turning {
             world_from_body: UnitQuaternion::identity(),
-            omega_body: Vector3::new(omega_1, 0.0, self.spin),
+            omega_body: Vector3::new(added, 0.0, spin),
         };
-        FreeSymmetricTop::new(self.body.moments(), start)
+        Ok(StruckStation { top: FreeSymmetricTop::new(body.moments(), start)?, drift, spin })
     }
 }
 
-impl Struck {
+impl StruckStation {
     /// The angular velocity `ω_P` about axis 1 that the blow adds, rad/s (`eq:struck-rate`).
     pub fn added_rate(&self) -> f64 {
         self.top.start().omega_body.x
@@ -104,7 +109,7 @@ impl Struck {
     /// The angle between the spin before and the angular velocity after the blow, rad, from 0 to π/2
     /// (`eq:struck-angle`).
     pub fn axis_angle(&self) -> f64 {
-        self.added_rate().abs().atan2(self.spin.abs())
+        self.added_rate().abs().atan2(self.spin.abs()) // eq:struck-angle
     }
 
     /// The angle between the spin before the blow and the angular momentum after it, rad, from 0 to π/2
@@ -119,8 +124,8 @@ impl Struck {
         self.top.angular_momentum_world()
     }
 
-    /// The rate Λ, rad/s, at which the station's axis goes round the angular momentum, in a frame that moves with the centre
-    /// and does not turn (`eq:nodding-rate`).
+    /// The rate Λ, rad/s, at which the station's axis goes round the angular momentum, in a frame that moves with the
+    /// centre and does not turn (`eq:nodding-rate`).
     pub fn nodding_rate(&self) -> f64 {
         self.top.precession_rate()
     }
@@ -139,6 +144,14 @@ impl Struck {
         self.top.at(time)
     }
 
+    /// Attitude and angular velocity at each of `times`, s, after the blow: the states of [`StruckStation::at`].
+    ///
+    /// # Errors
+    /// As [`StruckStation::at`], for the first time that it refuses.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
+        times.iter().map(|&time| self.at(time)).collect()
+    }
+
     /// The velocity of the centre, m/s: `P/m` along the old axis, constant (`eq:drift`).
     pub fn centre_velocity(&self) -> Vector3<f64> {
         Vector3::new(0.0, 0.0, self.drift)
@@ -147,7 +160,7 @@ impl Struck {
     /// The position at `time`, s, of the point of the station that was at `point_body`, m, along its axes, in the room.
     ///
     /// # Errors
-    /// As [`Struck::at`], and for a point that is not finite or of a size that cannot be computed with.
+    /// As [`StruckStation::at`], and for a point that is not finite or of a size that cannot be computed with.
     pub fn position(&self, point_body: &Vector3<f64>, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
         for component in point_body {
             InvalidQuantity::check("position of the point", *component, "m")?;
@@ -155,45 +168,3 @@ impl Struck {
         Ok(self.centre_velocity() * time + self.at(time)?.world_from_body * point_body)
     }
 }
-
-/// Why there is no such station, or no such blow.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidStation {
-    /// The mass or the radius is not that of a body.
-    Moments(InvalidMoments),
-    /// The body has no axis of symmetry, or its spin cannot be computed with.
-    Top(InvalidTop),
-    /// Another number breaks a rule.
-    Quantity(InvalidQuantity),
-}
-
-impl From<InvalidMoments> for InvalidStation {
-    fn from(error: InvalidMoments) -> Self {
-        Self::Moments(error)
-    }
-}
-
-impl From<InvalidTop> for InvalidStation {
-    fn from(error: InvalidTop) -> Self {
-        Self::Top(error)
-    }
-}
-
-impl From<InvalidQuantity> for InvalidStation {
-    fn from(error: InvalidQuantity) -> Self {
-        Self::Quantity(error)
-    }
-}
-
-impl fmt::Display for InvalidStation {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Moments(error) => error.fmt(out),
-            Self::Top(error) => error.fmt(out),
-            Self::Quantity(error) => error.fmt(out),
-        }
-    }
-}
-
-impl Error for InvalidStation {}

@@ -5,7 +5,13 @@
 //! from which the compiler makes instructions for two, four or eight times at once. What a kernel leaves alone (a time
 //! out of its reach, a motion of another kind) is done by `at`. Without this folder every `sample` would be a loop over `at`.
 
+pub(crate) mod air_drag;
+pub(crate) mod faddeeva;
 pub(crate) mod functions;
+pub(crate) mod laundromat;
+pub(crate) mod rolling;
+pub(crate) mod tumbling;
+pub(crate) mod turning;
 
 use functions::at_full_width;
 use std::ops::RangeInclusive;

@@ -10,7 +10,8 @@ const I: Complex<f64> = Complex::new(0.0, 1.0);
 
 type Vector<D> = SVector<D, 4>;
 
-/// (ε̇, ε̈, δ̇, δ̈) as functions of (ε, ε̇, δ, δ̇): (10) and (11) with r = r₀(1 + ε), θ = Ωt − φ₀ + δ and nothing neglected.
+/// (ε̇, ε̈, δ̇, δ̈) as functions of (ε, ε̇, δ, δ̇): (10) and (11) with r = r₀(1 + ε), θ = Ωt − φ₀ + δ and nothing
+/// neglected.
 fn disturbed<D: DualNum<Primitive = f64>>(machine: &Machine, x: &Vector<D>, drag_across: f64) -> Vector<D> {
     let (w0, b, gamma, spin) = letters(machine);
     let steady = machine.steady().unwrap();
@@ -39,8 +40,8 @@ pub(crate) fn scale(machine: &Machine) -> f64 {
     1.0 + w0 * w0 + spin * spin + gamma * (1.0 + spin.abs())
 }
 
-/// The eigenvalues of the linearisation. In units of the fastest rate all entries are of one size, which the eigenvalue solver
-/// needs for its accuracy.
+/// The eigenvalues of the linearisation. In units of the fastest rate all entries are of one size, which the
+/// eigenvalue solver needs for its accuracy.
 pub(crate) fn eigenvalues(machine: &Machine) -> Vec<Complex<f64>> {
     let (w0, _, gamma, spin) = letters(machine);
     let fastest = w0 + gamma + spin.abs();
@@ -49,8 +50,9 @@ pub(crate) fn eigenvalues(machine: &Machine) -> Vec<Complex<f64>> {
     balanced.complex_eigenvalues().iter().copied().collect()
 }
 
-/// The complex amplitudes (ω, ε₀, δ₀) of the modes, found from the linearised equations alone: for each eigenvalue s = iω of the
-/// dual-number matrix the null vector gives δ₀/ε₀ from the radial row. The amplitude ε₀ is free: no equation may take it for one.
+/// The complex amplitudes (ω, ε₀, δ₀) of the modes, found from the linearised equations alone: for each eigenvalue s
+/// = iω of the dual-number matrix the null vector gives δ₀/ε₀ from the radial row. The amplitude ε₀ is free: no
+/// equation may take it for one.
 pub(crate) fn numerical_modes(machine: &Machine) -> Vec<(Complex<f64>, Complex<f64>, Complex<f64>)> {
     let a = linearised(machine);
     let e0 = Complex::new(0.6, -1.9);
@@ -134,7 +136,8 @@ fn on_modes(seed: u64, corrected: Residual, printed: Residual) -> Vec<(f64, f64)
     cases
 }
 
-/// Eigenvalues of a 4 × 4 matrix and what follows from them, relative to terms that may be a ten thousandth of the largest.
+/// Eigenvalues of a 4 × 4 matrix and what follows from them, relative to terms that may be a ten thousandth of the
+/// largest.
 const EIGEN: f64 = 1e-6;
 
 /// The terms of (25) and (27) that hold b/r₀, from the radius and the phase of the library.

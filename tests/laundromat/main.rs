@@ -52,8 +52,8 @@ fn machines(seed: u64, count: usize) -> impl Iterator<Item = Machine> {
     })
 }
 
-/// Newton's law (6) for two bodies, by the raw parameters alone: `M r̈ + m (r̈ + ä) = −k r − γ ṙ`, where the load goes round
-/// the shaft with `ä = −Ω²a`. Rates of [x, y, ẋ, ẏ].
+/// Newton's law (6) for two bodies, by the raw parameters alone: `M r̈ + m (r̈ + ä) = −k r − γ ṙ`, where the load
+/// goes round the shaft with `ä = −Ω²a`. Rates of [x, y, ẋ, ẏ].
 fn newton(p: &Parameters, t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
     let a = Complex::from_polar(p.load_radius, p.spin * t);
     let suspension = -Complex::new(x, y) * p.stiffness - Complex::new(vx, vy) * p.damping;

@@ -4,7 +4,7 @@ use crate::printed::corrected_holds_and_printed_fails;
 use crate::{ROUNDING, WASHER, letters, machines, newton, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
 use nalgebra::{Complex, SVector};
 use num_dual::{DualNum, hessian, second_derivative};
 
@@ -39,7 +39,8 @@ fn assert_same(cartesian: Complex<f64>, radial: f64, azimuthal: f64, theta: f64)
 
 #[test]
 fn eq06_newtons_law_holds_along_a_simulated_motion() {
-    // The centre of mass of the simulated motion is accelerated by the suspension's force alone: M r̈ + m r̈ₘ = −k r − γ ṙ.
+    // The centre of mass of the simulated motion is accelerated by the suspension's force alone: M r̈ + m r̈ₘ = −k r
+    // − γ ṙ.
     let machine = washer();
     let (h, mid) = (1e-3, 0.8);
     let times: Vec<f64> = (-3..=3).map(|n| mid + f64::from(n) * h).collect();
@@ -95,7 +96,7 @@ fn eq08_velocity_of_the_load_by_dual_numbers() {
         let energy = 0.5 * WASHER.drum_mass * (r_dot.powi(2) + (r * theta_dot).powi(2))
             + 0.5 * WASHER.load_mass * (vx * vx + vy * vy)
             + 0.5 * WASHER.stiffness * r * r;
-        let shaft = Shaft::from_polar([r, theta, r_dot, theta_dot]);
+        let shaft = Shaft::from_polar(Polar::from_array([r, theta, r_dot, theta_dot]));
         assert_relative_eq!(washer().energy(t, &shaft), energy, max_relative = ROUNDING);
     }
 }
@@ -166,15 +167,15 @@ fn eq10_and_eq11_give_the_same_motion_as_the_lab() {
     let start = [0.05, 0.3, 0.1, 25.0];
     let solver = Dop853::new(1e-13).unwrap();
     let polar = solver.solve(|t, y| machine.polar_rates(t, y), 0.0, start, 2.0).unwrap();
-    let lab = solver
-        .solve(|t, y| machine.cartesian_rates(t, y), 0.0, Shaft::from_polar(start).to_array(), 2.0)
-        .unwrap();
-    let difference = Shaft::from_polar(polar.state).position - Shaft::from_array(lab.state).position;
+    let in_lab = |state: [f64; 4]| Shaft::from_polar(Polar::from_array(state));
+    let lab = |t: f64, y: &[f64; 4]| machine.cartesian_rates(t, y);
+    let lab = solver.solve(lab, 0.0, in_lab(start).to_array(), 2.0).unwrap();
+    let difference = in_lab(polar.state).position - Shaft::from_array(lab.state).position;
     assert!(difference.norm() < 1e-11 * machine.offset(), "they part by {} m", difference.norm());
 }
 
-/// State at time `t` of the motion from `start`, less that of the motion from rest at O, both by Newton's law with the raw
-/// parameters. The pull of the load drops out of the difference; its mass does not.
+/// State at time `t` of the motion from `start`, less that of the motion from rest at O, both by Newton's law with
+/// the raw parameters. The pull of the load drops out of the difference; its mass does not.
 fn difference(p: &Parameters, start: [f64; 4], t: f64) -> [f64; 4] {
     let solver = Dop853::new(1e-14).unwrap();
     let [moved, rest] = [start, [0.0; 4]]
@@ -217,7 +218,8 @@ fn eq13_offset_is_where_the_masses_balance() {
 
 #[test]
 fn eq14_damping_rate_is_how_fast_two_motions_close_up() {
-    // The area x₁ẋ₂ − x₂ẋ₁ between two motions shrinks as e^{−Γt} and as nothing else: no spring, no load has a part in it.
+    // The area x₁ẋ₂ − x₂ẋ₁ between two motions shrinks as e^{−Γt} and as nothing else: no spring, no load has a part
+    // in it.
     for machine in machines(14, 40) {
         let p = Parameters { load_mass: 0.5 * machine.parameters().drum_mass, ..machine.parameters() };
         let machine = Machine::new(p).unwrap();
@@ -281,7 +283,8 @@ fn eq15_the_corrected_lagrangian_gives_the_motion_and_the_printed_one_does_not()
 
 #[test]
 fn the_source_places_the_centre_of_mass_at_the_load() {
-    // "distance a away" in the introduction of the solution is the load's distance; the centre of mass is at b = ma/(m+M).
+    // "distance a away" in the introduction of the solution is the load's distance; the centre of mass is at b =
+    // ma/(m+M).
     let machine = washer();
     let centre = (WASHER.load_mass * WASHER.load_radius) / (WASHER.load_mass + WASHER.drum_mass);
     assert_relative_eq!(machine.offset(), centre, max_relative = ROUNDING);

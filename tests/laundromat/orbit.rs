@@ -71,7 +71,7 @@ fn eq33_angular_velocity_corrected_holds_and_printed_fails() {
         let times: Vec<f64> = (1..40).map(|n| f64::from(n) * 0.05).collect();
         let simulated = simulated(&machine, start, &times);
         let cases = times.iter().zip(simulated).map(|(t, shaft)| {
-            let [_, _, _, theta_dot] = shaft.to_polar();
+            let theta_dot = shaft.to_polar().azimuth_rate;
             let (sin, cos) = (rate * t).sin_cos();
             let corrected = spin - small * (-gamma * t / 2.0).exp() * (rate * cos - gamma / 2.0 * sin);
             let printed = spin + small * rate.sin();
@@ -132,6 +132,7 @@ fn at_high_spin_the_disturbed_orbit_is_a_displaced_circle_for_a_while() {
     let times: Vec<f64> = (0..=64).map(|n| f64::from(n) / 64.0 * turn).collect();
     for shaft in simulated(&machine, start, &times) {
         let around = (shaft.position - displacement).norm();
-        assert_relative_eq!(around, steady.radius(), max_relative = 0.02); // the centre moves ω₁ · 2π/Ω of its own radius
+        // The centre moves ω₁ · 2π/Ω of its own radius.
+        assert_relative_eq!(around, steady.radius(), max_relative = 0.02);
     }
 }

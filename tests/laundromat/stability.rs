@@ -4,13 +4,13 @@ use crate::linear::{eigenvalues, scale};
 use crate::{ROUNDING, letters, machines, newton, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{LockedState, Machine, Parameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4};
 
 const I: Complex<f64> = Complex::new(0.0, 1.0);
 
-/// r̈ of a shaft on a rail that turns with Ω at the angle −φ₀ behind the load: Newton's law with the raw parameters, along the
-/// rail. The rail pushes across it only, and r̂ turns, which adds rΩ².
+/// r̈ of a shaft on a rail that turns with Ω at the angle −φ₀ behind the load: Newton's law with the raw parameters,
+/// along the rail. The rail pushes across it only, and r̂ turns, which adds rΩ².
 fn on_a_rail(p: &Parameters, phi0: f64, t: f64, &[r, r_dot]: &[f64; 2]) -> [f64; 2] {
     let along = Complex::from_polar(1.0, p.spin * t - phi0);
     let (z, v) = (along * r, along * Complex::new(r_dot, r * p.spin));
@@ -45,13 +45,13 @@ fn eq21_a_locked_angle_is_stable_only_below_the_natural_frequency() {
         let rates = |t: f64, y: &[f64; 2]| on_a_rail(&machine.parameters(), phi0, t, y);
         let solver = Dop853::with_tolerances(1e-13, 1e-13 * start[0]).unwrap();
         let end = solver.solve(rates, 0.0, start, time).unwrap().state;
-        let locked = machine.locked(start[0], start[1]).unwrap();
-        let [r, r_dot] = locked.at(time).unwrap();
+        let locked = machine.locked(LockedState::from_array(start)).unwrap();
+        let [r, r_dot] = locked.at(time).unwrap().to_array();
         assert!((r - end[0]).abs() < 1e-9 * (end[0].abs() + start[0]), "{r} m, simulated {} m", end[0]);
         assert!((r_dot - end[1]).abs() < 1e-9 * (w0 + spin.abs()) * (end[0].abs() + start[0]));
         // And long after it: a few of the slowest times of growth or of return.
         let late = 10.0 * (gamma + w0 + spin.abs()) / (spin * spin - w0 * w0).abs();
-        let away = (locked.at(late).unwrap()[0] - steady.radius()).abs();
+        let away = (locked.at(late).unwrap().radius - steady.radius()).abs();
         let stable = spin.abs() < w0;
         assert_eq!(away < 1.01 * nudge, stable, "at {spin} rad/s, ω₀ = {w0} rad/s: {away} m from {nudge} m");
         if stable { held += 1 } else { lost += 1 }
@@ -150,7 +150,8 @@ fn eq31_slow_rate_keeps_its_digits_with_heavy_damping() {
 
 #[test]
 fn every_disturbance_decays_with_the_time_two_over_gamma() {
-    // A simulation of the lab equation, large disturbance and all: its distance from the steady motion shrinks as e^{−Γt/2}.
+    // A simulation of the lab equation, large disturbance and all: its distance from the steady motion shrinks as
+    // e^{−Γt/2}.
     let machine = washer();
     let (_, _, gamma, spin) = letters(&machine);
     let steady = machine.steady().unwrap().amplitude();
@@ -191,8 +192,8 @@ fn the_slowest_mode_stands_still_when_the_spin_passes_w1() {
 
 #[test]
 fn a_damper_on_the_radius_alone_turns_stability_round() {
-    // The quartic is the characteristic polynomial of the dual-number linearisation without the drag across the radius; at the
-    // steady motion of that machine, sin φ₀ = 0 and r₀ = b Ω²/|ω₀² − Ω²|.
+    // The quartic is the characteristic polynomial of the dual-number linearisation without the drag across the
+    // radius; at the steady motion of that machine, sin φ₀ = 0 and r₀ = b Ω²/|ω₀² − Ω²|.
     for machine in machines(33, 2000) {
         let (w0, _, gamma, spin) = letters(&machine);
         let kappa = w0 * w0 - spin * spin;
@@ -231,7 +232,7 @@ fn a_damper_on_the_radius_alone_makes_a_simulated_machine_run_away() {
         let (w0, b, _, _) = letters(&machine);
         let r0 = b * spin * spin / (w0 * w0 - spin * spin).abs();
         let phi0 = if spin > w0 { std::f64::consts::PI } else { 0.0 };
-        let start = Shaft::from_polar([r0 * 1.001, -phi0, 0.0, spin]).to_array();
+        let start = Shaft::from_polar(Polar::from_array([r0 * 1.001, -phi0, 0.0, spin])).to_array();
         let end = Dop853::new(1e-12)
             .unwrap()
             .solve(|t, y| machine.radial_damping_rates(t, y), 0.0, start, time)

@@ -39,7 +39,8 @@ fn eq17_azimuthal_balance_holds_in_steady_motion() {
     for machine in machines(17, 500) {
         let (_, b, gamma, spin) = letters(&machine);
         let steady = machine.steady().unwrap();
-        assert_relative_eq!(steady.radius() * gamma, b * spin * steady.phase().sin(), max_relative = 1e-11); // sin near π
+        // The sine has lost digits near π.
+        assert_relative_eq!(steady.radius() * gamma, b * spin * steady.phase().sin(), max_relative = 1e-11);
     }
 }
 
@@ -166,7 +167,8 @@ fn eq20_self_centring_goes_as_one_over_the_spin_and_not_as_its_square() {
             machine.offset() * machine.damping_rate(),
             max_relative = 1e4 / spin.powi(2) + 1e-14
         );
-        assert_relative_eq!(radius(spin) / radius(10.0 * spin), 10.0, max_relative = 1e-4); // the printed form gives 100
+        // The printed form gives 100.
+        assert_relative_eq!(radius(spin) / radius(10.0 * spin), 10.0, max_relative = 1e-4);
     }
 }
 

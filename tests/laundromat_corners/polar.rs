@@ -2,19 +2,19 @@
 
 use crate::machine;
 use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::laundromat::Shaft;
+use mechanics::scenes::laundromat::{Polar, Shaft};
 use nalgebra::Complex;
 
-/// Error in place after one second of the polar equations and of the Cartesian ones, both by RK4 with steps of 1 ms, for a shaft
-/// that passes O at distance `miss`, m, halfway through; `None` where the program broke down.
+/// Error in place after one second of the polar equations and of the Cartesian ones, both by RK4 with steps of 1 ms,
+/// for a shaft that passes O at distance `miss`, m, halfway through; `None` where the program broke down.
 fn errors_of_passing(miss: f64) -> (Option<f64>, f64) {
     let machine = machine(0.01, 1e-3);
     // Straight through at 1 m/s, near enough: from half a second before the closest approach.
     let start = Shaft { position: Complex::new(-0.5, miss), velocity: Complex::new(1.0, 0.0) };
     let exact = machine.transient(start).unwrap().at(1.0).unwrap().position;
-    let polar = rk4(|t, y: &[f64; 4]| machine.polar_rates(t, y), 0.0, start.to_polar(), 1.0, 1000)
+    let polar = rk4(|t, y: &[f64; 4]| machine.polar_rates(t, y), 0.0, start.to_polar().to_array(), 1.0, 1000)
         .ok()
-        .map(|end| (Shaft::from_polar(end).position - exact).norm());
+        .map(|end| (Shaft::from_polar(Polar::from_array(end)).position - exact).norm());
     let lab = rk4(|t, y: &[f64; 4]| machine.cartesian_rates(t, y), 0.0, start.to_array(), 1.0, 1000).unwrap();
     (polar, (Shaft::from_array(lab).position - exact).norm())
 }
@@ -45,8 +45,9 @@ fn step_control_saves_the_polar_program_at_several_times_the_work() {
     let machine = machine(0.01, 3.0);
     let start = Shaft { position: Complex::new(-0.5, 0.01), velocity: Complex::new(1.0, 0.05) };
     let solver = Dop853::new(1e-10).unwrap();
-    let polar =
-        solver.solve(|t, y: &[f64; 4]| machine.polar_rates(t, y), 0.0, start.to_polar(), 30.0).unwrap();
+    let polar = solver
+        .solve(|t, y: &[f64; 4]| machine.polar_rates(t, y), 0.0, start.to_polar().to_array(), 30.0)
+        .unwrap();
     let lab =
         solver.solve(|t, y: &[f64; 4]| machine.cartesian_rates(t, y), 0.0, start.to_array(), 30.0).unwrap();
     let ratio = polar.work.evaluations as f64 / lab.work.evaluations as f64;

@@ -1,93 +1,21 @@
-//! A drum that speeds up: the closed form against integration, its own symmetries, and what theory says of slow sweeps.
+//! A drum that speeds up: its symmetries, what theory says of slow sweeps, and what is refused.
 
 use crate::{machine, start};
-use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{InvalidRamp, Machine, Shaft};
-use mechanics::{InvalidFrames, InvalidQuantity};
+use mechanics::scenes::laundromat::{Ramp, Shaft};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 
-/// The largest difference from an integration to 1e-13 a step, over the size of the motion, at times after or before the start.
-fn departure(machine: &Machine, acceleration: f64, times: &[f64]) -> f64 {
-    let ramp = machine.ramp(acceleration, start()).unwrap();
-    let rates = |t: f64, y: &[f64; 4]| machine.ramp_rates(acceleration, t, y);
-    let (judge, _) = Dop853::new(1e-13).unwrap().sample(rates, 0.0, start().to_array(), times).unwrap();
-    let mut worst = 0.0_f64;
-    for (&t, judge) in times.iter().zip(judge) {
-        let ours = ramp.at(t).unwrap().to_array();
-        // A velocity of the drum's spin times b is the scale of velocities.
-        let size = 1.0 + ramp.spin(t).abs() + judge.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        let difference = ours.iter().zip(judge).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) / size;
-        worst = worst.max(difference);
-    }
-    worst
-}
-
-const DAMPINGS: [f64; 11] = [0.0, 1e-4, 0.01, 0.3, 1.5, 1.999, 2.0 - 1e-9, 2.0, 2.0 + 1e-6, 2.1, 8.0];
-
-#[test]
-fn the_closed_form_is_the_integrated_motion() {
-    let after: Vec<f64> = (0..=30).map(|n| 1.7 * f64::from(n)).collect();
-    let before: Vec<f64> = (0..=8).map(|n| -0.5 * f64::from(n)).collect();
-    let mut runs = 0;
-    for damping in DAMPINGS {
-        for spin in [0.0, 0.6, -2.0, 3.0] {
-            for acceleration in [0.003, 0.02, 0.5, -0.05, -0.7] {
-                for times in [&after, &before] {
-                    let error = departure(&machine(damping, spin), acceleration, times);
-                    assert!(error < 4e-11, "Γ {damping}, Ω {spin}, α {acceleration}: {error:e}");
-                    runs += 1;
-                }
-            }
-        }
-    }
-    assert_eq!(runs, 440);
-}
-
-#[test]
-fn frames_at_once_are_the_frames_one_by_one() {
-    let mut random = fastrand::Rng::with_seed(93);
-    for damping in DAMPINGS {
-        for (spin, acceleration) in [(0.0, 0.01), (3.0, 0.01), (0.2, -0.5), (0.0, 1e-4), (-1.0, 7.0)] {
-            let ramp = machine(damping, spin).ramp(acceleration, start()).unwrap();
-            let mut times: Vec<f64> = (0..75).map(|_| 120.0 * random.f64() - 3.0).collect();
-            times[40] = 3e4; // after any but the lightest damping
-            let mut frames = vec![Shaft::AT_REST; times.len()];
-            ramp.fill(&times, &mut frames).unwrap();
-            for (frame, &t) in frames.iter().zip(&times) {
-                let single = ramp.at(t).unwrap();
-                let size = 1.0 + ramp.spin(t).abs() + single.position.norm() + single.velocity.norm();
-                let away =
-                    (frame.position - single.position).norm() + (frame.velocity - single.velocity).norm();
-                assert!(away < 1e-14 * size, "Γ {damping}, Ω {spin}, α {acceleration}, t {t}: {away:e}");
-            }
-        }
-    }
-}
-
-#[test]
-fn the_motion_goes_through_its_start() {
-    for damping in DAMPINGS {
-        for (spin, acceleration) in [(0.0, 0.01), (0.99, 1e-5), (50.0, -0.01), (0.0, 1e-9), (3.0, 1e9)] {
-            let begin = machine(damping, spin).ramp(acceleration, start()).unwrap().at(0.0).unwrap();
-            let away =
-                (begin.position - start().position).norm() + (begin.velocity - start().velocity).norm();
-            assert!(away < 1e-13 * (1.0 + spin), "Γ {damping}, Ω {spin}, α {acceleration}: {away:e}");
-        }
-    }
-}
-
 #[test]
 fn a_slow_sweep_without_damping_leaves_the_amplitude_of_lewis_behind() {
-    // Long after resonance the shaft circles the place where the load has centred itself, with b ω₀ √(π/2α); on the way it
-    // overshoots by Fresnel's 1.1706, at ω₀ + 2.157 √α, both in the limit of slow sweeps.
+    // Long after resonance the shaft circles the place where the load has centred itself, with b ω₀ √(π/2α); on the
+    // way it overshoots by Fresnel's 1.1706, at ω₀ + 2.157 √α, both in the limit of slow sweeps.
     let (mut overshoots, mut places) = (Vec::new(), Vec::new());
     for acceleration in [2e-2, 1e-3, 1e-5] {
         let machine = machine(0.0, 0.0);
         let ramp = machine.ramp(acceleration, Shaft::AT_REST).unwrap();
         let left = (PI / (2.0 * acceleration)).sqrt();
         let late = 60.0 / acceleration;
-        // Two frames a quarter of a free period apart give the amplitude of the free circle.
+        // Two states half a free period apart give the amplitude of the free circle.
         let swing = |t: f64| {
             let angle = Complex::new(0.0, 0.5 * acceleration * t * t).exp();
             ramp.at(t).unwrap().position + angle
@@ -141,19 +69,6 @@ fn the_spin_is_the_rate_of_the_loads_angle() {
 }
 
 #[test]
-fn a_speed_that_hardly_changes_is_a_steady_one() {
-    for (damping, spin) in [(0.2, 0.7), (0.01, 3.0), (3.0, 1.0), (2.0, 0.5)] {
-        let steady = machine(damping, spin).transient(start()).unwrap();
-        let ramp = machine(damping, spin).ramp(1e-12, start()).unwrap();
-        for t in [0.0, 3.0, 20.0] {
-            let (a, b) = (steady.at(t).unwrap(), ramp.at(t).unwrap());
-            // The angle differs by αt²/2, 2e-10 at the last time.
-            assert!((a.position - b.position).norm() < 2e-9, "{damping} {spin} {t}: {a:?} {b:?}");
-        }
-    }
-}
-
-#[test]
 fn what_cannot_be_is_refused() {
     let machine = machine(0.1, 1.0);
     for (acceleration, message) in [
@@ -172,37 +87,31 @@ fn what_cannot_be_is_refused() {
         ),
     ] {
         let error = machine.ramp(acceleration, Shaft::AT_REST).unwrap_err();
-        assert!(matches!(error, InvalidRamp::Acceleration(InvalidQuantity { .. })));
         assert_eq!(error.to_string(), message);
     }
     let lost = Shaft { position: Complex::new(f64::INFINITY, 0.0), ..Shaft::AT_REST };
-    assert!(matches!(machine.ramp(1.0, lost), Err(InvalidRamp::Start(_))));
+    assert_eq!(machine.ramp(1.0, lost).unwrap_err().quantity, "x of the start");
     let ramp = machine.ramp(0.01, Shaft::AT_REST).unwrap();
-    assert!(ramp.at(f64::NAN).is_err() && ramp.at(1e12).is_err() && ramp.at(-1e6).is_err());
-    let mut frames = [Shaft::AT_REST; 2];
-    assert!(matches!(ramp.fill(&[1.0], &mut frames), Err(InvalidFrames::Length { times: 1, frames: 2 })));
-    assert!(matches!(ramp.fill(&[1.0, f64::NAN], &mut frames), Err(InvalidFrames::Time { index: 1, .. })));
+    assert!(ramp.at(f64::NAN).is_err() && ramp.at(1e51).is_err() && ramp.at(-1e6).is_err());
+    assert!(ramp.sample(&[]).unwrap().is_empty() && ramp.sample(&[1.0, f64::NAN]).is_err());
 }
 
 #[test]
 fn times_beyond_reach_are_refused_one_by_one_and_many_at_once() {
-    let refused = |ramp: &mechanics::scenes::laundromat::Ramp, t: f64| {
-        let alone = ramp.at(t).is_err();
-        assert_eq!(ramp.fill(&[t], &mut [Shaft::AT_REST]).is_err(), alone, "{t}");
-        alone
+    let refused = |ramp: &Ramp, t: f64| {
+        let alone = ramp.at(t).map(|_| ());
+        assert_eq!(ramp.sample(&[t]).map(|_| ()), alone, "{t}");
+        alone.is_err()
     };
-    // Without damping as long as the load's angle can be reduced.
-    for acceleration in [0.02, -0.02] {
-        let ramp = machine(0.0, 1.5).ramp(acceleration, start()).unwrap();
-        for t in [1e7, -1e7] {
-            assert!(!refused(&ramp, t) && refused(&ramp, 20.0 * t), "{t}");
+    // Without damping every time has an answer.
+    for (spin, acceleration) in [(1.5, 0.02), (1.5, -0.02), (1e3, 1e-12)] {
+        let ramp = machine(0.0, spin).ramp(acceleration, start()).unwrap();
+        for t in [1e7, -1e7, 2e8, 1e12, -1e20] {
+            assert!(!refused(&ramp, t), "{t}");
         }
     }
-    let turning = machine(0.0, 1e3).ramp(1e-12, start()).unwrap();
-    assert!(refused(&turning, 1e12));
-    let message = "at time 1e12 s the drum has made more turns than can be told apart, some 1e13";
-    assert_eq!(turning.at(1e12).unwrap_err().to_string(), message);
-    // With it, before the start, as long as what has grown backwards is a number. There |v + ½Γz|² + ω₁²|z|² grows by e a second.
+    // With it, before the start, as long as what has grown backwards is a number. There |v + ½Γz|² + ω₁²|z|² grows by
+    // e a second.
     let size = |shaft: Shaft| {
         let [z, v] = [shaft.position, shaft.velocity].map(|part| part * 1e-280);
         ((v + z * 0.5).norm_sqr() + 0.75 * z.norm_sqr()).ln()

@@ -55,8 +55,8 @@ fn transient_keeps_its_digits_as_the_spin_nears_resonance() {
     }
 }
 
-/// A machine whose natural frequency √(3/7) is not a double, without damping, at the double next to it, and its κ = 3/7 − Ω² from
-/// exact integers.
+/// A machine whose natural frequency √(3/7) is not a double, without damping, at the double next to it, and its κ =
+/// 3/7 − Ω² from exact integers.
 fn next_to_resonance(steps: u32) -> (Machine, f64) {
     let mut spin = (3.0_f64 / 7.0).sqrt();
     for _ in 0..steps {
@@ -93,7 +93,8 @@ fn steady_motion_keeps_its_digits_one_rounding_from_resonance() {
 
 #[test]
 fn beat_of_a_hundred_million_years_is_found() {
-    // Beside resonance, z = Z(e^{iΩt} − e^{iω₀t}) up to terms of size b, so |z| = 2|Z sin((Ω − ω₀)t/2)|, with Ω − ω₀ = −κ/2Ω.
+    // Beside resonance, z = Z(e^{iΩt} − e^{iω₀t}) up to terms of size b, so |z| = 2|Z sin((Ω − ω₀)t/2)|, with Ω − ω₀
+    // = −κ/2Ω.
     for steps in 0..3 {
         let (machine, detuning) = next_to_resonance(steps);
         let difference = -detuning / (2.0 * machine.spin());

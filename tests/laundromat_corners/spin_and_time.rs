@@ -2,7 +2,7 @@
 
 use crate::{FEW_ULPS, machine, start};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{LockedError, Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{LockedState, Machine, Parameters, Shaft};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 
@@ -181,16 +181,16 @@ fn jacobi_integral_is_energy_less_spin_times_angular_momentum() {
 fn times_that_are_none_are_refused_by_every_motion_of_the_drum() {
     let machine = machine(0.5, 3.0);
     let transient = machine.transient(start()).unwrap();
-    let (ramp, locked) = (machine.ramp(0.1, start()).unwrap(), machine.locked(1.0, 0.0).unwrap());
+    let pulled_out = LockedState { radius: 1.0, radius_rate: 0.0 };
+    let (ramp, locked) = (machine.ramp(0.1, start()).unwrap(), machine.locked(pulled_out).unwrap());
     // The last of them is so long before the start that the motion there is beyond the largest number.
-    for t in [f64::NAN, f64::INFINITY, -f64::INFINITY, 1e151, -1e151, -1e4] {
+    for t in [f64::NAN, f64::INFINITY, -f64::INFINITY, 1e51, -1e51, -1e4] {
         assert!(transient.at(t).is_err() && transient.centre_of_mass(t).is_err(), "{t}");
-        assert!(ramp.at(t).is_err() && locked.at(t).is_err(), "{t}");
+        assert!(ramp.at(t).is_err() && locked.at(t).is_err() && locked.sample(&[0.0, t]).is_err(), "{t}");
     }
-    assert!(transient.at(1e150).is_ok() && transient.centre_of_mass(1e150).is_ok());
+    assert!(transient.at(1e50).is_ok() && transient.centre_of_mass(1e50).is_ok() && ramp.at(1e50).is_ok());
     let resting = Machine::new(Parameters { spin: 0.5, ..machine.parameters() }).unwrap();
-    assert!(resting.locked(1.0, 0.0).unwrap().at(1e150).is_ok());
-    assert!(matches!(machine.locked(f64::NAN, 0.0), Err(LockedError::Start(_))));
+    assert!(resting.locked(pulled_out).unwrap().at(1e50).is_ok());
 }
 
 #[test]
@@ -225,35 +225,6 @@ fn jacobi_integral_is_constant_for_a_billion_seconds() {
             // Rounding of the largest terms that J is the difference of.
             let scale = shaft.velocity.norm_sqr() + (1.0 + spin * spin) * shaft.position.norm_sqr() + 1.0;
             assert!((j(t) - j(0.0)).abs() < 1e-14 * scale, "Ω = {spin}, t = {t}: {} for {}", j(t), j(0.0));
-        }
-    }
-}
-
-#[test]
-fn frames_at_once_are_the_frames_one_by_one() {
-    // Light, critical and heavy damping, resonance, no spin and much; before the start, at it, and out of reach of the form for
-    // many frames; lists of every length around that of a block.
-    let mut random = fastrand::Rng::with_seed(12);
-    for damping in [0.0, 1e-9, 0.01, 0.3, 1.999_999, 2.0, 40.0] {
-        for spin in [0.0, 0.4, 1.0, -1.000_001, 3.0, 1e8] {
-            let motion = machine(damping, spin).transient(start()).unwrap();
-            for length in [0, 1, 31, 32, 33, 64, 100] {
-                let mut times: Vec<f64> = (0..length).map(|_| 60.0 * random.f64() - 5.0).collect();
-                if length == 100 {
-                    times[40] = 1e12; // after any damping, and beyond the whole numbers of quarter turns at the high spin
-                }
-                let mut frames = vec![Shaft::AT_REST; length];
-                motion.fill(&times, &mut frames).unwrap();
-                for (frame, &t) in frames.iter().zip(&times) {
-                    let single = motion.at(t).unwrap();
-                    // Times before the start may be large; then errors are relative to what there is.
-                    let size = spin.abs().max(1.0) * single.position.norm().max(1.0);
-                    let away = |a: Complex<f64>, b: Complex<f64>| (a - b).norm();
-                    assert!(away(frame.position, single.position) <= FEW_ULPS * size, "{damping} {spin} {t}");
-                    let size = size.max(single.velocity.norm());
-                    assert!(away(frame.velocity, single.velocity) <= FEW_ULPS * size, "{damping} {spin} {t}");
-                }
-            }
         }
     }
 }

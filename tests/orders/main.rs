@@ -1,5 +1,4 @@
-//! Every stepping method has the order that [`METHODS`] promises, costs what it says and keeps what it says; book and documentation
-//! say the same.
+//! Every stepping method has the order that [`METHODS`] promises, costs what it says and keeps what it says.
 
 mod keeps;
 mod runge_kutta;

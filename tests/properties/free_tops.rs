@@ -6,9 +6,9 @@ use mechanics::attitude::angle_between;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::{Body, PrincipalMoments};
-use mechanics::scenes::air_drag::{Drag, DraggedTop};
-use mechanics::scenes::coin_toss::{Flight, Toss};
-use mechanics::scenes::space_station::Station;
+use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters as DragParameters};
+use mechanics::scenes::coin_toss::{Flight, FlightParameters, Toss, TossParameters};
+use mechanics::scenes::space_station::{self as station, Blow, Station};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// A few units in the last place, relative to the largest number that took part.
@@ -37,7 +37,7 @@ fn no_numbers_panic_or_give_what_is_not_a_number() {
             assert!(top.momentum_angle().is_finite() && top.omega_angle().is_finite());
             assert!(top.precession_rate().is_finite() && top.body_rate().is_finite());
         }
-        if let Ok(toss) = Toss::new(moments, c, d) {
+        if let Ok(toss) = Toss::new(TossParameters { moments, omega_1: c, omega_3: d }) {
             made[1] += 1;
             let probability = toss.same_face_probability();
             assert!((0.5..=1.0).contains(&probability), "{toss:?} {probability}");
@@ -45,26 +45,26 @@ fn no_numbers_panic_or_give_what_is_not_a_number() {
             assert!(toss.normal_height(time).is_ok_and(f64::is_finite) || time.abs() > 1e50);
         }
         if let Ok(struck) = Body::hoop(a.abs(), b.abs())
-            .map_err(Into::into)
-            .and_then(|ring| Station::new(ring, c))
-            .and_then(|station| station.struck(b.abs(), d))
+            .and_then(|body| Station::new(station::Parameters { body, spin: c }))
+            .and_then(|station| station.struck(Blow { radius: b.abs(), impulse: d }))
         {
             made[2] += 1;
             assert!(struck.axis_angle() >= struck.momentum_angle() * (1.0 - ROUNDING), "{struck:?}");
             assert!(struck.at(time).is_ok_and(|turning| finite(&turning)) || time.abs() > 1e50);
         }
         let drag = Drag { transverse: number().abs(), axial: number().abs() };
-        if let Ok(top) = DraggedTop::new(moments, drag, omega_body) {
+        if let Ok(top) = DraggedTop::new(DragParameters { moments, drag, omega_body }) {
             made[3] += 1;
             let time = time.abs();
             if time <= 1e50 {
-                let omega = top.omega_body(time).unwrap();
+                let omega = top.at(time).unwrap();
                 assert!(omega.iter().all(|part| part.is_finite()), "{top:?} {time:e} {omega}");
                 assert!(top.axis_angle(time).unwrap().is_finite(), "{top:?} {time:e}");
             }
             assert!(!top.total_body_turns().is_nan() && top.alignment_rate().is_finite());
         }
-        if let Ok(flight) = Flight::new(a.abs(), b.abs(), c) {
+        let flight = FlightParameters { speed: a.abs(), gravity: b.abs(), catch_height: c };
+        if let Ok(flight) = Flight::new(flight) {
             assert!(flight.duration() >= 0.0);
         }
     }
@@ -109,12 +109,12 @@ fn drag_only_ever_slows_a_body_down() {
         let drag =
             Drag { transverse: between(&mut random, 1e-9, 1e3), axial: between(&mut random, 1e-9, 1e3) };
         let omega = Vector3::from_fn(|_, _| 10.0 * random.f64() - 5.0);
-        let top = DraggedTop::new(moments, drag, omega).unwrap();
+        let top = DraggedTop::new(DragParameters { moments, drag, omega_body: omega }).unwrap();
         let mut energy = moments.kinetic_energy(&omega);
         let mut time = 0.0;
         for _ in 0..5 {
             time += between(&mut random, 1e-3, 1e3);
-            let next = moments.kinetic_energy(&top.omega_body(time).unwrap());
+            let next = moments.kinetic_energy(&top.at(time).unwrap());
             assert!(next <= energy * (1.0 + ROUNDING));
             energy = next;
         }

@@ -2,13 +2,14 @@
 
 use crate::{any, between};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{LockedState, Machine, Parameters, Polar, Shaft};
 use nalgebra::Complex;
 
 /// A few dozen roundings, relative to the largest number that took part.
 const ROUNDING: f64 = 1e-13;
 
-/// A machine with every frequency and rate within `decades` of one another, in either sense of spin, one in ten without damping.
+/// A machine with every frequency and rate within `decades` of one another, in either sense of spin, one in ten
+/// without damping.
 fn machine(random: &mut fastrand::Rng, decades: f64) -> Machine {
     let [low, high] = [10.0_f64.powf(-decades), 10.0_f64.powf(decades)];
     let (drum_mass, load_mass) = (between(random, 1e-2, 1e2), between(random, 1e-2, 1e2));
@@ -101,13 +102,14 @@ fn no_finite_start_or_time_panics_or_gives_what_is_not_a_number() {
             Err(_) => {
                 refused += 1;
                 assert!(
-                    t.abs() > 1e150 || (t < 0.0 && machine.damping_rate() > 0.0),
+                    t.abs() > 1e50 || (t < 0.0 && machine.damping_rate() > 0.0),
                     "{machine:?} {start:?} t = {t:e}"
                 );
             }
         }
-        if let Ok(locked) = machine.locked(start.position.re, start.velocity.re) {
-            assert!(locked.at(t).is_err() || locked.at(t).is_ok_and(|y| y.iter().all(|v| v.is_finite())));
+        let locked = LockedState { radius: start.position.re, radius_rate: start.velocity.re };
+        if let Ok(Ok(state)) = machine.locked(locked).map(|motion| motion.at(t)) {
+            assert!(state.radius.is_finite() && state.radius_rate.is_finite(), "{state:?}");
         }
     }
     assert!(answered > 10_000 && refused > 1000, "{answered} answered, {refused} refused");
@@ -124,8 +126,8 @@ fn polar_and_cartesian_states_are_the_same_state() {
     }
     // At O itself the direction is that of the velocity.
     let shaft = Shaft { position: Complex::new(0.0, 0.0), velocity: Complex::new(0.0, -2.0) };
-    assert_eq!(shaft.to_polar(), [0.0, -std::f64::consts::FRAC_PI_2, 2.0, 0.0]);
-    assert_eq!(Shaft::AT_REST.to_polar(), [0.0; 4]);
+    assert_eq!(shaft.to_polar(), Polar::from_array([0.0, -std::f64::consts::FRAC_PI_2, 2.0, 0.0]));
+    assert_eq!(Shaft::AT_REST.to_polar(), Polar::from_array([0.0; 4]));
 }
 
 #[test]
@@ -179,7 +181,8 @@ fn difference_of_two_motions_does_not_know_the_spin() {
 
 #[test]
 fn motion_obeys_its_equation() {
-    // By DOP853 over a short while at random times of random machines, restarted there with the load where it is by then.
+    // By DOP853 over a short while at random times of random machines, restarted there with the load where it is by
+    // then.
     let mut random = fastrand::Rng::with_seed(6);
     for _ in 0..300 {
         let (machine, start) = (machine(&mut random, 1.0), start(&mut random));
@@ -249,13 +252,13 @@ fn steady_motion_is_a_motion_and_all_others_end_in_it() {
 #[test]
 fn polar_coordinates_of_small_numbers_are_as_good() {
     let at_centre = Shaft::from_array([0.0, 0.0, 3.0, 4.0]).to_polar();
-    assert_eq!(at_centre, [0.0, 4.0_f64.atan2(3.0), 5.0, 0.0]);
+    assert_eq!(at_centre.to_array(), [0.0, 4.0_f64.atan2(3.0), 5.0, 0.0]);
     for size in [1e-170, 1e-300, 1e200] {
         let [r, theta, r_dot, theta_dot] =
-            Shaft::from_array([3.0, 4.0, 4.0, -3.0].map(|x| x * size)).to_polar();
+            Shaft::from_array([3.0, 4.0, 4.0, -3.0].map(|x| x * size)).to_polar().to_array();
         assert!((r / size - 5.0).abs() < 1e-14 && (theta - 4.0_f64.atan2(3.0)).abs() < 1e-15, "{r} {theta}");
         assert!(r_dot.abs() < 1e-14 * size && (theta_dot + 1.0).abs() < 1e-15, "{r_dot} {theta_dot}");
-        let [_, _, speed, _] = Shaft::from_array([0.0, 0.0, 3.0 * size, 4.0 * size]).to_polar();
+        let speed = Shaft::from_array([0.0, 0.0, 3.0 * size, 4.0 * size]).to_polar().radius_rate;
         assert!((speed / size - 5.0).abs() < 1e-14, "{speed}");
     }
 }

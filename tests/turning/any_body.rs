@@ -50,7 +50,8 @@ fn the_closed_form_agrees_with_an_integration_for_thousands_of_bodies() {
     assert!(worst[1] > 0.0);
 }
 
-/// A body and a start at a given distance from the separatrix, whose complementary parameter is about `gap`, on either side.
+/// A body and a start at a given distance from the separatrix, whose complementary parameter is about `gap`, on either
+/// side.
 fn near_the_separatrix(random: &mut fastrand::Rng, gap: f64, side: f64) -> (PrincipalMoments, Turning) {
     let [i1, i2, i3] = [1.0, 1.0 + between(random, 0.1, 0.6), 1.9];
     // L² = 2 T I₂ on it: I₁ω₁²(I₁ − I₂) + I₃ω₃²(I₃ − I₂) = 0.
@@ -153,8 +154,9 @@ fn a_hundred_million_periods_keep_thirteen_digits_of_the_angular_velocity() {
         let start = turning(&mut random, 1.0);
         let top = FreeTop::new(moments, start).unwrap();
         let Some(period) = top.period() else { continue };
-        // A power of two of periods, so that the time is exact, and a quarter of one more by another route: the same motion,
-        // restarted from where the first quarter ends. The period is rounded, and so many periods are late by so much of it.
+        // A power of two of periods, so that the time is exact, and a quarter of one more by another route: the same
+        // motion, restarted from where the first quarter ends. The period is rounded, and so many periods are late by
+        // so much of it.
         let many = 2_f64.powi(27);
         let early = top.at(0.25 * period).unwrap();
         let late = top.at(0.25 * period + many * period).unwrap();
@@ -175,11 +177,11 @@ fn a_hundred_million_periods_keep_thirteen_digits_of_the_angular_velocity() {
 fn bodies_with_an_axis_of_symmetry_anywhere_are_symmetric_tops() {
     let mut random = fastrand::Rng::with_seed(87);
     for n in 0..300 {
-        let (across, along) = (between(&mut random, 0.5, 5.0), 0.9 * random.f64() + 0.05);
+        let (transverse, axial) = (between(&mut random, 0.5, 5.0), 0.9 * random.f64() + 0.05);
         let moments = match n % 3 {
-            0 => PrincipalMoments::new(across, across, along),
-            1 => PrincipalMoments::new(along, across, across),
-            _ => PrincipalMoments::new(across, along, across),
+            0 => PrincipalMoments::new(transverse, transverse, axial),
+            1 => PrincipalMoments::new(axial, transverse, transverse),
+            _ => PrincipalMoments::new(transverse, axial, transverse),
         }
         .unwrap();
         let start = turning(&mut random, 1.0);
@@ -257,9 +259,10 @@ fn the_period_of_a_symmetric_body_is_that_of_its_wobble_whatever_the_sense() {
 }
 
 #[test]
-fn frames_at_once_are_the_frames_one_by_one() {
-    // Bodies with an axis of symmetry, of each name, both sides of the separatrix, a sphere, a principal axis, a body at rest; lists
-    // of every length around a block's; the wings of a list beyond the reach of the form for many frames.
+fn states_at_once_are_the_states_one_by_one() {
+    // Bodies with an axis of symmetry, of each name, both sides of the separatrix, a sphere, a principal axis, a body
+    // at rest; lists of every length around a block's; the wings of a list beyond the reach of the form for many
+    // states.
     let mut random = fastrand::Rng::with_seed(89);
     let mut lengths = (0..=70).chain([1000]).cycle();
     for n in 0..400 {
@@ -285,12 +288,12 @@ fn frames_at_once_are_the_frames_one_by_one() {
         if n % 3 == 0 && times.len() > 40 {
             times[35] = 3e18;
         }
-        let mut frames = vec![start; times.len()];
-        top.fill(&times, &mut frames).unwrap();
-        for (frame, &time) in frames.iter().zip(&times) {
+        let states = top.sample(&times).unwrap();
+        assert_eq!(states.len(), times.len());
+        for (state, &time) in states.iter().zip(&times) {
             let single = top.at(time).unwrap();
-            let omega = (frame.omega_body - single.omega_body).norm();
-            let attitude = rotation_between(&frame.world_from_body, &single.world_from_body);
+            let omega = (state.omega_body - single.omega_body).norm();
+            let attitude = rotation_between(&state.world_from_body, &single.world_from_body);
             assert!(omega < 1e-15 && attitude < 2e-15, "{n} at {time}: {omega:e} {attitude:e}");
         }
     }

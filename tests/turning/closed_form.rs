@@ -94,7 +94,8 @@ fn momentum_energy_spin_and_angle_stay_for_a_million_turns() {
 
 #[test]
 fn attitude_has_sixteen_digits_after_a_billion_radians() {
-    // I₃ = 2 I₁ and ω = (3, 0, 2): Λ = 5 and σ = 2 exactly, L along (3, 0, 4), and whole numbers of seconds are exact angles.
+    // I₃ = 2 I₁ and ω = (3, 0, 2): Λ = 5 and σ = 2 exactly, L along (3, 0, 4), and whole numbers of seconds are exact
+    // angles.
     let moments = PrincipalMoments::symmetric(1.0, 2.0).unwrap();
     let start =
         Turning { world_from_body: UnitQuaternion::identity(), omega_body: Vector3::new(3.0, 0.0, 2.0) };
@@ -119,7 +120,8 @@ fn attitude_has_sixteen_digits_after_a_billion_radians() {
 
 #[test]
 fn an_odd_ratio_of_moments_keeps_its_digits_too() {
-    // Λ is irrational here: the judge is the motion carried on from a restart at an earlier time, in steps of an exact time.
+    // Λ is irrational here: the judge is the motion carried on from a restart at an earlier time, in steps of an exact
+    // time.
     let moments = PrincipalMoments::symmetric(3.0, 1.7).unwrap();
     let start =
         Turning { world_from_body: UnitQuaternion::identity(), omega_body: Vector3::new(0.4, -1.1, 2.3) };
@@ -172,18 +174,18 @@ fn a_sphere_turns_about_its_axis_and_a_body_at_rest_stays() {
 }
 
 #[test]
-fn samples_at_once_are_the_samples_one_by_one() {
+fn states_at_once_are_the_states_one_by_one() {
     let mut random = fastrand::Rng::with_seed(19);
     for count in [0, 1, 31, 32, 33, 100] {
         let start = turning(&mut random, 1.0);
         let top = FreeSymmetricTop::new(symmetric_moments(&mut random), start).unwrap();
         let times: Vec<f64> = (0..count).map(|_| 200.0 * (random.f64() - 0.5)).collect();
-        let mut frames = vec![start; count];
-        top.fill(&times, &mut frames).unwrap();
-        for (frame, &time) in frames.iter().zip(&times) {
+        let states = top.sample(&times).unwrap();
+        assert_eq!(states.len(), count);
+        for (state, &time) in states.iter().zip(&times) {
             let single = top.at(time).unwrap();
-            assert!((frame.omega_body - single.omega_body).norm() < 2e-15 * start.omega_body.norm());
-            assert!(rotation_between(&frame.world_from_body, &single.world_from_body) < 2e-15, "{time}");
+            assert!((state.omega_body - single.omega_body).norm() < 2e-15 * start.omega_body.norm());
+            assert!(rotation_between(&state.world_from_body, &single.world_from_body) < 2e-15, "{time}");
         }
     }
 }

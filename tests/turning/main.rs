@@ -1,5 +1,5 @@
-//! How a body turns: moments, attitude, Euler's equations and the free symmetric top, each against a route that shares no
-//! code with it.
+//! How a body turns: moments, attitude, Euler's equations and the free symmetric top, each against a route that shares
+//! no code with it.
 
 mod any_body;
 mod closed_form;

@@ -5,7 +5,7 @@ mod plate;
 #[path = "../printed/mod.rs"]
 mod printed;
 
-use mechanics::scenes::wobble_plate::{Engine, Pistons, Plate};
+use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
@@ -27,8 +27,8 @@ fn numbers(random: &mut fastrand::Rng) -> [f64; 5] {
     ]
 }
 
-/// Elements of mass of a plate that stands in the room at a phase, with Gauss's points along radius and thickness and equal
-/// steps round the axis, which add up all squares exactly. Built from the cylinder and two plain rotations.
+/// Elements of mass of a plate that stands in the room at a phase, with Gauss's points along radius and thickness and
+/// equal steps round the axis, which add up all squares exactly. Built from the cylinder and two plain rotations.
 fn elements([mass, radius, thickness, tilt, _]: [f64; 5], phase: f64) -> Vec<(f64, Vector3<f64>)> {
     const GAUSS: [(f64, f64); 3] =
         [(-0.774_596_669_241_483_4, 5.0), (0.0, 8.0), (0.774_596_669_241_483_4, 5.0)];
@@ -59,12 +59,19 @@ fn summed_momentum(numbers: [f64; 5], phase: f64) -> Vector3<f64> {
 }
 
 fn plate([mass, radius, thickness, tilt, _]: [f64; 5]) -> Plate {
-    Plate::thick(mass, radius, thickness, tilt).expect("a plate")
+    Plate::new(PlateParameters { mass, radius, thickness, tilt }).expect("a plate")
+}
+
+fn thin(mass: f64, radius: f64, tilt: f64) -> Plate {
+    plate([mass, radius, 0.0, tilt, 0.0])
+}
+
+fn pistons(count: u32, mass: f64, distance: f64, rod: f64) -> Pistons {
+    Pistons::new(PistonParameters { count, mass, distance, rod }).expect("pistons")
 }
 
 fn engine(random: &mut fastrand::Rng, count: u32) -> (Engine, f64, f64) {
-    let pistons =
-        Pistons::new(count, between(random, 0.01, 10.0), between(random, 0.01, 1.0), random.f64()).unwrap();
+    let pistons = pistons(count, between(random, 0.01, 10.0), between(random, 0.01, 1.0), random.f64());
     let numbers = numbers(random);
     (Engine::new(plate(numbers), pistons), numbers[4], TAU * random.f64())
 }

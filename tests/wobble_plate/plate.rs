@@ -1,9 +1,9 @@
 //! The plate: moments, momentum, its lean, and the torque of the bearings.
 
-use crate::{ROUNDING, elements, numbers, plate, summed_momentum};
+use crate::{ROUNDING, elements, numbers, plate, summed_momentum, thin};
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
-use mechanics::scenes::wobble_plate::{Plate, in_room};
+use mechanics::scenes::wobble_plate::{LargestMomentumAngle, in_room};
 use nalgebra::Vector3;
 use num_dual::{DualNum, first_derivative};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -109,7 +109,7 @@ fn eq39_and_eq01_the_tangent_of_beta_for_a_thin_plate() {
     // Small tilts keep their digits: β = α/2 − α³/8 + …
     for exponent in -49..-4 {
         let tilt = 10_f64.powi(exponent);
-        let beta = Plate::thin(1.0, 1.0, tilt).unwrap().momentum_angle();
+        let beta = thin(1.0, 1.0, tilt).momentum_angle();
         let expected = 0.5 * tilt - 0.125 * tilt.powi(3);
         assert_relative_eq!(beta, expected, max_relative = 4.0 * f64::EPSILON);
     }
@@ -117,7 +117,7 @@ fn eq39_and_eq01_the_tangent_of_beta_for_a_thin_plate() {
     for exponent in -8..-3 {
         let tilt = FRAC_PI_2 - 10_f64.powi(exponent);
         let gap = (FRAC_PI_2 - tilt) + 6.123_233_995_736_766e-17; // π/2 less its f64
-        let beta = Plate::thin(1.0, 1.0, tilt).unwrap().momentum_angle();
+        let beta = thin(1.0, 1.0, tilt).momentum_angle();
         let expected = gap - 2.0 * gap.powi(3);
         assert_relative_eq!(beta, expected, max_relative = 4.0 * f64::EPSILON);
     }
@@ -135,7 +135,8 @@ fn eq39_beta_has_its_maximum_where_its_derivative_vanishes() {
         );
         if slope { derivative } else { value }
     };
-    let (largest, at) = Plate::thin(1.0, 1.0, 0.1).unwrap().largest_momentum_angle();
+    let LargestMomentumAngle { momentum_angle: largest, tilt: at } =
+        thin(1.0, 1.0, 0.1).largest_momentum_angle();
     assert!(beta(at, true).abs() < 1e-15);
     assert_relative_eq!(beta(at, false), largest, max_relative = 1e-15);
     assert_relative_eq!(largest, (1.0_f64 / 3.0).asin(), max_relative = 1e-15);
@@ -144,7 +145,8 @@ fn eq39_beta_has_its_maximum_where_its_derivative_vanishes() {
     let mut random = fastrand::Rng::with_seed(39);
     for _ in 0..20 {
         let [mass, radius, thickness, _, _] = numbers(&mut random);
-        let (largest, at) = plate([mass, radius, thickness, 0.3, 0.0]).largest_momentum_angle();
+        let LargestMomentumAngle { momentum_angle: largest, tilt: at } =
+            plate([mass, radius, thickness, 0.3, 0.0]).largest_momentum_angle();
         let angle = |tilt: f64| plate([mass, radius, thickness, tilt, 0.0]).momentum_angle();
         assert_relative_eq!(angle(at), largest, max_relative = 1e-13);
         assert!((0..1000).all(|n| angle(FRAC_PI_2 * f64::from(n) / 1000.0) <= largest * (1.0 + 1e-14)));
@@ -166,7 +168,7 @@ fn the_bearing_torque_is_the_rate_of_the_summed_momentum() {
             rate,
             epsilon = 1e-8 * (torque.norm() + spin * summed_momentum(numbers, phase).norm())
         );
-        let thin = Plate::thin(mass, radius, tilt).unwrap().bearing_torque_rotating(spin).norm();
+        let thin = thin(mass, radius, tilt).bearing_torque_rotating(spin).norm();
         let expected = 0.125 * mass * radius * radius * spin * spin * (2.0 * tilt).sin();
         assert_relative_eq!(thin, expected, max_relative = 1e-12);
     }

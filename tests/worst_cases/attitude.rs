@@ -3,7 +3,7 @@
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search, worse};
 use mechanics::attitude::{angle_between, rotation_between};
-use mechanics::inertia::{Body, PrincipalMoments};
+use mechanics::inertia::{InertiaTensor, PrincipalAxes, PrincipalMoments};
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 
 const EPS: f64 = f64::EPSILON;
@@ -77,8 +77,9 @@ fn principal_axes_are_good_to_a_few_roundings_of_the_largest_moment() {
         let moments = PrincipalMoments::new(x + y, x + 1.0, y + 1.0).ok()?;
         let [roll, pitch, yaw] =
             std::array::from_fn(|_| if draw.below(3) == 0 { 0.0 } else { draw.signed(1e-12, 3.0) });
-        let tensor = Body::new(1.0, moments).ok()?.along(&Rotation3::from_euler_angles(roll, pitch, yaw));
-        let (found, axes) = match tensor.principal_axes() {
+        let tensor =
+            InertiaTensor::principal(moments).rotated(&Rotation3::from_euler_angles(roll, pitch, yaw));
+        let PrincipalAxes { moments: found, present_from_principal: axes } = match tensor.principal_axes() {
             Ok(found) => found,
             Err(error) => {
                 return Some(Case { ratio: f64::INFINITY, way, said: format!("{moments:?}: {error}") });

@@ -2,9 +2,9 @@
 
 use crate::long::{Long, long};
 use crate::search::{Case, search, worse};
-use mechanics::inertia::Body;
-use mechanics::scenes::pinned_hoop::{Pinning, Shape};
-use mechanics::scenes::space_station::Station;
+use mechanics::inertia::{Body, Cylinder, Spheroid};
+use mechanics::scenes::pinned_hoop::{self as pinned, Pin, Pinning, Shape};
+use mechanics::scenes::space_station::{self as station, Blow, Station};
 
 const EPS: f64 = f64::EPSILON;
 
@@ -22,17 +22,18 @@ fn a_struck_station_leans_and_nods_to_a_few_units() {
         let (mass, size) = (draw.decades(1e-15, 1e15), draw.decades(1e-12, 1e12));
         let body = match draw.below(4) {
             0 => Body::hoop(mass, size),
-            1 => Body::rod(mass, size, size * draw.decades(1e-4, 1e3)),
-            2 => Body::spheroid(mass, size, draw.beside(size)),
+            1 => Body::cylinder(mass, Cylinder { radius: size * draw.decades(1e-4, 1e3), height: size }),
+            2 => Body::spheroid(mass, Spheroid { equatorial_radius: size, polar_radius: draw.beside(size) }),
             _ => Body::thin_disk(mass, size),
         };
         let body = body.ok()?;
         let spin = draw.one_of(&[-1.0, 1.0]) * draw.decades(1e-9, 1e9);
-        let [across, _, along] = body.moments().to_array().map(long);
+        let [across, _, along] = body.moments().to_array().map(long); // I₁ and I₃
         // From hardly to a blow that is all.
         let gained = spin * draw.signed(1e-12, 1e12);
         let (radius, impulse) = (size, gained * across.rounded() / size);
-        let struck = Station::new(body, spin).ok()?.struck(radius, impulse).ok()?;
+        let station = Station::new(station::Parameters { body, spin }).ok()?;
+        let struck = station.struck(Blow { radius, impulse }).ok()?;
         let omega = long(radius) * impulse / across;
         let spin = long(spin);
         let axis = off((omega.abs(), spin.abs()), struck.axis_angle());
@@ -72,23 +73,24 @@ fn a_pinned_body_keeps_what_it_keeps_to_a_few_units() {
         let (mass, radius) = (draw.decades(1e-15, 1e15), draw.decades(1e-15, 1e15));
         let spin = draw.one_of(&[-1.0, 1.0]) * draw.decades(1e-9, 1e9);
         // By the angle anywhere; by the point next to the right angle and to the poles, on either side.
-        let (pinning, sin, cos, way) = if draw.below(2) == 0 {
+        let (pin, sin, cos, way) = if draw.below(2) == 0 {
             let angle = if draw.below(2) == 0 {
                 draw.beside(std::f64::consts::FRAC_PI_2)
             } else {
                 draw.between(0.0, std::f64::consts::PI)
             };
             let (sin, cos) = long(angle).sin_cos();
-            (Pinning::new(shape, mass, radius, spin, angle).ok()?, sin, cos, "by the angle")
+            (Pin::Angle(angle), sin, cos, "by the angle")
         } else {
             let small = radius * draw.decades(1e-14, 0.7);
             let large = (radius * radius - small * small).sqrt();
-            let [across, along] = if draw.below(2) == 0 { [small, large] } else { [large, small] };
-            let (across, along) = (across * draw.one_of(&[-1.0, 1.0]), along * draw.one_of(&[-1.0, 1.0]));
-            let length = (long(across) * across + long(along) * along).sqrt();
-            let pinning = Pinning::at_point(shape, mass, radius, spin, [across, along]).ok()?;
-            (pinning, long(across).abs() / length, long(along) / length, "by the point")
+            let [from_axis, height] = if draw.below(2) == 0 { [small, large] } else { [large, small] };
+            let height = height * draw.one_of(&[-1.0, 1.0]);
+            let length = (long(from_axis) * from_axis + long(height) * height).sqrt();
+            let pin = Pin::Point { from_axis, height };
+            (pin, long(from_axis) / length, long(height) / length, "by the point")
         };
+        let pinning = Pinning::new(pinned::Parameters { shape, mass, radius, spin, pin }).ok()?;
         let kappa = long(kappa[0]) / kappa[1];
         let after = pinning.omega_after();
         let (before_1, before_2) = (sin * spin, -(cos * spin));
@@ -98,7 +100,7 @@ fn a_pinned_body_keeps_what_it_keeps_to_a_few_units() {
         let relative = |truth: Long, found: f64| {
             if truth == long(found) { 0.0 } else { ((truth - found) / truth).abs().rounded() }
         };
-        let [alpha, phi] = pinning.axis_angles();
+        let (alpha, phi) = (pinning.axis_angle(), pinning.axis_shift());
         let velocity = pinning.centre_velocity().z;
         let errors = [
             relative(kappa * before_1, after.x),

@@ -1,9 +1,12 @@
-//! A tossed coin, against its height and its angles in 32 digits, and at and next to the threshold where it just keeps its face.
+//! A tossed coin, against its height and its angles in 32 digits, and at and next to the threshold where it just keeps
+//! its face.
 
 use crate::long::{Long, PI, long};
 use crate::search::{Case, Draw, search, worse};
 use mechanics::inertia::PrincipalMoments;
-use mechanics::scenes::coin_toss::{Face, Flight, Toss, angle_for_probability, ratio_for_probability};
+use mechanics::scenes::coin_toss::{
+    Face, Flight, FlightParameters, Toss, TossParameters, angle_for_probability, ratio_for_probability,
+};
 
 const EPS: f64 = f64::EPSILON;
 
@@ -16,7 +19,8 @@ fn coin(draw: &mut Draw<'_>) -> Option<(Toss, [Long; 4])> {
     let spin = if draw.below(2) == 0 { draw.beside(tumble / ratio) } else { draw.signed(1e-6, 1e3) };
     let spin = if draw.below(2) == 0 { -spin } else { spin };
     let along = across * ratio;
-    let toss = Toss::new(PrincipalMoments::symmetric(across, along).ok()?, tumble, spin).ok()?;
+    let moments = PrincipalMoments::symmetric(across, along).ok()?;
+    let toss = Toss::new(TossParameters { moments, omega_1: tumble, omega_3: spin }).ok()?;
     Some((toss, [across, along, tumble, spin].map(long)))
 }
 
@@ -129,7 +133,7 @@ fn a_flight_is_as_long_as_the_height_of_the_catch_can_say() {
         } else {
             -highest * draw.decades(1e-6, 1e6)
         };
-        let flight = Flight::new(speed, gravity, catch).ok()?;
+        let flight = Flight::new(FlightParameters { speed, gravity, catch_height: catch }).ok()?;
         let (v, g) = (long(speed), long(gravity));
         let square = v * v - g * catch * 2.0;
         if square <= long(0.0) {

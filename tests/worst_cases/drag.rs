@@ -1,11 +1,11 @@
-//! A symmetric body that spins down in air, against the solution of its linear equations in 32 digits, which is put to the test against the
-//! equations by series.
+//! A symmetric body that spins down in air, against the solution of its linear equations in 32 digits, which is put to
+//! the test against the equations by series.
 
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search, worse};
 use crate::taylor::System;
 use mechanics::inertia::PrincipalMoments;
-use mechanics::scenes::air_drag::{Drag, DraggedTop};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
 use nalgebra::Vector3;
 
 const EPS: f64 = f64::EPSILON;
@@ -37,7 +37,8 @@ impl Body {
     fn top(&self) -> Option<DraggedTop> {
         let ([across, along], [transverse, axial]) = (self.moments, self.drag);
         let moments = PrincipalMoments::symmetric(across, along).ok()?;
-        DraggedTop::new(moments, Drag { transverse, axial }, Vector3::from(self.omega)).ok()
+        let (drag, omega_body) = (Drag { transverse, axial }, Vector3::from(self.omega));
+        DraggedTop::new(Parameters { moments, drag, omega_body }).ok()
     }
 
     /// The decays and the first rate of the wobble.
@@ -104,14 +105,12 @@ fn the_angular_velocity_in_air_is_good_to_a_few_units_of_the_start_and_of_its_ph
         let top = body.top()?;
         let time = if draw.below(20) == 0 { 0.0 } else { draw.decades(1e-6, 1e12) };
         let (truth, (phase, left)) = (body.omega_at(time), body.phase(time));
-        let mut frames = [Vector3::zeros(); 33];
-        top.fill_omega_body(&[time; 33], &mut frames).ok()?;
-        let single = top.omega_body(time).ok()?;
+        let (single, samples) = (top.at(time).ok()?, top.sample(&[time; 33]).ok()?);
         let error = |found: Vector3<f64>| {
             let worst = (0..3).map(|n| (truth[n] - found[n]).abs().rounded()).fold(0.0, worse);
             if found.iter().all(|x| x.is_finite()) { worst } else { f64::INFINITY }
         };
-        let [one, many] = [single, frames[17]].map(error);
+        let [one, many] = [single, samples[17]].map(error);
         let size = Vector3::from(body.omega).norm();
         // The phase is exact where nothing slows the spin; else it is rounded as the time is.
         let across = (-(body.rates()[0] * time)).exp().rounded();
@@ -172,7 +171,7 @@ fn without_drag_no_phase_is_lost_in_a_million_million_seconds() {
     // What a rate of one part cost: 1.7e-12 at 1e6 s and 1e-6 at 1e12 s.
     let body = Body { moments: [3.0, 1.7], drag: [0.0, 0.0], omega: [0.4, -1.1, 2.3] };
     for time in [1e6, 1e9, 1e12] {
-        let (found, truth) = (body.top().unwrap().omega_body(time).unwrap(), body.omega_at(time));
+        let (found, truth) = (body.top().unwrap().at(time).unwrap(), body.omega_at(time));
         for (n, truth) in truth.into_iter().enumerate() {
             assert!((truth - found[n]).abs().rounded() < 1e-15, "{time:e}");
         }

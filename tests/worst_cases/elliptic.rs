@@ -1,5 +1,5 @@
-//! Elliptic functions and integrals, against series that know neither Landen's transformation nor the mean: Fourier's, their counterpart
-//! in hyperbolic functions, the logarithmic series of K, and sums for `R_F`.
+//! Elliptic functions and integrals, against series that know neither Landen's transformation nor the mean: Fourier's,
+//! their counterpart in hyperbolic functions, the logarithmic series of K, and sums for `R_F`.
 
 use crate::long::{Long, PI, long};
 use crate::search::{Case, Draw, search, worse};

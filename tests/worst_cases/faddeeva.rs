@@ -35,8 +35,8 @@ fn far(z: Point) -> Point {
     over(times([long(0.0), long(1.0) / PI.sqrt()], sum), z)
 }
 
-/// w in the upper half-plane: near zero by w′ = −2zw + 2i/√π along the ray from there, on which the solution does not grow; where
-/// it would, inward along the ray from far away; and far away by the asymptotic series.
+/// w in the upper half-plane: near zero by w′ = −2zw + 2i/√π along the ray from there, on which the solution does not
+/// grow; where it would, inward along the ray from far away; and far away by the asymptotic series.
 fn truth(z: Complex<f64>) -> Complex<Long> {
     let z = [z.re, z.im].map(long);
     let size = (z[0] * z[0] + z[1] * z[1]).sqrt();

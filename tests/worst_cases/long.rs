@@ -1,7 +1,8 @@
-//! Numbers of 32 digits, for judges: unevaluated sums of two `f64`, with what a judge needs of arithmetic and functions.
+//! Numbers of 32 digits, for judges: unevaluated sums of two `f64`, with what a judge needs of arithmetic and
+//! functions.
 //!
-//! T. J. Dekker, *Numerische Mathematik* **18** (1971) 224–242; D. E. Knuth, *The Art of Computer Programming*, vol. 2, §4.2.2. The
-//! library has such numbers too, private ones; these share no line with them.
+//! T. J. Dekker, *Numerische Mathematik* **18** (1971) 224–242; D. E. Knuth, *The Art of Computer Programming*, vol. 2,
+//! §4.2.2. The library has such numbers too, private ones; these share no line with them.
 
 use std::iter::Sum;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -3,7 +3,7 @@
 use crate::linear::carried;
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search, worse};
-use mechanics::scenes::laundromat::{Machine, Parameters};
+use mechanics::scenes::laundromat::{LockedState, Machine, Parameters};
 
 /// The documented error.
 const UNITS: f64 = 8.0 * f64::EPSILON;
@@ -179,12 +179,10 @@ fn the_locked_motion_is_exact_to_units_of_what_takes_part() {
         let at = rate * time;
         let truth = carried(&matrix, &[long(start[0]), long(start[1]) / rate, one], at);
         let basis = [carried(&free, &[one, none, none], at), carried(&free, &[none, one, none], at)];
-        let Ok([r, r_dot]) =
-            machine.locked(start[0], start[1]).map(|motion| motion.at(time).expect("an answer"))
-        else {
-            return None;
-        };
-        let part = |i: usize, j: usize| basis[i][j].abs().rounded() + 1e-9; // the judge has no digits of what has died out
+        let motion = machine.locked(LockedState::from_array(start)).ok()?;
+        let [r, r_dot] = motion.at(time).expect("an answer").to_array();
+        // The judge has no digits of what has died out.
+        let part = |i: usize, j: usize| basis[i][j].abs().rounded() + 1e-9;
         let radius = steady.radius();
         // A place counts for as much as the velocity with which it would be lost by damping.
         let place = start[0].abs() + radius;

@@ -3,7 +3,7 @@
 use crate::linear::carried;
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search, worse};
-use mechanics::InvalidFrames;
+use mechanics::InvalidQuantity;
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 use nalgebra::Complex;
 
@@ -65,7 +65,8 @@ impl Units {
     }
 }
 
-/// x, y, ẋ, ẏ at a time, and what the free motion makes by then of one metre and of one metre a second, position and velocity.
+/// x, y, ẋ, ẏ at a time, and what the free motion makes by then of one metre and of one metre a second, position and
+/// velocity.
 struct Truth {
     state: [Long; 4],
     of_place: [f64; 2],
@@ -133,9 +134,8 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
         let shaft = motion.at(then).expect("an answer");
         let centre = motion.centre_of_mass(then).expect("an answer") / units.length;
         let formed = machine.centre_of_mass(then, &shaft) / units.length;
-        let mut many = [Shaft::AT_REST];
-        motion.fill(&[then], &mut many).expect("an answer");
-        let (ours, many) = (units.own(shaft), units.own(many[0]));
+        let sampled = motion.sample(&[then]).expect("an answer")[0];
+        let (ours, sampled) = (units.own(shaft), units.own(sampled));
 
         // The circles, or near resonance what they have become by then.
         let grown = 1.0 + spin * spin * time.abs() * (1.0 + time.abs());
@@ -157,8 +157,8 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
                 (ratio, what) = (worse(away, ratio), name);
             }
         };
-        for (names, shaft) in [(["x", "y", "ẋ", "ẏ"], ours), (["many x", "many y", "many ẋ", "many ẏ"], many)]
-        {
+        let sampled = (["sampled x", "sampled y", "sampled ẋ", "sampled ẏ"], sampled);
+        for (names, shaft) in [(["x", "y", "ẋ", "ẏ"], ours), sampled] {
             for (i, size) in [places, places, rates, rates].into_iter().enumerate() {
                 see(names[i], shaft.to_array()[i], truth.state[i], size);
             }
@@ -211,37 +211,31 @@ pub(crate) fn hostile(draw: &mut Draw<'_>) -> Option<(Machine, Shaft, [f64; 40])
     Some((machine, start, times))
 }
 
-/// Infinite unless `at` and many at once refuse the same time first and all that they answer is finite.
+/// Zero if a sample is refused, for the first time that `at` refuses, or is all finite as `at` is; else infinite. And
+/// whether it is refused.
 pub(crate) fn agreement(
     times: &[f64],
-    at: impl Fn(f64) -> Option<Shaft>,
-    fill: impl Fn(&[f64], &mut [Shaft]) -> Option<usize>,
-) -> f64 {
-    let mut frames = vec![Shaft::AT_REST; times.len()];
-    let singles: Vec<Shaft> = times.iter().map_while(|&time| at(time)).collect();
-    let refused = (singles.len() < times.len()).then_some(singles.len());
-    let same = fill(times, &mut frames) == refused;
-    let answered = frames[..singles.len()].iter().chain(&singles);
-    let finite = answered.flat_map(Shaft::to_array).all(f64::is_finite);
-    if same && finite { 0.0 } else { f64::INFINITY }
+    at: impl Fn(f64) -> Result<Shaft, InvalidQuantity>,
+    sample: impl Fn(&[f64]) -> Result<Vec<Shaft>, InvalidQuantity>,
+) -> (f64, &'static str) {
+    let singles: Result<Vec<Shaft>, _> = times.iter().map(|&time| at(time)).collect();
+    let (agree, way) = match (singles, sample(times)) {
+        (Ok(singles), Ok(sampled)) => {
+            let mut numbers = singles.iter().chain(&sampled).flat_map(Shaft::to_array);
+            (sampled.len() == times.len() && numbers.all(f64::is_finite), "answered")
+        }
+        (singles, sampled) => (singles.err() == sampled.err(), "refused"),
+    };
+    (if agree { 0.0 } else { f64::INFINITY }, way)
 }
 
 #[test]
-fn no_transient_answers_with_what_is_no_number_and_many_at_once_refuse_what_one_does() {
+fn no_transient_answers_with_what_is_no_number_and_a_sample_refuses_what_one_does() {
     let worst = search("hostile transient", 30_000, |draw| {
         let (machine, start, times) = hostile(draw)?;
         let motion = machine.transient(start).expect("a motion");
-        let fill = |times: &[f64], frames: &mut [Shaft]| match motion.fill(times, frames) {
-            Err(InvalidFrames::Time { index, .. }) => Some(index),
-            outcome => outcome.map(|()| None).expect("as many frames as times"),
-        };
-        let ratio = agreement(&times, |time| motion.at(time).ok(), fill);
-        let said = format!("{machine:?}, {start:?}, {times:?}");
-        Some(Case {
-            ratio,
-            way: if fill(&times, &mut [Shaft::AT_REST; 40]).is_some() { "refused" } else { "answered" },
-            said,
-        })
+        let (ratio, way) = agreement(&times, |time| motion.at(time), |times| motion.sample(times));
+        Some(Case { ratio, way, said: format!("{machine:?}, {start:?}, {times:?}") })
     });
     worst.keeps_its_promise(&["answered", "refused"]);
 }

@@ -3,22 +3,14 @@
 //! The drag is a torque `−C₁ω₁, −C₁ω₂, −C₃ω₃` along the body's axes, 3 being the axis of symmetry; the source has one
 //! coefficient C for both.
 
-mod frames;
+mod thrown;
 
-use crate::attitude::check_attitude;
-use crate::euler::Turning;
-use crate::frames::{InvalidFrames, fill};
-use crate::free_rotation::InvalidTop;
-use crate::inertia::PrincipalMoments;
-use crate::integrate::{Dop853, Failure};
+pub use thrown::ThrownTop;
+
+use crate::inertia::{PrincipalMoments, SymmetricMoments};
 use crate::quantity::{InvalidQuantity, Rule};
 use crate::two_part::TwoPart;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use std::error::Error;
-use std::fmt;
-
-/// How many evaluations of the rates [`DraggedTop::sample`] allows.
-const MOST_EVALUATIONS: usize = 1_000_000;
+use nalgebra::{Complex, Vector3};
 
 /// Drag coefficients, N·m·s: torque per angular velocity. Zero or more.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,150 +28,153 @@ impl Drag {
     }
 }
 
-/// A symmetric body under drag: angular velocity in closed form, attitude by integration.
+/// A body, what the air does to it, and how it turns at time zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters {
+    /// Principal moments; the axis of symmetry is axis 3.
+    pub moments: PrincipalMoments,
+    /// The drag.
+    pub drag: Drag,
+    /// Angular velocity along the body's axes at time zero, rad/s, not zero.
+    pub omega_body: Vector3<f64>,
+}
+
+/// The angular velocity of a symmetric body under drag, in closed form.
 ///
 /// ```
 /// use mechanics::inertia::PrincipalMoments;
-/// use mechanics::scenes::air_drag::{Drag, DraggedTop, Fate};
+/// use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, Parameters};
 /// use nalgebra::Vector3;
-/// let omega = Vector3::new(3.0, 0.0, 10.0);
-/// let frisbee = DraggedTop::new(PrincipalMoments::symmetric(1.0, 2.0)?, Drag::isotropic(0.1), omega)?;
-/// assert_eq!(frisbee.fate(), Fate::AlongAxis);
-/// let pencil = DraggedTop::new(PrincipalMoments::symmetric(2.0, 0.1)?, Drag::isotropic(0.1), omega)?;
-/// assert_eq!(pencil.fate(), Fate::AcrossAxis);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// let (drag, omega_body) = (Drag::isotropic(0.1), Vector3::new(3.0, 0.0, 10.0));
+/// let moments = PrincipalMoments::symmetric(1.0, 2.0)?;
+/// let frisbee = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+/// assert_eq!(frisbee.axis_trend(), AxisTrend::Aligning);
+/// let moments = PrincipalMoments::symmetric(2.0, 0.1)?;
+/// let pencil = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+/// assert_eq!(pencil.axis_trend(), AxisTrend::Tumbling);
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DraggedTop {
     moments: PrincipalMoments,
     drag: Drag,
-    start: Vector3<f64>,
-    transverse_decay: f64,   // C₁/I₁
-    axial_decay: f64,        // C₃/I₃
-    alignment_rate: TwoPart, // δ = C₁/I₁ − C₃/I₃
-    body_rate: TwoPart,      // σ₀ = ω₃₀(I₃ − I₁)/I₁
+    pub(crate) start: Vector3<f64>,
+    pub(crate) transverse_decay: f64, // C₁/I₁
+    pub(crate) axial_decay: f64,      // C₃/I₃
+    alignment_rate: TwoPart,          // δ
+    pub(crate) body_rate: TwoPart,    // σ at time zero
 }
 
 /// Which way the axis of rotation goes in the body as the body slows down.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fate {
+pub enum AxisTrend {
     /// To the axis of symmetry: the wobble dies before the spin.
-    AlongAxis,
+    Aligning,
     /// To a right angle with it: the spin dies before the tumbling.
-    AcrossAxis,
+    Tumbling,
     /// Nowhere: the angle stays as it is.
     Unchanged,
 }
 
 impl DraggedTop {
-    /// A body of these moments under this drag, with the angular velocity `omega_body`, rad/s, along its axes at time zero.
+    /// The body from time zero on.
     ///
     /// # Errors
-    /// [`InvalidDragTop`] if the body has no axis of symmetry along 3, a drag coefficient is negative, a number is not
+    /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, a drag coefficient is negative, a number is not
     /// finite or of a size that cannot be computed with, or the body does not turn.
-    pub fn new(
-        moments: PrincipalMoments,
-        drag: Drag,
-        omega_body: Vector3<f64>,
-    ) -> Result<Self, InvalidDragTop> {
-        let [about_1, about_2, _] = moments.to_array();
-        let Some((transverse, axial)) = moments.as_symmetric() else {
-            return Err(InvalidTop::NotSymmetric { about_1, about_2 }.into());
-        };
-        InvalidQuantity::check_not_negative("transverse drag coefficient", drag.transverse, "N·m·s")?;
-        InvalidQuantity::check_not_negative("axial drag coefficient", drag.axial, "N·m·s")?;
+    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
+        let Parameters { moments, drag, omega_body } = parameters;
+        let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric()?;
+        let Drag { transverse: c1, axial: c3 } = drag;
+        InvalidQuantity::check_not_negative("transverse drag coefficient", c1, "N·m·s")?;
+        InvalidQuantity::check_not_negative("axial drag coefficient", c3, "N·m·s")?;
         for component in &omega_body {
             InvalidQuantity::check("angular velocity", *component, "rad/s")?;
         }
-        if omega_body == Vector3::zeros() {
-            return Err(InvalidDragTop::NoSpin);
-        }
-        let [across, along] = [drag.transverse / transverse, drag.axial / axial];
-        InvalidQuantity::check("decay rate across the axis", across, "1/s")?;
-        InvalidQuantity::check("decay rate along the axis", along, "1/s")?;
-        let difference = TwoPart::from(drag.transverse) / TwoPart::from(transverse)
-            - TwoPart::from(drag.axial) / TwoPart::from(axial);
-        let spread = TwoPart::sum(axial, -transverse) / TwoPart::from(transverse);
+        let turns = omega_body != Vector3::zeros();
+        InvalidQuantity::require(turns, "angular velocity", 0.0, "rad/s", Rule::NotZero)?;
+        let transverse_decay = InvalidQuantity::check("transverse decay rate", c1 / i1, "1/s")?;
+        let axial_decay = InvalidQuantity::check("axial decay rate", c3 / i3, "1/s")?;
+        let [c1, c3, i1, i3] = [c1, c3, i1, i3].map(TwoPart::from);
         Ok(Self {
             moments,
             drag,
             start: omega_body,
-            transverse_decay: across,
-            axial_decay: along,
-            alignment_rate: difference,
-            body_rate: spread * omega_body.z,
+            transverse_decay,
+            axial_decay,
+            alignment_rate: c1 / i1 - c3 / i3,        // eq:alignment-rate
+            body_rate: (i3 - i1) / i1 * omega_body.z, // eq:wobble-complex
         })
     }
 
     /// The angular velocity along the body's axes at `time`, s, zero or later (`eq:spin-decay`, `eq:wobble-decay`).
     ///
-    /// Each component to 9e-16 of the size of the angular velocity at the start. To that comes, with axial drag, an error of the angle through
-    /// which the transverse part has turned, below 5e-16 of that angle: as much as the rounding of a time is worth. Without axial drag there is
-    /// none, up to 1e15 rad.
+    /// Each component to 9e-16 of the size of the angular velocity at the start. To that comes, with axial drag, an
+    /// error of the angle through which the transverse part has turned, below 5e-16 of that angle: as much as the
+    /// rounding of a time is worth. Without axial drag there is none, up to 1e15 rad.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for a time that is negative, not finite or larger than 1e50 s.
-    pub fn omega_body(&self, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
+    pub fn at(&self, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
         InvalidQuantity::check_time(time)?;
         InvalidQuantity::require(time >= 0.0, "time", time, "s", Rule::NotNegative)?;
-        Ok(self.omega_after(time))
+        Ok(self.omega_body(time))
     }
 
-    /// The angular velocity along the body's axes at each of `times`, s, written to `frames` without allocating, several at once.
+    /// The angular velocity along the body's axes at each of `times`, s: the states of [`DraggedTop::at`], several at
+    /// once.
     ///
     /// # Errors
-    /// [`InvalidFrames::Length`] if there are not as many frames as times, and then nothing is written;
-    /// [`InvalidFrames::Time`] at the first time that [`DraggedTop::omega_body`] refuses.
-    pub fn fill_omega_body(
-        &self,
-        times: &[f64],
-        frames: &mut [Vector3<f64>],
-    ) -> Result<(), InvalidFrames<InvalidQuantity>> {
-        let quick =
-            |times: &[f64], frames: &mut [Vector3<f64>]| frames::Frames::new(self).fill(times, frames);
-        fill(times, frames, quick, |time| self.omega_body(time))
+    /// As [`DraggedTop::at`], for the first time that it refuses.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Vector3<f64>>, InvalidQuantity> {
+        let quick = |times: &[f64], states: &mut [_]| crate::wide::air_drag::fill(self, times, states);
+        crate::wide::sample(times, quick, |time| self.at(time))
     }
 
-    fn omega_after(&self, time: f64) -> Vector3<f64> {
-        let (sin, cos) = self.body_turn(time).sin_cos();
-        let across = (-self.transverse_decay * time).exp();
-        let along = (-self.axial_decay * time).exp();
+    /// The angular velocity at a time that has been checked.
+    fn omega_body(&self, time: f64) -> Vector3<f64> {
         let [w1, w2, w3]: [f64; 3] = self.start.into();
-        Vector3::new(across * (w1 * cos - w2 * sin), across * (w1 * sin + w2 * cos), w3 * along)
+        let (sin, cos) = self.wobble_phase(time).sin_cos();
+        // ω₁ + iω₂: its size by eq:wobble-decay, its direction by eq:wobble-phase.
+        let wobble = Complex::new(w1, w2) * (-self.transverse_decay * time).exp() * Complex::new(cos, sin);
+        let spin = w3 * (-self.axial_decay * time).exp(); // eq:spin-decay
+        Vector3::new(wobble.re, wobble.im, spin)
     }
 
-    /// The angle through which the transverse part of the angular velocity has turned in the body at `time`, s, in rad:
-    /// `σ₀ (1 − e^{−C₃t/I₃}) I₃/C₃`, with no loss for small drag and `σ₀t` for none (`eq:wobble-phase`).
-    fn body_turn(&self, time: f64) -> TwoPart {
+    /// The angle through which the transverse part of the angular velocity has turned in the body at `time`, s, in rad
+    /// (`eq:wobble-phase`).
+    fn wobble_phase(&self, time: f64) -> TwoPart {
         let x = self.axial_decay * time;
+        // eq:wobble-phase with C₃t/I₃ taken out as x: no loss for small drag, and σt for none.
         let fraction = if x == 0.0 { 1.0 } else { -(-x).exp_m1() / x };
         self.body_rate * (time * fraction)
     }
 
     /// How often the axis of rotation goes round the body's axis, seen from the body, before the body stands still:
-    /// `|(I₃ − I₁) I₃ ω₃ / (2π I₁ C₃)|` (`eq:total-turns`). Infinite without axial drag, unless the body is a sphere or has
-    /// no spin about its axis.
+    /// `|(I₃ − I₁) I₃ ω₃ / (2π I₁ C₃)|` (`eq:total-turns`). Infinite without axial drag, unless the body is a sphere or
+    /// has no spin about its axis.
     pub fn total_body_turns(&self) -> f64 {
         let rate = self.body_rate.rounded();
         if rate == 0.0 {
             return 0.0;
         }
-        (rate / self.axial_decay / std::f64::consts::TAU).abs()
+        (rate / self.axial_decay / std::f64::consts::TAU).abs() // eq:total-turns
     }
 
     /// The angle between the angular velocity and the body's axis, rad, from 0 to π, at `time`, s, zero or later
-    /// (`eq:drag-angle`). To 9e-16 of itself, however small, even when the angular velocity itself has become too small for `f64`; near
-    /// π to 9e-16 of that.
+    /// (`eq:drag-angle`). To 9e-16 of itself, however small, even when the angular velocity itself has become too small
+    /// for `f64`; near π to 9e-16 of that.
     ///
     /// # Errors
-    /// As [`DraggedTop::omega_body`].
+    /// As [`DraggedTop::at`].
     pub fn axis_angle(&self, time: f64) -> Result<f64, InvalidQuantity> {
-        self.omega_body(time)?;
-        let across = self.start.x.hypot(self.start.y);
-        if across == 0.0 || self.start.z == 0.0 {
-            return Ok(across.atan2(self.start.z));
+        self.at(time)?;
+        let [w1, w2, w3]: [f64; 3] = self.start.into();
+        let wobble = w1.hypot(w2);
+        if wobble == 0.0 || w3 == 0.0 {
+            return Ok(wobble.atan2(w3));
         }
-        Ok((across * (-self.alignment_rate * time).exp()).atan2(self.start.z)) // eq:drag-angle
+        Ok((wobble * (-self.alignment_rate * time).exp()).atan2(w3)) // eq:drag-angle
     }
 
     /// The rate δ = C₁/I₁ − C₃/I₃, 1/s, at which the tangent of [`DraggedTop::axis_angle`] decays; negative if it grows
@@ -191,115 +186,26 @@ impl DraggedTop {
     /// Where the axis of rotation goes in the body.
     ///
     /// A body that turns exactly about its axis, or exactly across it, keeps doing so whatever the drag.
-    pub fn fate(&self) -> Fate {
+    pub fn axis_trend(&self) -> AxisTrend {
         let [w1, w2, w3]: [f64; 3] = self.start.into();
         let rate = self.alignment_rate();
         if rate == 0.0 || (w1 == 0.0 && w2 == 0.0) || w3 == 0.0 {
-            Fate::Unchanged
+            AxisTrend::Unchanged
         } else if rate > 0.0 {
-            Fate::AlongAxis
+            AxisTrend::Aligning
         } else {
-            Fate::AcrossAxis
+            AxisTrend::Tumbling
         }
     }
 
     /// The torque along the body's axes, N·m, at an angular velocity along the same axes, rad/s (`eq:drag-torque`).
     pub fn torque_body(&self, omega_body: &Vector3<f64>) -> Vector3<f64> {
         let Drag { transverse, axial } = self.drag;
-        -omega_body.component_mul(&Vector3::new(transverse, transverse, axial))
+        -Vector3::new(transverse, transverse, axial).component_mul(omega_body)
     }
 
     /// The moments of the body.
     pub fn moments(&self) -> PrincipalMoments {
         self.moments
     }
-
-    /// Attitudes and angular velocities at `times`, s, in order, from `world_from_body` at time zero.
-    ///
-    /// The angular velocity is the closed form; only the four numbers of the attitude are integrated, to `tolerance` a step
-    /// ([`Dop853`]). There is no closed form for the attitude. A million evaluations of the rates are allowed, a fraction of a second;
-    /// [`DraggedTop::sample_by`] takes any limit.
-    ///
-    /// # Errors
-    /// [`InvalidDragTop`] for times that do not ascend from zero, a quaternion that is not of length one to 1e-12, a bad tolerance, or
-    /// if the integration fails.
-    pub fn sample(
-        &self,
-        world_from_body: UnitQuaternion<f64>,
-        times: &[f64],
-        tolerance: f64,
-    ) -> Result<Vec<Turning>, InvalidDragTop> {
-        let solver = Dop853::new(tolerance)?.with_max_evaluations(MOST_EVALUATIONS);
-        self.sample_by(&solver, world_from_body, times)
-    }
-
-    /// The same by an integrator with tolerances and a limit of the caller's.
-    ///
-    /// # Errors
-    /// As [`DraggedTop::sample`].
-    pub fn sample_by(
-        &self,
-        solver: &Dop853,
-        world_from_body: UnitQuaternion<f64>,
-        times: &[f64],
-    ) -> Result<Vec<Turning>, InvalidDragTop> {
-        check_attitude(&world_from_body)?;
-        if let Some(&bad) = times.iter().find(|time| self.omega_body(**time).is_err()) {
-            self.omega_body(bad)?;
-        }
-        let rates = |time: f64, &[w, i, j, k]: &[f64; 4]| {
-            let quaternion = Quaternion::new(w, i, j, k);
-            let rate = crate::attitude::quaternion_rate(&quaternion, &self.omega_after(time)); // eq:quaternion-rate
-            [rate.w, rate.i, rate.j, rate.k]
-        };
-        let q = world_from_body;
-        let (states, _) =
-            solver.sample(rates, 0.0, [q.w, q.i, q.j, q.k], times).map_err(InvalidDragTop::Integration)?;
-        let pairs = times.iter().zip(states);
-        Ok(pairs
-            .map(|(&time, [w, i, j, k])| Turning {
-                world_from_body: UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k)),
-                omega_body: self.omega_after(time),
-            })
-            .collect())
-    }
 }
-
-/// Why there is no such body, or no answer.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidDragTop {
-    /// The body does not turn.
-    NoSpin,
-    /// The body has no axis of symmetry.
-    Top(InvalidTop),
-    /// A number breaks a rule.
-    Quantity(InvalidQuantity),
-    /// The integration of the attitude stopped.
-    Integration(Failure),
-}
-
-impl From<InvalidTop> for InvalidDragTop {
-    fn from(error: InvalidTop) -> Self {
-        Self::Top(error)
-    }
-}
-
-impl From<InvalidQuantity> for InvalidDragTop {
-    fn from(error: InvalidQuantity) -> Self {
-        Self::Quantity(error)
-    }
-}
-
-impl fmt::Display for InvalidDragTop {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NoSpin => write!(out, "angular velocity 0 rad/s: a body that spins down must spin"),
-            Self::Top(error) => error.fmt(out),
-            Self::Quantity(error) => error.fmt(out),
-            Self::Integration(error) => error.fmt(out),
-        }
-    }
-}
-
-impl Error for InvalidDragTop {}

@@ -1,18 +1,37 @@
 //! The locked motion: what the shaft would do if it could move along the radius only.
 
 use super::machine::Machine;
-use super::oscillator::{InvalidTime, Oscillator, check_time};
-use super::shaft::{InvalidStart, Shaft};
-use super::steady::NoSteadyMotion;
+use super::oscillator::Oscillator;
+use super::shaft::{check_start, out_of_range};
+use crate::quantity::InvalidQuantity;
 use nalgebra::Complex;
-use std::error::Error;
-use std::fmt;
+
+/// Distance of the shaft from O, and its rate. A negative radius is a point on the other side of O.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LockedState {
+    /// r, m.
+    pub radius: f64,
+    /// ṙ, m/s.
+    pub radius_rate: f64,
+}
+
+impl LockedState {
+    /// From `[r, ṙ]` in m and m/s, the state that integrators step with [`Machine::locked_rates`].
+    pub fn from_array([radius, radius_rate]: [f64; 2]) -> Self {
+        Self { radius, radius_rate }
+    }
+
+    /// To `[r, ṙ]` in m and m/s.
+    pub fn to_array(&self) -> [f64; 2] {
+        [self.radius, self.radius_rate]
+    }
+}
 
 /// Radial motion with the azimuth held at θ = Ωt − φ₀, in closed form.
 ///
-/// From [`Machine::locked`]. It comes back to r₀ below the natural frequency and runs away above it; a negative
-/// radius is a point on the other side of O. The error is at most eight units in the last place of the sum of r₀, of what the start
-/// has become, and of what a change of the time or of the damping by such a unit makes of the motion.
+/// From [`Machine::locked`]. It comes back to r₀ below the natural frequency and runs away above it. The error is at
+/// most eight units in the last place of the sum of r₀, of what the start has become, and of what a change of the
+/// time or of the damping by such a unit makes of the motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LockedMotion {
     oscillator: Oscillator,
@@ -25,71 +44,50 @@ impl Machine {
     /// Rates of `[r, ṙ]` in m and m/s with the azimuth locked to the drum (`eq:locked-motion`).
     ///
     /// # Errors
-    /// [`NoSteadyMotion`] at undamped resonance, where there is no phase φ₀ to lock to.
-    pub fn locked_rates(&self, &[r, r_dot]: &[f64; 2]) -> Result<[f64; 2], NoSteadyMotion> {
+    /// As [`Machine::steady`]: without a steady motion there is no phase φ₀ to lock to.
+    pub fn locked_rates(&self, &[r, r_dot]: &[f64; 2]) -> Result<[f64; 2], InvalidQuantity> {
         let spin = self.spin();
         let push = self.offset() * spin * spin * self.steady()?.phase().cos();
         Ok([r_dot, push - self.detuning() * r - self.damping_rate() * r_dot])
     }
 
-    /// The locked motion from radius `r`, m, and radial velocity `r_dot`, m/s, at time zero (`eq:locked-motion`).
+    /// The locked motion from a state at time zero (`eq:locked-motion`).
     ///
     /// # Errors
-    /// [`LockedError`] if the start is not finite or beyond 1e50, or if there is no steady motion.
-    pub fn locked(&self, r: f64, r_dot: f64) -> Result<LockedMotion, LockedError> {
-        Shaft::from_array([r, 0.0, r_dot, 0.0]).check_start().map_err(LockedError::Start)?;
-        let steady_radius = self.steady().map_err(LockedError::Steady)?.radius();
+    /// [`InvalidQuantity`] if the start is not finite or beyond 1e50 m or m/s; and as [`Machine::steady`].
+    pub fn locked(&self, start: LockedState) -> Result<LockedMotion, InvalidQuantity> {
+        check_start("radius of the start", start.radius, "m")?;
+        check_start("radial velocity of the start", start.radius_rate, "m/s")?;
+        let steady_radius = self.steady()?.radius();
         Ok(LockedMotion {
             oscillator: Oscillator::new(self.precise_damping_rate(), self.precise_detuning()),
             steady_radius,
-            displacement: (r - steady_radius).into(),
-            velocity: r_dot.into(),
+            displacement: (start.radius - steady_radius).into(),
+            velocity: start.radius_rate.into(),
         })
     }
 }
 
 impl LockedMotion {
-    /// `[r, ṙ]` in m and m/s at time `t`, s, before or after the start.
+    /// Radius and radial velocity at a time, s, before or after the start.
     ///
     /// # Errors
-    /// [`InvalidTime`] if the time is not finite or is further than 1e150 s from the start, or if the shaft has run
-    /// away beyond the largest number by then.
-    pub fn at(&self, t: f64) -> Result<[f64; 2], InvalidTime> {
-        check_time(t)?;
-        let (displacement, velocity) = self.oscillator.at(self.displacement, self.velocity, t).multiplied();
-        let state = [self.steady_radius + displacement.re, velocity.re];
-        if state.iter().all(|value| value.is_finite()) {
-            Ok(state)
-        } else {
-            Err(InvalidTime::OutOfRange { time: t })
-        }
+    /// [`InvalidQuantity`] if the time is not finite or beyond 1e50 s, or if the shaft has run away beyond the
+    /// largest number by then.
+    pub fn at(&self, time: f64) -> Result<LockedState, InvalidQuantity> {
+        InvalidQuantity::check_time(time)?;
+        let (displacement, velocity) =
+            self.oscillator.at(self.displacement, self.velocity, time).multiplied();
+        let state = LockedState { radius: self.steady_radius + displacement.re, radius_rate: velocity.re };
+        let finite = state.radius.is_finite() && state.radius_rate.is_finite();
+        if finite { Ok(state) } else { Err(out_of_range(time)) }
     }
-}
 
-/// Why there is no locked motion.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum LockedError {
-    /// The start is not finite or too far out.
-    Start(InvalidStart),
-    /// There is no steady motion, so no phase to lock to.
-    Steady(NoSteadyMotion),
-}
-
-impl fmt::Display for LockedError {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Start(error) => write!(out, "no locked motion: {error}"),
-            Self::Steady(error) => write!(out, "no phase to lock to: {error}"),
-        }
-    }
-}
-
-impl Error for LockedError {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        match self {
-            Self::Start(error) => Some(error),
-            Self::Steady(error) => Some(error),
-        }
+    /// The states at these times, s.
+    ///
+    /// # Errors
+    /// As [`LockedMotion::at`], for the first time that it refuses.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<LockedState>, InvalidQuantity> {
+        times.iter().map(|&time| self.at(time)).collect()
     }
 }

@@ -1,11 +1,8 @@
 //! The machine: six numbers, checked once, and the constants that follow from them.
 
-use crate::quantity::Shown;
+use crate::quantity::{InvalidQuantity, Rule};
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
-use std::error::Error;
-use std::fmt;
-use std::ops::RangeInclusive;
 
 /// What a washing machine is made of, in SI units.
 ///
@@ -42,7 +39,7 @@ pub struct Parameters {
 /// let heavier_load = Machine::new(Parameters { drum_mass: 26.0, load_mass: 4.0, ..parameters })?;
 /// assert_eq!(heavier_load.natural_frequency(), machine.natural_frequency());
 /// assert_eq!(heavier_load.offset(), 2.0 * machine.offset());
-/// # Ok::<(), mechanics::scenes::laundromat::InvalidMachine>(())
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Machine {
@@ -54,58 +51,29 @@ pub struct Machine {
     offset: f64,
 }
 
-/// Masses, frequencies, rates and lengths that the library computes with, in SI units. Squares, fourth powers
-/// and products of such numbers neither overflow nor underflow.
-const RANGE: RangeInclusive<f64> = 1e-50..=1e50;
-
 impl Machine {
     /// Checks the parameters and derives the constants.
     ///
     /// # Errors
-    /// [`InvalidMachine`] if a parameter is not finite, is negative where it may not be, if there is no mass or
+    /// [`InvalidQuantity`] if a parameter is not finite, is negative where it may not be, if there is no mass or
     /// no stiffness, or if a mass, the radius, ω₀, b, Γ or |Ω| is outside 1e-50 to 1e50 in SI units without being zero.
-    pub fn new(parameters: Parameters) -> Result<Self, InvalidMachine> {
+    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
         let Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin } = parameters;
-        for (quantity, value, unit, either_sign) in [
-            ("drum mass", drum_mass, "kg", false),
-            ("load mass", load_mass, "kg", false),
-            ("load radius", load_radius, "m", false),
-            ("stiffness", stiffness, "N/m", false),
-            ("damping", damping, "kg/s", false),
-            ("spin", spin, "rad/s", true),
-        ] {
-            if !value.is_finite() {
-                return Err(InvalidMachine::NotFinite { quantity, value, unit });
-            }
-            if value < 0.0 && !either_sign {
-                return Err(InvalidMachine::Negative { quantity, value, unit });
-            }
-        }
-        if stiffness == 0.0 {
-            return Err(InvalidMachine::NoStiffness);
-        }
-        if drum_mass == 0.0 && load_mass == 0.0 {
-            return Err(InvalidMachine::NoMass);
-        }
-        for (quantity, value, unit) in [
-            ("drum mass", drum_mass, "kg"),
-            ("load mass", load_mass, "kg"),
-            ("load radius", load_radius, "m"),
-        ] {
-            if value > 0.0 {
-                within_range(quantity, value, unit)?;
-            }
-        }
+        InvalidQuantity::check_not_negative("drum mass", drum_mass, "kg")?;
+        InvalidQuantity::check_not_negative("load mass", load_mass, "kg")?;
+        InvalidQuantity::check_not_negative("load radius", load_radius, "m")?;
+        InvalidQuantity::check("spin", spin, "rad/s")?;
+        // Of stiffness and damping it is their ratios to the mass that must be in range.
+        InvalidQuantity::require_finite("stiffness", stiffness, "N/m")?;
+        InvalidQuantity::require(stiffness > 0.0, "stiffness", stiffness, "N/m", Rule::Positive)?;
+        InvalidQuantity::require_finite("damping", damping, "kg/s")?;
+        InvalidQuantity::require(damping >= 0.0, "damping", damping, "kg/s", Rule::NotNegative)?;
         let mass = drum_mass + load_mass;
-        within_range("natural frequency ω₀", (stiffness / mass).sqrt(), "rad/s")?;
-        if load_mass > 0.0 && load_radius > 0.0 {
-            within_range("offset b of the centre of mass", load_mass / mass * load_radius, "m")?;
-        }
+        InvalidQuantity::require(mass > 0.0, "mass of drum and load", mass, "kg", Rule::Positive)?;
+        InvalidQuantity::check_positive("natural frequency ω₀", (stiffness / mass).sqrt(), "rad/s")?;
+        InvalidQuantity::check("offset b of the centre of mass", load_mass / mass * load_radius, "m")?;
         if damping > 0.0 {
-            within_range("damping rate Γ", damping / mass, "1/s")?;
-        }
-        if spin != 0.0 {
-            within_range("spin", spin, "rad/s")?;
+            InvalidQuantity::check_positive("damping rate Γ", damping / mass, "1/s")?;
         }
 
         // Now that nothing can overflow, the same to 32 digits.
@@ -121,7 +89,7 @@ impl Machine {
     ///
     /// # Errors
     /// As [`Machine::new`].
-    pub fn with_spin(self, spin: f64) -> Result<Self, InvalidMachine> {
+    pub fn with_spin(self, spin: f64) -> Result<Self, InvalidQuantity> {
         Self::new(Parameters { spin, ..self.parameters })
     }
 
@@ -129,7 +97,7 @@ impl Machine {
     ///
     /// # Errors
     /// As [`Machine::new`].
-    pub fn with_damping(self, damping: f64) -> Result<Self, InvalidMachine> {
+    pub fn with_damping(self, damping: f64) -> Result<Self, InvalidQuantity> {
         Self::new(Parameters { damping, ..self.parameters })
     }
 
@@ -166,11 +134,10 @@ impl Machine {
 
     /// The direction e<sup>iΩt</sup> from the shaft to the load at time `t` in seconds.
     ///
-    /// Sixteen digits at any time up to 1e150 s in size: the product Ωt is formed without rounding before whole turns are taken
-    /// off. NaN for a time that is not finite, or so large that the product overflows.
+    /// Sixteen digits at any time: the product Ωt is formed without rounding before whole turns are taken off. NaN
+    /// for a time that is not finite, or so large that the product overflows.
     pub fn load_direction(&self, t: f64) -> Complex<f64> {
-        let (sin, cos) = TwoPart::product(self.parameters.spin, t).sin_cos();
-        Complex::new(cos, sin)
+        direction(TwoPart::product(self.parameters.spin, t))
     }
 
     /// ω₀², 1/s², to 32 digits.
@@ -194,72 +161,8 @@ impl Machine {
     }
 }
 
-fn within_range(quantity: &'static str, value: f64, unit: &'static str) -> Result<(), InvalidMachine> {
-    if RANGE.contains(&value.abs()) {
-        return Ok(());
-    }
-    Err(InvalidMachine::OutOfRange { quantity, value, unit })
+/// e<sup>iφ</sup> of an angle of 32 digits.
+pub(super) fn direction(angle: TwoPart) -> Complex<f64> {
+    let (sin, cos) = angle.sin_cos();
+    Complex::new(cos, sin)
 }
-
-/// Why a set of parameters is not a machine of this world.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidMachine {
-    /// A parameter is infinite or not a number.
-    NotFinite {
-        /// Which one.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
-    /// A parameter that must be zero or more is negative.
-    Negative {
-        /// Which one.
-        quantity: &'static str,
-        /// What was given.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
-    /// Drum and load both have no mass.
-    NoMass,
-    /// The stiffness is zero.
-    NoStiffness,
-    /// A parameter or a constant that follows from them is too large or too small to compute with.
-    OutOfRange {
-        /// Which one.
-        quantity: &'static str,
-        /// Its value.
-        value: f64,
-        /// Its unit.
-        unit: &'static str,
-    },
-}
-
-impl fmt::Display for InvalidMachine {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::NotFinite { quantity, value, unit } => {
-                write!(out, "{quantity} {value} {unit} is not a finite number")
-            }
-            Self::Negative { quantity, value, unit } => {
-                write!(out, "{quantity} {} {unit} is negative; it must be zero or more", Shown(value))
-            }
-            Self::NoMass => write!(out, "drum mass 0 kg and load mass 0 kg: a machine has mass"),
-            Self::NoStiffness => {
-                write!(out, "stiffness 0 N/m: without a spring nothing holds the machine in place")
-            }
-            Self::OutOfRange { quantity, value, unit } => write!(
-                out,
-                "{quantity} {} {unit} is outside the range from {:e} to {:e} {unit} in size that is computed with",
-                Shown(value),
-                RANGE.start(),
-                RANGE.end()
-            ),
-        }
-    }
-}
-
-impl Error for InvalidMachine {}

@@ -10,8 +10,8 @@
 //! z̈ + Γ ż + ω₀² z = b Ω² e^{iΩt}
 //! ```
 //!
-//! Functions of a time that return plain numbers let a time that is not finite through, as NaN; those that return a `Result`
-//! refuse it.
+//! Functions of a time that return plain numbers let a time that is not finite through, as NaN; those that return a
+//! `Result` refuse it.
 //!
 //! | to find | call |
 //! |---|---|
@@ -19,26 +19,25 @@
 //! | the motion that remains in the end | [`Machine::steady`] |
 //! | whether and how disturbances die out | [`Machine::modes`], [`Machine::stability_matrix`] |
 //! | the whole motion from any start, at any time | [`Machine::transient`] |
+//! | the same while the drum speeds up or slows down | [`Machine::ramp`] |
 //! | rates for an integrator | [`Machine::cartesian_rates`], [`Machine::polar_rates`] |
 //! | what the motor must do | [`Machine::motor_torque`], [`SteadyMotion::motor_torque`] |
 
 mod energy;
-mod frames;
 mod locked;
 mod machine;
 mod modes;
 mod motion;
-mod oscillator;
-mod ramp;
+pub(crate) mod oscillator;
+pub(crate) mod ramp;
 mod shaft;
 mod steady;
 mod transient;
 
-pub use locked::{LockedError, LockedMotion};
-pub use machine::{InvalidMachine, Machine, Parameters};
+pub use locked::{LockedMotion, LockedState};
+pub use machine::{Machine, Parameters};
 pub use modes::Mode;
-pub use oscillator::InvalidTime;
-pub use ramp::{InvalidRamp, Ramp};
-pub use shaft::{InvalidStart, Shaft};
-pub use steady::{NoSteadyMotion, Peak, SteadyMotion};
+pub use ramp::Ramp;
+pub use shaft::{Polar, Shaft};
+pub use steady::{Peak, SteadyMotion};
 pub use transient::Transient;

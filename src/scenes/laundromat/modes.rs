@@ -37,8 +37,8 @@ impl Machine {
     /// The linearised polar equations as a matrix, d/dt (ε, ε̇, δ, δ̇) = A (ε, ε̇, δ, δ̇) (`eq:linear-radial`,
     /// `eq:linear-azimuthal`). Its eigenvalues are i times the frequencies of [`Machine::modes`]. SI units.
     ///
-    /// Where the steady motion is rest at O, or there is none, ε and δ mean nothing and the matrix is the limit that it has
-    /// as spin and load approach such a machine's.
+    /// Where the steady motion is rest at O, or there is none, ε and δ mean nothing and the matrix is the limit that
+    /// it has as spin and load approach such a machine's.
     pub fn stability_matrix(&self) -> Matrix4<f64> {
         let [detuning, damping] = [self.detuning(), self.damping_rate()];
         let [coriolis, drag] = [2.0 * self.spin(), damping * self.spin()];

@@ -41,15 +41,15 @@ impl Machine {
     pub fn radial_damping_rates(&self, t: f64, state: &[f64; 4]) -> [f64; 4] {
         let &[x, y, vx, vy] = state;
         let r = x.hypot(y);
-        let (along_x, along_y) = if r > 0.0 {
-            let radial = vx * (x / r) + vy * (y / r);
-            (radial * (x / r), radial * (y / r))
+        let (radial_x, radial_y) = if r > 0.0 {
+            let r_dot = vx * (x / r) + vy * (y / r);
+            (r_dot * (x / r), r_dot * (y / r))
         } else {
             (vx, vy)
         };
         let damping = self.damping_rate();
         let [_, _, ax, ay] = self.cartesian_rates(t, state);
-        // Take off the part of the damping that acts across the radius.
-        [vx, vy, ax + damping * (vx - along_x), ay + damping * (vy - along_y)]
+        // Take off the damping of what is not radial.
+        [vx, vy, ax + damping * (vx - radial_x), ay + damping * (vy - radial_y)]
     }
 }

@@ -1,16 +1,12 @@
 //! The free motion of a damped oscillator, exact from no damping through critical to very heavy damping, for a spring
 //! that pulls or pushes.
 
-use super::frames::LARGEST_EXPONENT;
-use crate::quantity::Shown;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
-use std::error::Error;
-use std::fmt;
 
 /// ẍ + Γẋ + κx = 0 with Γ ≥ 0 and κ of any sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Oscillator {
+pub(crate) struct Oscillator {
     damping: f64,
     stiffness: f64,
     roots: Roots,
@@ -18,7 +14,7 @@ pub(super) struct Oscillator {
 
 /// The solutions e^{λt}.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Roots {
+pub(crate) enum Roots {
     /// λ = −Γ/2 ± iω₁ with ω₁ > 0.
     Turning { frequency: TwoPart },
     /// λ = −slow and −fast, and their difference `gap` = fast − slow ≥ 0. A pushing spring has slow < 0.
@@ -30,14 +26,14 @@ const STEEP: f64 = 350.0;
 
 /// A displacement and its rate, both still to be multiplied by e^{exponent}.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Scaled {
-    pub(super) position: Complex<f64>,
-    pub(super) velocity: Complex<f64>,
-    pub(super) exponent: f64,
+pub(crate) struct Scaled {
+    pub(crate) position: Complex<f64>,
+    pub(crate) velocity: Complex<f64>,
+    pub(crate) exponent: f64,
 }
 
 impl Oscillator {
-    pub(super) fn new(damping: TwoPart, stiffness: TwoPart) -> Self {
+    pub(crate) fn new(damping: TwoPart, stiffness: TwoPart) -> Self {
         // ω₁² to 32 digits, so that it has 16 left when Γ is within rounding of 2ω₀.
         let frequency_squared = stiffness - damping * damping * 0.25;
         let roots = if frequency_squared.rounded() > 0.0 {
@@ -52,21 +48,21 @@ impl Oscillator {
     }
 
     /// Γ.
-    pub(super) fn damping(&self) -> f64 {
+    pub(crate) fn damping(&self) -> f64 {
         self.damping
     }
 
     /// κ.
-    pub(super) fn stiffness(&self) -> f64 {
+    pub(crate) fn stiffness(&self) -> f64 {
         self.stiffness
     }
 
-    pub(super) fn roots(&self) -> Roots {
+    pub(crate) fn roots(&self) -> Roots {
         self.roots
     }
 
     /// The two ω of the solutions e^{iωt}: ±ω₁ + iΓ/2, or i times the fast and the slow rate.
-    pub(super) fn frequencies(&self) -> [Complex<f64>; 2] {
+    pub(crate) fn frequencies(&self) -> [Complex<f64>; 2] {
         match self.roots {
             Roots::Turning { frequency } => {
                 let decay = 0.5 * self.damping;
@@ -76,13 +72,14 @@ impl Oscillator {
         }
     }
 
-    /// The motion that passes through `position` with `velocity` at time zero, at time `t` before or after.
-    pub(super) fn at(&self, position: Complex<f64>, velocity: Complex<f64>, t: f64) -> Scaled {
+    /// The free motion of `eq:transient` that passes through `position` with `velocity` at time zero, at time `t`
+    /// before or after.
+    pub(crate) fn at(&self, position: Complex<f64>, velocity: Complex<f64>, t: f64) -> Scaled {
         match self.roots {
             Roots::Turning { frequency } => {
                 let (sin, cos) = (frequency * t).sin_cos();
                 let quotient = sin / frequency.rounded(); // t sinc(ω₁t), down to the smallest ω₁
-                let half = 0.5 * self.damping;
+                let half = 0.5 * self.damping; // Γ/2
                 Scaled {
                     position: position * cos + (velocity + position * half) * quotient,
                     velocity: velocity * cos - (position * self.stiffness + velocity * half) * quotient,
@@ -90,7 +87,8 @@ impl Oscillator {
                 }
             }
             Roots::Real { slow, fast, gap } => {
-                // Take out the slow exponential; long before the start, where the other is out of all proportion, that one.
+                // Take out the slow exponential; long before the start, where the other is out of all proportion,
+                // that one.
                 let steep = -gap * t > STEEP;
                 let (rate, gap) = if steep { (fast, -gap) } else { (slow, gap) };
                 let left = (-gap * t).exp();
@@ -112,7 +110,7 @@ impl Oscillator {
 
 impl Scaled {
     /// Position and velocity multiplied out. Infinite where they overflow, and never NaN for finite contents.
-    pub(super) fn multiplied(self) -> (Complex<f64>, Complex<f64>) {
+    pub(crate) fn multiplied(self) -> (Complex<f64>, Complex<f64>) {
         let factor = self.exponent.exp();
         if factor.is_finite() {
             return (self.position * factor, self.velocity * factor);
@@ -122,56 +120,3 @@ impl Scaled {
         (self.position * half * half, self.velocity * half * half)
     }
 }
-
-/// The closed forms answer for times up to this far from the start, s.
-const LONGEST_TIME: f64 = 1e150;
-
-/// Refuses times that are not finite or beyond reach of the closed forms.
-pub(super) fn check_time(time: f64) -> Result<(), InvalidTime> {
-    if time.abs() <= LONGEST_TIME { Ok(()) } else { Err(InvalidTime::TooFar { time }) }
-}
-
-/// A time for which a motion has no answer.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidTime {
-    /// Not finite, or further than 1e150 s from the start.
-    TooFar {
-        /// The time as it was given, s.
-        time: f64,
-    },
-    /// So far from the start that a drum that speeds up has made more turns than can be told apart.
-    TooManyTurns {
-        /// The time as it was given, s.
-        time: f64,
-    },
-    /// So long before the start, or for a motion that runs away so long after it, that the motion there is beyond the largest
-    /// number; of a drum that speeds up, that it has grown by e⁶⁵⁰.
-    OutOfRange {
-        /// The time as it was given, s.
-        time: f64,
-    },
-}
-
-impl fmt::Display for InvalidTime {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::TooFar { time } => {
-                let time = Shown(time);
-                write!(out, "time {time} s must be finite and within {LONGEST_TIME:e} s of the start")
-            }
-            Self::TooManyTurns { time } => {
-                let time = Shown(time);
-                write!(out, "at time {time} s the drum has made more turns than can be told apart, some 1e13")
-            }
-            Self::OutOfRange { time } => write!(
-                out,
-                "at time {} s the motion is out of range: it has grown by e^{LARGEST_EXPONENT} or beyond {:e} m or m/s",
-                Shown(time),
-                f64::MAX
-            ),
-        }
-    }
-}
-
-impl Error for InvalidTime {}

@@ -1,20 +1,17 @@
 //! Where the shaft is and how it moves.
 
-use crate::quantity::Shown;
+use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::Complex;
-use std::error::Error;
-use std::fmt;
 
 /// Position and velocity of the drum's shaft in the laboratory, as complex numbers x + iy.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::Shaft;
-/// // Going round O at 2 m with 3 rad/s: no radial velocity, and θ̇ = 3 rad/s.
-/// let shaft = Shaft::from_polar([2.0, 0.5, 0.0, 3.0]);
+/// use mechanics::scenes::laundromat::{Polar, Shaft};
+/// // Going round O at 2 m with 3 rad/s: no radial velocity, and 6 m/s.
+/// let circling = Polar { radius: 2.0, azimuth: 0.5, radius_rate: 0.0, azimuth_rate: 3.0 };
+/// let shaft = Shaft::from_polar(circling);
 /// assert_eq!(shaft.velocity.norm(), 6.0);
-/// let [r, theta, r_dot, theta_dot] = shaft.to_polar();
-/// assert!((r - 2.0).abs() < 1e-15 && (theta - 0.5).abs() < 1e-15);
-/// assert!(r_dot.abs() < 1e-15 && (theta_dot - 3.0).abs() < 1e-15);
+/// assert!((shaft.to_polar().azimuth_rate - 3.0).abs() < 1e-15);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shaft {
@@ -24,14 +21,37 @@ pub struct Shaft {
     pub velocity: Complex<f64>,
 }
 
-/// Starts are at most this far from O, m, and at most this fast, m/s.
-const LARGEST_START: f64 = 1e50;
+/// The shaft in polar coordinates about the fixed point O.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Polar {
+    /// Distance r from O, m.
+    pub radius: f64,
+    /// Azimuth θ from the x axis, rad, counter-clockwise.
+    pub azimuth: f64,
+    /// Radial velocity ṙ, m/s.
+    pub radius_rate: f64,
+    /// Angular velocity θ̇ about O, rad/s.
+    pub azimuth_rate: f64,
+}
+
+impl Polar {
+    /// From `[r, θ, ṙ, θ̇]` in m, rad, m/s and rad/s, the state that integrators step with
+    /// [`super::Machine::polar_rates`].
+    pub fn from_array([radius, azimuth, radius_rate, azimuth_rate]: [f64; 4]) -> Self {
+        Self { radius, azimuth, radius_rate, azimuth_rate }
+    }
+
+    /// To `[r, θ, ṙ, θ̇]` in m, rad, m/s and rad/s.
+    pub fn to_array(&self) -> [f64; 4] {
+        [self.radius, self.azimuth, self.radius_rate, self.azimuth_rate]
+    }
+}
 
 impl Shaft {
     /// At rest at O, where every washing machine starts.
     pub const AT_REST: Self = Self { position: Complex::new(0.0, 0.0), velocity: Complex::new(0.0, 0.0) };
 
-    /// From `[x, y, ẋ, ẏ]` in m and m/s, the state that integrators step.
+    /// From `[x, y, ẋ, ẏ]` in m and m/s, the state that integrators step with [`super::Machine::cartesian_rates`].
     pub fn from_array([x, y, vx, vy]: [f64; 4]) -> Self {
         Self { position: Complex::new(x, y), velocity: Complex::new(vx, vy) }
     }
@@ -42,71 +62,72 @@ impl Shaft {
         [self.position.re, self.position.im, self.velocity.re, self.velocity.im]
     }
 
-    /// From polar coordinates and their rates, `[r, θ, ṙ, θ̇]` in m, rad, m/s, rad/s.
-    pub fn from_polar([r, theta, r_dot, theta_dot]: [f64; 4]) -> Self {
-        let (sin, cos) = theta.sin_cos();
-        let direction = Complex::new(cos, sin);
-        Self { position: r * direction, velocity: Complex::new(r_dot, r * theta_dot) * direction }
+    /// From polar coordinates and their rates: z = r e<sup>iθ</sup>, ż = (ṙ + irθ̇) e<sup>iθ</sup>.
+    pub fn from_polar(polar: Polar) -> Self {
+        let Polar { radius, azimuth, radius_rate, azimuth_rate } = polar;
+        let outward = Complex::from_polar(1.0, azimuth);
+        Self {
+            position: radius * outward,
+            velocity: Complex::new(radius_rate, radius * azimuth_rate) * outward,
+        }
     }
 
-    /// To polar coordinates and their rates, `[r, θ, ṙ, θ̇]` in m, rad, m/s, rad/s; θ from −π to π.
+    /// To polar coordinates and their rates; θ from −π to π.
     ///
     /// At O itself θ is the direction of the velocity and θ̇, which has no value there, is given as zero. Very
     /// close to O, θ̇ may be beyond the largest number and come back infinite: polar coordinates are like that.
-    pub fn to_polar(&self) -> [f64; 4] {
-        let r = self.position.re.hypot(self.position.im);
-        if r == 0.0 {
-            return [0.0, self.velocity.arg(), self.velocity.re.hypot(self.velocity.im), 0.0];
+    pub fn to_polar(&self) -> Polar {
+        let radius = self.position.re.hypot(self.position.im);
+        if radius == 0.0 {
+            let speed = self.velocity.re.hypot(self.velocity.im);
+            return Polar { radius, azimuth: self.velocity.arg(), radius_rate: speed, azimuth_rate: 0.0 };
         }
-        let theta = self.position.arg();
-        let (sin, cos) = (self.position.im / r, self.position.re / r);
-        let r_dot = self.velocity.re * cos + self.velocity.im * sin;
-        let across = self.velocity.im * cos - self.velocity.re * sin;
-        [r, theta, r_dot, across / r]
+        let outward = self.position / radius;
+        let turned_back = self.velocity * outward.conj(); // ṙ + irθ̇
+        Polar {
+            radius,
+            azimuth: self.position.arg(),
+            radius_rate: turned_back.re,
+            azimuth_rate: turned_back.im / radius,
+        }
+    }
+
+    /// The same seen in a mirror that stands on the x axis.
+    pub(super) fn mirror_image(self) -> Self {
+        Self { position: self.position.conj(), velocity: self.velocity.conj() }
     }
 
     /// Whether all four numbers are finite.
     #[inline(always)]
-    pub(super) fn is_finite(&self) -> bool {
+    pub(crate) fn is_finite(&self) -> bool {
         self.to_array().iter().all(|number| number.is_finite())
     }
 
+    /// The shaft, or the refusal of a time at which its motion is beyond the largest number.
+    pub(super) fn in_range(self, time: f64) -> Result<Self, InvalidQuantity> {
+        if self.is_finite() { Ok(self) } else { Err(out_of_range(time)) }
+    }
+
     /// Refuses a start that is not finite or further out or faster than the closed forms can follow.
-    pub(super) fn check_start(&self) -> Result<(), InvalidStart> {
-        for (quantity, value, unit) in [
-            ("x", self.position.re, "m"),
-            ("y", self.position.im, "m"),
-            ("velocity along x", self.velocity.re, "m/s"),
-            ("velocity along y", self.velocity.im, "m/s"),
-        ] {
-            if !value.is_finite() || value.abs() > LARGEST_START {
-                return Err(InvalidStart { quantity, value, unit });
-            }
-        }
-        Ok(())
+    pub(super) fn check_start(&self) -> Result<(), InvalidQuantity> {
+        check_start("x of the start", self.position.re, "m")?;
+        check_start("y of the start", self.position.im, "m")?;
+        check_start("velocity along x of the start", self.velocity.re, "m/s")?;
+        check_start("velocity along y of the start", self.velocity.im, "m/s")
     }
 }
 
-/// A start that no motion can be computed from: not finite, or beyond 1e50 m or 1e50 m/s.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InvalidStart {
-    /// Which component.
-    pub quantity: &'static str,
-    /// What was given.
-    pub value: f64,
-    /// Its unit.
-    pub unit: &'static str,
+/// Refuses a number of a start that is not finite or is beyond 1e50; a very small one is as good as zero.
+pub(super) fn check_start(
+    quantity: &'static str,
+    value: f64,
+    unit: &'static str,
+) -> Result<(), InvalidQuantity> {
+    if value.abs() < 1.0 { Ok(()) } else { InvalidQuantity::check(quantity, value, unit).map(|_| ()) }
 }
 
-impl fmt::Display for InvalidStart {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { quantity, value, unit } = *self;
-        let value = Shown(value);
-        write!(
-            out,
-            "start with {quantity} = {value} {unit}: it must be finite and at most {LARGEST_START:e} {unit} in size"
-        )
-    }
+/// The refusal of a time at which a motion is beyond the largest number.
+pub(super) fn out_of_range(time: f64) -> InvalidQuantity {
+    let rule = Rule::Because("the motion there is beyond the largest number");
+    InvalidQuantity { quantity: "time", value: time, unit: "s", rule }
 }
-
-impl Error for InvalidStart {}

@@ -1,11 +1,9 @@
 //! Steady motion: the circle that remains when everything else has died out.
 
 use super::machine::Machine;
-use crate::quantity::Shown;
+use crate::quantity::{InvalidQuantity, Rule};
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
-use std::error::Error;
-use std::fmt;
 
 /// The steady motion z = Z e<sup>iΩt</sup>: the shaft goes round O once for each turn of the drum.
 ///
@@ -49,38 +47,36 @@ impl Machine {
     /// The steady motion at this machine's spin.
     ///
     /// # Errors
-    /// [`NoSteadyMotion`] if there is no damping and the spin is exactly the natural frequency
+    /// [`InvalidQuantity`] if there is no damping and the spin is exactly the natural frequency
     /// √(k/(m+M)) of the parameters, compared to 32 digits: then the motion grows without end.
-    pub fn steady(&self) -> Result<SteadyMotion, NoSteadyMotion> {
-        let spin = self.spin();
-        if self.detuning() == 0.0 && self.damping_rate() == 0.0 {
-            return Err(NoSteadyMotion { spin });
-        }
+    pub fn steady(&self) -> Result<SteadyMotion, InvalidQuantity> {
+        let endless = "the damping is 0 and this is the natural frequency, so the motion grows without end";
+        let bounded = self.detuning() != 0.0 || self.damping_rate() != 0.0;
+        InvalidQuantity::require(bounded, "spin", self.spin(), "rad/s", Rule::Because(endless))?;
         Ok(self.steady_circle())
     }
 
     /// As [`Machine::steady`], for a machine that is known to have a steady motion.
     pub(super) fn steady_circle(&self) -> SteadyMotion {
-        let [spin, offset, damping] = [self.spin(), self.offset(), self.damping_rate()];
+        let [spin, offset] = [self.spin(), self.offset()];
         if spin == 0.0 {
             return SteadyMotion::at_rest(offset);
         }
-        // Everything over Ω²: κ/Ω², formed without loss near resonance and at high spin, ω₀²/Ω² and Γ/Ω.
+        // Every term is taken over Ω², so that none is out of range, and ω₀² − Ω² is formed from 32 digits.
         let spin_squared = TwoPart::product(spin, spin);
-        let detuning = (self.precise_detuning() / spin_squared).rounded();
-        let stiffness = (self.stiffness_rate() / spin_squared).rounded();
-        let drag = damping / spin;
-        let denominator = detuning.hypot(drag); // D/Ω²
-        let direction = Complex::new(detuning / denominator, -drag / denominator);
-        let radius = offset / denominator; // eq:steady-radius
+        let detuning = (self.precise_detuning() / spin_squared).rounded(); // (ω₀² − Ω²)/Ω²
+        let stiffness = (self.stiffness_rate() / spin_squared).rounded(); // ω₀²/Ω²
+        let drag = self.damping_rate() / spin; // ΓΩ/Ω²
+        let size = detuning.hypot(drag); // D/Ω²
+        let turned_back = Complex::new(detuning, -drag) / size; // e^{−iφ₀}, eq:steady-phase
+        let radius = offset / size; // eq:steady-radius
         let motor_torque = self.parameters().damping * radius * radius * spin; // eq:steady-torque
         SteadyMotion {
-            amplitude: radius * direction, // eq:steady-amplitude
-            centre_of_mass_amplitude: offset
-                * (Complex::new(stiffness / denominator, drag / denominator) * direction),
+            amplitude: radius * turned_back, // eq:steady-amplitude
+            centre_of_mass_amplitude: offset * (Complex::new(stiffness, drag) / size * turned_back),
             radius,
-            phase: drag.atan2(detuning), // eq:steady-phase
-            centre_of_mass_radius: offset * (stiffness.hypot(drag) / denominator), // eq:centre-of-mass-radius
+            phase: drag.atan2(detuning),
+            centre_of_mass_radius: offset * (stiffness.hypot(drag) / size), // eq:centre-of-mass-radius
             motor_torque,
             motor_power: motor_torque * spin,
         }
@@ -157,22 +153,3 @@ impl SteadyMotion {
         self.motor_power
     }
 }
-
-/// There is no steady motion: no damping, and a spin that equals the natural frequency. The motion grows without end.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NoSteadyMotion {
-    /// The spin, rad/s.
-    pub spin: f64,
-}
-
-impl fmt::Display for NoSteadyMotion {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let spin = Shown(self.spin);
-        write!(
-            out,
-            "spin {spin} rad/s is the natural frequency and the damping is 0 kg/s: the motion grows without end"
-        )
-    }
-}
-
-impl Error for NoSteadyMotion {}

@@ -73,7 +73,8 @@ fn one_mode_fills_its_ring_and_no_more() {
         let (least, most) =
             radii.iter().fold((f64::MAX, 0.0_f64), |(low, high), &r| (low.min(r), high.max(r)));
         assert!((least - 0.7).abs() < 2e-3 && (most - 1.3).abs() < 2e-3, "{name}: {least} to {most}");
-        // The radius swings with |Ω ± ω₁|: more often than the drum turns if the centre goes backwards, less often if forwards.
+        // The radius swings with |Ω ± ω₁|: more often than the drum turns if the centre goes backwards, less often if
+        // forwards.
         let maxima = radii.windows(3).filter(|r| r[1] > r[0] && r[1] >= r[2] && r[1] > 1.25).count() as f64;
         assert!((maxima - swings).abs() < 1.0, "{name}: {maxima} swings for {swings}");
     }
@@ -96,6 +97,30 @@ fn the_ramps_lie_on_an_integration_of_their_equation() {
             assert!(off < PIXELS, "{per_square} at {t}: {off}");
         }
     }
+}
+
+#[test]
+fn on_a_line_of_the_map_the_largest_swing_of_an_integrated_ramp_is_the_same() {
+    let mut checked = 0;
+    for level in [2.0, 3.0, 5.0, 10.0, 20.0, 50.0] {
+        let line = curve("ramp-map", &format!("swing-{level}")).values();
+        for &(per_square, damping) in line.iter().step_by(line.len() / 5) {
+            // With ω₀ = b = 1: z̈ + Γż + z = (φ̇² − iφ̈) e^{iφ}, written out here, until the spin is far beyond the
+            // resonance.
+            let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {
+                let (spin, angle) = (per_square * t, Complex::new(0.0, 0.5 * per_square * t * t).exp());
+                let push = Complex::new(spin * spin, -per_square) * angle;
+                [vx, vy, push.re - x - damping * vx, push.im - y - damping * vy]
+            };
+            let end = (1.6 + 6.0 * per_square.sqrt()) / per_square;
+            let times: Vec<f64> = (1..=4000).map(|n| f64::from(n) * end / 4000.0).collect();
+            let (states, _) = Dop853::new(1e-9).unwrap().sample(rates, 0.0, [0.0; 4], &times).unwrap();
+            let largest = states.iter().map(|[x, y, ..]| x.hypot(*y)).fold(0.0, f64::max);
+            assert!((largest / level - 1.0).abs() < 4e-3, "{per_square} {damping}: {largest} for {level}");
+            checked += 1;
+        }
+    }
+    assert!(checked > 30, "{checked}");
 }
 
 #[test]

@@ -1,120 +1,96 @@
-//! The force of a drum that speeds up, and the motion that it makes.
+//! How the drum turns, and what the force of its load does to the shaft.
 
-use super::pair::Pair;
+use super::early::Early;
 use super::root::Root;
+use super::together::Together;
+use crate::scenes::laundromat::Shaft;
+use crate::scenes::laundromat::machine::direction;
 use crate::scenes::laundromat::oscillator::{Oscillator, Roots};
 use crate::two_part::TwoPart;
-use crate::wide::functions::{ROUNDABLE, sin_cos_quarters};
 use nalgebra::Complex;
+use std::f64::consts::PI;
 
-/// The drum's turning, with α > 0.
+/// A drum that turns with φ = Ωt + ½αt², α > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Drum {
-    pub(super) spin: f64,
-    pub(super) acceleration: f64,
-    pub(super) offset: f64,
-    damping: f64,
-    spin_in_quarters: TwoPart,         // 2Ω/π
-    acceleration_in_quarters: TwoPart, // α/π
-}
-
-/// Two roots apart may lose this factor of the digits, not more.
-const MOST_LOST: f64 = 8.0;
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a handful of ramps, each used for thousands of frames")]
-pub(super) enum Forced {
-    /// Two roots apart.
-    Apart([Root; 2]),
-    /// Two roots next to each other.
-    Together(Pair),
+pub(crate) struct Drum {
+    pub(crate) spin: f64,         // Ω
+    pub(crate) acceleration: f64, // α
+    pub(crate) offset: f64,       // b
+    pub(crate) damping: f64,      // Γ
 }
 
 impl Drum {
-    pub(super) fn new(spin: f64, acceleration: f64, offset: f64, damping: f64) -> Self {
-        Self {
-            spin,
-            acceleration,
-            offset,
-            damping,
-            spin_in_quarters: TwoPart::from(2.0 * spin) / TwoPart::PI,
-            acceleration_in_quarters: TwoPart::from(acceleration) / TwoPart::PI,
-        }
+    /// e^{iφ}, the angle formed from 32 digits.
+    pub(super) fn direction(&self, time: f64) -> Complex<f64> {
+        direction((TwoPart::product(0.5 * self.acceleration, time) + TwoPart::from(self.spin)) * time)
     }
 
-    /// The time at which the drum's angle has grown too large to be reduced.
-    pub(super) fn reach(&self) -> f64 {
-        let by_acceleration = (0.25 * ROUNDABLE / self.acceleration_in_quarters.rounded()).sqrt();
-        by_acceleration.min(0.25 * ROUNDABLE / self.spin_in_quarters.rounded().abs())
+    /// φ̇ to 32 digits.
+    pub(super) fn rate(&self, time: f64) -> TwoPart {
+        TwoPart::product(self.acceleration, time) + TwoPart::from(self.spin)
     }
 
-    /// φ in quarter turns, high and low part.
-    #[inline(always)]
-    fn angle(&self, time: f64) -> (f64, f64) {
-        ((self.acceleration_in_quarters * time + self.spin_in_quarters) * time).parts()
+    /// κ of `eq:ramp-arguments`.
+    pub(crate) fn kappa(&self) -> Complex<f64> {
+        Complex::new(0.5, 0.5) * (PI / self.acceleration).sqrt()
     }
 
-    pub(super) fn forced(&self, free: &Oscillator) -> Forced {
+    /// dx/dλ = (1 − i)/2√α of `eq:ramp-arguments`.
+    pub(super) fn slope(&self) -> Complex<f64> {
+        Complex::new(0.5, -0.5) / self.acceleration.sqrt()
+    }
+}
+
+/// The ways to form (λ₁ⁿP₁ − λ₂ⁿP₂)/(λ₁ − λ₂) of `eq:ramp-motion`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Forced {
+    /// As it stands.
+    Apart([Root; 2]),
+    /// For two roots next to each other.
+    Together(Together),
+    /// For a drum that has not yet left the resonance in which it starts.
+    Early(Early),
+}
+
+/// The difference of two roots that are apart may lose this factor of the digits, not more.
+const MOST_LOST: f64 = 8.0;
+
+impl Forced {
+    /// For all times.
+    pub(super) fn new(drum: &Drum, free: &Oscillator) -> Self {
         let zero = TwoPart::from(0.0);
-        let [one, other] = match free.roots() {
+        let decay = 0.5 * drum.damping;
+        // λ₁ and λ₂ as −Re λ and Im λ, and half their difference.
+        let (one, other, half_difference) = match free.roots() {
             Roots::Turning { frequency } => {
-                let decay = 0.5 * self.damping;
-                [(decay, frequency), (decay, -frequency)]
+                ((decay, frequency), (decay, -frequency), Complex::new(0.0, frequency.rounded()))
             }
-            Roots::Real { slow, fast, .. } => [(slow, zero), (fast, zero)],
+            Roots::Real { slow, fast, gap } => ((slow, zero), (fast, zero), Complex::new(0.5 * gap, 0.0)),
         };
-        let half_difference = match free.roots() {
-            Roots::Turning { frequency } => Complex::new(0.0, frequency.rounded()),
-            Roots::Real { gap, .. } => Complex::new(0.5 * gap, 0.0),
-        };
-        let mean = -0.5 * self.damping;
-        // What is lost when the difference of two roots is divided by that of what they do, which varies over this width.
-        let width = self.acceleration.sqrt().max(-mean).max(half_difference.norm());
-        let largest = mean.abs() + half_difference.norm();
+        // P varies over this width of λ, so that λ²P and its change from root to root are as λ² to λ₁ − λ₂ times the
+        // width.
+        let width = drum.acceleration.sqrt().max(decay).max(half_difference.norm());
+        let largest = decay + half_difference.norm();
         if largest * largest > MOST_LOST * half_difference.norm() * width {
-            return Forced::Together(Pair::new(self, mean, half_difference));
+            return Self::Together(Together::new(drum, -decay, half_difference));
         }
         let difference = half_difference * 2.0;
-        Forced::Apart([Root::new(self, one, difference), Root::new(self, other, -difference)])
+        Self::Apart([Root::new(drum, one, difference), Root::new(drum, other, -difference)])
     }
 
-    /// Position and velocity of the motion that the force makes, at one time.
-    pub(super) fn motion(&self, forced: &Forced, time: f64) -> (Complex<f64>, Complex<f64>) {
-        match forced {
-            Forced::Apart(roots) => {
-                let [[x], [y], [vx], [vy]] = self.driven(roots, &[time]);
-                (Complex::new(x, y), Complex::new(vx, vy))
+    /// What the force makes of a shaft that is otherwise free: `eq:ramp-motion` without its last term.
+    pub(super) fn motion(&self, drum: &Drum, time: f64) -> Shaft {
+        let load = drum.direction(time);
+        let [squares, cubes] = match self {
+            Self::Apart([one, other]) => {
+                let [a, b] = [one.weighted(drum, load, time), other.weighted(drum, load, time)];
+                [a[0] + b[0], a[1] + b[1]]
             }
-            Forced::Together(pair) => {
-                let (high, low) = self.angle(time);
-                let (sin, cos) = sin_cos_quarters(high, low);
-                let load = Complex::new(cos, sin);
-                let rate = Complex::new(-self.damping, self.spin + self.acceleration * time);
-                let [position, velocity] = pair.at(load, time);
-                ((load + position) * -self.offset, (load * rate + velocity) * -self.offset)
-            }
-        }
-    }
-
-    /// x, y, ẋ, ẏ at several times: −b (g + Σ …) of `eq:ramp-motion`.
-    #[inline(always)]
-    pub(super) fn driven<const N: usize>(&self, roots: &[Root], times: &[f64; N]) -> [[f64; N]; 4] {
-        let (mut g_cos, mut g_sin) = ([0.0; N], [0.0; N]);
-        let mut sum = [[0.0; N]; 4];
-        for n in 0..N {
-            let (high, low) = self.angle(times[n]);
-            let (sin, cos) = sin_cos_quarters(high, low);
-            (g_cos[n], g_sin[n]) = (cos, sin);
-            let rate = self.spin + self.acceleration * times[n];
-            // g, and its rate with λ₁ + λ₂ = −Γ: (iφ̇ − Γ) g.
-            sum[0][n] = cos;
-            sum[1][n] = sin;
-            sum[2][n] = -rate * sin - self.damping * cos;
-            sum[3][n] = rate * cos - self.damping * sin;
-        }
-        for root in roots {
-            root.add(times, &g_cos, &g_sin, &mut sum);
-        }
-        sum.map(|list| list.map(|value| -self.offset * value))
+            Self::Together(together) => together.quotients(drum, load, time),
+            Self::Early(early) => early.quotients(drum, load, time),
+        };
+        // The rate of P is λP + e^{iφ}, and λ₁ + λ₂ = −Γ.
+        let rate = Complex::new(-drum.damping, drum.rate(time).rounded());
+        Shaft { position: -drum.offset * (load + squares), velocity: -drum.offset * (rate * load + cubes) }
     }
 }

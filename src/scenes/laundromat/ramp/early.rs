@@ -1,86 +1,71 @@
 //! A drum that speeds up slowly and starts near its resonance: what the force does before the drum has left it.
 //!
-//! Through the root that it resonates with it will do much, and in the form for all times the free motion nearly cancels that until it is
-//! done. So here it is counted from the start.
+//! Through the root that it resonates with it will do much, and in the form for all times the free motion nearly
+//! cancels that until it is done. So here it is counted from the start (`eq:ramp-early`).
 
 use super::drum::Drum;
 use super::root::Root;
+use crate::scenes::laundromat::machine::direction;
+use crate::scenes::laundromat::oscillator::{Oscillator, Roots};
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 
-/// How near to resonance this form is used: drum's spin and root apart by less than this part of ω₀, and √α less than it. Further
-/// away, no more than two binary digits are lost.
+/// How near to resonance this form is used: drum's spin and root apart by less than this part of ω₀, and √α less than
+/// it. Further away, no more than two binary digits are lost.
 const NEAR: f64 = 0.25;
 
-/// The resonant root, the other one, and the start of the free motion to be added.
+/// The resonant root λ = −Γ/2 ± iω₁, and the other one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Early {
+pub(crate) struct Early {
     /// Up to which time, of either sign, this form holds: until the drum has drifted by about a radian.
     pub(super) reach: f64,
+    decay: f64,                 // −Re λ
+    turning: TwoPart,           // Im λ
+    off_resonance: f64,         // Ω − Im λ
+    weights: [Complex<f64>; 2], // λ²/(λ₁ − λ₂), and λ times it
     other: Root,
-    pub(super) displacement: Complex<f64>,
-    pub(super) velocity: Complex<f64>,
-    decay: f64,
-    frequency: TwoPart,
-    detuning: f64,
-    acceleration: f64,
-    weights: [Complex<f64>; 2],
 }
 
 impl Early {
-    /// For the roots `−decay ± i·frequency` and a start; `None` away from resonance.
-    pub(super) fn new(
-        drum: &Drum,
-        (decay, frequency): (f64, TwoPart),
-        position: Complex<f64>,
-        velocity: Complex<f64>,
-    ) -> Option<Self> {
-        let frequency = if drum.spin < 0.0 { -frequency } else { frequency };
-        let detuning = (TwoPart::from(drum.spin) - frequency).rounded();
-        let drift = detuning.hypot(decay).max(drum.acceleration.sqrt());
-        let root = Complex::new(-decay, frequency.rounded());
-        if drift > NEAR * root.norm() {
+    /// `None` away from resonance and for critical and heavy damping.
+    pub(super) fn new(drum: &Drum, free: &Oscillator) -> Option<Self> {
+        let Roots::Turning { frequency } = free.roots() else {
             return None;
-        }
-        let difference = Complex::new(0.0, 2.0 * frequency.rounded());
+        };
+        let decay = 0.5 * drum.damping;
+        let turning = if drum.spin < 0.0 { -frequency } else { frequency };
+        let off_resonance = (TwoPart::from(drum.spin) - turning).rounded();
+        let root = Complex::new(-decay, turning.rounded());
+        let drift = off_resonance.hypot(decay).max(drum.acceleration.sqrt());
+        let difference = Complex::new(0.0, 2.0 * turning.rounded());
         let weight = root * root / difference;
-        let other = Root::new(drum, (decay, -frequency), -difference);
-        let [[x], [y], [vx], [vy]] = drum.driven(&[other], &[0.0]);
-        Some(Self {
+        (drift <= NEAR * root.norm()).then(|| Self {
             reach: drift.recip(),
-            other,
-            displacement: position - Complex::new(x, y),
-            velocity: velocity - Complex::new(vx, vy),
             decay,
-            frequency,
-            detuning,
-            acceleration: drum.acceleration,
+            turning,
+            off_resonance,
             weights: [weight, weight * root],
+            other: Root::new(drum, (decay, -turning), -difference),
         })
     }
 
-    /// Position and velocity of the motion that the force makes through both roots.
-    pub(super) fn motion(&self, drum: &Drum, time: f64) -> [Complex<f64>; 2] {
-        let [[x], [y], [vx], [vy]] = drum.driven(&[self.other], &[time]);
-        let [position, velocity] = self.resonant(time);
-        [Complex::new(x, y) - position * drum.offset, Complex::new(vx, vy) - velocity * drum.offset]
+    /// (λ₁ⁿP₁ − λ₂ⁿP₂)/(λ₁ − λ₂) for n = 2 and 3, P of the resonant root counted from the start.
+    pub(super) fn quotients(&self, drum: &Drum, load: Complex<f64>, time: f64) -> [Complex<f64>; 2] {
+        let resonant = self.integral(drum, time);
+        let [square, cube] = self.other.weighted(drum, load, time);
+        [self.weights[0] * resonant + square, self.weights[1] * resonant + cube]
     }
 
-    /// What the force has done through the resonant root since the start: c P and cλ P with `P = ∫₀ᵗ e^{λ(t−s)} e^{iφ(s)} ds`, by
-    /// Gauss's quadrature, to rounding.
-    fn resonant(&self, time: f64) -> [Complex<f64>; 2] {
-        let integrand =
-            |s: f64| Complex::new(self.decay * s, (self.detuning + 0.5 * self.acceleration * s) * s).exp();
-        let sum: Complex<f64> = NODES
-            .iter()
-            .map(|&[node, weight]| {
-                let aside = node * time;
-                (integrand(0.5 * time - aside) + integrand(0.5 * time + aside)) * weight
-            })
-            .sum();
-        let (sin, cos) = (self.frequency * time).sin_cos();
-        let carried = Complex::new(cos, sin) * (time * (-self.decay * time).exp());
-        self.weights.map(|weight| weight * carried * sum)
+    /// `eq:ramp-early` by Gauss's quadrature, to rounding.
+    fn integral(&self, drum: &Drum, time: f64) -> Complex<f64> {
+        let integrand = |s: f64| {
+            Complex::new(self.decay * s, (self.off_resonance + 0.5 * drum.acceleration * s) * s).exp()
+        };
+        let pair = |&[node, weight]: &[f64; 2]| {
+            (integrand((0.5 - node) * time) + integrand((0.5 + node) * time)) * weight
+        };
+        let mean: Complex<f64> = NODES.iter().map(pair).sum();
+        direction(self.turning * time) * (-self.decay * time).exp() * mean * time
     }
 }
 

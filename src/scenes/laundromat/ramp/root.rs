@@ -1,105 +1,74 @@
-//! What the force of a drum that speeds up does through one root of the suspension.
+//! One root of the suspension, and what the force of a drum that speeds up does through it.
 
 use super::drum::Drum;
-use crate::faddeeva::upper_half;
-use crate::scenes::laundromat::frames::LARGEST_EXPONENT;
+use crate::faddeeva::faddeeva;
+use crate::scenes::laundromat::machine::direction;
 use crate::two_part::TwoPart;
-use crate::wide::functions::{ROUNDABLE, exp, sin_cos_quarters};
 use nalgebra::Complex;
-use std::f64::consts::PI;
 
-/// What the force does through one root λ: `P = ∫ e^{λ(t−s)} e^{iφ(s)} ds` and its weights.
+/// A root λ, and its weight ±λ²/(λ₁ − λ₂) in `eq:ramp-motion`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Root {
-    decay: f64,            // −Re λ
-    passing: TwoPart,      // the time at which Faddeeva's argument crosses the real axis
-    slope: f64,            // ½√α
-    lift: f64,             // Re λ/√α
-    left_behind: [f64; 4], // of what remains of the passing: x, y, ẋ, ẏ in the direction of its phase
-    beside: [f64; 4],      // and of Faddeeva's function times the load's direction
-    phase_rate: TwoPart,   // quarter turns
-    phase: TwoPart,
-    late: f64, // 1 if the passing lies before the start
+pub(crate) struct Root {
+    pub(crate) decay: f64,           // −Re λ
+    pub(crate) turning: TwoPart,     // Im λ
+    pub(crate) weight: Complex<f64>, // ±λ²/(λ₁ − λ₂)
+    pub(crate) phase: TwoPart,       // of what the passing leaves behind, carried back to time zero
+    pub(crate) passed: bool,         // before the start
 }
 
 impl Root {
-    /// For the root −decay + i·turning, and its difference from the other.
+    /// For −Re λ, Im λ and the difference of λ from the other root.
     pub(super) fn new(drum: &Drum, (decay, turning): (f64, TwoPart), difference: Complex<f64>) -> Self {
-        let alpha = TwoPart::from(drum.acceleration);
-        let width = drum.acceleration.sqrt();
-        let root = Complex::new(-decay, turning.rounded());
         let ahead = turning - TwoPart::from(drum.spin);
-        let passing = (ahead + TwoPart::from(decay)) / alpha;
-        // The phase of what is left behind: Im λ t + ((Re λ)² − (Im λ − Ω)²)/2α.
         let square = TwoPart::product(decay, decay) - ahead * ahead;
-        let quarters = TwoPart::from(2.0) / TwoPart::PI;
-        let phase = square / (alpha * 2.0) * quarters;
-        // A phase that cannot be reduced is that of a passing beyond reach, or of one that damping leaves nothing of.
-        let phase = if phase.rounded().abs() < ROUNDABLE { phase } else { TwoPart::from(0.0) };
-        let kappa = Complex::new(1.0, 1.0) * (PI.sqrt() / (2.0 * width));
-        let position = root * root * kappa / difference;
-        let velocity = position * root;
-        let numbers = [position.re, position.im, velocity.re, velocity.im];
+        let lambda = Complex::new(-decay, turning.rounded());
         Self {
             decay,
-            passing,
-            slope: 0.5 * width,
-            lift: -decay / width,
-            left_behind: numbers.map(|number| 2.0 * number),
-            beside: numbers,
-            phase_rate: turning * quarters,
-            phase,
-            late: if passing.rounded() < 0.0 { 1.0 } else { 0.0 },
+            turning,
+            weight: lambda * lambda / difference,
+            phase: square / (TwoPart::from(drum.acceleration) * 2.0),
+            passed: (drum.slope() * Complex::new(-decay, ahead.rounded())).im < 0.0,
         }
     }
 
-    /// Before this time what would have to be taken away leaves the range of the exponential.
-    pub(super) fn earliest(&self) -> f64 {
-        if self.late == 0.0 {
-            f64::NEG_INFINITY
-        } else {
-            self.passing.rounded() - LARGEST_EXPONENT / self.decay
-        }
+    /// λ.
+    pub(crate) fn lambda(&self) -> Complex<f64> {
+        Complex::new(-self.decay, self.turning.rounded())
     }
 
-    /// Adds c P and cλ P for this root, c = ±λ²/(λ₁ − λ₂), to x, y, ẋ, ẏ.
-    #[inline(always)]
-    pub(super) fn add<const N: usize>(
-        &self,
-        times: &[f64; N],
-        g_cos: &[f64; N],
-        g_sin: &[f64; N],
-        sum: &mut [[f64; N]; 4],
-    ) {
-        let (passing, passing_low) = self.passing.parts();
-        let (phase, phase_low) = self.phase.parts();
-        let (mut re, mut im, mut side) = ([0.0; N], [0.0; N], [0.0; N]);
-        for n in 0..N {
-            let past = (times[n] - passing) - passing_low;
-            side[n] = if past < 0.0 { 1.0 } else { -1.0 };
-            re[n] = side[n] * (self.lift - self.slope * past);
-            im[n] = self.slope * past.abs();
-        }
-        let [w_re, w_im] = upper_half(&[re, im]);
-        for n in 0..N {
-            let past = (times[n] - passing) - passing_low;
-            let (beside_re, beside_im) = (
-                side[n] * (w_re[n] * g_cos[n] - w_im[n] * g_sin[n]),
-                side[n] * (w_re[n] * g_sin[n] + w_im[n] * g_cos[n]),
-            );
-            let (turned, turned_low) = (self.phase_rate * times[n]).parts();
-            let (high, low) = (TwoPart::sum(turned, phase) + (turned_low + phase_low)).parts();
-            let (sin, cos) = sin_cos_quarters(high, low);
-            let counts = (0.5 - 0.5 * side[n]) - self.late;
-            let exponent = -self.lift * self.lift - self.decay * past;
-            let size = counts * exp(if counts == 0.0 { 0.0 } else { exponent });
-            let (left_re, left_im) = (size * cos, size * sin);
-            for i in [0, 2] {
-                let ([a, b], [c, d]) =
-                    ([self.beside[i], self.beside[i + 1]], [self.left_behind[i], self.left_behind[i + 1]]);
-                sum[i][n] += (a * beside_re - b * beside_im) + (c * left_re - d * left_im);
-                sum[i + 1][n] += (a * beside_im + b * beside_re) + (c * left_im + d * left_re);
+    /// P and λP with the root's weight.
+    pub(super) fn weighted(&self, drum: &Drum, load: Complex<f64>, time: f64) -> [Complex<f64>; 2] {
+        let part = self.weight * self.integral(drum, load, time);
+        [part, part * self.lambda()]
+    }
+
+    /// P of `eq:ramp-integral`; of a passing before the start, less what that leaves behind, which the free motion
+    /// then has.
+    fn integral(&self, drum: &Drum, load: Complex<f64>, time: f64) -> Complex<f64> {
+        let x = self.argument(drum, time);
+        let around = if x.im >= 0.0 { load * faddeeva(x) } else { -load * faddeeva(-x) };
+        drum.kappa()
+            * match (x.im < 0.0, self.passed) {
+                (true, false) => around + self.left_behind(drum, time) * 2.0,
+                (false, true) => around - self.left_behind(drum, time) * 2.0,
+                _ => around,
             }
-        }
+    }
+
+    /// λ − iφ̇, of which the imaginary part loses no digits near resonance.
+    fn off_resonance(&self, drum: &Drum, time: f64) -> Complex<f64> {
+        Complex::new(-self.decay, (self.turning - drum.rate(time)).rounded())
+    }
+
+    /// x of `eq:ramp-arguments`.
+    fn argument(&self, drum: &Drum, time: f64) -> Complex<f64> {
+        drum.slope() * self.off_resonance(drum, time)
+    }
+
+    /// e^{λT + i(λ² − Ω²)/2α}. Since αT = φ̇, the real part of the exponent is Re λ (φ̇ − Im λ)/α; the imaginary
+    /// part, of any size, is Im λ t + ½((Re λ)² − (Im λ − Ω)²)/α, from 32 digits.
+    fn left_behind(&self, drum: &Drum, time: f64) -> Complex<f64> {
+        let off = self.off_resonance(drum, time);
+        direction(self.turning * time + self.phase) * (-off.re * off.im / drum.acceleration).exp()
     }
 }

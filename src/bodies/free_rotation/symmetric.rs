@@ -1,0 +1,161 @@
+//! A free body with an axis of symmetry: its whole motion in a handful of operations.
+
+use crate::attitude::{check_attitude, turn};
+use crate::euler::Turning;
+use crate::inertia::PrincipalMoments;
+use crate::quantity::InvalidQuantity;
+use crate::two_part::TwoPart;
+use crate::wide::{self, turning::TwoTurns};
+use nalgebra::{UnitQuaternion, Vector3};
+
+/// A body that is symmetric about its axis 3 and turns with no torque about its centre of mass.
+///
+/// Its axis goes round the angular momentum **L**, which stands still in the room, at the constant rate `Λ = L/I₁`,
+/// while the body turns about that axis, relative to the plane of the two, at the rate `−σ` with `σ = ω₃(I₃ − I₁)/I₁`
+/// (`eq:top-motion`). Both angles are formed to 32 digits before whole turns are taken off, so attitude and angular
+/// velocity are as exact after a hundred million million turns as after one. [`FreeSymmetricTop::at`] allocates
+/// nothing.
+///
+/// ```
+/// use mechanics::{euler::Turning, free_rotation::FreeSymmetricTop, inertia::Body};
+/// use nalgebra::{UnitQuaternion, Vector3};
+/// // A plate thrown with a slight wobble wobbles twice while it turns once.
+/// let start = Turning {
+///     world_from_body: UnitQuaternion::identity(),
+///     omega_body: Vector3::new(0.01, 0.0, 10.0),
+/// };
+/// let plate = FreeSymmetricTop::new(Body::thin_disk(0.3, 0.1)?.moments(), start)?;
+/// assert!((plate.precession_rate() / 10.0 - 2.0).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeSymmetricTop {
+    moments: PrincipalMoments,
+    start: Turning,
+    pub(crate) momentum_direction_body: Vector3<f64>, // L̂ at t = 0; axis 3 for a body at rest
+    pub(crate) precession_rate: TwoPart,              // Λ
+    pub(crate) body_rate: TwoPart,                    // σ
+}
+
+impl FreeSymmetricTop {
+    /// A body of these moments, and its attitude and angular velocity at time zero. A body at rest is allowed.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if the moments about axes 1 and 2 differ, if a number of `start` is not finite or of a size that
+    /// cannot be computed with, or if its quaternion is not of length one to 1e-12.
+    pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidQuantity> {
+        moments.as_symmetric()?;
+        for component in &start.omega_body {
+            InvalidQuantity::check("angular velocity", *component, "rad/s")?;
+        }
+        check_attitude(&start.world_from_body)?;
+        Ok(Self::from_checked(moments, start))
+    }
+
+    /// The top from numbers that have been checked; the moments about axes 1 and 2 are equal.
+    pub(super) fn from_checked(moments: PrincipalMoments, start: Turning) -> Self {
+        let [transverse, _, axial] = moments.to_array();
+        let [w1, w2, w3]: [f64; 3] = start.omega_body.into();
+        let axial_part = TwoPart::product(axial, w3) / TwoPart::from(transverse); // L₃/I₁
+        let square = TwoPart::product(w1, w1) + TwoPart::product(w2, w2) + axial_part * axial_part;
+        let precession_rate = square.sqrt(); // eq:precession-rate
+        let difference = TwoPart::sum(axial, -transverse) / TwoPart::from(transverse);
+        let body_rate = difference * w3; // eq:body-rate
+        let momentum_direction_body =
+            Vector3::new(w1, w2, axial_part.rounded()).try_normalize(0.0).unwrap_or_else(Vector3::z);
+        Self { moments, start, momentum_direction_body, precession_rate, body_rate }
+    }
+
+    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until
+    /// the body has turned by 1e15 rad. Then the 32 digits of the rates run out; each further decade costs one, and
+    /// from 1e30 rad on only what is constant is known.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
+    pub fn at(&self, time: f64) -> Result<Turning, InvalidQuantity> {
+        let about_momentum = turn(&self.momentum_direction_body, self.precession(time)?);
+        let body_turn = self.body_rate * time;
+        let about_axis = turn(&Vector3::z(), -body_turn);
+        // eq:top-motion-in-body, which has q₀ first, as L̂ is along the body's axes
+        let world_from_body = self.start.world_from_body * about_momentum * about_axis;
+        let (sin, cos) = body_turn.sin_cos();
+        let [w1, w2, w3]: [f64; 3] = self.start.omega_body.into();
+        let omega_body = Vector3::new(w1 * cos - w2 * sin, w1 * sin + w2 * cos, w3); // eq:body-cone
+        Ok(Turning { world_from_body, omega_body })
+    }
+
+    /// Attitude and angular velocity at each of `times`, s, as [`FreeSymmetricTop::at`], several at once.
+    ///
+    /// # Errors
+    /// As [`FreeSymmetricTop::at`], of the first time that is refused.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
+        let kernel = TwoTurns::of_top(self, 0, &UnitQuaternion::identity());
+        wide::sample(times, |times, states| kernel.fill(times, states), |time| self.at(time))
+    }
+
+    /// The direction of the axis of symmetry in the room at `time`, s; cheaper than the whole attitude
+    /// (`eq:axis-motion`).
+    ///
+    /// # Errors
+    /// As [`FreeSymmetricTop::at`].
+    pub fn axis_world(&self, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
+        let about_momentum = turn(&self.momentum_direction_body, self.precession(time)?);
+        Ok(self.start.world_from_body * (about_momentum * Vector3::z()))
+    }
+
+    /// The angle, rad, through which the axis has gone round **L** at `time`, s.
+    pub(crate) fn precession(&self, time: f64) -> Result<TwoPart, InvalidQuantity> {
+        Ok(self.precession_rate * InvalidQuantity::check_time(time)?)
+    }
+
+    /// The moments of the body.
+    pub fn moments(&self) -> PrincipalMoments {
+        self.moments
+    }
+
+    /// Attitude and angular velocity at time zero.
+    pub fn start(&self) -> Turning {
+        self.start
+    }
+
+    /// The rate `Λ = L/I₁`, rad/s, at which the axis of symmetry goes round **L** in the room (`eq:precession-rate`).
+    pub fn precession_rate(&self) -> f64 {
+        self.precession_rate.rounded()
+    }
+
+    /// The rate `σ = ω₃(I₃ − I₁)/I₁`, rad/s, at which the angular velocity goes round axis 3 as seen from the body,
+    /// counter-clockwise about that axis if positive (`eq:body-rate`).
+    pub fn body_rate(&self) -> f64 {
+        self.body_rate.rounded()
+    }
+
+    /// The angle between the axis of symmetry and **L**, rad, from 0 to π; constant (`eq:momentum-angle`). Zero for a
+    /// body at rest.
+    pub fn momentum_angle(&self) -> f64 {
+        let [l1, l2, l3]: [f64; 3] = self.momentum_direction_body.into();
+        l1.hypot(l2).atan2(l3)
+    }
+
+    /// The angle between the axis of symmetry and the angular velocity, rad, from 0 to π; constant. Zero for a body at
+    /// rest.
+    pub fn omega_angle(&self) -> f64 {
+        let omega = self.start.omega_body;
+        omega.x.hypot(omega.y).atan2(omega.z)
+    }
+
+    /// The angular momentum in the room, kg·m²/s; constant.
+    pub fn angular_momentum_world(&self) -> Vector3<f64> {
+        self.start.angular_momentum_world(&self.moments)
+    }
+
+    /// The kinetic energy of rotation, J; constant.
+    pub fn kinetic_energy(&self) -> f64 {
+        self.moments.kinetic_energy(&self.start.omega_body)
+    }
+}
+
+/// Components along the axes of a body from those of a top whose axis 1 is the body's axis number `shift`, counted
+/// from 0.
+pub(crate) fn renamed_back(of_top: [f64; 3], shift: usize) -> Vector3<f64> {
+    Vector3::from_fn(|axis, _| of_top[(axis + 3 - shift) % 3])
+}

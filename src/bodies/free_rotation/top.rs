@@ -1,0 +1,175 @@
+//! Any free body.
+
+use super::asymmetric::Asymmetric;
+use super::symmetric::{FreeSymmetricTop, renamed_back};
+use crate::attitude::{check_attitude, turn};
+use crate::euler::Turning;
+use crate::inertia::PrincipalMoments;
+use crate::quantity::InvalidQuantity;
+use crate::two_part::TwoPart;
+use crate::wide::{self, tumbling::Tumbling, turning::TwoTurns};
+use nalgebra::{UnitQuaternion, Vector2, Vector3};
+
+/// A body of any shape that turns with no torque about its centre of mass (or about a point held fixed, with the
+/// moments about that point), in closed form, attitude included.
+///
+/// With three different moments the angular velocity is made of Jacobi's elliptic functions (`eq:free-jacobi`) and the
+/// attitude of a steady turn about **L**, the shortest way to **L** and the direction of a theta function
+/// (`eq:free-attitude`). All constants come from exact differences and are kept to 30 digits, and the parameter is the
+/// complementary one, so that neither a motion next to the separatrix nor a hundred million periods cost digits
+/// ([`FreeTop::at`] says how exact it is).
+///
+/// ```
+/// use mechanics::{euler::Turning, free_rotation::FreeTop, inertia::Body};
+/// use nalgebra::{UnitQuaternion, Vector3};
+/// // A book thrown almost about its middle axis.
+/// let book = Body::cuboid(1.0, [0.03, 0.15, 0.22])?.moments();
+/// let start = Turning {
+///     world_from_body: UnitQuaternion::identity(),
+///     omega_body: Vector3::new(0.01, 10.0, 0.0),
+/// };
+/// let top = FreeTop::new(book, start)?;
+/// let half = 0.5 * top.period().expect("it flips");
+/// let flipped = top.at(half)?;
+/// assert!((flipped.omega_body.y + 10.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeTop {
+    moments: PrincipalMoments,
+    start: Turning,
+    motion: Motion,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Motion {
+    /// About one axis for ever: a principal axis, or any axis of a sphere.
+    Steady { axis_body: Vector3<f64>, rate: TwoPart },
+    /// Two moments are equal: a top whose axis 3 is this body's axis after a cyclic renaming.
+    Symmetric { top: FreeSymmetricTop, renamed_from_body: UnitQuaternion<f64>, shift: usize },
+    /// Three different moments.
+    Asymmetric(Asymmetric),
+}
+
+impl FreeTop {
+    /// A body of these moments, and its attitude and angular velocity at time zero. A body at rest is allowed.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if a number of `start` is not finite or of a size that cannot be computed with, or if its
+    /// quaternion is not of length one to 1e-12.
+    pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidQuantity> {
+        for component in &start.omega_body {
+            InvalidQuantity::check("angular velocity", *component, "rad/s")?;
+        }
+        check_attitude(&start.world_from_body)?;
+        let motion = Self::motion(moments, start);
+        Ok(Self { moments, start, motion })
+    }
+
+    fn motion(moments: PrincipalMoments, start: Turning) -> Motion {
+        let omega = start.omega_body;
+        let [i1, i2, i3] = moments.to_array();
+        let steady = || {
+            let [w1, w2, w3]: [f64; 3] = omega.into();
+            let square = TwoPart::product(w1, w1) + TwoPart::product(w2, w2) + TwoPart::product(w3, w3);
+            let axis_body = omega.try_normalize(0.0).unwrap_or_else(Vector3::z);
+            Motion::Steady { axis_body, rate: square.sqrt() }
+        };
+        // Which cyclic renaming brings an axis of symmetry to 3: (2, 3, 1), (3, 1, 2) or none.
+        let shift = [(i2 == i3, 1), (i3 == i1, 2), (i1 == i2, 0)].into_iter().find(|(equal, _)| *equal);
+        if i1 == i2 && i2 == i3 {
+            return steady();
+        }
+        let Some((_, shift)) = shift else {
+            return Asymmetric::new(moments, &start).map_or_else(steady, Motion::Asymmetric);
+        };
+        let renamed_from_body = cyclic(shift);
+        let turning = Turning {
+            world_from_body: start.world_from_body * renamed_from_body.inverse(),
+            omega_body: Vector3::from_fn(|axis, _| omega[(axis + shift) % 3]),
+        };
+        let top = FreeSymmetricTop::from_checked(moments.renamed(shift), turning);
+        Motion::Symmetric { top, renamed_from_body, shift }
+    }
+
+    /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until
+    /// the body has turned by 1e15 rad (by its quickest motion). Then the 32 digits of the rates run out; each further
+    /// decade costs one, and from 1e30 rad on only what is constant is known. Next to the separatrix, where the period
+    /// hangs on a small difference, they run out at `1e17 k'²` rad if that is earlier.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
+    pub fn at(&self, time: f64) -> Result<Turning, InvalidQuantity> {
+        InvalidQuantity::check_time(time)?;
+        Ok(match &self.motion {
+            Motion::Steady { axis_body, rate } => Turning {
+                world_from_body: self.start.world_from_body * turn(axis_body, *rate * time),
+                omega_body: self.start.omega_body,
+            },
+            Motion::Symmetric { top, renamed_from_body, shift } => {
+                let Turning { world_from_body, omega_body } = top.at(time)?;
+                Turning {
+                    world_from_body: world_from_body * renamed_from_body,
+                    omega_body: renamed_back(omega_body.into(), *shift),
+                }
+            }
+            Motion::Asymmetric(motion) => motion.at(time),
+        })
+    }
+
+    /// Attitude and angular velocity at each of `times`, s, as [`FreeTop::at`], several at once.
+    ///
+    /// # Errors
+    /// As [`FreeTop::at`], of the first time that is refused.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
+        let at = |time: f64| self.at(time);
+        match &self.motion {
+            Motion::Steady { axis_body, rate } => {
+                let kernel = TwoTurns::steady(&self.start, axis_body, *rate);
+                wide::sample(times, |times, states| kernel.fill(times, states), at)
+            }
+            Motion::Symmetric { top, renamed_from_body, shift } => {
+                let kernel = TwoTurns::of_top(top, *shift, renamed_from_body);
+                wide::sample(times, |times, states| kernel.fill(times, states), at)
+            }
+            Motion::Asymmetric(motion) => {
+                let kernel = Tumbling::new(motion);
+                wide::sample(times, |times, states| kernel.fill(times, states), at)
+            }
+        }
+    }
+
+    /// The time after which the angular velocity, seen from the body, is the same again, s, with a relative error
+    /// below 4e-16. `None` if it never changes, or, on the separatrix, never comes back.
+    pub fn period(&self) -> Option<f64> {
+        match &self.motion {
+            Motion::Steady { .. } => None,
+            Motion::Symmetric { top, .. } => {
+                let (rate, transverse) = (top.body_rate().abs(), top.start().omega_body.xy());
+                (rate > 0.0 && transverse != Vector2::zeros()).then(|| std::f64::consts::TAU / rate)
+            }
+            Motion::Asymmetric(motion) => motion.period(),
+        }
+    }
+
+    /// The moments of the body.
+    pub fn moments(&self) -> PrincipalMoments {
+        self.moments
+    }
+
+    /// Attitude and angular velocity at time zero.
+    pub fn start(&self) -> Turning {
+        self.start
+    }
+}
+
+/// The rotation that gives axes 1, 2, 3 the names of the axes `shift` further on.
+fn cyclic(shift: usize) -> UnitQuaternion<f64> {
+    // A third of a turn about the diagonal for each step.
+    let step = nalgebra::Quaternion::new(0.5, -0.5, -0.5, -0.5);
+    UnitQuaternion::new_unchecked(match shift {
+        0 => nalgebra::Quaternion::identity(),
+        1 => step,
+        _ => step.conjugate(),
+    })
+}

@@ -1,0 +1,105 @@
+//! Three moments that a body can have.
+
+use crate::quantity::{InvalidQuantity, Rule};
+use nalgebra::Vector3;
+
+/// How much the largest moment of a flat body may exceed the sum of the others through rounding, relative.
+const FLAT: f64 = 4.0 * f64::EPSILON;
+/// What moments are given in.
+const UNIT: &str = "kg·m²";
+
+/// The principal moments of inertia of a body, kg·m², about axes 1, 2 and 3 that are fixed in it.
+///
+/// All three are more than zero, and none exceeds the sum of the other two: `I₁ + I₂ = I₃ + 2∫z² dm` (`eq:triangle`).
+///
+/// ```
+/// use mechanics::inertia::PrincipalMoments;
+/// let refusal = PrincipalMoments::new(2.0, 3.0, 9.0).unwrap_err();
+/// assert_eq!(
+///     refusal.to_string(),
+///     "largest principal moment 9 kg·m² exceeds the sum of the other two, 5 kg·m²"
+/// );
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PrincipalMoments {
+    moments: [f64; 3],
+}
+
+/// The moments of a body that is symmetric about its axis 3.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SymmetricMoments {
+    /// I₁, about every axis across the body's own, kg·m².
+    pub transverse: f64,
+    /// I₃, about the body's axis, kg·m².
+    pub axial: f64,
+}
+
+impl PrincipalMoments {
+    /// Checks three moments about three perpendicular axes, kg·m².
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if one is not finite, is zero or less, is outside 1e-50 to 1e50, or exceeds the sum of the
+    /// other two by more than rounding.
+    pub fn new(about_1: f64, about_2: f64, about_3: f64) -> Result<Self, InvalidQuantity> {
+        let moments = [about_1, about_2, about_3];
+        for moment in moments {
+            InvalidQuantity::check_positive("principal moment", moment, UNIT)?;
+        }
+        let mut sorted = moments;
+        sorted.sort_by(f64::total_cmp);
+        let [smallest, middle, largest] = sorted;
+        let others = smallest + middle;
+        let rule = Rule::NotAbove { what: "the sum of the other two", limit: others };
+        let is_body = largest <= others * (1.0 + FLAT); // eq:triangle
+        InvalidQuantity::require(is_body, "largest principal moment", largest, UNIT, rule)?;
+        Ok(Self { moments })
+    }
+
+    /// The moments of a body with an axis of symmetry, along axis 3: `transverse` about every axis across it, `axial`
+    /// about it, kg·m².
+    ///
+    /// # Errors
+    /// As [`PrincipalMoments::new`].
+    pub fn symmetric(transverse: f64, axial: f64) -> Result<Self, InvalidQuantity> {
+        Self::new(transverse, transverse, axial)
+    }
+
+    /// The three moments about axes 1, 2, 3, kg·m².
+    pub fn to_array(self) -> [f64; 3] {
+        self.moments
+    }
+
+    /// The two moments of a body that is symmetric about axis 3.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if the moment about axis 2 is not the one about axis 1.
+    pub fn as_symmetric(self) -> Result<SymmetricMoments, InvalidQuantity> {
+        let [transverse, other, axial] = self.moments;
+        let rule = Rule::EqualTo(transverse);
+        InvalidQuantity::require(other == transverse, "moment about axis 2", other, UNIT, rule)?;
+        Ok(SymmetricMoments { transverse, axial })
+    }
+
+    /// The same body with its axes renamed: its axis 1 is the present axis number `shift`, counted from 0.
+    pub(crate) fn renamed(self, shift: usize) -> Self {
+        Self { moments: std::array::from_fn(|axis| self.moments[(axis + shift) % 3]) }
+    }
+
+    /// The angular momentum `L = Iω` about the centre of mass, kg·m²/s, along the body's axes, for an angular velocity
+    /// `omega_body` along the same axes, rad/s (`eq:spin-momentum`).
+    pub fn angular_momentum(self, omega_body: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::from(self.moments).component_mul(omega_body)
+    }
+
+    /// The kinetic energy of rotation `½ ω·Iω`, J, for an angular velocity `omega_body` along the body's axes, rad/s
+    /// (`eq:spin-energy`).
+    pub fn kinetic_energy(self, omega_body: &Vector3<f64>) -> f64 {
+        0.5 * omega_body.dot(&self.angular_momentum(omega_body))
+    }
+
+    /// The angular velocity along the body's axes, rad/s, that belongs to an angular momentum along the same axes,
+    /// kg·m²/s.
+    pub fn angular_velocity(self, momentum_body: &Vector3<f64>) -> Vector3<f64> {
+        momentum_body.component_div(&Vector3::from(self.moments))
+    }
+}

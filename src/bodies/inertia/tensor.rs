@@ -1,0 +1,90 @@
+//! Inertia about any point, along any axes.
+
+use super::moments::PrincipalMoments;
+use crate::quantity::InvalidQuantity;
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+/// What it costs to turn a matrix and to find its axes, of the largest moment.
+const ROUNDING: f64 = 1e-14;
+
+/// The inertia tensor of a body about a point: a symmetric matrix, kg·m², along stated axes.
+///
+/// ```
+/// use mechanics::inertia::Body;
+/// use nalgebra::Vector3;
+/// // A hoop about a point of its rim: 3/2, 1/2 and 2 times ma² (tangent, diameter, normal).
+/// let about_rim = Body::hoop(1.0, 1.0)?.about(&Vector3::new(0.0, 1.0, 0.0))?;
+/// assert_eq!(about_rim.matrix().diagonal(), Vector3::new(1.5, 0.5, 2.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InertiaTensor {
+    matrix: Matrix3<f64>,
+}
+
+/// The principal axes of an inertia tensor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PrincipalAxes {
+    /// The moments about them, smallest first.
+    pub moments: PrincipalMoments,
+    /// Takes components along them to components along the axes of the tensor.
+    pub present_from_principal: Rotation3<f64>,
+}
+
+impl InertiaTensor {
+    /// The tensor about the point that the moments are about, along their axes.
+    pub fn principal(moments: PrincipalMoments) -> Self {
+        Self { matrix: Matrix3::from_diagonal(&moments.to_array().into()) }
+    }
+
+    /// The matrix, kg·m².
+    pub fn matrix(&self) -> &Matrix3<f64> {
+        &self.matrix
+    }
+
+    /// The angular momentum about the point, kg·m²/s, of a body that turns about that point with `omega`, rad/s.
+    pub fn angular_momentum(&self, omega: &Vector3<f64>) -> Vector3<f64> {
+        self.matrix * omega
+    }
+
+    /// The tensor along other axes, `R I Rᵀ`: R takes components along the present axes to those along the others.
+    #[must_use]
+    pub fn rotated(&self, other_from_present: &Rotation3<f64>) -> Self {
+        let turn = other_from_present.matrix();
+        Self { matrix: symmetrised(turn * self.matrix * turn.transpose()) }
+    }
+
+    /// From the centre of mass of a body of mass `mass`, kg, to the point at `displacement` from it, m. From any other
+    /// point it would be meaningless, so that only a body, which knows its centre of mass, may ask for it.
+    pub(super) fn shifted(&self, mass: f64, displacement: &Vector3<f64>) -> Self {
+        let square = Matrix3::from_diagonal_element(displacement.norm_squared());
+        Self { matrix: self.matrix + (square - displacement * displacement.transpose()) * mass } // eq:steiner
+    }
+
+    /// The principal moments and the axes that they are about. Good to 5e-15 of the largest moment.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if the matrix is not the inertia of a body with three positive moments.
+    pub fn principal_axes(&self) -> Result<PrincipalAxes, InvalidQuantity> {
+        if let Some(&bad) = self.matrix.iter().find(|entry| !entry.is_finite()) {
+            PrincipalMoments::new(bad, bad, bad)?;
+        }
+        let eigen = self.matrix.symmetric_eigen();
+        let mut order = [0, 1, 2];
+        order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
+        let [first, second, _] = order.map(|i| eigen.eigenvectors.column(i).into_owned());
+        let axes = Matrix3::from_columns(&[first, second, first.cross(&second)]); // right-handed
+        let [about_1, about_2, largest] = order.map(|i| eigen.eigenvalues[i]);
+        // A flat body's is not more than the sum of the others through rounding.
+        let others = about_1 + about_2;
+        let about_3 = if largest - others < ROUNDING * largest { largest.min(others) } else { largest };
+        Ok(PrincipalAxes {
+            moments: PrincipalMoments::new(about_1, about_2, about_3)?,
+            present_from_principal: Rotation3::from_matrix_unchecked(axes),
+        })
+    }
+}
+
+fn symmetrised(matrix: Matrix3<f64>) -> Matrix3<f64> {
+    (matrix + matrix.transpose()) * 0.5
+}

@@ -1,0 +1,72 @@
+//! The attitude of a body that spins down: the one thing here without a closed form.
+
+use super::DraggedTop;
+use crate::Error;
+use crate::attitude::{check_attitude, quaternion_rate};
+use crate::euler::Turning;
+use crate::integrate::Dop853;
+use crate::quantity::InvalidQuantity;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+/// A body that spins down, with its attitude: the angular velocity is the closed form, and only the four numbers of the
+/// attitude are integrated.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThrownTop {
+    top: DraggedTop,
+    world_from_body: UnitQuaternion<f64>,
+    solver: Dop853,
+}
+
+impl DraggedTop {
+    /// The same motion as it is seen in the room, with the attitude `world_from_body` at time zero and a solver for it.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] for a quaternion that is not of length one to 1e-12.
+    pub fn thrown(
+        &self,
+        world_from_body: UnitQuaternion<f64>,
+        solver: &Dop853,
+    ) -> Result<ThrownTop, InvalidQuantity> {
+        check_attitude(&world_from_body)?;
+        Ok(ThrownTop { top: *self, world_from_body, solver: *solver })
+    }
+}
+
+impl ThrownTop {
+    /// Attitude and angular velocity at `time`, s, zero or later. The attitude is as exact as the solver's tolerance
+    /// makes it, and the whole way to that time is integrated.
+    ///
+    /// # Errors
+    /// [`Error`] for a time that [`DraggedTop::at`] refuses, and if the integration fails.
+    pub fn at(&self, time: f64) -> Result<Turning, Error> {
+        let omega_body = self.top.at(time)?;
+        let end = self.solver.solve(|time, q| self.rates(time, q), 0.0, self.start(), time)?;
+        Ok(turning(end.state, omega_body))
+    }
+
+    /// Attitudes and angular velocities at `times`, s, in ascending order, in one integration: the states of
+    /// [`ThrownTop::at`] within the solver's tolerance.
+    ///
+    /// # Errors
+    /// [`Error`] as for [`ThrownTop::at`], and for times that do not ascend.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, Error> {
+        let omegas = self.top.sample(times)?;
+        let (states, _) = self.solver.sample(|time, q| self.rates(time, q), 0.0, self.start(), times)?;
+        Ok(states.into_iter().zip(omegas).map(|(q, omega_body)| turning(q, omega_body)).collect())
+    }
+
+    /// The four numbers that the solver steps, at time zero.
+    fn start(&self) -> [f64; 4] {
+        let q = self.world_from_body;
+        [q.w, q.i, q.j, q.k]
+    }
+
+    fn rates(&self, time: f64, &[w, i, j, k]: &[f64; 4]) -> [f64; 4] {
+        let rate = quaternion_rate(&Quaternion::new(w, i, j, k), &self.top.omega_body(time));
+        [rate.w, rate.i, rate.j, rate.k]
+    }
+}
+
+fn turning([w, i, j, k]: [f64; 4], omega_body: Vector3<f64>) -> Turning {
+    Turning { world_from_body: UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k)), omega_body }
+}

@@ -1,0 +1,21 @@
+//! A tilted plate on a shaft, and the pistons that it drives. Chapter "The wobble plate".
+//!
+//! The shaft lies along z and turns with the angular velocity ω; the phase is ωt. The rotating axes are `x' = (cos ωt,
+//! sin ωt, 0)`, `y' = z × x'` and z. The plate's normal is `cos α z − sin α x'` (`eq:plate-axes`). Nothing here has a
+//! state: every quantity is a function of the phase. A phase or spin that is not finite gives NaN.
+
+mod engine;
+mod pistons;
+mod plate;
+
+pub use engine::Engine;
+pub use pistons::{PistonParameters, Pistons};
+pub use plate::{LargestMomentumAngle, Plate, PlateParameters};
+
+use nalgebra::Vector3;
+
+/// Components along x', y', z as components in the room at a phase, rad.
+pub fn in_room(rotating: &Vector3<f64>, phase: f64) -> Vector3<f64> {
+    let (sin, cos) = phase.sin_cos();
+    Vector3::new(rotating.x * cos - rotating.y * sin, rotating.x * sin + rotating.y * cos, rotating.z)
+}

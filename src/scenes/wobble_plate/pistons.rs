@@ -1,0 +1,72 @@
+//! Pistons round the shaft.
+
+use crate::quantity::{InvalidQuantity, Rule};
+
+/// A sum over so many pistons takes less than a tenth of a millisecond.
+const MOST_PISTONS: u32 = 1000;
+
+/// Pistons of equal mass, evenly spaced round the shaft, their rods pressed against the plate.
+///
+/// Piston n of N stands at the azimuth `2πn/N − π/2`. A rod's end keeps its distance from the shaft and stays on the
+/// plate's middle plane; a thick plate adds a constant length, which changes nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pistons(PistonParameters);
+
+/// How many pistons there are, and where.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PistonParameters {
+    /// How many, N, from one to a thousand.
+    pub count: u32,
+    /// The mass m of each, kg, zero or more.
+    pub mass: f64,
+    /// Their distance r from the shaft, m, more than zero.
+    pub distance: f64,
+    /// How far their centres lie below the rods' ends, ℓ, m, zero or more.
+    pub rod: f64,
+}
+
+impl Pistons {
+    /// The pistons.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if a number breaks its rule.
+    pub fn new(parameters: PistonParameters) -> Result<Self, InvalidQuantity> {
+        let PistonParameters { count, mass, distance, rod } = parameters;
+        let number =
+            |holds, rule| InvalidQuantity::require(holds, "number of pistons", f64::from(count), "", rule);
+        number(count >= 1, Rule::AtLeast(1.0))?;
+        number(count <= MOST_PISTONS, Rule::AtMost(f64::from(MOST_PISTONS)))?;
+        InvalidQuantity::check_not_negative("piston mass", mass, "kg")?;
+        InvalidQuantity::check_positive("distance of the pistons", distance, "m")?;
+        InvalidQuantity::check_not_negative("rod length", rod, "m")?;
+        Ok(Self(parameters))
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> u32 {
+        self.0.count
+    }
+
+    /// The mass of each, kg.
+    pub fn mass(&self) -> f64 {
+        self.0.mass
+    }
+
+    /// Their distance from the shaft, m.
+    pub fn distance(&self) -> f64 {
+        self.0.distance
+    }
+
+    /// How far their centres lie below the rods' ends, m.
+    pub fn rod(&self) -> f64 {
+        self.0.rod
+    }
+
+    /// The same with another mass each, kg.
+    ///
+    /// # Errors
+    /// As [`Pistons::new`].
+    pub fn with_mass(self, mass: f64) -> Result<Self, InvalidQuantity> {
+        Self::new(PistonParameters { mass, ..self.0 })
+    }
+}
