@@ -2,9 +2,8 @@
 
 use mechanics::integrate::{Dop853, Failure, Taylor};
 use mechanics::nalgebra::{Complex, Vector3};
-use mechanics::scenes::spinning_coin::{
-    DiskParameters, EulersDisk, Loss, MomentFactors, Rolling, Sinking, SpinDown, SpinningCoin,
-};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+use mechanics::scenes::spinning_coin::{EulersDisk, Loss, Sinking, SpinDown, SpinningCoin};
 use mechanics::{Error, InvalidQuantity, Rule};
 use std::f64::consts::TAU;
 

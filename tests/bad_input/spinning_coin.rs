@@ -1,10 +1,9 @@
 //! Wheels, and coins that spin down.
 
 use mechanics::integrate::Taylor;
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
-use mechanics::scenes::spinning_coin::{
-    DiskParameters, EulersDisk, Loss, MomentFactors, Rolling, SpinDown, SpinningCoin,
-};
+use mechanics::scenes::spinning_coin::{EulersDisk, Loss, SpinDown, SpinningCoin};
 use mechanics::{InvalidQuantity, Rule};
 use std::fmt;
 

@@ -13,8 +13,8 @@ mod tolerance;
 mod vanishing;
 
 use mechanics::measure::observed_order;
+use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::laundromat::{Machine, Parameters};
-use mechanics::scenes::spinning_coin::{DiskParameters, MomentFactors};
 use serde_json::Value;
 use std::ops::Range;
 use std::sync::OnceLock;

@@ -2,8 +2,9 @@
 
 use crate::{FEW_ULPS, assert_level, assert_slope, machine, number, relative, rows};
 use mechanics::integrate::{Dop853, Failure, Taylor, Work, rk4};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::laundromat::{Machine, Polar, Shaft};
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel};
+use mechanics::scenes::rolling_wheel::Wheel;
 use nalgebra::Complex;
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -8,7 +8,8 @@ mod start;
 mod steady;
 mod whole_body;
 
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Wheel};
+use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::scenes::rolling_wheel::Wheel;
 
 /// Mass, radius and gravity of the tests: nothing is one.
 const MASS: f64 = 1.7;

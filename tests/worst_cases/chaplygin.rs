@@ -4,7 +4,8 @@ use crate::conical;
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search};
 use crate::taylor::System;
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+use mechanics::scenes::rolling_wheel::Wheel;
 use std::f64::consts::FRAC_PI_2;
 
 /// Units in the last place of the sums without their signs.

@@ -6,7 +6,7 @@ use crate::long::{Long, PI, long};
 use crate::search::Draw;
 use crate::taylor::{System, Term};
 use mechanics::nalgebra::Complex;
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 
 /// Hoop, disc, other flat bodies, and bodies that are not flat, of mass one.
 pub(crate) fn parameters(draw: &mut Draw<'_>, least: f64) -> DiskParameters {

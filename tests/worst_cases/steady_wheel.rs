@@ -2,7 +2,8 @@
 
 use crate::long::{Long, PI, long};
 use crate::search::{Case, search};
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Wheel};
+use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::SpinningCoin;
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use std::f64::consts::FRAC_PI_2;

@@ -5,7 +5,8 @@ use crate::rolling::{Disc, numbers, parameters, placed, rolling, worst_part};
 use crate::search::{Case, Draw, search};
 use mechanics::integrate::Taylor;
 use mechanics::nalgebra::Complex;
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel, Wobble};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+use mechanics::scenes::rolling_wheel::{Wheel, Wobble};
 use mechanics::{Error, Rule};
 use std::f64::consts::FRAC_PI_2;
 

@@ -16,7 +16,6 @@ mod swing;
 mod wheel;
 mod wobble;
 
-pub use crate::rolling::{DiskParameters, MomentFactors, Rolling};
 pub use constants::RollingConstants;
 pub use steady::SteadyRolling;
 pub use wheel::Wheel;

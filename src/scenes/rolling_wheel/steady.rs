@@ -9,7 +9,8 @@ use std::f64::consts::FRAC_PI_2;
 /// A wheel that rolls steadily round a circle.
 ///
 /// ```
-/// use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Wheel};
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::rolling_wheel::Wheel;
 /// // A hoop leaning by 30° whose centre goes round on half its radius.
 /// let (mass, radius, gravity) = (1.0, 1.0, 9.81);
 /// let hoop = Wheel::new(DiskParameters { mass, radius, moments: MomentFactors::HOOP, gravity })?;

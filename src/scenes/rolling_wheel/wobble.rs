@@ -24,7 +24,8 @@ const MOST_WOBBLES: f64 = 140_737_488_355_328.0; // 2^47
 ///
 /// ```
 /// use mechanics::integrate::Taylor;
-/// use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel};
+/// use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+/// use mechanics::scenes::rolling_wheel::Wheel;
 /// let (mass, radius, gravity) = (1.0, 0.1, 9.81);
 /// let disc = Wheel::new(DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity })?;
 /// let start = Rolling { omega_1: 1.0, ..disc.steady(0.5, 0.3)?.state() };

@@ -10,7 +10,8 @@ use std::f64::consts::FRAC_PI_2;
 /// A coin, disc or hoop that rolls on its edge round a circle about its own centre.
 ///
 /// ```
-/// use mechanics::scenes::spinning_coin::{DiskParameters, MomentFactors, SpinningCoin};
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::spinning_coin::SpinningCoin;
 /// // A heavy steel disc of 37.5 mm, almost flat.
 /// let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
 /// let steel = DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity };

@@ -17,7 +17,8 @@ use std::f64::consts::PI;
 ///
 /// ```
 /// use mechanics::integrate::Taylor;
-/// use mechanics::scenes::spinning_coin::{DiskParameters, EulersDisk, MomentFactors};
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::spinning_coin::EulersDisk;
 /// // The steel disc of the toy shops, 0.4 kg and 37.5 mm, in air.
 /// let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
 /// let steel = DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity };

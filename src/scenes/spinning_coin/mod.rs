@@ -12,7 +12,6 @@ mod film;
 mod sinking;
 mod spin_down;
 
-pub use crate::rolling::{DiskParameters, MomentFactors, Rolling};
 pub use coin::SpinningCoin;
 pub use film::EulersDisk;
 pub use sinking::Sinking;

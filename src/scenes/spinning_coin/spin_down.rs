@@ -54,7 +54,8 @@ impl Loss {
 /// A coin on its way down, from a start to the moment t₀ when, by this law, it lies flat (`eq:spin-down`).
 ///
 /// ```
-/// use mechanics::scenes::spinning_coin::{DiskParameters, Loss, MomentFactors, SpinDown, SpinningCoin};
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 /// // A steel disc of 0.4 kg, with the air under it as the only brake.
 /// let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
 /// let steel = DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity };
