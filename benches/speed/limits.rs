@@ -1,4 +1,5 @@
-//! What a frame costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and on all.
+//! What a frame costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and
+//! on all.
 
 use crate::contest::Cause;
 use crate::ours::{UNIT_DISC, turning};

@@ -1,8 +1,8 @@
-//! Hard cases: the naive program fails by as much as its cause predicts, and the library does not, over decades of the hard
-//! parameter and against 35 digits that no code of this library took part in.
+//! Hard cases: the naive program fails by as much as its cause predicts, and the library does not, over decades of the
+//! hard parameter and against 35 digits that no code of this library took part in.
 //!
-//! Failures are bounded from below and from above: should one become smaller the lesson is no longer true, should one become larger the
-//! cause is another.
+//! Failures are bounded from below and from above: should one become smaller the lesson is no longer true, should one
+//! become larger the cause is another.
 
 mod cancellation;
 mod drift;

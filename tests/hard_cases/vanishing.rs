@@ -144,7 +144,8 @@ fn wheel_that_almost_falls_flat_is_followed_by_its_tilt_however_near_it_comes() 
         let (error, work) = drop.by_tilt(1e-13).unwrap();
         println!("q = {:e}: {error:e}, {} evaluations", drop.q(), work.evaluations);
         assert!(error.abs() < 1e-12, "q = {:e}: {error:e}", drop.q());
-        // A thousand evaluations a decade: the steps are in proportion to the tilt. Equal steps would cost ten times as many a decade.
+        // A thousand evaluations a decade: the steps are in proportion to the tilt. Equal steps would cost ten times as
+        // many a decade.
         let decades = -drop.q().log10();
         let expected = 300.0 + 1050.0 * decades;
         assert!(

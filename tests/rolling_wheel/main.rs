@@ -1,4 +1,5 @@
-//! The rolling wheel: equations (72) to (90) and (5), each by a route that shares no code with it, and the general motion.
+//! The rolling wheel: equations (72) to (90) and (5), each by a route that shares no code with it, and the general
+//! motion.
 
 mod coin;
 mod general;

@@ -59,7 +59,8 @@ fn a_wobble_begins_with_its_start_to_rounding_even_next_to_an_unstable_motion() 
 
 #[test]
 fn the_period_of_a_wheel_that_falls_from_all_but_upright_grows_by_the_logarithm_of_what_is_left() {
-    // Small leans obey (1 + k/2) θ̈ = (1 − 2(1 + k) n²) θ, and four times in a wobble the way goes from the least to the largest.
+    // Small leans obey (1 + k/2) θ̈ = (1 − 2(1 + k) n²) θ, and four times in a wobble the way goes from the least to
+    // the largest.
     let period = |push: f64, along: f64| {
         wobble(&disc(), Rolling { omega_1: push, omega_3: along, ..UPRIGHT }, 1e-16).unwrap().period()
     };

@@ -28,11 +28,11 @@ pub struct SteadyRolling {
 }
 
 impl Wheel {
-    /// Steady rolling with a lean θ, rad, and the centre on a circle of radius b = `centre_radius`, m; negative if the centre is
-    /// beyond the axis (`eq:steady-moments`). Of the two senses, the one with positive Ω.
+    /// Steady rolling with a lean θ, rad, and the centre on a circle of radius b = `centre_radius`, m; negative if the
+    /// centre is beyond the axis (`eq:steady-moments`). Of the two senses, the one with positive Ω.
     ///
-    /// Rates and [`SteadyRolling::wobble_square`] are exact to 4 units in the last place, of the largest term where terms cancel, and lose
-    /// what `(1 + I₃)b + I₁a sin θ` loses near the least radius, where it vanishes.
+    /// Rates and [`SteadyRolling::wobble_square`] are exact to 4 units in the last place, of the largest term where
+    /// terms cancel, and lose what `(1 + I₃)b + I₁a sin θ` loses near the least radius, where it vanishes.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for an upright or a flat wheel, and where no turn rate balances the lean.
@@ -75,7 +75,8 @@ impl SteadyRolling {
         self.turn_rate * self.centre_radius / self.radius()
     }
 
-    /// Radius of the contact point's circle, `b + a sin θ`, m; negative if it lies beyond the axis (`eq:contact-speed`).
+    /// Radius of the contact point's circle, `b + a sin θ`, m; negative if it lies beyond the axis
+    /// (`eq:contact-speed`).
     pub fn contact_radius(&self) -> f64 {
         self.centre_radius + self.radius() * self.lean.sin()
     }
