@@ -94,8 +94,7 @@ impl Conical {
             return self.about_centre(x);
         }
         let [p, p_slope, q, q_slope] = self.near_end(gap);
-        let combine =
-            |[along, beside]: [f64; 2]| [along * p + beside * q, along * p_slope + beside * q_slope];
+        let combine = |[a, b]: [f64; 2]| [a * p + b * q, a * p_slope + b * q_slope];
         let ([even, even_slope], [odd, odd_slope]) =
             (combine(self.even_from_end), combine(self.odd_from_end));
         let sign = x.signum();

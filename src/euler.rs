@@ -130,19 +130,18 @@ impl FreeSeries {
 impl Expand<7> for FreeSeries {
     fn expand(&self, series: &mut Series<7>) {
         for n in 0..TAYLOR_ORDER {
-            // The coefficients of the products ω₂ω₃, ω₃ω₁, ω₁ω₂ and of q (0, ω).
+            // The coefficients of the products ω₂ω₃, ω₃ω₁, ω₁ω₂ (eq:euler-rates) and of qω (eq:quaternion-rate).
             let (mut spins, mut turns) = ([0.0; 3], [0.0; 4]);
             for j in 0..=n {
-                let [w, i, k, l, ..] = series[j];
-                let [_, _, _, _, a1, a2, a3] = series[j];
+                let [q0, q1, q2, q3, a1, a2, a3] = series[j];
                 let [_, _, _, _, w1, w2, w3] = series[n - j];
                 spins[0] += a2 * w3;
                 spins[1] += a3 * w1;
                 spins[2] += a1 * w2;
-                turns[0] -= i * w1 + k * w2 + l * w3;
-                turns[1] += w * w1 + k * w3 - l * w2;
-                turns[2] += w * w2 + l * w1 - i * w3;
-                turns[3] += w * w3 + i * w2 - k * w1;
+                turns[0] -= q1 * w1 + q2 * w2 + q3 * w3;
+                turns[1] += q0 * w1 + q2 * w3 - q3 * w2;
+                turns[2] += q0 * w2 + q3 * w1 - q1 * w3;
+                turns[3] += q0 * w3 + q1 * w2 - q2 * w1;
             }
             let over = 1.0 / (n + 1) as f64;
             let [c1, c2, c3] = self.couplings;

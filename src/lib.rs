@@ -9,8 +9,8 @@
 //! | The struck space station | [`scenes::space_station`] |
 //! | Frisbee and pencil | [`scenes::air_drag`] |
 //! | The pinned hoop | [`scenes::pinned_hoop`], [`elliptic`] |
-//! | The rolling wheel | [`scenes::rolling_wheel`], [`conical`] |
-//! | The spinning coin | [`scenes::spinning_coin`] |
+//! | The rolling wheel | [`scenes::rolling_wheel`], [`rolling`], [`conical`] |
+//! | The spinning coin | [`scenes::spinning_coin`], [`rolling`] |
 //! | Methods | [`integrate`], [`geometric`] |
 //! | Speed and accuracy | [`measure`], [`sweep`] |
 //! | Hard cases | all of them, where digits get lost |
@@ -31,17 +31,15 @@ pub mod geometric;
 pub mod inertia;
 pub mod integrate;
 pub mod measure;
+pub mod rolling;
 pub mod scenes;
 pub mod sweep;
 
 mod error;
-mod frames;
 mod quantity;
-mod rolling;
 mod two_part;
 mod wide;
 
 pub use error::Error;
-pub use frames::InvalidFrames;
 pub use nalgebra;
 pub use quantity::{InvalidQuantity, Rule};

@@ -1,13 +1,14 @@
 //! What a frame costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and on all.
 
 use crate::contest::Cause;
-use crate::ours::turning;
+use crate::ours::{UNIT_DISC, turning};
 use crate::problems;
 use mechanics::faddeeva::faddeeva;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
+use mechanics::integrate::Taylor;
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
-use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
 use mechanics::scenes::spinning_coin::EulersDisk;
 use mechanics::sweep::sweep;
 use nalgebra::Complex;
@@ -114,22 +115,22 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     })?;
     rows.push(("toss", "its functions", functions));
 
-    let disk = EulersDisk::new(1.0, 0.5, 1.0, 1e-5)?;
-    let sinking = disk.steady(0.3)?;
-    let mut frame = [sinking];
-    let cost = nanoseconds(1, || Ok(disk.fill(black_box(&sinking), &[1e-3], 1e-11, &mut frame)?))?;
+    let disk = EulersDisk::new(UNIT_DISC, 1e-5)?;
+    let sinking = disk.sinking(disk.steady(0.3)?, &Taylor::new(1e-11)?)?;
+    let cost = nanoseconds(1, || {
+        black_box(sinking.at(black_box(1e-3))?);
+        Ok(())
+    })?;
     rows.push(("rest", "a step with its sample", cost));
 
-    let wheel = Wheel::new(1.0, 1.0, 0.5, 1.0)?;
-    let mut rolling = wheel.steady(0.5, 3.0)?.state();
-    rolling.lean_rate = -0.15;
-    let wobble = wheel.wobble(rolling, 1e-16)?;
-    let mut rollings = vec![rolling; FRAMES];
-    rows.push((
-        "disk",
-        "a sample",
-        nanoseconds(FRAMES, || Ok(wobble.fill(black_box(&times), &mut rollings)?))?,
-    ));
+    let wheel = Wheel::new(UNIT_DISC)?;
+    let rolling = Rolling { omega_1: -0.15, ..wheel.steady(0.5, 3.0)?.state() };
+    let wobble = wheel.wobble(rolling, &Taylor::new(1e-16)?)?;
+    let cost = nanoseconds(FRAMES, || {
+        black_box(wobble.sample(black_box(&times))?);
+        Ok(())
+    })?;
+    rows.push(("disk", "a sample", cost));
 
     // Which of twenty thousand machines shakes most while it starts? A hundred states of each.
     let dampings: Vec<f64> = (0..MACHINES).map(|n| 1e-4 * n as f64).collect();

@@ -5,13 +5,14 @@ use crate::problems::{self, Problem};
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
-use mechanics::integrate::{Dop853, rk4};
+use mechanics::integrate::{Dop853, Taylor, rk4};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::air_drag::{self, Drag, DraggedTop};
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
-use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
-use mechanics::scenes::spinning_coin::{EulersDisk, Sinking};
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_PI_2, PI};
+use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::scenes::spinning_coin::EulersDisk;
+use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
+use std::f64::consts::PI;
 use std::hint::black_box;
 use std::rc::Rc;
 
@@ -147,10 +148,10 @@ fn disk(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::disk());
     for digits in 4..=16 {
         let tolerance = 10.0_f64.powi(-digits);
-        let solve = move |problem: &Problem<8>, frames: &mut Vec<Rolling>| {
-            let start = rolling(&problem.start);
-            frames.resize(problem.times.len(), start);
-            Wheel::new(1.0, 1.0, 0.5, 1.0)?.wobble(start, tolerance)?.fill(&problem.times, frames)?;
+        let solve = move |problem: &Problem<8>, states: &mut Vec<Rolling>| {
+            let wheel = Wheel::new(black_box(UNIT_DISC))?;
+            let wobble = wheel.wobble(rolling(&problem.start), &Taylor::new(tolerance)?)?;
+            *states = wobble.sample(&problem.times)?;
             Ok(None)
         };
         entries.push(Entry::new(&problem, REDUCED, format!("tolerance 1e-{digits}"), solve, contact_state));
@@ -162,18 +163,19 @@ fn rest(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::rest());
     for digits in 4..=16 {
         let tolerance = 10.0_f64.powi(-digits);
-        let solve = move |problem: &Problem<8>, frames: &mut Vec<Sinking>| {
-            let [tilt, tilt_rate, across, along, heading, x, y, spin] = problem.start;
-            let start = Sinking { tilt, tilt_rate, across, along, heading, spin, contact: [x, y] };
-            frames.resize(problem.times.len(), start);
-            EulersDisk::new(1.0, 0.5, 1.0, 1e-5)?.fill(&start, &problem.times, tolerance, frames)?;
+        let solve = move |problem: &Problem<8>, states: &mut Vec<Rolling>| {
+            let disk = EulersDisk::new(black_box(UNIT_DISC), 1e-5)?;
+            let sinking = disk.sinking(rolling(&problem.start), &Taylor::new(tolerance)?)?;
+            *states = sinking.sample(&problem.times)?;
             Ok(None)
         };
-        let state = |disk: &Sinking| {
-            let Sinking { tilt, tilt_rate, across, along, heading, spin, contact: [x, y] } = *disk;
-            [tilt, tilt_rate, across, along, heading, x, y, spin]
-        };
-        entries.push(Entry::new(&problem, [NAME, "Taylor"], format!("tolerance 1e-{digits}"), solve, state));
+        entries.push(Entry::new(
+            &problem,
+            [NAME, "Taylor"],
+            format!("tolerance 1e-{digits}"),
+            solve,
+            contact_state,
+        ));
     }
     steppers(entries, &problem, problems::rest_rates, RK4_DISK);
 }
@@ -192,26 +194,27 @@ fn drag(entries: &mut Vec<Entry>) {
     steppers(entries, &problem, problems::drag_rates, RK4_TOP);
 }
 
-/// The library's wheel from the state of the problem. Its normal is the opposite one, e₃ = −3̂, so e₂ = 2̂, e₁ = −1̂ and β = π/2 − θ; and it
-/// keeps the centre, which is a sin θ inward of the contact.
-fn rolling(&[beta, w1, w2, w3, psi, x, y, phi]: &[f64; 8]) -> Rolling {
-    let (heading, lean) = (psi + PI, FRAC_PI_2 - beta);
-    let (sin, cos) = heading.sin_cos();
+/// A disc in units of its mass, its radius and gravity.
+pub(crate) const UNIT_DISC: DiskParameters =
+    DiskParameters { mass: 1.0, radius: 1.0, moments: MomentFactors::DISK, gravity: 1.0 };
+
+/// The library's disk from the state of the problem, whose normal is the opposite one, e₃ = −3̂, e₂ = 2̂, e₁ = −1̂, and whose place is that
+/// of the contact.
+fn rolling(&[tilt, w1, w2, w3, psi, x, y, phi]: &[f64; 8]) -> Rolling {
+    let turned = Rolling { tilt, heading: psi + PI, ..Rolling::UPRIGHT };
     Rolling {
-        lean,
-        lean_rate: -w1,
-        across: w2,
-        along: -w3,
-        heading,
-        spin: -phi,
-        centre: [x + sin * lean.sin(), y - cos * lean.sin()],
+        omega_1: -w1,
+        omega_2: w2,
+        omega_3: -w3,
+        roll_angle: -phi,
+        centre: Complex::new(x, y) - turned.contact(1.0),
+        ..turned
     }
 }
 
-/// The state of the problem from the library's wheel.
+/// The state of the problem from the library's disk.
 fn contact_state(rolling: &Rolling) -> [f64; 8] {
-    let Rolling { lean, lean_rate, across, along, heading, spin, centre: [x, y] } = *rolling;
-    let (sin, cos) = heading.sin_cos();
-    let out = lean.sin();
-    [FRAC_PI_2 - lean, -lean_rate, across, -along, heading - PI, x - sin * out, y + cos * out, -spin]
+    let Rolling { tilt, omega_1, omega_2, omega_3, heading, roll_angle, .. } = *rolling;
+    let contact = rolling.contact(1.0);
+    [tilt, -omega_1, omega_2, -omega_3, heading - PI, contact.re, contact.im, -roll_angle]
 }

@@ -10,8 +10,8 @@ use mechanics::InvalidQuantity;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4, rk4_step};
 use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
-use mechanics::scenes::rolling_wheel::Wheel;
-use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
+use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
+use mechanics::scenes::spinning_coin::{DiskParameters, Loss, MomentFactors, SpinDown, SpinningCoin};
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 
@@ -36,6 +36,10 @@ fn relative(found: f64, exact: f64) -> f64 {
     (found / exact - 1.0).abs().max(LEAST)
 }
 
+/// A steel disc of 0.4 kg and 37.5 mm.
+const TOY: DiskParameters =
+    DiskParameters { mass: 0.4, radius: 0.0375, moments: MomentFactors::DISK, gravity: 9.81 };
+
 /// Four differences of nearly equal numbers.
 pub(crate) fn hard_cancellation(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 690.0, 560.0).titled(
@@ -46,7 +50,7 @@ pub(crate) fn hard_cancellation(id: &str) -> Outcome {
     );
     let (mut coin, mut spin, mut root, mut period) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for small in log_steps(1e-10, 1.0, 60) {
-        let flat = SpinningCoin::new(0.0375, 0.5, 9.81, small)?;
+        let flat = SpinningCoin::new(TOY, small)?;
         let naive = flat.turn_rate() * (1.0 - (FRAC_PI_2 - small).sin());
         let exact = flat.turn_rate() * (0.5 * small).tan() * small.sin(); // 1 − cos α, without a difference
         coin.push((small, relative(naive, exact), relative(flat.figure_rate(), exact)));
@@ -84,7 +88,12 @@ pub(crate) fn hard_cancellation(id: &str) -> Outcome {
     let panels = [
         ("coin", coin, "flat coin: tilt $\\alpha$", "$\\Omega\\,(1 - \\sin\\theta)$"),
         ("spin", spin, "high spin: $\\omega_0/\\Omega$", "law of cosines"),
-        ("root", root, "heavy damping: $\\omega_0/\\Gamma$", "$\\Gamma/2 - \\sqrt{\\Gamma^2/4 - \\omega_0^2}$"),
+        (
+            "root",
+            root,
+            "heavy damping: $\\omega_0/\\Gamma$",
+            "$\\Gamma/2 - \\sqrt{\\Gamma^2/4 - \\omega_0^2}$",
+        ),
         ("period", period, "separatrix: $k'$", "$K(m)$ with $1 - m$"),
     ];
     for (index, (name, values, title, formula)) in panels.into_iter().enumerate() {
@@ -93,7 +102,8 @@ pub(crate) fn hard_cancellation(id: &str) -> Outcome {
         let error = Axis::log(1e-17, 1e2, 4)?.titled("relative error");
         let mut plot = Plot::new(&mut drawing, Rect::new(left, top, 276.0, 196.0), small, error)?;
         plot.reference((1e-10, ROUNDOFF * 1e20), (1.0, ROUNDOFF), Stroke::Reference);
-        let naive: Vec<_> = values.iter().map(|value| (value.0, value.1)).filter(|value| value.1.is_finite()).collect();
+        let naive: Vec<_> =
+            values.iter().map(|value| (value.0, value.1)).filter(|value| value.1.is_finite()).collect();
         let cured: Vec<_> = values.iter().map(|value| (value.0, value.2)).collect();
         plot.series(&format!("{name}-naive"), &naive, Marker::Disc, Hue::Orange);
         plot.series(&format!("{name}-cured"), &cured, Marker::Square, Hue::Blue);
@@ -207,23 +217,33 @@ pub(crate) fn hard_passes(id: &str) -> Outcome {
     plot.label((1e-4, 1e-14), Side::Above, r"$x$ and $y$", Hue::Blue)?;
 
     let (mut by_lean, mut by_tilt) = (Vec::new(), Vec::new());
-    let wheel = Wheel::new(1.0, 1.0, 0.5, 1.0)?;
+    let wheel = Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, gravity: 1.0, ..TOY })?;
     let time = 1.0; // it is up again by then
-    for across in log_steps(1e-10, 1e-1, 27) {
-        let [lean, tilt] = [FRAC_PI_2 - 0.1, 0.1].map(|first| [first, 0.0, across, 0.0, 0.0, 0.0, 0.0, 0.0]);
-        let solver = Dop853::with_tolerances(1e-13, 1e-13 * across)?.with_max_evaluations(400_000);
-        if let Ok(end) = solver.solve(|t, y: &[f64; 8]| wheel.rates(t, y), 0.0, lean, time) {
-            by_lean.push((across, end.work.evaluations as f64));
+    let rates = |t: f64, state: &[f64; 8]| wheel.rates(t, state);
+    let rates_by_lean = |t: f64, &[lean, ref rest @ ..]: &[f64; 8]| {
+        let mut state = [FRAC_PI_2 - lean; 8];
+        state[1..].copy_from_slice(rest);
+        let mut rates = wheel.rates(t, &state);
+        rates[0] = -rates[0];
+        rates
+    };
+    for q in log_steps(1e-10, 1e-1, 27) {
+        let start = Rolling { tilt: 0.1, omega_2: q, ..Rolling::UPRIGHT };
+        let solver = Dop853::with_tolerances(1e-13, 1e-13 * q)?.with_max_evaluations(400_000);
+        let mut lean = start.to_array();
+        lean[0] = start.lean();
+        if let Ok(end) = solver.solve(rates_by_lean, 0.0, lean, time) {
+            by_lean.push((q, end.work.evaluations as f64));
         }
-        let end = solver.solve(|t, y: &[f64; 8]| wheel.rates_by_tilt(t, y), 0.0, tilt, time)?;
-        by_tilt.push((across, end.work.evaluations as f64));
+        let end = solver.solve(rates, 0.0, start.to_array(), time)?;
+        by_tilt.push((q, end.work.evaluations as f64));
     }
-    let across = Axis::log(1e-10, 1e-1, 3)?.titled(r"rate at the start, in $\sqrt{g/a}$");
+    let rate = Axis::log(1e-10, 1e-1, 3)?.titled(r"rate at the start, in $\sqrt{g/a}$");
     let work = Axis::log(1e2, 1e6, 1)?.titled("evaluations");
-    let mut plot = Plot::new(&mut drawing, Rect::new(402.0, 34.0, 268.0, 262.0), across, work)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(402.0, 34.0, 268.0, 262.0), rate, work)?;
     plot.series("tilt", &by_tilt, Marker::Square, Hue::Blue);
     plot.series("lean", &by_lean, Marker::Ring, Hue::Orange);
-    plot.label((1e-6, 1e5), Side::Right, r"by the lean", Hue::Orange)?;
+    plot.label((3e-5, 1e5), Side::Right, "by the lean", Hue::Orange)?;
     plot.label((1e-7, 3e3), Side::Below, r"by the tilt", Hue::Blue)?;
     Ok(drawing)
 }
@@ -242,7 +262,8 @@ pub(crate) fn hard_drift(id: &str) -> Outcome {
     let mut rates = euler::turning_rates(moments, |_, _| Vector3::zeros());
     let energy = |omega: &Vector3<f64>| omega.dot(&moments.angular_momentum(omega));
     let first = energy(&start.omega_body);
-    let (mut lengths, mut energies, mut attitudes, mut closed) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut lengths, mut energies, mut attitudes, mut closed) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let (mut state, mut done) = (start.to_array(), 0_u64);
     let h = period / 80.0;
     for periods in log_steps(1.0, 1e4, 24) {
@@ -343,7 +364,12 @@ pub(crate) fn hard_rounding(id: &str) -> Outcome {
     let exact = drum.transient(Shaft::AT_REST)?.at(time)?.position;
     let mut floor = Vec::new();
     for tolerance in log_steps(1e-15, 1e-3, 36) {
-        let end = Dop853::new(tolerance)?.solve(|t, y: &[f64; 4]| drum.cartesian_rates(t, y), 0.0, [0.0; 4], time)?;
+        let end = Dop853::new(tolerance)?.solve(
+            |t, y: &[f64; 4]| drum.cartesian_rates(t, y),
+            0.0,
+            [0.0; 4],
+            time,
+        )?;
         floor.push((tolerance, (Shaft::from_array(end.state).position - exact).norm().max(LEAST)));
     }
     let tolerance = Axis::log(1e-15, 1e-3, 3)?.titled("tolerance");
@@ -377,7 +403,12 @@ pub(crate) fn hard_stiff(id: &str) -> Outcome {
         }
         plot.series(name, &values, form, hue);
     }
-    plot.series("closed", &log_steps(1.0, 1e4, 16).map(|damping| (damping, 1.0)).collect::<Vec<_>>(), Marker::Square, Hue::Blue);
+    plot.series(
+        "closed",
+        &log_steps(1.0, 1e4, 16).map(|damping| (damping, 1.0)).collect::<Vec<_>>(),
+        Marker::Square,
+        Hue::Blue,
+    );
     plot.label((3e2, 8e5), Side::Left, "DOP853 at $10^{-4}$", Hue::Pink)?;
     plot.label((3e2, 2.5e5), Side::Left, "DOP853 at $10^{-8}$", Hue::Orange)?;
     plot.label((1e2, 1.5), Side::Above, "closed form", Hue::Blue)?;
@@ -391,8 +422,8 @@ pub(crate) fn hard_end(id: &str) -> Outcome {
         "Both scales are logarithmic: along x the part of the time that is left, from 1e-12 to 0.1, along y the relative error of the tilt. By the Runge-Kutta method with ten thousand steps it rises with the power minus \
          four; by DOP853 at 1e-9 with the power minus one, until the integration fails at 1e-10. By the time that is left it stays near 1e-16.",
     );
-    let start = SpinningCoin::new(0.0375, 0.5, 9.81, 0.1)?;
-    let spin_down = SpinDown::new(start, 0.4, Loss::air_film(&start, 1.78e-5)?)?;
+    let start = SpinningCoin::new(TOY, 0.1)?;
+    let spin_down = SpinDown::new(start, Loss::air_film(&start, 1.78e-5)?)?;
     let film = |_: f64, &[tilt]: &[f64; 1]| [-1.0 / (3.0 * tilt * tilt)];
     let (mut classical, mut adaptive, mut law) = (Vec::new(), Vec::new(), Vec::new());
     for left in log_steps(1e-12, 1e-1, 44) {

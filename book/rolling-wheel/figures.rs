@@ -4,14 +4,14 @@ use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
-use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
+use mechanics::integrate::{Dop853, Taylor, rk4};
+use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel};
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
 
 /// A wheel of mass, radius and gravity one.
-fn wheel(factor: f64) -> Result<Wheel, Cause> {
-    Ok(Wheel::new(1.0, 1.0, factor, 1.0)?)
+fn wheel(moments: MomentFactors) -> Result<Wheel, Cause> {
+    Ok(Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments, gravity: 1.0 })?)
 }
 
 /// The wheel on its circle, with axes and lengths.
@@ -79,7 +79,7 @@ pub(crate) fn turn_rate(id: &str) -> Outcome {
     let b = Axis::linear(-0.2, 1.0, 0.2)?.minor(0.05).titled("radius of the centre's circle $b/a$");
     let rate = Axis::linear(0.0, 20.0, 5.0)?.minor(1.0).titled(r"$\Omega^2$, in $g/a$");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 540.0, 262.0), b, rate)?;
-    let disc = wheel(0.5)?;
+    let disc = wheel(MomentFactors::DISK)?;
     for (degrees, hue) in LEANS {
         let lean = f64::to_radians(degrees);
         let bound = -0.5 * lean.sin() / 3.0; // eq:existence
@@ -106,7 +106,7 @@ pub(crate) fn friction(id: &str) -> Outcome {
     let b = Axis::linear(0.0, 3.0, 0.5)?.minor(0.1).titled("radius of the centre's circle $b/a$");
     let coefficient = Axis::linear(0.0, 1.25, 0.25)?.minor(0.05).titled("least coefficient of friction");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 540.0, 262.0), b, coefficient)?;
-    let disc = wheel(0.5)?;
+    let disc = wheel(MomentFactors::DISK)?;
     for (degrees, hue) in [(20.0, Hue::Blue), (45.0, Hue::Green), (60.0, Hue::Orange)] {
         let lean = f64::to_radians(degrees);
         let values = linear_steps(0.0, 3.0, 300)
@@ -131,10 +131,11 @@ pub(crate) fn tongue(id: &str) -> Outcome {
     let b = Axis::linear(0.0, 4.0, 1.0)?.minor(0.2).titled("radius of the centre's circle $b/a$");
     let lean = Axis::linear(0.0, 25.0, 5.0)?.minor(1.0).titled(r"lean $\theta$, degrees");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 540.0, 262.0), b, lean)?;
-    for (factor, name, hue, place) in
-        [(1.0, "hoop", Hue::Orange, (0.5, 20.8)), (0.5, "disc", Hue::Blue, (0.62, 16.6))]
-    {
-        let wheel = wheel(factor)?;
+    for (moments, name, hue, place) in [
+        (MomentFactors::HOOP, "hoop", Hue::Orange, (0.5, 20.8)),
+        (MomentFactors::DISK, "disc", Hue::Blue, (0.62, 16.6)),
+    ] {
+        let wheel = wheel(moments)?;
         // The largest unstable lean of each radius, found by halving between an unstable and a stable one.
         let mut boundary = Vec::new();
         for b in linear_steps(0.004, 4.0, 500) {
@@ -164,17 +165,7 @@ pub(crate) fn tongue(id: &str) -> Outcome {
 }
 
 /// The motion of the text: a disc at a lean of 0.3 with q = 0.45 and n = 0.9.
-fn wobbling() -> Rolling {
-    Rolling {
-        lean: 0.3,
-        lean_rate: 0.0,
-        across: 0.45,
-        along: 0.9,
-        heading: 0.0,
-        spin: 0.0,
-        centre: [0.0, 0.0],
-    }
-}
+const WOBBLING: Rolling = Rolling { tilt: FRAC_PI_2 - 0.3, omega_2: 0.45, omega_3: 0.9, ..Rolling::UPRIGHT };
 
 /// The effective potential with the energy of one motion.
 pub(crate) fn potential(id: &str) -> Outcome {
@@ -183,19 +174,18 @@ pub(crate) fn potential(id: &str) -> Outcome {
         "The potential, in m g a, against the lean from minus 30 to 40 degrees: a well with its bottom near 5 degrees. A level line at the energy 1.588 cuts it at minus 7.6 and at 17.2 degrees, \
          marked by dots.",
     );
-    let disc = wheel(0.5)?;
-    let start = wobbling();
-    let (constants, energy) = (disc.constants(&start), disc.energy(&start));
+    let disc = wheel(MomentFactors::DISK)?;
+    let (constants, energy) = (disc.constants(&WOBBLING), disc.energy(&WOBBLING));
     let lean = Axis::linear(-30.0, 40.0, 10.0)?.minor(2.0).titled(r"lean $\theta$, degrees");
     let height = Axis::linear(1.54, 1.66, 0.02)?.titled(r"potential $V$, in $mga$");
     let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 540.0, 262.0), lean, height)?;
     plot.level(energy, Stroke::Reference);
     let values = linear_steps(-30.0, 40.0, 400)
-        .map(|degrees| (degrees, disc.potential(&constants, degrees.to_radians())));
+        .map(|degrees| (degrees, disc.potential(&constants, FRAC_PI_2 - degrees.to_radians())));
     plot.curve("potential", values, Stroke::Curve, Hue::Purple);
-    let wobble = disc.wobble(start, 1e-12)?;
-    let other = wobble.sample(&[0.5 * wobble.period()])?[0].lean;
-    let marks = [(start.lean.to_degrees(), energy), (other.to_degrees(), energy)];
+    let wobble = disc.wobble(WOBBLING, &Taylor::new(1e-12)?)?;
+    let other = wobble.at(0.5 * wobble.period())?;
+    let marks = [WOBBLING, other].map(|state| (state.lean().to_degrees(), energy));
     plot.markers(&marks, Marker::Disc, Hue::Orange);
     plot.label((25.0, energy), Side::AboveRight, "energy", Hue::Muted)?;
     Ok(drawing)
@@ -207,21 +197,21 @@ pub(crate) fn contact_track(id: &str) -> Outcome {
         "Track of the contact of a wobbling disc",
         "Seen from above, a track that goes round a circle several times in eleven equal waves, so that its rounds cross one another. Half of a wave is drawn heavy, from a place farthest out to one farthest in.",
     );
-    let disc = wheel(0.5)?;
+    let disc = wheel(MomentFactors::DISK)?;
     let mut start = disc.steady(0.55, 1.6)?.state();
-    start.lean_rate = 0.3;
-    let wobble = disc.wobble(start, 1e-16)?;
+    start.omega_1 = 0.3;
+    let wobble = disc.wobble(start, &Taylor::new(1e-16)?)?;
     let period = wobble.period();
     let track = |from: f64, to: f64, count: u32| -> Result<Vec<(f64, f64)>, Cause> {
         let times: Vec<f64> = linear_steps(from, to, count).collect();
         let states = wobble.sample(&times)?;
-        Ok(states.iter().map(|state| disc.contact_point(state)).map(|[x, y]| (x, y)).collect())
+        Ok(states.iter().map(|state| state.contact(1.0)).map(|place| (place.re, place.im)).collect())
     };
     // The moment at which the lean turns, by bisection.
     let (mut before, mut turns) = (0.0, 0.5 * period);
     for _ in 0..50 {
         let middle = 0.5 * (before + turns);
-        *(if wobble.at(middle)?.lean_rate > 0.0 { &mut before } else { &mut turns }) = middle;
+        *(if wobble.at(middle)?.omega_1 > 0.0 { &mut before } else { &mut turns }) = middle;
     }
     let mut plot = Plot::plane(&mut drawing, at(233.0, 160.0), 50.0, 4.0)?;
     plot.curve("all", track(turns, turns + 11.0 * period, 4400)?, Stroke::Orbit, Hue::Blue);
@@ -238,24 +228,24 @@ pub(crate) fn near_flat(id: &str) -> Outcome {
         "Both scales are logarithmic: along x the turn q that the disc is given, from 1e-4 to 0.3; along y the relative error of the energy after it has come up. By RK4 with steps of a \
          thousandth of the root of a over g the error grows from about 1e-12 to ten as q falls to 0.0011, and below that there is no value. By DOP853 it stays just below 1e-12.",
     );
-    let disc = wheel(0.5)?;
+    let disc = wheel(MomentFactors::DISK)?;
     let (mut naive, mut better) = (Vec::new(), Vec::new());
-    for across in log_steps(1e-4, 0.3, 40) {
-        let state = Rolling { lean: FRAC_PI_2 - 0.3, lean_rate: 0.0, across, along: 0.0, ..wobbling() };
+    for q in log_steps(1e-4, 0.3, 40) {
+        let state = Rolling { tilt: 0.3, omega_2: q, ..Rolling::UPRIGHT };
         let rates = |t: f64, state: &[f64; 8]| disc.rates(t, state);
         let energy = disc.energy(&state);
         let error = |end: [f64; 8]| {
             let end = Rolling::from_array(end);
-            (end.lean < FRAC_PI_2)
+            (end.tilt > 0.0)
                 .then(|| (disc.energy(&end) / energy - 1.0).abs().max(1e-16))
                 .filter(|error| *error < 10.0)
         };
         if let Some(error) = rk4(rates, 0.0, state.to_array(), 1.3, 1300).ok().and_then(error) {
-            naive.push((across, error));
+            naive.push((q, error));
         }
         let end = Dop853::new(1e-12)?.solve(rates, 0.0, state.to_array(), 1.3)?;
         if let Some(error) = error(end.state) {
-            better.push((across, error));
+            better.push((q, error));
         }
     }
     let turn = Axis::log(1e-4, 1.0, 1)?.titled(r"turn $q$ that the disc is given, in $\sqrt{g/a}$");

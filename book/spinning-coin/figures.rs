@@ -5,13 +5,14 @@ use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
-use mechanics::scenes::spinning_coin::SpinningCoin;
+use mechanics::scenes::spinning_coin::{DiskParameters, MomentFactors, SpinningCoin};
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
 
 /// The disc of the text at a tilt.
 fn disc(tilt: f64) -> Result<SpinningCoin, InvalidQuantity> {
-    SpinningCoin::new(0.0375, 0.5, 9.81, tilt)
+    let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
+    SpinningCoin::new(DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity }, tilt)
 }
 
 /// The coin with the circle of its contact.
@@ -40,10 +41,21 @@ pub(crate) fn coin_circle(id: &str) -> Outcome {
     stage.solid(Solid::disc(centre, normal, 1.0, 0.05)?, Hue::Blue)?;
     let axis = Curve::segment(centre, centre + second * 1.6)?;
     stage.arrow(axis.hiding(Hiding::Ignored), Stroke::Vector, drawing::kit::Heads::End, Hue::Orange)?;
-    stage.label(centre + second * 1.6, Side::Left, r"$\boldsymbol{\omega}$, axis $\hat{\mathbf{2}}$", Hue::Orange)?;
+    stage.label(
+        centre + second * 1.6,
+        Side::Left,
+        r"$\boldsymbol{\omega}$, axis $\hat{\mathbf{2}}$",
+        Hue::Orange,
+    )?;
     let third = Curve::segment(centre, centre - normal * 0.45)?;
     stage.arrow(third.hiding(Hiding::Dashed), Stroke::Vector, drawing::kit::Heads::End, Hue::Ink)?;
-    stage.label_shifted(centre - normal * 0.45, at(4.0, 3.0), Side::Right, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
+    stage.label_shifted(
+        centre - normal * 0.45,
+        at(4.0, 3.0),
+        Side::Right,
+        r"$\hat{\mathbf{3}}$",
+        Hue::Ink,
+    )?;
     let upright = Curve::segment(centre, centre + Vector3::z() * 1.15)?;
     stage.arrow(upright.hiding(Hiding::Ignored), Stroke::Vector, drawing::kit::Heads::End, Hue::Ink)?;
     stage.label(centre + Vector3::z() * 1.15, Side::Right, r"$\boldsymbol{\Omega}$", Hue::Ink)?;

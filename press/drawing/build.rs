@@ -1,12 +1,12 @@
-//! Takes the glyphs and the measures that labels need out of New Computer Modern Math and writes them as a Rust table.
-//!
-//! The font comes with the crate `typst-assets`. About 1,000 of its glyphs are kept, a third of a megabyte;
-//! the crate `drawing` then needs neither the font nor a font parser.
+//! Takes the glyphs and the measures that labels need out of the mathematics font and writes them as a Rust table, so that the
+//! crate `drawing` needs neither the font nor a font parser.
 
 use std::error::Error;
 use std::fmt::Write as _;
 use ttf_parser::gsub::SubstitutionSubtable;
 use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
+
+const FONT: &str = "../font/math.otf";
 
 /// Everything that the TeX subset of the labels can ask for, beside the alphabets.
 const SYMBOLS: &str = "+−×·±∓=<>≤≥≪≫≈≃∼∝≠≡∞→←↔∂∇√()[]{}|‖,;:.!/°′″…⋯⟨⟩∠⊥∥";
@@ -33,11 +33,10 @@ const ROOTS: u32 = 0x0f_0000;
 const SCRIPTS: u32 = 0x10_0000;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    println!("cargo:rerun-if-changed=build.rs");
-    let data = typst_assets::fonts()
-        .find(|data| Face::parse(data, 0).is_ok_and(|face| is_the_math_font(&face)))
-        .ok_or("typst-assets has no New Computer Modern Math")?;
-    let face = Face::parse(data, 0)?;
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-changed={FONT}");
+    let data = std::fs::read(FONT)?;
+    let face = Face::parse(&data, 0)?;
 
     let mut table = Vec::new();
     let ranges = ALPHABETS.iter().flat_map(|&(first, last)| first..=last).filter_map(char::from_u32);
@@ -60,11 +59,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = std::path::Path::new(&std::env::var("OUT_DIR")?).join("math_font.rs");
     std::fs::write(path, constants(&face)? + &glyphs(&face, &table)?)?;
     Ok(())
-}
-
-fn is_the_math_font(face: &Face<'_>) -> bool {
-    let names = face.names().into_iter().filter(|name| name.name_id == ttf_parser::name_id::POST_SCRIPT_NAME);
-    names.filter_map(|name| name.to_string()).any(|name| name == "NewCMMath-Regular")
 }
 
 /// The shape that the font's feature `ssty` gives a glyph in superscripts and subscripts.

@@ -3,9 +3,8 @@
 use crate::fault::{Faults, Lines};
 use crate::preprocess::Failed;
 use crate::rendered::Rendered;
-use crate::{api, font, outcome, site};
+use crate::{api, maths, outcome, site};
 use mdbook_renderer::RenderContext;
-use std::collections::BTreeSet;
 use std::io::Read;
 use std::path::Path;
 use std::{fs, io};
@@ -42,8 +41,8 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
 /// Finishes the site; what is wrong with it.
 fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
     add(site, &context.root, drawn)?;
-    let site::Report { faults: found, characters } = site::check(site)?;
-    add_font(site, &characters)?;
+    add_font(site)?;
+    let found = site::check(site)?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let mut faults = Faults::default();
     for fault in found {
@@ -53,14 +52,12 @@ fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Resul
     Ok(faults)
 }
 
-/// Adds the font for the characters that formulas hold, and its licence.
-fn add_font(site_folder: &Path, characters: &BTreeSet<char>) -> io::Result<()> {
+/// Adds the mathematics font, and its licence, which has to accompany it.
+fn add_font(site_folder: &Path) -> io::Result<()> {
     let fonts = site_folder.join("fonts");
     fs::create_dir_all(&fonts)?;
-    let woff = font::woff(characters)
-        .ok_or_else(|| io::Error::other("the mathematics font has an unknown structure"))?;
-    fs::write(fonts.join("math.woff"), woff)?;
-    fs::write(fonts.join("math-LICENCE.txt"), font::LICENCE)
+    fs::write(fonts.join("math.otf"), maths::FONT)?;
+    fs::write(fonts.join("math-LICENCE.txt"), include_str!("../font/LICENCE.txt"))
 }
 
 /// Adds figures, the library's documentation and licences.

@@ -1,6 +1,10 @@
 //! LaTeX to MathML.
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+use ttf_parser::Face;
+
+/// The mathematics font of the site, cut by the script beside it down to the characters that the script lists.
+pub(crate) const FONT: &[u8] = include_bytes!("../font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the MathML later.
 const DEEPEST: usize = 60;
@@ -8,6 +12,7 @@ const DEEPEST: usize = 60;
 /// A converter, built once a run.
 pub(crate) struct Maths {
     converter: LatexToMathML,
+    font: Face<'static>,
 }
 
 /// LaTeX that is not understood: where in it, and why.
@@ -21,9 +26,10 @@ pub(crate) struct MathsFault {
 impl Maths {
     pub(crate) fn new() -> Self {
         let config = MathCoreConfig { annotation: false, ..MathCoreConfig::default() };
-        // Only a macro can make this fail, and there is none.
+        // Only a macro can make the converter fail, and there is none.
         Self {
             converter: LatexToMathML::new(config).unwrap_or_else(|_| unreachable!("no macros to be wrong")),
+            font: Face::parse(FONT, 0).unwrap_or_else(|_| unreachable!("the font is sound")),
         }
     }
 
@@ -51,7 +57,16 @@ impl Maths {
             return Err(MathsFault { offset, message });
         }
         match self.converter.convert_with_local_state(tex, display) {
-            Ok(result) => Ok(result.mathml.replace('\n', " ")),
+            Ok(result) => {
+                let mathml = result.mathml.replace('\n', " ");
+                match mathml.chars().find(|&c| self.font.glyph_index(c).is_none()) {
+                    None => Ok(mathml),
+                    Some(c) => Err(MathsFault {
+                        offset: 0,
+                        message: format!("the font has no `{c}`: add it in press/font/subset.py"),
+                    }),
+                }
+            }
             Err(error) => {
                 let offset = error.0.start.min(tex.len());
                 let context: String = tex[error.0.clone()].chars().take(40).collect();
@@ -135,6 +150,12 @@ mod tests {
         let mathml = maths.inline("a_1*b_2 - [c]'").unwrap();
         let text: String = mathml.split('<').map(|part| part.rsplit('>').next().unwrap_or("")).collect();
         assert!(!text.contains(['*', '_', '[', ']', '\'']), "{text}");
+    }
+
+    #[test]
+    fn a_character_that_the_font_lacks_is_a_fault() {
+        let fault = Maths::new().display(r"x \in \mathfrak{g}").unwrap_err();
+        assert_eq!(fault.message, "the font has no `𝔤`: add it in press/font/subset.py");
     }
 
     #[test]

@@ -19,17 +19,8 @@ pub(crate) struct SiteFault {
     pub(crate) message: String,
 }
 
-/// What a look at the whole site brings.
-#[derive(Debug, Default)]
-pub(crate) struct Report {
-    /// What is wrong with it.
-    pub(crate) faults: Vec<SiteFault>,
-    /// Every character that stands in a formula.
-    pub(crate) characters: BTreeSet<char>,
-}
-
 /// Checks every page of the site in `folder`.
-pub(crate) fn check(folder: &Path) -> io::Result<Report> {
+pub(crate) fn check(folder: &Path) -> io::Result<Vec<SiteFault>> {
     let mut files = Vec::new();
     walk(folder, Path::new(""), &mut files)?;
     let mut pages: BTreeMap<String, Built> = BTreeMap::new();
@@ -74,8 +65,7 @@ pub(crate) fn check(folder: &Path) -> io::Result<Report> {
         faults.retain(|fault| !is_copy(&fault.page));
     }
     faults.sort();
-    let characters = pages.values().flat_map(|page| page.characters.iter().copied()).collect();
-    Ok(Report { faults, characters })
+    Ok(faults)
 }
 
 /// Adds a fault for each style sheet of the book that loads something from a network.
@@ -176,7 +166,7 @@ mod tests {
         fs::write(folder.join("page.css"), css).unwrap();
         let report = check(&folder);
         fs::remove_dir_all(&folder).unwrap();
-        report.unwrap().faults.into_iter().map(|fault| format!("{}: {}", fault.page, fault.message)).collect()
+        report.unwrap().into_iter().map(|fault| format!("{}: {}", fault.page, fault.message)).collect()
     }
 
     #[test]
@@ -260,7 +250,7 @@ mod tests {
         fs::write(folder.join("api/a.html"), "<a href=\"src/a.rs.html#1\">Source</a>").unwrap();
         fs::write(folder.join("api/b.html"), "<a href=\"src/b.rs.html\">Source</a>").unwrap();
         fs::write(folder.join("api/src/a.rs.html"), "<a href=#1 id=1>1</a>").unwrap();
-        let faults = check(&folder).unwrap().faults;
+        let faults = check(&folder).unwrap();
         fs::remove_dir_all(&folder).unwrap();
         let said: Vec<&str> = faults.iter().map(|fault| fault.message.as_str()).collect();
         assert_eq!(said, ["the link to `src/b.rs.html` leads nowhere"]);

@@ -9,6 +9,7 @@ pub(crate) mod air_drag;
 pub(crate) mod faddeeva;
 pub(crate) mod functions;
 pub(crate) mod laundromat;
+pub(crate) mod rolling;
 pub(crate) mod tumbling;
 pub(crate) mod turning;
 

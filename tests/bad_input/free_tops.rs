@@ -11,7 +11,7 @@ use mechanics::scenes::coin_toss::{
 };
 use mechanics::scenes::pinned_hoop::{self, Pin, Pinning, Shape};
 use mechanics::scenes::space_station::{self, Blow, Station};
-use mechanics::{Error, InvalidFrames, InvalidQuantity, Rule};
+use mechanics::{Error, InvalidQuantity, Rule};
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use std::fmt::{Debug, Display};
 

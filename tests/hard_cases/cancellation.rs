@@ -1,6 +1,6 @@
 //! Differences of nearly equal numbers: the flat coin, high spin, the separatrix's parameter, heavy and critical damping.
 
-use crate::{FEW_ULPS, ROUNDOFF, assert_level, assert_slope, machine, number, numbers, relative, rows};
+use crate::{FEW_ULPS, ROUNDOFF, TOY, assert_level, assert_slope, machine, number, numbers, relative, rows};
 use mechanics::elliptic::quarter_period;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
@@ -15,7 +15,7 @@ fn figure_of_a_flat_coin_keeps_its_digits_and_one_minus_the_sine_loses_two_a_dec
     let mut errors = Vec::new();
     for row in rows("flat") {
         let tilt = number(&row["tilt"]);
-        let coin = SpinningCoin::new(0.0375, 0.5, 9.81, tilt).unwrap();
+        let coin = SpinningCoin::new(TOY, tilt).unwrap();
         let exact = number(&row["figure"]);
         assert!(relative(coin.figure_rate(), exact) < FEW_ULPS, "α = {tilt:e}");
         assert!(relative(coin.turn_rate(), number(&row["turn"])) < FEW_ULPS, "α = {tilt:e}");

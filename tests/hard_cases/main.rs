@@ -14,6 +14,7 @@ mod vanishing;
 
 use mechanics::measure::observed_order;
 use mechanics::scenes::laundromat::{Machine, Parameters};
+use mechanics::scenes::spinning_coin::{DiskParameters, MomentFactors};
 use serde_json::Value;
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -23,6 +24,10 @@ const FEW_ULPS: f64 = 4e-15;
 
 /// The unit roundoff: the largest relative error of one rounding.
 const ROUNDOFF: f64 = f64::EPSILON / 2.0;
+
+/// A steel disc of 0.4 kg and 37.5 mm.
+const TOY: DiskParameters =
+    DiskParameters { mass: 0.4, radius: 0.0375, moments: MomentFactors::DISK, gravity: 9.81 };
 
 /// The rows of one list of `data/hard-cases.json`.
 fn rows(list: &str) -> &'static [Value] {

@@ -2,24 +2,32 @@
 //! knows neither that the centre rests nor how the axes turn.
 
 use crate::whole_body::{State, arm, axle, frame, placed, solve};
-use crate::{GRAVITY, MASS, RADIUS};
+use crate::{GRAVITY, MASS, RADIUS, parameters};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::spinning_coin::SpinningCoin;
-use nalgebra::{Matrix3, Vector3};
+use mechanics::scenes::spinning_coin::{MomentFactors, SpinningCoin};
+use nalgebra::{Complex, Matrix3, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// Disc, hoop and something between, at many tilts: moment factor k and coin.
-fn coins() -> impl Iterator<Item = (f64, SpinningCoin)> {
-    [(0.5, 0.1), (0.5, 0.9), (1.0, 0.5), (0.7, 1.4)]
-        .into_iter()
-        .map(|(k, tilt)| (k, SpinningCoin::new(RADIUS, k, GRAVITY, tilt).expect("a coin")))
+/// Disc, hoop, something between and two that are not flat, at many tilts.
+fn coins() -> impl Iterator<Item = (MomentFactors, SpinningCoin)> {
+    let round = |transverse: f64, axial: f64| MomentFactors { transverse, axial };
+    [
+        (MomentFactors::DISK, 0.1),
+        (MomentFactors::DISK, 0.9),
+        (MomentFactors::HOOP, 0.5),
+        (MomentFactors::flat(0.7), 1.4),
+        (round(0.6, 0.4), 0.3),
+        (round(0.3, 0.55), 1.1),
+    ]
+    .into_iter()
+    .map(|(moments, tilt)| (moments, SpinningCoin::new(parameters(moments), tilt).expect("a coin")))
 }
 
 /// The whole body at `times`, begun as the coin says.
-fn rolled(k: f64, coin: &SpinningCoin, times: &[f64]) -> Vec<State> {
-    let start = placed(FRAC_PI_2 - coin.tilt(), 0.0, coin.omega().into(), [0.0, 0.0]);
-    let rates = |_: f64, state: &State| solve(k, state).0;
+fn rolled(moments: MomentFactors, coin: &SpinningCoin, times: &[f64]) -> Vec<State> {
+    let start = placed(FRAC_PI_2 - coin.tilt(), 0.0, coin.omega().into(), Complex::new(0.0, 0.0));
+    let rates = |_: f64, state: &State| solve(moments, state).0;
     Dop853::new(1e-13).unwrap().sample(rates, 0.0, start, times).unwrap().0
 }
 
@@ -37,12 +45,13 @@ fn seen(state: &State) -> Matrix3<f64> {
 
 #[test]
 fn eq91_the_axes_of_the_rolling_coin_turn_about_the_upright() {
-    for (k, coin) in coins() {
+    for (moments, coin) in coins() {
         let h = 1e-4 / coin.turn_rate();
         for time in round(&coin).into_iter().skip(1) {
-            let [before, now, after] = <[State; 3]>::try_from(rolled(k, &coin, &[time - h, time, time + h]))
-                .unwrap()
-                .map(|s| seen(&s));
+            let [before, now, after] =
+                <[State; 3]>::try_from(rolled(moments, &coin, &[time - h, time, time + h]))
+                    .unwrap()
+                    .map(|s| seen(&s));
             // The angular velocity of the axes is half the sum of e × ė.
             let rates = (after - before) / (2.0 * h);
             let turn: Vector3<f64> = (0..3)
@@ -57,39 +66,40 @@ fn eq91_the_axes_of_the_rolling_coin_turn_about_the_upright() {
 
 #[test]
 fn eq95_and_eq97_the_support_turns_the_momentum() {
-    for (k, coin) in coins() {
+    for (moments, coin) in coins() {
         // L of the body, in the room, from its moments about any diameter and about the axle.
         let momentum = |state: &State| {
             let (omega, n) = (Vector3::new(state[10], state[11], state[12]), axle(state));
-            (omega + n * n.dot(&omega)) * (0.5 * k * MASS * RADIUS * RADIUS)
+            let MomentFactors { transverse, axial } = moments;
+            (omega * transverse + n * n.dot(&omega) * (axial - transverse)) * (MASS * RADIUS * RADIUS)
         };
         let h = 1e-4 / coin.turn_rate();
         for time in round(&coin).into_iter().skip(1) {
-            let states = rolled(k, &coin, &[time - h, time, time + h]);
+            let states = rolled(moments, &coin, &[time - h, time, time + h]);
             let [before, now, after] = <[State; 3]>::try_from(states).unwrap();
             let rate = (momentum(&after) - momentum(&before)) / (2.0 * h);
-            let torque = arm(&axle(&now)).cross(&solve(k, &now).1);
+            let torque = arm(&axle(&now)).cross(&solve(moments, &now).1);
             let size = MASS * GRAVITY * RADIUS;
             assert_relative_eq!(rate, torque, epsilon = 1e-6 * size);
             let sine = (FRAC_PI_2 - coin.tilt()).sin();
             assert_relative_eq!(torque, seen(&now).column(0) * (size * sine), epsilon = 1e-8 * size);
-            let stated = seen(&now).column(1) * (MASS * coin.momentum_over_mass().y);
+            let stated = seen(&now).column(1) * coin.angular_momentum().y;
             assert_relative_eq!(momentum(&now), stated, epsilon = 1e-9 * stated.norm());
         }
         // (97): after one round of that rate it stands as it stood; the heading is that of the start.
-        let end = rolled(k, &coin, &[TAU / coin.turn_rate()])[0];
+        let end = rolled(moments, &coin, &[TAU / coin.turn_rate()])[0];
         assert_relative_eq!(seen(&end), frame(FRAC_PI_2 - coin.tilt(), 0.0), epsilon = 1e-8);
-        let stated = 2.0 / k * GRAVITY / (RADIUS * coin.tilt().sin());
+        let stated = GRAVITY / (moments.transverse * RADIUS * coin.tilt().sin());
         assert_relative_eq!(coin.turn_rate().powi(2), stated, max_relative = 1e-13);
     }
 }
 
 #[test]
 fn eq96_a_coin_whose_centre_rests_is_held_up_by_its_weight_and_needs_no_friction() {
-    for (k, coin) in coins() {
+    for (moments, coin) in coins() {
         // The force is unknown; nine equations find it, at the start and all along a round.
-        for state in rolled(k, &coin, &round(&coin)) {
-            let (_, force) = solve(k, &state);
+        for state in rolled(moments, &coin, &round(&coin)) {
+            let (_, force) = solve(moments, &state);
             let weight = MASS * GRAVITY;
             assert_relative_eq!(force, Vector3::z() * weight, epsilon = 1e-9 * weight);
             // Along axes 2 and 3, as (96) has it.

@@ -8,13 +8,18 @@ mod start;
 mod steady;
 mod whole_body;
 
-use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Wheel};
 
 /// Mass, radius and gravity of the tests: nothing is one.
 const MASS: f64 = 1.7;
 const RADIUS: f64 = 0.4;
 const GRAVITY: f64 = 9.81;
 
-fn wheel(factor: f64) -> Wheel {
-    Wheel::new(MASS, RADIUS, factor, GRAVITY).expect("a wheel")
+fn parameters(moments: MomentFactors) -> DiskParameters {
+    DiskParameters { mass: MASS, radius: RADIUS, moments, gravity: GRAVITY }
+}
+
+/// A flat wheel with this moment factor k.
+fn wheel(k: f64) -> Wheel {
+    Wheel::new(parameters(MomentFactors::flat(k))).expect("a wheel")
 }

@@ -2,14 +2,15 @@
 
 use crate::printed::corrected_holds_and_printed_fails;
 use crate::whole_body::{arm, axle, frame, placed, solve};
-use crate::{GRAVITY, MASS, RADIUS, wheel};
+use crate::{GRAVITY, MASS, RADIUS, parameters, wheel};
 use approx::assert_relative_eq;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
-use mechanics::integrate::Dop853;
-use mechanics::scenes::rolling_wheel::{NoSteadyRolling, SteadyRolling};
-use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
+use mechanics::integrate::{Dop853, Taylor};
+use mechanics::scenes::rolling_wheel::{MomentFactors, SteadyRolling, Wheel};
+use mechanics::{InvalidQuantity, Rule};
+use nalgebra::{Complex, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
 const ROUNDING: f64 = 1e-12;
@@ -133,8 +134,8 @@ fn eq75_eq76_and_eq77_eulers_equations_hold_in_body_axes_and_the_printed_third_d
 fn eq78_and_eq79_the_angular_velocity_changes_by_the_turn_in_both_frames() {
     for (k, lean, b, steady) in cases() {
         // The whole body, moved by gravity and by the force that keeps its contact at rest: nothing in it goes round by itself.
-        let start = placed(lean, 0.0, steady.omega().into(), [0.0, b]);
-        let (rates, _) = solve(k, &start);
+        let start = placed(lean, 0.0, steady.omega().into(), Complex::new(0.0, b));
+        let (rates, _) = solve(MomentFactors::flat(k), &start);
         let rate = Vector3::new(rates[10], rates[11], rates[12]);
         let expected = axes(lean)[0] * (steady.relative_spin() * steady.turn_rate() * lean.cos());
         let size = steady.omega().norm_squared();
@@ -143,7 +144,7 @@ fn eq78_and_eq79_the_angular_velocity_changes_by_the_turn_in_both_frames() {
         let seen = |time: f64| {
             let end = Dop853::new(1e-13)
                 .unwrap()
-                .solve(|_, state: &[f64; 13]| solve(k, state).0, 0.0, start, time)
+                .solve(|_, state: &[f64; 13]| solve(MomentFactors::flat(k), state).0, 0.0, start, time)
                 .unwrap()
                 .state;
             let body = UnitQuaternion::from_quaternion(Quaternion::new(end[3], end[4], end[5], end[6]));
@@ -234,11 +235,11 @@ fn stable_steady_motions_hold_for_a_hundred_turns_and_an_unstable_one_does_not()
     let held = |k: f64, lean: f64, b: f64, turns: f64| {
         let steady = wheel(k).steady(lean, b).unwrap();
         let omega = steady.omega();
-        let start = placed(lean, 0.0, omega.into(), [0.0, b]);
+        let start = placed(lean, 0.0, omega.into(), Complex::new(0.0, b));
         let time = turns * std::f64::consts::TAU / steady.turn_rate();
         let end = Dop853::new(1e-11)
             .unwrap()
-            .solve(|_, state: &[f64; 13]| solve(k, state).0, 0.0, start, time)
+            .solve(|_, state: &[f64; 13]| solve(MomentFactors::flat(k), state).0, 0.0, start, time)
             .unwrap()
             .state;
         let n = axle(&end);
@@ -260,8 +261,8 @@ fn small_wobbles_have_the_frequency_of_the_formula() {
     for (k, _, _, steady) in cases() {
         let wheel = wheel(k);
         let mut state = steady.state();
-        state.lean_rate = 1e-4;
-        let wobble = wheel.wobble(state, 1e-13).unwrap();
+        state.omega_1 = 1e-4;
+        let wobble = wheel.wobble(state, &Taylor::new(1e-13).unwrap()).unwrap();
         let frequency = std::f64::consts::TAU / wobble.period();
         assert_relative_eq!(frequency, steady.wobble_square().sqrt(), max_relative = 1e-5);
     }
@@ -270,8 +271,8 @@ fn small_wobbles_have_the_frequency_of_the_formula() {
 #[test]
 fn friction_and_support_are_those_of_the_whole_body() {
     for (k, lean, b, steady) in cases() {
-        let start = placed(lean, 0.0, steady.omega().into(), [0.0, b]);
-        let (_, force) = solve(k, &start);
+        let start = placed(lean, 0.0, steady.omega().into(), Complex::new(0.0, b));
+        let (_, force) = solve(MomentFactors::flat(k), &start);
         assert_relative_eq!(force.z, MASS * GRAVITY, max_relative = 1e-8);
         assert_relative_eq!(force.xy().norm() / force.z, steady.friction_needed(), epsilon = 1e-8);
         assert!(arm(&axle(&start)).z < 0.0);
@@ -284,15 +285,57 @@ fn steady_rolling_exists_on_one_side_of_its_bound_only() {
     let bound = -0.5 * RADIUS * 0.7_f64.sin() / 3.0;
     assert!(disc.steady(0.7, bound + 1e-9).is_ok());
     let error = disc.steady(0.7, bound - 1e-9).unwrap_err();
-    let NoSteadyRolling::ForbiddenSide { bound: found, .. } = error else { panic!("{error}") };
+    let Rule::MoreThan(found) = error.rule else { panic!("{error}") };
     assert_relative_eq!(found, bound, max_relative = 1e-14);
-    assert!(error.to_string().contains("it must be above -0.0429"));
-    assert!(matches!(disc.steady(0.0, 1.0), Err(NoSteadyRolling::Upright { .. })));
+    assert!(error.to_string().contains("it must be more than -0.0429"));
+    let mirrored = disc.steady(-0.7, 1e-9 - bound).unwrap_err();
+    assert_eq!(mirrored.rule, Rule::LessThan(-found));
+    let message = |lean: f64| disc.steady(lean, 1.0).unwrap_err().to_string();
+    assert!(message(0.0).starts_with("lean 0 rad: an upright wheel goes round on no circle"));
     for lean in [std::f64::consts::FRAC_PI_2, -2.0] {
-        assert!(matches!(disc.steady(lean, 1.0), Err(NoSteadyRolling::Flat { .. })));
+        assert_eq!(
+            message(lean),
+            format!("lean {lean} rad: a wheel rolls at less than π/2 from the upright")
+        );
     }
-    assert!(matches!(disc.steady(f64::NAN, 1.0), Err(NoSteadyRolling::Quantity(_))));
+    assert!(matches!(
+        disc.steady(f64::NAN, 1.0),
+        Err(InvalidQuantity { quantity: "lean", rule: Rule::Finite, .. })
+    ));
     // (b, θ) and (−b, −θ) are the same motion seen from the other end.
     let (a, b) = (disc.steady(0.4, 0.3).unwrap(), disc.steady(-0.4, -0.3).unwrap());
     assert_eq!(a.turn_rate(), b.turn_rate());
+}
+
+#[test]
+fn a_wheel_with_a_hub_rolls_steadily_and_wobbles_as_the_whole_body_does() {
+    // Neither hoop nor disc: mass about the axle, and mass out along it.
+    for (transverse, axial) in [(2.0 / 3.0, 1.0 / 3.0), (0.3, 0.5), (1.5, 1.2)] {
+        let moments = MomentFactors { transverse, axial };
+        for (lean, b) in [(0.6, 0.5), (0.9, 0.3), (1.1, -0.02), (-0.7, -0.4), (0.8, 0.0)] {
+            let steady = Wheel::new(parameters(moments)).unwrap().steady(lean, b).unwrap();
+            assert!(steady.is_stable(), "{moments:?}, {lean}, {b}");
+            let end = |push: f64, time: f64| {
+                let omega = steady.omega() + Vector3::x() * push;
+                let start = placed(lean, 0.0, omega.into(), Complex::new(0.0, b));
+                let rates = |_: f64, state: &[f64; 13]| solve(moments, state).0;
+                Dop853::new(1e-12).unwrap().solve(rates, 0.0, start, time).unwrap().state
+            };
+            let leaning = |state: &[f64; 13]| (-axle(state).z).asin();
+            // For two rounds it keeps its lean and its circle.
+            let round = TAU / steady.turn_rate();
+            let held = end(0.0, 2.0 * round);
+            assert_relative_eq!(leaning(&held), lean, epsilon = 1e-7);
+            assert_relative_eq!(held[0], 0.0, epsilon = 1e-6 * RADIUS);
+            assert_relative_eq!(held[1], b, epsilon = 1e-6 * RADIUS);
+            // Pushed a little it swings through its lean again after each half of the wobble.
+            let half = 0.5 * TAU / steady.wobble_square().sqrt();
+            let push = 1e-5 * steady.turn_rate();
+            let [early, late] = [0.5, 1.0].map(|part| leaning(&end(push, part * half)) - lean);
+            assert!(
+                early > 0.1 * push / steady.turn_rate() && late.abs() < 1e-4 * early,
+                "{early:e}, {late:e}"
+            );
+        }
+    }
 }

@@ -2,7 +2,8 @@
 //! linear equations: Newton's, Euler's, and that the material point of contact has no acceleration but that of rolling on.
 
 use crate::{GRAVITY, MASS, RADIUS};
-use nalgebra::{Matrix3, Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
+use mechanics::scenes::rolling_wheel::MomentFactors;
+use nalgebra::{Complex, Matrix3, Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
 use std::ops::AddAssign;
 
 /// Centre (3), quaternion body to room (4), velocity (3), angular velocity in the room (3).
@@ -25,12 +26,13 @@ pub(crate) fn arm(axle: &Vector3<f64>) -> Vector3<f64> {
 }
 
 /// Rates of the state, and the contact force, from the nine equations.
-pub(crate) fn solve(factor: f64, state: &State) -> ([f64; 13], Vector3<f64>) {
+pub(crate) fn solve(moments: MomentFactors, state: &State) -> ([f64; 13], Vector3<f64>) {
     let (v, omega) = (vector(state, 7), vector(state, 10));
     let n = axle(state);
     let r = arm(&n);
-    let unit = MASS * RADIUS * RADIUS * factor;
-    let inertia = Matrix3::identity() * (0.5 * unit) + n * n.transpose() * (0.5 * unit);
+    let MomentFactors { transverse, axial } = moments;
+    let unit = MASS * RADIUS * RADIUS;
+    let inertia = (Matrix3::identity() * transverse + n * n.transpose() * (axial - transverse)) * unit;
     let momentum = inertia * omega;
     // The material point at the contact: v + ω × r = 0 for every point as it touches. Its derivative along the path of the
     // contact, where r is the lowest point of the moving disc: v̇ + ω̇ × r + ω × ṙ = 0, with ṙ from that of the axle.
@@ -75,14 +77,15 @@ pub(crate) fn frame(lean: f64, heading: f64) -> Matrix3<f64> {
     Matrix3::from_columns(&[first, second, first.cross(&second)])
 }
 
-/// The whole body in the state that lean, heading, the three components of ω along the frame and the place of the centre say, rolling without slip.
-pub(crate) fn placed(lean: f64, heading: f64, omega_frame: [f64; 3], centre: [f64; 2]) -> State {
+/// The whole body in the state that lean, heading, the three components of ω along the frame and the place of the centre
+/// say, rolling without slip.
+pub(crate) fn placed(lean: f64, heading: f64, omega_frame: [f64; 3], centre: Complex<f64>) -> State {
     let axes = frame(lean, heading);
     let q = UnitQuaternion::from_matrix(&axes);
     let omega = axes * Vector3::from(omega_frame);
     let v = -omega.cross(&arm(&axes.column(2).into_owned()));
     let mut state = [0.0; 13];
-    state[0..3].copy_from_slice(&[centre[0], centre[1], RADIUS * lean.cos()]);
+    state[0..3].copy_from_slice(&[centre.re, centre.im, RADIUS * lean.cos()]);
     state[3..7].copy_from_slice(&[q.w, q.i, q.j, q.k]);
     state[7..10].add_assign_slice(v.as_slice());
     state[10..13].add_assign_slice(omega.as_slice());

@@ -177,11 +177,11 @@ fn a_hundred_million_periods_keep_thirteen_digits_of_the_angular_velocity() {
 fn bodies_with_an_axis_of_symmetry_anywhere_are_symmetric_tops() {
     let mut random = fastrand::Rng::with_seed(87);
     for n in 0..300 {
-        let (across, along) = (between(&mut random, 0.5, 5.0), 0.9 * random.f64() + 0.05);
+        let (transverse, axial) = (between(&mut random, 0.5, 5.0), 0.9 * random.f64() + 0.05);
         let moments = match n % 3 {
-            0 => PrincipalMoments::new(across, across, along),
-            1 => PrincipalMoments::new(along, across, across),
-            _ => PrincipalMoments::new(across, along, across),
+            0 => PrincipalMoments::new(transverse, transverse, axial),
+            1 => PrincipalMoments::new(axial, transverse, transverse),
+            _ => PrincipalMoments::new(transverse, axial, transverse),
         }
         .unwrap();
         let start = turning(&mut random, 1.0);
@@ -262,7 +262,7 @@ fn the_period_of_a_symmetric_body_is_that_of_its_wobble_whatever_the_sense() {
 fn states_at_once_are_the_states_one_by_one() {
     // Bodies with an axis of symmetry, of each name, both sides of the separatrix, a sphere, a principal axis, a body
     // at rest; lists of every length around a block's; the wings of a list beyond the reach of the form for many
-    // frames.
+    // states.
     let mut random = fastrand::Rng::with_seed(89);
     let mut lengths = (0..=70).chain([1000]).cycle();
     for n in 0..400 {

@@ -83,6 +83,8 @@ fn the_ramp_is_exact_to_units_of_the_offset_the_motion_and_what_the_start_makes_
         Some(case(Units::drawn(draw), damping, spin, acceleration, start, time))
     });
     worst.keeps_its_promise(&[
+        "early, after",
+        "early, before",
         "real, after",
         "real, before",
         "together, after",
@@ -102,7 +104,7 @@ fn case(units: Units, damping: f64, spin: f64, acceleration: f64, start: Shaft, 
             "{units:?}, Γ {damping:?}, Ω {spin:?}, α {acceleration:?}, {start:?}, t {time:?}: {what}, {ours:?}"
         )
     };
-    let way = way(damping, acceleration, time);
+    let way = way(damping, spin, acceleration, time);
     let Ok(ours) = motion.at(then) else {
         return Case { ratio: f64::INFINITY, way, said: said("refused", start) };
     };
@@ -155,8 +157,12 @@ fn what_was_wrong_once_is_right() {
 }
 
 /// Which form the library takes.
-fn way(damping: f64, acceleration: f64, time: f64) -> &'static str {
+fn way(damping: f64, spin: f64, acceleration: f64, time: f64) -> &'static str {
     let half_difference = (1.0 - 0.25 * damping * damping).abs().sqrt();
+    let drift = (spin.abs() - half_difference).hypot(0.5 * damping).max(acceleration.abs().sqrt());
+    if damping < 2.0 && drift <= 0.25 && time.abs() < 1.0 / drift {
+        return if time < 0.0 { "early, before" } else { "early, after" };
+    }
     let largest = 0.5 * damping + half_difference;
     let width = acceleration.abs().sqrt().max(0.5 * damping).max(half_difference);
     match (largest * largest > 8.0 * half_difference * width, damping < 2.0, time < 0.0) {

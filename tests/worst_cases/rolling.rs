@@ -1,12 +1,44 @@
-//! What the judges of wheel and disk share: the equations of motion of a disc on its edge, and what an ulp of the start makes.
+//! What wheel and disk share: how they are drawn, the equations of motion of a disc on its edge, and what an ulp of the start makes.
+//!
+//! The judge was derived with the normal *upward*: its axes 1 and 3 are the library's, reversed, and its heading differs by half a turn.
 
-use crate::long::{Long, long};
+use crate::long::{Long, PI, long};
+use crate::search::Draw;
 use crate::taylor::{System, Term};
+use mechanics::nalgebra::Complex;
+use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling};
 
-/// A disc or hoop on its edge, with moments `k m a²` and half of it, on a film or none; g/a in 1/s², the film's torque over m a² in 1/s.
+/// Hoop, disc, other flat bodies, and bodies that are not flat, of mass one.
+pub(crate) fn parameters(draw: &mut Draw<'_>, least: f64) -> DiskParameters {
+    let moments = match draw.below(4) {
+        0 => draw.one_of(&[MomentFactors::DISK, MomentFactors::HOOP]),
+        1 => MomentFactors::flat(draw.decades(least, 1.0)),
+        _ => {
+            let transverse = draw.decades(least, 10.0);
+            MomentFactors { transverse, axial: transverse * draw.decades(1e-6, 2.0) }
+        }
+    };
+    let (radius, gravity) =
+        if draw.below(2) == 0 { (1.0, 1.0) } else { (draw.decades(1e-2, 1e2), draw.decades(1e-1, 1e3)) };
+    DiskParameters { mass: 1.0, radius, moments, gravity }
+}
+
+/// A heading, a roll angle and a place, for a state.
+pub(crate) fn placed(draw: &mut Draw<'_>, radius: f64, state: Rolling) -> Rolling {
+    let [x, y] = [0, 1].map(|_| radius * draw.between(-3.0, 3.0));
+    Rolling {
+        heading: draw.between(-4.0, 4.0),
+        roll_angle: draw.between(-4.0, 4.0),
+        centre: Complex::new(x, y),
+        ..state
+    }
+}
+
+/// A disc or hoop on its edge, with its moments over ma², on a film or none; g/a in 1/s², the film's torque over m a² in 1/s.
 #[derive(Clone, Copy)]
 pub(crate) struct Disc {
-    pub(crate) k: f64,
+    pub(crate) transverse: f64,
+    pub(crate) axial: f64,
     pub(crate) gravity_over_radius: Long,
     pub(crate) film: Long,
 }
@@ -14,15 +46,79 @@ pub(crate) struct Disc {
 /// β, its rate, ω₂, ω₃, the heading ψ of axis 1, the turn φ about axis 3, and the contact over the radius.
 pub(crate) type Numbers = [Long; 8];
 
+/// The judge's numbers of a state, the place over the radius.
+pub(crate) fn numbers(start: &Rolling, radius: f64) -> Numbers {
+    let ((s, c), cos) = (long(start.heading).sin_cos(), long(start.tilt).sin_cos().1);
+    let [x, y] = [start.centre.re, start.centre.im].map(|x| long(x) / radius);
+    [
+        long(start.tilt),
+        -long(start.omega_1),
+        long(start.omega_2),
+        -long(start.omega_3),
+        long(start.heading) + PI,
+        -long(start.roll_angle),
+        x - s * cos,
+        y + c * cos,
+    ]
+}
+
+/// And back: the numbers of [`Rolling`], the centre over the radius.
+pub(crate) fn rolling(n: &Numbers) -> [Long; 8] {
+    let (s, c) = n[4].sin_cos();
+    let cos = n[0].sin_cos().1;
+    [n[0], -n[1], n[2], -n[3], n[4] - PI, -n[5], n[6] - s * cos, n[7] + c * cos]
+}
+
+/// The largest error of a state in parts of what is promised for this tolerance: 30 times what a change of start and time makes, and so
+/// many ulps of the numbers and of one in the units a, √(g/a) and rad, with those of the heading's way for the place.
+pub(crate) fn worst_part(
+    parameters: &DiskParameters,
+    [given, found]: [&Rolling; 2],
+    (truth, change): (&Numbers, &[f64; 8]),
+    tolerance: f64,
+) -> (f64, usize) {
+    let (radius, rate) = (parameters.radius, (parameters.gravity / parameters.radius).sqrt());
+    let truth = rolling(truth);
+    let scale = [1.0, rate, rate, rate, 1.0, 1.0, radius, radius];
+    let turned = (truth[4] - given.heading).abs().rounded();
+    let way_gone = change[6].max(change[7]) + change[4];
+    let given = given.to_array();
+    let mut worst = (0.0, 0);
+    for (i, found) in found.to_array().into_iter().enumerate() {
+        let true_value = if i < 6 { truth[i] } else { truth[i] * radius };
+        let size = scale[i].max(given[i].abs()).max(true_value.abs().rounded());
+        // A place has the rounding of the heading that led there.
+        let (size, change) =
+            if i < 6 { (size, change[i]) } else { (size + radius * turned, radius * way_gone) };
+        let allowed = (size + change / f64::EPSILON) * tolerance.max(f64::EPSILON);
+        let ratio = (true_value - found).abs().rounded() / allowed / PROMISE;
+        if ratio.is_nan() || ratio > worst.0 {
+            worst = (ratio, i);
+        }
+    }
+    worst
+}
+
+/// Units in the last place, and how many times what such a unit makes of start and time; for a looser tolerance in its place.
+const PROMISE: f64 = 30.0;
+
 impl Disc {
+    /// Of this body, with the film's number.
+    pub(crate) fn new(parameters: &DiskParameters, film: f64) -> Self {
+        let DiskParameters { radius, moments: MomentFactors { transverse, axial }, gravity, .. } =
+            *parameters;
+        let gravity_over_radius = long(gravity) / radius;
+        Self { transverse, axial, gravity_over_radius, film: gravity_over_radius.sqrt() * film }
+    }
+
     /// The motion from a start, at times that run from zero in one direction. Momentum about the contact with axes that follow the
     /// heading and the tilt β from lying flat: axis 1 level, 3 the upward normal, ω₃ − ω₂ cot β = φ̇. Nothing if
     /// the judge gives up.
     pub(crate) fn motion(&self, start: &Numbers, times: &[Long]) -> Option<Vec<Numbers>> {
-        let &Self { k, gravity_over_radius: gravity, film } = self;
+        let &Self { transverse, axial, gravity_over_radius: gravity, film } = self;
         let (mut system, terms): (System, [Term; 12]) = System::new();
         let [tilt, w1, w2, w3, heading, spin, x, y, sin, cos, cos_heading, sin_heading] = terms;
-        let (one, half) = (long(1.0), long(0.5 * k));
+        let [one, transverse, axial] = [1.0, transverse, axial].map(long);
         let turn = system.quotient(w2, sin); // of the heading
         let o3 = system.product(turn, cos);
         let (w2_o3, w2_w3) = (system.product(w2, o3), system.product(w2, w3));
@@ -32,18 +128,18 @@ impl Disc {
         let (drag1, drag2) = (system.quotient(w1, cube), system.quotient(w2, cube));
         let run = system.sum(&[(one, o3), (-one, w3)]); // the contact's, over the radius
         system.rate(tilt, &[(one, w1)]);
-        let over = one / (one + half);
+        let over = one / (one + transverse);
         system.rate(
             w1,
             &[
-                (half * over, w2_o3),
-                (-(one + k) * over, w2_w3),
+                (transverse * over, w2_o3),
+                (-(one + axial) * over, w2_w3),
                 (-gravity * over, cos),
                 (-film * over, drag1),
             ],
         );
-        system.rate(w2, &[(long(2.0), w1_w3), (-one, w1_o3), (-film / half, drag2)]);
-        system.rate(w3, &[(one / (one + k), w1_w2)]);
+        system.rate(w2, &[(axial / transverse, w1_w3), (-one, w1_o3), (-film / transverse, drag2)]);
+        system.rate(w3, &[(one / (one + axial), w1_w2)]);
         system.rate(heading, &[(one, turn)]);
         system.rate(spin, &[(one, w3), (-one, o3)]);
         let (dx, dy) = (system.product(run, cos_heading), system.product(run, sin_heading));

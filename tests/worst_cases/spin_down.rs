@@ -2,7 +2,7 @@
 
 use crate::long::{Long, PI, long};
 use crate::search::{Case, Draw, search, worse};
-use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
+use mechanics::scenes::spinning_coin::{DiskParameters, Loss, MomentFactors, SpinDown, SpinningCoin};
 use std::f64::consts::FRAC_PI_2;
 
 const EPS: f64 = f64::EPSILON;
@@ -20,12 +20,12 @@ fn spin_down(draw: &mut Draw<'_>) -> Option<(SpinDown, f64)> {
         1 => draw.decades(1e-20, 10.0),
         _ => draw.between(0.0, 10.0),
     };
-    let coin = SpinningCoin::new(draw.decades(1e-3, 1e3), 0.5, 9.81, tilt).ok()?;
+    let (radius, mass) = (draw.decades(1e-3, 1e3), draw.decades(1e-9, 1e9));
+    let coin =
+        SpinningCoin::new(DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity: 9.81 }, tilt)
+            .ok()?;
     let coefficient = draw.one_of(&[1e-6, 1e-50, 1e20, 3.7]);
-    Some((
-        SpinDown::new(coin, draw.decades(1e-9, 1e9), Loss::new(coefficient, exponent).ok()?).ok()?,
-        exponent,
-    ))
+    Some((SpinDown::new(coin, Loss::new(coefficient, exponent).ok()?).ok()?, exponent))
 }
 
 fn said(down: &SpinDown, exponent: f64, more: &str) -> String {
@@ -219,20 +219,21 @@ fn the_rates_of_a_coin_and_the_tilt_for_a_speed_have_their_digits_at_any_tilt() 
             _ => draw.between(0.01, 1.57),
         };
         let [radius, gravity] = std::array::from_fn(|_| draw.decades(1e-30, 1e30));
-        let factor = if draw.below(2) == 0 { draw.decades(1e-10, 1.0) } else { 0.5 };
-        let coin = SpinningCoin::new(radius, factor, gravity, tilt).ok()?;
+        let transverse = if draw.below(2) == 0 { draw.decades(1e-10, 10.0) } else { 0.25 };
+        let moments = MomentFactors { transverse, axial: transverse };
+        let coin = SpinningCoin::new(DiskParameters { mass: 1.0, radius, moments, gravity }, tilt).ok()?;
         let (sin, cos) = long(tilt).sin_cos();
         let half = (long(tilt) * 0.5).sin_cos().0;
-        let [a, k, g] = [radius, factor, gravity].map(long);
-        let turn = (g * 2.0 / (k * a * sin)).sqrt();
-        let square = sin * sin + k * 1.5 * cos * cos;
+        let [a, i1, g] = [radius, transverse, gravity].map(long);
+        let turn = (g / (i1 * a * sin)).sqrt();
+        let square = sin * sin + i1 * 3.0 * cos * cos;
         let truths = [
             turn,
             turn * cos,
             turn * half * half * 2.0,
             turn * sin * sin,
             a * turn * cos,
-            turn * (square / (k * 0.5 + 1.0)).sqrt(),
+            turn * (square / (i1 + 1.0)).sqrt(),
         ];
         let found = [
             coin.turn_rate(),
@@ -244,10 +245,10 @@ fn the_rates_of_a_coin_and_the_tilt_for_a_speed_have_their_digits_at_any_tilt() 
         ];
         let off_rates =
             truths.iter().zip(found).map(|(&t, f)| ((t - f) / t).abs().rounded()).fold(0.0, worse);
-        // The tilt at which the contact runs so fast: k c² sin α = 2 g a cos² α.
+        // The tilt at which the contact runs so fast: I₁ c² sin α = g a cos² α.
         let speed = draw.decades(1e-50, 1e50);
         let fast = coin.tilt_for_contact_speed(speed).ok()?;
-        let s = k * speed * speed / (g * a * 2.0);
+        let s = i1 * speed * speed / (g * a);
         let sine = long(2.0) / (s + (s * s + 4.0).sqrt());
         let off_tilt = if s.rounded() < 1e140 {
             off(fast, (sine, (s * sine).sqrt())) / fast
@@ -261,7 +262,7 @@ fn the_rates_of_a_coin_and_the_tilt_for_a_speed_have_their_digits_at_any_tilt() 
             _ => "between",
         };
         let said = format!(
-            "a {radius:?} k {factor:?} g {gravity:?} α {tilt:?} c {speed:?}: rates {off_rates:e}, tilt {fast:e} off {off_tilt:e}"
+            "a {radius:?} I₁ {transverse:?} g {gravity:?} α {tilt:?} c {speed:?}: rates {off_rates:e}, tilt {fast:e} off {off_tilt:e}"
         );
         Some(Case { ratio, way, said })
     });
@@ -272,7 +273,9 @@ fn the_rates_of_a_coin_and_the_tilt_for_a_speed_have_their_digits_at_any_tilt() 
 fn the_attitude_of_a_coin_takes_whole_turns_off_exactly() {
     let worst = search("attitude of a coin", 1000, |draw| {
         let tilt = if draw.below(2) == 0 { draw.decades(1e-20, 1.5) } else { draw.between(0.01, 1.57) };
-        let coin = SpinningCoin::new(0.03, 0.5, 9.81, tilt).ok()?;
+        let parameters =
+            DiskParameters { mass: 1.0, radius: 0.03, moments: MomentFactors::DISK, gravity: 9.81 };
+        let coin = SpinningCoin::new(parameters, tilt).ok()?;
         let turns = draw.signed(1e-3, 1e12);
         let half = |angle: Long| (angle * 0.5).sin_cos();
         let turn = PI * 2.0 * turns;

@@ -2,7 +2,7 @@
 
 use crate::long::{Long, PI, long};
 use crate::search::{Case, search};
-use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Wheel};
 use mechanics::scenes::spinning_coin::SpinningCoin;
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use std::f64::consts::FRAC_PI_2;
@@ -13,7 +13,15 @@ const FEW: f64 = 4.0 * f64::EPSILON;
 #[test]
 fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() {
     let worst = search("steady rolling", 4000, |draw| {
-        let k = if draw.below(2) == 0 { draw.one_of(&[0.5, 1.0]) } else { draw.decades(1e-10, 1.0) };
+        let moments = match draw.below(3) {
+            0 => draw.one_of(&[MomentFactors::DISK, MomentFactors::HOOP]),
+            1 => MomentFactors::flat(draw.decades(1e-10, 1.0)),
+            _ => {
+                let transverse = draw.decades(1e-10, 10.0);
+                MomentFactors { transverse, axial: transverse * draw.decades(1e-6, 2.0) }
+            }
+        };
+        let MomentFactors { transverse, axial } = moments;
         let (radius, gravity) = (draw.decades(1e-3, 1e3), draw.decades(1e-3, 1e3));
         let sign = draw.one_of(&[-1.0, 1.0]);
         let lean = sign
@@ -22,22 +30,23 @@ fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() 
                 1 => draw.decades(1e-40, 1.0),
                 _ => FRAC_PI_2 - draw.decades(1e-15, 1.0),
             };
-        let bound = -k * radius * lean.sin() / (2.0 * (1.0 + k));
+        let bound = -transverse * radius * lean.sin() / (1.0 + axial);
         let (b, way) = match draw.below(2) {
             0 => (draw.beside(bound), "near the bound"),
             _ => (radius * draw.signed(1e-6, 1e6), "any circle"),
         };
-        let wheel = Wheel::new(1.0, radius, k, gravity).ok()?;
+        let wheel = Wheel::new(DiskParameters { mass: 1.0, radius, moments, gravity }).ok()?;
         let steady = wheel.steady(lean, b).ok()?;
-        // Per mass and square of the radius, along axis 1: Ωẑ × L with L₂ = ½kΩ cos θ, L₃ = kΩb/a, and r × F with the force −Ω²b
+        // Per mass and square of the radius, along axis 1: Ωẑ × L with L₂ = I₁Ω cos θ, L₃ = I₃Ωb/a, and r × F with the force −Ω²b
         // inward and g upward.
-        let ((s, c), ratio, kk) = (long(lean).sin_cos(), long(b) / radius, long(k));
-        let momentum = kk * ratio * c + kk * 0.5 * s * c;
+        let ((s, c), ratio) = (long(lean).sin_cos(), long(b) / radius);
+        let [i1, i3] = [transverse, axial].map(long);
+        let momentum = i3 * ratio * c + i1 * s * c;
         let forces = ratio * c;
         let square = long(gravity) / radius * s / (momentum + forces);
         let parts = (momentum.abs() + forces.abs()) / (momentum + forces).abs();
-        let lost = (kk * (ratio * c).abs() + kk * 0.5 * (s * c).abs() + (ratio * c).abs())
-            / (momentum + forces).abs();
+        let lost =
+            (i3 * (ratio * c).abs() + i1 * (s * c).abs() + (ratio * c).abs()) / (momentum + forces).abs();
         let lost = lost.rounded().max(parts.rounded());
         if lost > 0.1 / f64::EPSILON {
             return None; // the bound itself, to rounding, and nothing is left
@@ -47,25 +56,25 @@ fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() 
         let spin_error = (turn * (ratio + s) - steady.relative_spin()).abs().rounded()
             / (turn * (ratio.abs() + s.abs())).rounded()
             / (1.0 + lost);
-        // −dθ̈/dθ along the motions of the same two constants, whose q and n change by dq/dθ = q tan θ + 2n and dn/dθ = q/(1 + k).
+        // −dθ̈/dθ along the motions of the same two constants, whose q and n change by dq/dθ = q tan θ + (I₃/I₁)n and dn/dθ = q/(1 + I₃).
         let (q, n, tan) = (turn * c, turn * ratio, s / c);
-        let (dq, dn) = (q * tan + n * 2.0, q / (kk + 1.0));
+        let (dq, dn) = (q * tan + n * i3 / i1, q / (i3 + 1.0));
         let terms = [
             -(long(gravity) / radius * c),
-            (kk + 1.0) * dn * q,
-            (kk + 1.0) * n * dq,
-            kk * q * dq * tan,
-            kk * 0.5 * q * q,
-            kk * 0.5 * q * q * tan * tan,
+            (i3 + 1.0) * dn * q,
+            (i3 + 1.0) * n * dq,
+            i1 * 2.0 * q * dq * tan,
+            i1 * q * q,
+            i1 * q * q * tan * tan,
         ]
-        .map(|term| term / (kk * 0.5 + 1.0));
+        .map(|term| term / (i1 + 1.0));
         let (sum, size) = (terms.into_iter().sum::<Long>(), terms.into_iter().map(Long::abs).sum::<Long>());
         let wobble_error = ((sum - steady.wobble_square()).abs() / size).rounded() / (1.0 + lost);
         Some(Case {
             ratio: turn_error.max(spin_error).max(wobble_error) / FEW,
             way,
             said: format!(
-                "k {k:?}, a {radius:?}, g {gravity:?}, lean {lean:?}, b {b:?}: {turn_error:e} {spin_error:e} {wobble_error:e}, {lost}"
+                "{moments:?}, a {radius:?}, g {gravity:?}, lean {lean:?}, b {b:?}: {turn_error:e} {spin_error:e} {wobble_error:e}, {lost}"
             ),
         })
     });
@@ -75,14 +84,16 @@ fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() 
 #[test]
 fn the_turn_of_a_wheel_that_is_almost_flat_has_all_its_digits() {
     let worst = search("near-flat turn", 1000, |draw| {
-        let k = draw.decades(1e-50, 1.0);
-        let turn = PI * (long(2.0) / k + 1.0).sqrt();
-        let found = Wheel::new(1.0, 1.0, k, 1.0).ok()?.near_flat_turn();
+        let transverse = draw.decades(1e-50, 10.0);
+        let turn = PI * (long(1.0) / transverse + 1.0).sqrt();
+        let moments = MomentFactors { transverse, axial: transverse };
+        let wheel = Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments, gravity: 1.0 }).ok()?;
+        let found = wheel.near_flat_turn();
         let error = ((turn - found) / turn).abs().rounded();
         Some(Case {
             ratio: error / (2.0 * f64::EPSILON),
             way: "any wheel",
-            said: format!("k {k:?}: {found:?}"),
+            said: format!("I₁ {transverse:?}: {found:?}"),
         })
     });
     worst.keeps_its_promise(&["any wheel"]);
@@ -91,21 +102,23 @@ fn the_turn_of_a_wheel_that_is_almost_flat_has_all_its_digits() {
 #[test]
 fn the_tilt_for_a_speed_has_all_its_digits() {
     let worst = search("tilt for a speed", 2000, |draw| {
-        let k = draw.decades(1e-3, 1.0);
+        let transverse = draw.decades(1e-3, 10.0);
         let (radius, gravity) = (draw.decades(1e-20, 1e20), draw.decades(1e-20, 1e20));
-        let of_unit = (2.0 * gravity * radius / k).sqrt();
+        let of_unit = (gravity * radius / transverse).sqrt();
         let speed =
             if draw.below(2) == 0 { draw.beside(of_unit) } else { of_unit * draw.decades(1e-20, 1e20) };
-        let found = SpinningCoin::new(radius, k, gravity, 0.1).ok()?.tilt_for_contact_speed(speed).ok()?;
-        // s sin α = cos²α with s = kc²/2ga; one step of Newton's method says how far α is off.
-        let s = long(k) * speed * speed / (long(gravity) * radius * 2.0);
+        let moments = MomentFactors { transverse, axial: transverse };
+        let coin = SpinningCoin::new(DiskParameters { mass: 1.0, radius, moments, gravity }, 0.1).ok()?;
+        let found = coin.tilt_for_contact_speed(speed).ok()?;
+        // s sin α = cos²α with s = I₁c²/ga; one step of Newton's method says how far α is off.
+        let s = long(transverse) * speed * speed / (long(gravity) * radius);
         let (sin, cos) = long(found).sin_cos();
         let error = ((s * sin - cos * cos) / (s * cos + sin * cos * 2.0)).abs().rounded() / found;
         let way = if s.rounded() < 1.0 { "steep" } else { "flat" };
         Some(Case {
             ratio: error / (4.0 * f64::EPSILON),
             way,
-            said: format!("k {k:?}, a {radius:?}, g {gravity:?}, {speed:?} m/s: {found:?}"),
+            said: format!("I₁ {transverse:?}, a {radius:?}, g {gravity:?}, {speed:?} m/s: {found:?}"),
         })
     });
     worst.keeps_its_promise(&["flat", "steep"]);

@@ -14,8 +14,6 @@ pub(super) struct Built {
     pub(super) unresolved: Vec<String>,
     /// Figures without title or description.
     pub(super) mute_figures: usize,
-    /// Characters in formulas.
-    pub(super) characters: BTreeSet<char>,
 }
 
 /// Reads one page.
@@ -23,7 +21,6 @@ pub(super) fn examine(html: &str) -> Built {
     let mut built = Built::default();
     // Depth inside elements whose text is not prose.
     let mut verbatim = 0_u32;
-    let mut in_formula = false;
     let mut in_figure = false;
     // Whether the drawing that is being read has said its title and its description, and the element that the text is in.
     let mut svg: Option<(bool, bool)> = None;
@@ -48,7 +45,6 @@ pub(super) fn examine(html: &str) -> Built {
                         }
                         svg = Some((false, false));
                     }
-                    "math" => in_formula = true,
                     _ => {}
                 }
             }
@@ -71,7 +67,6 @@ pub(super) fn examine(html: &str) -> Built {
                     b"code" | b"pre" | b"script" | b"style" | b"title" if svg.is_none() => {
                         verbatim = verbatim.saturating_sub(1);
                     }
-                    b"math" => in_formula = false,
                     b"svg" if svg.take().is_some_and(|seen| seen != (true, true)) => {
                         built.mute_figures += 1;
                     }
@@ -80,9 +75,6 @@ pub(super) fn examine(html: &str) -> Built {
             }
             Token::String(text) if verbatim == 0 => {
                 let text = String::from_utf8_lossy(&text).into_owned();
-                if in_formula {
-                    built.characters.extend(text.chars());
-                }
                 built.unresolved.extend(unresolved(&text));
             }
             _ => {}
@@ -153,15 +145,4 @@ pub(super) fn remote_in_css(css: &str) -> Option<String> {
         }
     }
     None
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_formulas_ask_for_glyphs() {
-        let built = examine("<p>a <math><mi>x</mi></math> b &#937; <math><mo>+</mo></math> c</p>");
-        assert_eq!(built.characters.into_iter().collect::<String>(), "+x");
-    }
 }

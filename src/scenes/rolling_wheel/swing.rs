@@ -1,8 +1,8 @@
 //! From a start to the turning point of the lean before or after it.
 
-use super::wobble::NoWobble;
-use crate::integrate::{Series, Taylor, TaylorStep, increment};
+use crate::integrate::{Failure, Series, Taylor, TaylorStep, increment};
 use crate::rolling::{RollingSeries, anchor, contact};
+use crate::wide::rolling::Lanes;
 use nalgebra::Complex;
 use std::ops::ControlFlow;
 
@@ -42,16 +42,13 @@ pub(super) struct Moment {
 
 impl Swing {
     /// From a state of heading zero to the next moment at which the lean turns, or back to the last if `direction` is negative, not
-    /// counting the start.
-    ///
-    /// # Errors
-    /// [`NoWobble::Steady`] if there is none, [`NoWobble::Integration`].
+    /// counting the start; nothing if there is none.
     pub(super) fn new(
         solver: &Taylor,
-        wheel: &RollingSeries,
+        wheel: RollingSeries,
         state: [f64; 8],
         direction: f64,
-    ) -> Result<Self, NoWobble> {
+    ) -> Result<Option<Self>, Failure> {
         let mut pieces: Vec<Piece> = Vec::new();
         let (mut here, mut facing) = (Complex::new(0.0, 0.0), Complex::new(1.0, 0.0));
         let mut turning = None;
@@ -63,7 +60,7 @@ impl Swing {
                 series,
                 anchor: anchor(&series, here, facing),
             };
-            let mut rates = series.map(|row| row[1]); // of y, which turns with the lean
+            let mut rates = series.map(|row| row[1]); // u, which is zero where the lean turns
             let at_rest = pieces.is_empty() && rates[0] == 0.0;
             if direction < 0.0 {
                 rates.iter_mut().skip(1).step_by(2).for_each(|odd| *odd = -*odd);
@@ -76,11 +73,14 @@ impl Swing {
             let stays = at_rest && rates[0] == 0.0;
             if turning.is_some() || stays { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        solver
-            .with_step_at_most(LONGEST_STEP)
-            .solve_with(wheel, 0.0, state, PATIENCE.copysign(direction), observer)
-            .map_err(NoWobble::Integration)?;
-        turning.map(|last| Self { pieces, last: last.copysign(direction) }).ok_or(NoWobble::Steady)
+        solver.with_step_at_most(LONGEST_STEP).solve_with(
+            &Lanes(wheel),
+            0.0,
+            state,
+            PATIENCE.copysign(direction),
+            observer,
+        )?;
+        Ok(turning.map(|last| Self { pieces, last: last.copysign(direction) }))
     }
 
     /// How long it takes, negative backwards.
@@ -107,10 +107,10 @@ impl Swing {
 impl Moment {
     /// Another moment as in a mirror, with this one, at which the lean turns, between the two.
     pub(super) fn mirror(&self, Moment { state, contact, facing }: Moment) -> Moment {
-        let [y, u, o, w, psi, phi, re, im] = state;
+        let [y, u, turn, n, heading, roll, re, im] = state;
         let double = self.facing * self.facing;
         Moment {
-            state: [y, -u, o, w, 2.0 * self.state[4] - psi, 2.0 * self.state[5] - phi, re, im],
+            state: [y, -u, turn, n, 2.0 * self.state[4] - heading, 2.0 * self.state[5] - roll, re, im],
             contact: self.contact - double * (contact - self.contact).conj(),
             facing: double * facing.conj(),
         }

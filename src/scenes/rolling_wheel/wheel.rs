@@ -1,87 +1,60 @@
-//! The wheel: what it is made of.
+//! The wheel, its equations of motion and the force that holds it.
 
 use crate::conical::Conical;
-use crate::quantity::{InvalidQuantity, Rule};
-use std::error::Error;
-use std::fmt;
+use crate::quantity::InvalidQuantity;
+use crate::rolling::{Disk, DiskParameters, MomentFactors, Rolling};
+use nalgebra::Vector3;
+use std::f64::consts::PI;
 
-/// A thin, round wheel on a level table.
+/// A round wheel on a level table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wheel {
-    pub(super) mass: f64,
-    pub(super) radius: f64,
-    pub(super) factor: f64,
-    pub(super) gravity: f64,
+    pub(super) disk: Disk,
     pub(super) conical: Conical,
 }
 
 impl Wheel {
-    /// A wheel of mass, kg, and radius, m, with the moments `k m a²` about its axis and half of it about a diameter, under
-    /// `gravity`, m/s²; `factor` is k, more than zero and at most one.
+    /// The wheel of these parameters.
     ///
     /// # Errors
-    /// [`InvalidWheel`] if a number breaks its rule.
-    pub fn new(mass: f64, radius: f64, factor: f64, gravity: f64) -> Result<Self, InvalidWheel> {
-        InvalidQuantity::check_positive("mass", mass, "kg")?;
-        InvalidQuantity::check_positive("radius", radius, "m")?;
-        InvalidQuantity::check_positive("moment factor k", factor, "")?;
-        InvalidQuantity::require(factor <= 1.0, "moment factor k", factor, "", Rule::AtMost(1.0))?;
-        InvalidQuantity::check_positive("gravity", gravity, "m/s²")?;
-        let conical = Conical::new(2.0 / (1.0 + factor)); // eq:legendre
-        Ok(Self { mass, radius, factor, gravity, conical })
+    /// [`InvalidQuantity`] if a number breaks its rule.
+    pub fn new(parameters: DiskParameters) -> Result<Self, InvalidQuantity> {
+        let disk = Disk::new(parameters, 0.0)?;
+        let MomentFactors { transverse: i1, axial: i3 } = parameters.moments;
+        let conical = Conical::new(i3 / i1 / (1.0 + i3)); // eq:legendre
+        Ok(Self { disk, conical })
     }
 
-    /// A hoop, k = 1, of mass, kg, and radius, m, under 9.81 m/s².
-    ///
-    /// # Errors
-    /// As [`Wheel::new`].
-    pub fn hoop(mass: f64, radius: f64) -> Result<Self, InvalidWheel> {
-        Self::new(mass, radius, 1.0, 9.81)
+    /// What it was made of.
+    pub fn parameters(&self) -> DiskParameters {
+        self.disk.parameters
     }
 
-    /// A uniform disc, k = ½, of mass, kg, and radius, m, under 9.81 m/s².
-    ///
-    /// # Errors
-    /// As [`Wheel::new`].
-    pub fn disk(mass: f64, radius: f64) -> Result<Self, InvalidWheel> {
-        Self::new(mass, radius, 0.5, 9.81)
+    /// The rates of the eight numbers of [`Rolling`], for [`crate::integrate::Dop853`] (`eq:lean-acceleration`,
+    /// `eq:spin-rates`, `eq:rolling-path`): rad/s, rad/s² and m/s. Infinite or NaN for a flat wheel.
+    pub fn rates(&self, time: f64, state: &[f64; 8]) -> [f64; 8] {
+        self.disk.rates(time, state)
     }
 
-    /// Mass, kg.
-    pub fn mass(&self) -> f64 {
-        self.mass
+    /// The energy of the motion, J, with the table as zero of height (`eq:rolling-energy`).
+    pub fn energy(&self, state: &Rolling) -> f64 {
+        self.disk.energy(state)
     }
 
-    /// Radius a, m.
-    pub fn radius(&self) -> f64 {
-        self.radius
+    /// The force of the table on the wheel, along axes 1, 2, 3, N (`eq:contact-force`).
+    pub fn contact_force(&self, state: &Rolling) -> Vector3<f64> {
+        self.disk.contact_force(state)
     }
 
-    /// The moment factor k.
-    pub fn factor(&self) -> f64 {
-        self.factor
+    /// The part of the contact force that holds the wheel up, N; negative where the wheel would leave the table
+    /// (`eq:normal-force`).
+    pub fn normal_force(&self, state: &Rolling) -> f64 {
+        self.disk.normal_force(state)
     }
 
-    /// g, m/s².
-    pub fn gravity(&self) -> f64 {
-        self.gravity
+    /// The angle, rad, by which the contact runs round when the wheel is let go almost flat, falls, just misses lying flat and
+    /// gets up again: `π√(1 + 1/I₁)`, in the limit of a near miss (`eq:near-flat-turn`). To 2 units in the last place.
+    pub fn near_flat_turn(&self) -> f64 {
+        PI * (1.0 + 1.0 / self.disk.parameters.moments.transverse).sqrt()
     }
 }
-
-/// A wheel that cannot be, or a state of it that cannot.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InvalidWheel(InvalidQuantity);
-
-impl From<InvalidQuantity> for InvalidWheel {
-    fn from(error: InvalidQuantity) -> Self {
-        Self(error)
-    }
-}
-
-impl fmt::Display for InvalidWheel {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(out)
-    }
-}
-
-impl Error for InvalidWheel {}

@@ -2,6 +2,7 @@
 
 use crate::attitude::turn;
 use crate::quantity::{InvalidQuantity, Rule};
+use crate::rolling::{Disk, DiskParameters, Rolling};
 use crate::two_part::TwoPart;
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
@@ -9,18 +10,18 @@ use std::f64::consts::FRAC_PI_2;
 /// A coin, disc or hoop that rolls on its edge round a circle about its own centre.
 ///
 /// ```
-/// use mechanics::scenes::spinning_coin::SpinningCoin;
+/// use mechanics::scenes::spinning_coin::{DiskParameters, MomentFactors, SpinningCoin};
 /// // A heavy steel disc of 37.5 mm, almost flat.
-/// let disc = SpinningCoin::new(0.0375, 0.5, 9.81, 0.05)?;
+/// let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
+/// let steel = DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity };
+/// let disc = SpinningCoin::new(steel, 0.05)?;
 /// assert!(disc.turn_rate() > 140.0); // its contact runs round 23 times a second,
 /// assert!(disc.figure_rate() < 0.2); // and its face turns once in half a minute.
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpinningCoin {
-    pub(super) radius: f64,
-    pub(super) factor: f64,
-    pub(super) gravity: f64,
+    parameters: DiskParameters,
     tilt: f64,
     pub(super) sin: f64, // of the tilt, the cosine of the lean
     pub(super) cos: f64,
@@ -28,22 +29,21 @@ pub struct SpinningCoin {
 }
 
 impl SpinningCoin {
-    /// A coin of `radius`, m, with the moments `k m a²` about its axis and half of it about a diameter (k = ½ for a disc, 1
-    /// for a hoop), under `gravity`, m/s², tilted by `tilt`, rad, from lying flat, more than zero and less than π/2.
+    /// A coin tilted by `tilt`, rad, from lying flat, more than zero and less than π/2.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if a number breaks its rule.
-    pub fn new(radius: f64, factor: f64, gravity: f64, tilt: f64) -> Result<Self, InvalidQuantity> {
-        InvalidQuantity::check_positive("radius", radius, "m")?;
-        InvalidQuantity::check_positive("moment factor k", factor, "")?;
-        InvalidQuantity::require(factor <= 1.0, "moment factor k", factor, "", Rule::AtMost(1.0))?;
-        InvalidQuantity::check_positive("gravity", gravity, "m/s²")?;
-        InvalidQuantity::check_positive("tilt from lying flat", tilt, "rad")?;
-        let rule = Rule::LessThan(FRAC_PI_2);
-        InvalidQuantity::require(tilt < FRAC_PI_2, "tilt from lying flat", tilt, "rad", rule)?;
+    pub fn new(parameters: DiskParameters, tilt: f64) -> Result<Self, InvalidQuantity> {
+        let DiskParameters { radius: a, moments, gravity: g, .. } = Disk::new(parameters, 0.0)?.parameters;
+        check_tilt(tilt)?;
         let (sin, cos) = tilt.sin_cos();
-        let turn_rate = (2.0 * gravity / (factor * radius * sin)).sqrt(); // eq:coin-rate
-        Ok(Self { radius, factor, gravity, tilt, sin, cos, turn_rate })
+        let turn_rate = (g / (moments.transverse * a * sin)).sqrt(); // eq:coin-rate-moments
+        Ok(Self { parameters, tilt, sin, cos, turn_rate })
+    }
+
+    /// What it was made of.
+    pub fn parameters(&self) -> DiskParameters {
+        self.parameters
     }
 
     /// The tilt α from lying flat, rad.
@@ -51,7 +51,7 @@ impl SpinningCoin {
         self.tilt
     }
 
-    /// The rate Ω at which the point of contact goes round, rad/s (`eq:coin-rate`).
+    /// The rate Ω at which the point of contact goes round, rad/s (`eq:coin-rate-moments`).
     pub fn turn_rate(&self) -> f64 {
         self.turn_rate
     }
@@ -79,25 +79,38 @@ impl SpinningCoin {
         Vector3::new(0.0, self.turn_rate * self.sin, 0.0)
     }
 
-    /// The angular momentum about the centre, per mass, m²/s, along axes 1, 2, 3 (`eq:coin-momentum`).
-    pub fn momentum_over_mass(&self) -> Vector3<f64> {
-        self.omega() * (0.5 * self.factor * self.radius * self.radius)
+    /// The angular momentum about the centre, kg·m²/s, along axes 1, 2, 3 (`eq:coin-momentum`).
+    pub fn angular_momentum(&self) -> Vector3<f64> {
+        let DiskParameters { mass: m, radius: a, moments, .. } = self.parameters;
+        self.omega() * (moments.transverse * m * a * a)
     }
 
-    /// The energy over the mass, m²/s², with the table as zero: `3/2 g a sin α` (`eq:coin-energy`).
-    pub fn energy_over_mass(&self) -> f64 {
-        1.5 * self.gravity * self.radius * self.sin
+    /// The energy, J, with the table as zero: `3/2 mga sin α` (`eq:coin-energy`).
+    pub fn energy(&self) -> f64 {
+        1.5 * self.weight_times_radius() * self.sin
+    }
+
+    /// mga, J.
+    pub(super) fn weight_times_radius(&self) -> f64 {
+        let DiskParameters { mass: m, radius: a, gravity: g, .. } = self.parameters;
+        m * g * a
+    }
+
+    /// This motion as a state of a rolling disk, with the centre above the origin and axis 1 along x.
+    pub fn state(&self) -> Rolling {
+        Rolling { tilt: self.tilt, omega_2: self.turn_rate * self.sin, ..Rolling::UPRIGHT }
     }
 
     /// How fast the point of contact moves, m/s: `aΩ cos α` (`eq:contact-run`). It is a place, and no part of the coin.
     pub fn contact_speed(&self) -> f64 {
-        self.radius * self.turn_rate * self.cos
+        self.parameters.radius * self.turn_rate * self.cos
     }
 
     /// The angular frequency of small wobbles about the steady motion, rad/s; real at every tilt (`eq:coin-nutation`).
     pub fn wobble_rate(&self) -> f64 {
-        let square = self.sin * self.sin + 1.5 * self.factor * self.cos * self.cos;
-        self.turn_rate * (square / (1.0 + 0.5 * self.factor)).sqrt()
+        let i1 = self.parameters.moments.transverse;
+        let square = self.sin * self.sin + 3.0 * i1 * self.cos * self.cos;
+        self.turn_rate * (square / (1.0 + i1)).sqrt()
     }
 
     /// The attitude after `turns` turns of the contact, room from body, where at the start axis 1 lies along x and the coin's
@@ -118,10 +131,18 @@ impl SpinningCoin {
     /// [`InvalidQuantity`] unless the speed is positive.
     pub fn tilt_for_contact_speed(&self, sound: f64) -> Result<f64, InvalidQuantity> {
         InvalidQuantity::check_positive("speed", sound, "m/s")?;
-        // 2ga/k · cos²α/sin α = c²: a quadratic in sin α, solved without a difference; and cos α from its square, since near upright
+        let DiskParameters { radius: a, moments, gravity: g, .. } = self.parameters;
+        // ga/I₁ · cos²α/sin α = c²: a quadratic in sin α, solved without a difference; and cos α from its square, since near upright
         // the sine does not tell the tilt.
-        let s = self.factor * sound * sound / (2.0 * self.gravity * self.radius);
+        let s = moments.transverse * sound * sound / (g * a);
         let sin = 2.0 / (s + s.hypot(2.0));
         Ok(sin.atan2((s * sin).sqrt()))
     }
+}
+
+/// Checks that a coin can have this tilt, rad.
+pub(super) fn check_tilt(tilt: f64) -> Result<f64, InvalidQuantity> {
+    InvalidQuantity::check_positive("tilt from lying flat", tilt, "rad")?;
+    let rule = Rule::LessThan(FRAC_PI_2);
+    InvalidQuantity::require(tilt < FRAC_PI_2, "tilt from lying flat", tilt, "rad", rule)
 }

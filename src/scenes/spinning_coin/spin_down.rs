@@ -3,12 +3,11 @@
 //! The coin is taken to pass through its steady motions one after the other, which holds as long as it sinks little within one
 //! round. Then the balance of energy is a law for the tilt alone, and it can be solved.
 
-use super::coin::SpinningCoin;
-use crate::quantity::{InvalidQuantity, Rule, Shown};
+use super::coin::{SpinningCoin, check_tilt};
+use crate::quantity::{InvalidQuantity, Rule};
+use crate::rolling::DiskParameters;
 use crate::two_part::TwoPart;
-use std::error::Error;
-use std::f64::consts::{FRAC_PI_2, PI};
-use std::fmt;
+use std::f64::consts::PI;
 
 /// The largest power of the tilt in a loss; the laws that have been proposed have powers up to two.
 const LARGEST_EXPONENT: f64 = 10.0;
@@ -33,14 +32,15 @@ impl Loss {
         Ok(Self { coefficient, exponent })
     }
 
-    /// The loss to a layer of air of the given viscosity, Pa s, between coin and table: `C = π μ g a²` and p = 2
-    /// (`eq:film-loss`; Moffatt, *Nature* **404** (2000) 833).
+    /// The loss to a layer of air of the given viscosity, Pa·s, between coin and table: `C = π μ g a²/4I₁`, for a uniform disc
+    /// `π μ g a²`, and p = 2 (`eq:film-loss`; Moffatt, *Nature* **404** (2000) 833).
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the viscosity is not positive.
     pub fn air_film(coin: &SpinningCoin, viscosity: f64) -> Result<Self, InvalidQuantity> {
-        InvalidQuantity::check_positive("viscosity", viscosity, "Pa s")?;
-        Self::new(PI * viscosity * coin.gravity * coin.radius * coin.radius, 2.0)
+        InvalidQuantity::check_positive("viscosity", viscosity, "Pa·s")?;
+        let DiskParameters { radius: a, moments, gravity: g, .. } = coin.parameters();
+        Self::new(PI * viscosity * g * a * a / (4.0 * moments.transverse), 2.0)
     }
 
     /// The time, s, from a tilt with this sine to the end, for a coin whose energy is `weight`, J, times the sine (`eq:spin-down`).
@@ -54,15 +54,17 @@ impl Loss {
 /// A coin on its way down, from a start to the moment t₀ when, by this law, it lies flat (`eq:spin-down`).
 ///
 /// ```
-/// use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
+/// use mechanics::scenes::spinning_coin::{DiskParameters, Loss, MomentFactors, SpinDown, SpinningCoin};
 /// // A steel disc of 0.4 kg, with the air under it as the only brake.
-/// let start = SpinningCoin::new(0.0375, 0.5, 9.81, 0.1)?;
-/// let spin_down = SpinDown::new(start, 0.4, Loss::air_film(&start, 1.78e-5)?)?;
+/// let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
+/// let steel = DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity };
+/// let start = SpinningCoin::new(steel, 0.1)?;
+/// let spin_down = SpinDown::new(start, Loss::air_film(&start, 1.78e-5)?)?;
 /// assert!((spin_down.life() - 95.0).abs() < 1.0); // seconds
 /// // Whenever the time that is left is divided by eight, the tilt is halved.
 /// let [early, late] = [8e-20, 1e-20].map(|left| spin_down.with_time_left(left).map(|coin| coin.tilt()));
 /// assert!((early? / late? - 2.0).abs() < 1e-14);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpinDown {
@@ -73,13 +75,12 @@ pub struct SpinDown {
 }
 
 impl SpinDown {
-    /// A coin of mass, kg, that starts at its tilt at time zero and loses energy by this law.
+    /// A coin that starts at its tilt at time zero and loses energy by this law.
     ///
     /// # Errors
-    /// [`InvalidSpinDown`] if the mass is not positive, or the life is of a size that cannot be computed with.
-    pub fn new(start: SpinningCoin, mass: f64, loss: Loss) -> Result<Self, InvalidSpinDown> {
-        InvalidQuantity::check_positive("mass", mass, "kg")?;
-        let weight = 1.5 * mass * start.gravity * start.radius; // eq:coin-energy
+    /// [`InvalidQuantity`] if the life is of a size that cannot be computed with.
+    pub fn new(start: SpinningCoin, loss: Loss) -> Result<Self, InvalidQuantity> {
+        let weight = 1.5 * start.weight_times_radius(); // eq:coin-energy
         let life = loss.time(weight, start.sin);
         InvalidQuantity::check_positive("life of the coin", life, "s")?;
         Ok(Self { start, loss, weight, life })
@@ -101,35 +102,40 @@ impl SpinDown {
     /// is good to 9e-16 of itself. From [`SpinDown::with_time_left`] it has all its digits.
     ///
     /// # Errors
-    /// [`InvalidSpinDown::Over`] from t₀ on; [`InvalidSpinDown::Quantity`] if the time is negative or not finite.
-    pub fn at(&self, time: f64) -> Result<SpinningCoin, InvalidSpinDown> {
+    /// [`InvalidQuantity`] if the time is negative, not finite, or not before t₀.
+    pub fn at(&self, time: f64) -> Result<SpinningCoin, InvalidQuantity> {
         InvalidQuantity::require(time >= 0.0 || time.is_nan(), "time", time, "s", Rule::NotNegative)?;
         InvalidQuantity::require_finite("time", time, "s")?;
-        if time >= self.life {
-            return Err(InvalidSpinDown::Over { time, life: self.life });
-        }
+        let end = Rule::NotAbove { what: "the end of this law, where the coin lies flat", limit: self.life };
+        InvalidQuantity::require(time < self.life, "time", time, "s", end)?;
         self.coin(self.life - time, time)
+    }
+
+    /// The coin at `times`, s, in any order.
+    ///
+    /// # Errors
+    /// As [`SpinDown::at`].
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<SpinningCoin>, InvalidQuantity> {
+        times.iter().map(|&time| self.at(time)).collect()
     }
 
     /// The coin when so much time, s, is left (`eq:spin-down`): the tilt to 9e-16 of itself, however little it is.
     ///
     /// # Errors
-    /// [`InvalidSpinDown::Over`] if no time is left; [`InvalidSpinDown::Quantity`] if it is more than t₀, less than 2.2e-308 t₀, or so
-    /// little that the tilt is below 1e-50.
-    pub fn with_time_left(&self, left: f64) -> Result<SpinningCoin, InvalidSpinDown> {
+    /// [`InvalidQuantity`] if the time left is not positive, more than t₀, less than 2.2e-308 t₀, or so little that the tilt is below
+    /// 1e-50.
+    pub fn with_time_left(&self, left: f64) -> Result<SpinningCoin, InvalidQuantity> {
         InvalidQuantity::require_finite("time left", left, "s")?;
         InvalidQuantity::require(left <= self.life, "time left", left, "s", Rule::AtMost(self.life))?;
-        if left <= 0.0 {
-            return Err(InvalidSpinDown::Over { time: self.life - left, life: self.life });
-        }
+        InvalidQuantity::require(left > 0.0, "time left", left, "s", Rule::Positive)?;
         let least = Rule::AtLeast(f64::MIN_POSITIVE * self.life);
         InvalidQuantity::require(left / self.life >= f64::MIN_POSITIVE, "time left", left, "s", least)?;
         self.coin(left, self.life - left)
     }
 
     /// The coin when so much of its life, s, is left, and so much gone; the smaller of the two is the exact one.
-    fn coin(&self, left: f64, gone: f64) -> Result<SpinningCoin, InvalidSpinDown> {
-        let SpinningCoin { radius, factor, gravity, sin: sin_start, cos: cos_start, .. } = self.start;
+    fn coin(&self, left: f64, gone: f64) -> Result<SpinningCoin, InvalidQuantity> {
+        let SpinningCoin { sin: sin_start, cos: cos_start, .. } = self.start;
         let (part, gone) = (left / self.life, gone / self.life);
         let logarithm = if gone < 0.5 { (-gone).ln_1p() } else { part.ln() };
         let order = TwoPart::sum(self.loss.exponent, 1.0);
@@ -140,7 +146,7 @@ impl SpinDown {
         // cos² α = cos² α₀ + (sin² α₀ − sin² α), a sum of positive numbers: an upright start loses no digits.
         let gained = -(2.0 * power * logarithm).exp_m1();
         let cos = cos_start.hypot(sin_start * gained.sqrt());
-        Ok(SpinningCoin::new(radius, factor, gravity, sin.atan2(cos))?)
+        SpinningCoin::new(self.start.parameters(), sin.atan2(cos))
     }
 
     /// The time, s, that is left when the coin has this tilt, rad, at any tilt up to π/2: to `2.2e-16 (9 + p)` of itself.
@@ -148,7 +154,7 @@ impl SpinDown {
     /// # Errors
     /// [`InvalidQuantity`] unless the tilt is positive and less than π/2, and if the time is too short for a number.
     pub fn time_left(&self, tilt: f64) -> Result<f64, InvalidQuantity> {
-        let sin = checked(tilt)?.sin();
+        let sin = check_tilt(tilt)?.sin();
         let left = self.loss.time(self.weight, sin);
         let least = Rule::AtLeast(f64::MIN_POSITIVE);
         InvalidQuantity::require(left >= f64::MIN_POSITIVE, "time left", left, "s", least)
@@ -162,53 +168,10 @@ impl SpinDown {
     pub fn time_to(&self, tilt: f64) -> Result<f64, InvalidQuantity> {
         let start = self.start.tilt();
         // Of the sines, by the cosines: near upright the mean of two tilts has no digits to spare.
-        let difference = (checked(tilt)?.cos() + self.start.cos) * (0.5 * (tilt - start)).tan();
+        let difference = (check_tilt(tilt)?.cos() + self.start.cos) * (0.5 * (tilt - start)).tan();
         let change = difference / self.start.sin;
         // Of the ratio of the sines: near the start by their difference, far from it by the ratio itself.
         let logarithm = if change.abs() < 0.5 { change.ln_1p() } else { (tilt.sin() / self.start.sin).ln() };
         Ok(-self.life * ((self.loss.exponent + 1.0) * logarithm).exp_m1())
     }
 }
-
-fn checked(tilt: f64) -> Result<f64, InvalidQuantity> {
-    InvalidQuantity::check_positive("tilt from lying flat", tilt, "rad")?;
-    let rule = Rule::LessThan(FRAC_PI_2);
-    InvalidQuantity::require(tilt < FRAC_PI_2, "tilt from lying flat", tilt, "rad", rule)
-}
-
-/// Why there is no such coin on its way down.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum InvalidSpinDown {
-    /// A number breaks a rule.
-    Quantity(InvalidQuantity),
-    /// The coin lies flat by then.
-    Over {
-        /// The time that was asked for, s.
-        time: f64,
-        /// The time at which the law ends, s.
-        life: f64,
-    },
-}
-
-impl From<InvalidQuantity> for InvalidSpinDown {
-    fn from(error: InvalidQuantity) -> Self {
-        Self::Quantity(error)
-    }
-}
-
-impl fmt::Display for InvalidSpinDown {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::Quantity(error) => error.fmt(out),
-            Self::Over { time, life } => write!(
-                out,
-                "time {} s is too late: by this law the coin lies flat after {} s, and there is no motion beyond",
-                Shown(time),
-                Shown(life)
-            ),
-        }
-    }
-}
-
-impl Error for InvalidSpinDown {}

@@ -86,10 +86,10 @@ fn omega(draw: &mut Draw<'_>, moments: [f64; 3]) -> [f64; 3] {
 fn on_the_separatrix(draw: &mut Draw<'_>) -> ([f64; 3], [f64; 3]) {
     let (a, c) = draw.one_of(&[(3.0, 5.0), (1.0, 3.0), (7.0, 9.0), (5.0, 11.0), (15.0, 17.0), (13.0, 19.0)]);
     let b = (a * a + c * c) / (a + c);
-    let along = draw.signed(1e-30, 1.0);
-    let (mut moments, mut omega) = ([a, b, c], [along, draw.signed(1e-30, 1.0), along]);
+    let outer = draw.signed(1e-30, 1.0);
+    let (mut moments, mut omega) = ([a, b, c], [outer, draw.signed(1e-30, 1.0), outer]);
     if draw.below(2) == 0 {
-        omega[2] = -along;
+        omega[2] = -outer;
     }
     let shift = draw.below(3);
     moments.rotate_left(shift);

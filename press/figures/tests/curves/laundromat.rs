@@ -103,10 +103,8 @@ fn the_ramps_lie_on_an_integration_of_their_equation() {
 fn on_a_line_of_the_map_the_largest_swing_of_an_integrated_ramp_is_the_same() {
     let mut checked = 0;
     for level in [2.0, 3.0, 5.0, 10.0, 20.0, 50.0] {
-        let line = path("ramp-map", &format!("swing-{level}"));
-        for &(x, y) in line.iter().step_by(line.len() / 5) {
-            let per_square = 10_f64.powf(scale((58.0, -4.0), (658.0, 0.0), x));
-            let damping = 10_f64.powf(scale((418.0, -2.0), (34.0, 0.0), y));
+        let line = curve("ramp-map", &format!("swing-{level}")).values();
+        for &(per_square, damping) in line.iter().step_by(line.len() / 5) {
             // With ω₀ = b = 1: z̈ + Γż + z = (φ̇² − iφ̈) e^{iφ}, written out here, until the spin is far beyond the
             // resonance.
             let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {

@@ -21,11 +21,14 @@ impl Root {
     pub(super) fn new(drum: &Drum, (decay, turning): (f64, TwoPart), difference: Complex<f64>) -> Self {
         let ahead = turning - TwoPart::from(drum.spin);
         let square = TwoPart::product(decay, decay) - ahead * ahead;
-        let phase = square / (TwoPart::from(drum.acceleration) * 2.0);
-        let mut root = Self { decay, turning, weight: Complex::i(), phase, passed: false };
-        root.weight = root.lambda() * root.lambda() / difference;
-        root.passed = root.argument(drum, 0.0).im < 0.0;
-        root
+        let lambda = Complex::new(-decay, turning.rounded());
+        Self {
+            decay,
+            turning,
+            weight: lambda * lambda / difference,
+            phase: square / (TwoPart::from(drum.acceleration) * 2.0),
+            passed: (drum.slope() * Complex::new(-decay, ahead.rounded())).im < 0.0,
+        }
     }
 
     /// λ.
