@@ -21,25 +21,21 @@
 //!
 //! SI units and radians throughout. Labels such as `eq:steady-radius` in comments are those of the book's equations.
 
-pub mod attitude;
-pub mod conical;
-pub mod elliptic;
-pub mod euler;
-pub mod faddeeva;
-pub mod free_rotation;
-pub mod geometric;
-pub mod inertia;
 pub mod integrate;
 pub mod measure;
-pub mod rolling;
 pub mod scenes;
 pub mod sweep;
 
+mod bodies;
 mod error;
-mod quantity;
-mod two_part;
+mod numbers;
+mod special;
 mod wide;
 
+pub use bodies::{attitude, euler, free_rotation, geometric, inertia, rolling};
 pub use error::Error;
 pub use nalgebra;
-pub use quantity::{InvalidQuantity, Rule};
+pub use numbers::quantity::{InvalidQuantity, Rule};
+pub use special::{conical, elliptic, faddeeva};
+
+use numbers::{quantity, two_part};
