@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use ttf_parser::gsub::SubstitutionSubtable;
 use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
 
-const FONT: &str = "../font/math.otf";
+const FONT: &str = "font/math.otf";
 
 /// Everything that the TeX subset of the labels can ask for, beside the alphabets.
 const SYMBOLS: &str = "+−×·±∓=<>≤≥≪≫≈≃∼∝≠≡∞→←↔∂∇√()[]{}|‖,;:.!/°′″…⋯⟨⟩∠⊥∥";

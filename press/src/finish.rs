@@ -57,7 +57,7 @@ fn add_font(site_folder: &Path) -> io::Result<()> {
     let fonts = site_folder.join("fonts");
     fs::create_dir_all(&fonts)?;
     fs::write(fonts.join("math.otf"), maths::FONT)?;
-    fs::write(fonts.join("math-LICENCE.txt"), include_str!("../font/LICENCE.txt"))
+    fs::write(fonts.join("math-LICENCE.txt"), include_str!("../drawing/font/LICENCE.txt"))
 }
 
 /// Adds figures, the library's documentation and licences.

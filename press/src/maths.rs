@@ -3,8 +3,8 @@
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use ttf_parser::Face;
 
-/// The mathematics font of the site, cut by the script beside it down to the characters that the script lists.
-pub(crate) const FONT: &[u8] = include_bytes!("../font/math.otf");
+/// The mathematics font of the site and of labels, cut by the script beside it down to the characters that the script lists.
+pub(crate) const FONT: &[u8] = include_bytes!("../drawing/font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the MathML later.
 const DEEPEST: usize = 60;
@@ -63,7 +63,7 @@ impl Maths {
                     None => Ok(mathml),
                     Some(c) => Err(MathsFault {
                         offset: 0,
-                        message: format!("the font has no `{c}`: add it in press/font/subset.py"),
+                        message: format!("the font has no `{c}`: add it in press/drawing/font/subset.py"),
                     }),
                 }
             }
@@ -155,7 +155,7 @@ mod tests {
     #[test]
     fn a_character_that_the_font_lacks_is_a_fault() {
         let fault = Maths::new().display(r"x \in \mathfrak{g}").unwrap_err();
-        assert_eq!(fault.message, "the font has no `𝔤`: add it in press/font/subset.py");
+        assert_eq!(fault.message, "the font has no `𝔤`: add it in press/drawing/font/subset.py");
     }
 
     #[test]
