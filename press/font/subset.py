@@ -15,13 +15,13 @@ CHARACTERS = """
 391-3a9 3b1-3c9 3d1 3d5 3d6 3f1 3f5                                Greek
 2009 200a 2013 2014 2016 2018 2019 201c 201d 2020-2022 2026        spaces, dashes, quotes
 2032-2035 203e 2057 2061-2064                                      primes, a bar, invisible operators
-2102 210b 210e-2113 2115 211a-211d 2124 212c 2130 2131 2133        letters that stand apart
+2102 210e 210f 2111 2113 2115 211a 211c 211d 2124                  letters that stand apart
 2190-2199 21a6 21cc 21d0-21d2 21d4 27f5-27f7 27f9                  arrows
 2200-2209 220b-220d 220f-2213 2216-2218 221a 221d-2220             operators and relations
 2223-222e 2234 2235 223c 2243 2245 2248 224d 2250 2254 2260-2265 226a 226b 227a 227b 2282 2283 2286 2287
 2295-2299 22a2-22a5 22c0-22c6 22ee-22f1 27c2 2a7d 2a7e
 2308-230b 23dc-23df 27e8-27e9                                      delimiters
-1d400-1d49b 1d49c-1d4b5 1d5a0-1d5b9 1d6a4 1d6a5 1d6a8-1d755        alphabets: bold, italic, both; script, sans; Greek
+1d400-1d49b 1d5a0-1d5b9 1d6a4 1d6a5 1d6a8-1d755                    alphabets: bold, italic, both; sans; Greek
 1d7ce-1d7d7 1d7e2-1d7eb                                            digits: bold, sans
 """
 
@@ -33,7 +33,7 @@ def characters():
             yield from range(int(first, 16), int(last or first, 16) + 1)
 
 
-options = subset.Options(layout_features=["ssty", "dtls", "flac"], hinting=False, name_IDs=[0, 1, 2, 4, 6])
+options = subset.Options(layout_features=["ssty", "dtls", "flac"], name_IDs=[0, 1, 2, 4, 6])
 
 
 def cut(glyphs):
