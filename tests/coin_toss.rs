@@ -91,8 +91,11 @@ fn eq46_the_normal_of_a_simulated_coin_goes_round_the_angular_momentum() {
         let times: Vec<f64> = (1..=40).map(|n| 0.01 * f64::from(n)).collect();
         let toss = tossed(moments, omega_1, omega_3);
         let momentum = Vector3::new(transverse * omega_1, 0.0, axial * omega_3).normalize();
-        for (&time, normal) in times.iter().zip(simulated(moments, omega_1, omega_3, &times)) {
+        let samples = toss.sample(&times).unwrap();
+        let normals = simulated(moments, omega_1, omega_3, &times);
+        for ((&time, normal), sample) in times.iter().zip(normals).zip(samples) {
             assert_relative_eq!(toss.normal(time).unwrap(), normal, epsilon = 2e-11);
+            assert_relative_eq!(sample.axis_3_world(), normal, epsilon = 2e-11);
             assert_relative_eq!(normal.dot(&momentum), toss.momentum_angle().cos(), epsilon = 2e-11);
             let (sin, cos) = toss.momentum_angle().sin_cos();
             let height = cos * cos + sin * sin * (toss.precession_rate() * time).cos();

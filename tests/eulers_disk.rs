@@ -1,10 +1,10 @@
-//! Euler's disk on a film of air: the Taylor series against the rates, the rates against Newton's and Euler's laws, and what is lost.
+//! Euler's disk on a film of air: the Taylor series against the rates, the rates against Newton's and Euler's laws, and
+//! what is lost.
 
 use mechanics::integrate::{Dop853, Failure, Taylor};
 use mechanics::nalgebra::{Complex, Vector3};
-use mechanics::scenes::spinning_coin::{
-    DiskParameters, EulersDisk, Loss, MomentFactors, Rolling, Sinking, SpinDown, SpinningCoin,
-};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+use mechanics::scenes::spinning_coin::{EulersDisk, Loss, Sinking, SpinDown, SpinningCoin};
 use mechanics::{Error, InvalidQuantity, Rule};
 use std::f64::consts::TAU;
 
@@ -78,8 +78,8 @@ fn a_tighter_tolerance_gives_a_smaller_error_down_to_rounding() {
     assert!(errors[0] < 1e-2 && errors[2] < 1e-9, "{errors:?}");
 }
 
-/// Any moments: the whole body's equations of motion about the contact, in vectors of the room. The film's torque is along the
-/// disk's plane, the contact at rest, and its place runs along the rim.
+/// Any moments: the whole body's equations of motion about the contact, in vectors of the room. The film's torque is
+/// along the disk's plane, the contact at rest, and its place runs along the rim.
 #[test]
 fn the_film_takes_momentum_about_the_contact_whatever_the_moments() {
     let film = 0.02;
@@ -149,8 +149,8 @@ fn the_energy_that_is_lost_is_the_work_of_the_film() {
 
 #[test]
 fn the_cube_of_the_tilt_falls_in_proportion_to_the_time() {
-    // Moffatt's law: the energy 3/2 g a sin α is lost at the rate 4K ga√(g/a)/α².
-    // The law leaves out what is of the order of α²: the difference of α and sin α, and the spin about the axle (below).
+    // Moffatt's law: the energy 3/2 g a sin α is lost at the rate 4K ga√(g/a)/α². The law leaves out what is of the
+    // order of α²: the difference of α and sin α, and the spin about the axle (below).
     let mut departures = Vec::new();
     for tilt in [0.2, 0.1, 0.05] {
         let film = 1e-3 * tilt * tilt * tilt;
@@ -181,7 +181,8 @@ fn circle(disk: &EulersDisk, begin: Rolling) -> f64 {
 
 #[test]
 fn the_circle_of_a_sinking_disk_opens_and_closes_again() {
-    // Sinking slowly through steady motions: (1 + I₃) dω₃ = −ω₂ dα with ω₂ = 2√α, and b = aω₃/Ω with Ω = 2/√α, in units of g and a.
+    // Sinking slowly through steady motions: (1 + I₃) dω₃ = −ω₂ dα with ω₂ = 2√α, and b = aω₃/Ω with Ω = 2/√α, in units
+    // of g and a.
     for (tilt, film) in [(0.1_f64, 1e-7), (0.05, 1e-8)] {
         let disk = disk(film);
         let start = disk.steady(tilt).unwrap();
@@ -210,8 +211,8 @@ fn a_disk_that_sinks_has_the_turn_that_its_spin_asks_for() {
     let start = disk.steady(0.2).unwrap();
     let times: Vec<f64> = (1..=9).map(|n| 10.0 * f64::from(n) * (A / G).sqrt()).collect();
     for state in sinking(&disk, start, 1e-14).sample(&times).unwrap() {
-        // Sinking turns some of the spin into the axle. With that spin the steady balance, I₁ cot α ω₂² + (1 + I₃) ω₃ω₂ = (g/a)
-        // cos α, gives ω₂.
+        // Sinking turns some of the spin into the axle. With that spin the steady balance, I₁ cot α ω₂² + (1 + I₃) ω₃ω₂
+        // = (g/a) cos α, gives ω₂.
         let (sin, cos) = state.tilt.sin_cos();
         let (a, b) = (0.25 * cos / sin, 1.5 * state.omega_3);
         let steady = (-b + (b * b + 4.0 * a * cos * G / A).sqrt()) / (2.0 * a);

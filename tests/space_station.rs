@@ -164,8 +164,9 @@ fn eq51_on_board_the_axis_of_rotation_goes_round_with_the_old_spin() {
     let omegas: Vec<Vector3<f64>> = turnings.iter().map(|turning| turning.omega_body).collect();
     assert_relative_eq!(rate_about(&Vector3::z(), &omegas, step), spin, max_relative = 1e-10);
     assert_relative_eq!(struck.body_rate(), spin, max_relative = 1e-15);
-    for (time, turning) in times.iter().zip(&turnings) {
+    for ((time, turning), sample) in times.iter().zip(&turnings).zip(struck.sample(&times).unwrap()) {
         assert_relative_eq!(struck.at(*time).unwrap().omega_body, turning.omega_body, epsilon = 1e-10);
+        assert_relative_eq!(sample.omega_body, turning.omega_body, epsilon = 1e-10);
     }
     // The printed ẑ is not the station's axis but, if anything, the room's, along the old spin: seen from on board it
     // wanders.

@@ -1,13 +1,14 @@
-//! The spinning coin: equations (92) to (94) and (98), each by a route that shares no code with it; (91) and (95) to (97) are
-//! with the rolling wheel's whole body. And where the laws of its end stop.
+//! The spinning coin: equations (92) to (94) and (98), each by a route that shares no code with it; (91) and (95) to
+//! (97) are with the rolling wheel's whole body. And where the laws of its end stop.
 
 use approx::assert_relative_eq;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Dop853;
+use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::rolling_wheel::Wheel;
-use mechanics::scenes::spinning_coin::{DiskParameters, Loss, MomentFactors, SpinDown, SpinningCoin};
+use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use nalgebra::{Rotation3, Vector3};
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -43,7 +44,8 @@ fn eq92_and_eq93_the_axis_of_rotation_runs_through_centre_and_contact() {
     for (k, lean) in [(0.5, 0.3_f64), (0.5, 1.2), (1.0, 0.8), (0.5, 1.57)] {
         let coin = coin(k, FRAC_PI_2 - lean);
         let [_, second, third] = axes(lean, 0.0);
-        // Whole angular velocity: turn of the frame and spin relative to it; the contact and the centre must both be at rest.
+        // Whole angular velocity: turn of the frame and spin relative to it; the contact and the centre must both be at
+        // rest.
         let omega = Vector3::z() * coin.turn_rate() + third * coin.relative_spin();
         assert!(omega.cross(&(second * -A)).norm() < 1e-10 * omega.norm().max(coin.turn_rate()) * A);
         assert_relative_eq!(coin.relative_spin(), coin.turn_rate() * lean.sin(), max_relative = ROUNDING);
@@ -135,8 +137,8 @@ fn the_reference_disc_is_met() {
 
 #[test]
 fn the_table_is_left_before_mach_one_by_every_loss_but_rolling_friction_alone() {
-    // The toy lives for a hundred seconds from a tilt of 0.1 with a loss that goes like α^{−p}. Where the fall of its centre would
-    // outrun g the table could only pull: that is where the law ends. How fast is the contact there?
+    // The toy lives for a hundred seconds from a tilt of 0.1 with a loss that goes like α^{−p}. Where the fall of its
+    // centre would outrun g the table could only pull: that is where the law ends. How fast is the contact there?
     let (sound, start) = (343.0, SpinningCoin::new(TOY, 0.1).unwrap());
     let mach_at_the_end = |p: f64| {
         let life_of_one = SpinDown::new(start, Loss::new(1.0, p).unwrap()).unwrap().life();
@@ -165,8 +167,8 @@ fn the_table_is_left_before_mach_one_by_every_loss_but_rolling_friction_alone() 
 
 #[test]
 fn the_numbers_that_are_told_of_moffatts_disk_agree_with_each_other_and_not_with_his_end() {
-    // Told: the law fails 10 ms before the end, at 0.005 rad and 500 rad/s. His formulas: tilt and rate belong to that time,
-    // and the time does not follow from his criterion.
+    // Told: the law fails 10 ms before the end, at 0.005 rad and 500 rad/s. His formulas: tilt and rate belong to that
+    // time, and the time does not follow from his criterion.
     let start = SpinningCoin::new(TOY, 0.1).unwrap();
     let spin_down = SpinDown::new(start, Loss::air_film(&start, 1.78e-5).unwrap()).unwrap();
     let told = spin_down.with_time_left(1e-2).unwrap();

@@ -1,4 +1,5 @@
-//! What a frame costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and on all.
+//! What a frame costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and
+//! on all.
 
 use crate::contest::Cause;
 use crate::ours::{UNIT_DISC, turning};
@@ -7,8 +8,9 @@ use mechanics::faddeeva::faddeeva;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Taylor;
+use mechanics::rolling::Rolling;
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
-use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
+use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::EulersDisk;
 use mechanics::sweep::sweep;
 use nalgebra::Complex;

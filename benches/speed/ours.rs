@@ -198,8 +198,8 @@ fn drag(entries: &mut Vec<Entry>) {
 pub(crate) const UNIT_DISC: DiskParameters =
     DiskParameters { mass: 1.0, radius: 1.0, moments: MomentFactors::DISK, gravity: 1.0 };
 
-/// The library's disk from the state of the problem, whose normal is the opposite one, e₃ = −3̂, e₂ = 2̂, e₁ = −1̂, and whose place is that
-/// of the contact.
+/// The library's disk from the state of the problem, whose normal is the opposite one, e₃ = −3̂, e₂ = 2̂, e₁ = −1̂, and
+/// whose place is that of the contact.
 fn rolling(&[tilt, w1, w2, w3, psi, x, y, phi]: &[f64; 8]) -> Rolling {
     let turned = Rolling { tilt, heading: psi + PI, ..Rolling::UPRIGHT };
     Rolling {

@@ -9,9 +9,10 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::InvalidQuantity;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4, rk4_step};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
-use mechanics::scenes::rolling_wheel::{Rolling, Wheel};
-use mechanics::scenes::spinning_coin::{DiskParameters, Loss, MomentFactors, SpinDown, SpinningCoin};
+use mechanics::scenes::rolling_wheel::Wheel;
+use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
 

@@ -5,7 +5,8 @@ use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use mechanics::integrate::{Dop853, Taylor, rk4};
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+use mechanics::scenes::rolling_wheel::Wheel;
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
 

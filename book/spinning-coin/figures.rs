@@ -5,7 +5,8 @@ use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
-use mechanics::scenes::spinning_coin::{DiskParameters, MomentFactors, SpinningCoin};
+use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::scenes::spinning_coin::SpinningCoin;
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
 

@@ -88,7 +88,7 @@ impl Toss {
     /// # Errors
     /// As [`Toss::at`], for the first time that it refuses.
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
-        times.iter().map(|&time| self.at(time)).collect()
+        self.top.sample(times)
     }
 
     /// The normal of the side that was up, in the room, at `time`, s (`eq:axis-motion`); as exact as

@@ -149,7 +149,7 @@ impl StruckStation {
     /// # Errors
     /// As [`StruckStation::at`], for the first time that it refuses.
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
-        times.iter().map(|&time| self.at(time)).collect()
+        self.top.sample(times)
     }
 
     /// The velocity of the centre, m/s: `P/m` along the old axis, constant (`eq:drift`).

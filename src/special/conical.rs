@@ -1,10 +1,12 @@
 //! Conical functions: Legendre's equation with a complex index, as a rolling disk has it.
 //!
-//! The solutions of `(1 − X²) n″ − 2X n′ − a n = 0` for `a` up to 2 on −1 < X < 1 (`eq:legendre`): an even and an odd one, with
-//! their slopes. Near the ends they grow like a logarithm of the gap `1 − |X|`, which is therefore an argument of its own. Power
-//! series about 0 and about the ends, matched at ½ (*Digital Library of Mathematical Functions*, §14.20 and §15.8).
+//! The solutions of `(1 − X²) n″ − 2X n′ − a n = 0` for `a` up to 2 on −1 < X < 1 (`eq:legendre`): an even and an odd
+//! one, with their slopes. Near the ends they grow like a logarithm of the gap `1 − |X|`, which is therefore an
+//! argument of its own. Power series about 0 and about the ends, matched at ½ (*Digital Library of Mathematical
+//! Functions*, §14.20 and §15.8).
 
-/// The largest `a` that a rolling disk has, whose moments nearly vanish; then they lose a digit, and more for larger ones.
+/// The largest `a` that a rolling disk has, whose moments nearly vanish; then they lose a digit, and more for larger
+/// ones.
 const LARGEST: f64 = 2.0;
 /// Terms after which both series have converged to rounding at |X| = ½.
 const TERMS: usize = 34;
@@ -87,8 +89,9 @@ impl Conical {
         conical
     }
 
-    /// Both solutions at `x` between −1 and 1, where `gap` is `1 − |x|`, more exact than `x` itself can give it near the
-    /// ends. Each to 4 units in its last place about the centre, |X| ≤ ½, and to 30 towards the ends. NaN or infinite outside.
+    /// Both solutions at `x` between −1 and 1, where `gap` is `1 − |x|`, more exact than `x` itself can give it near
+    /// the ends. Each to 4 units in its last place about the centre, |X| ≤ ½, and to 30 towards the ends. NaN or
+    /// infinite outside.
     pub fn at(&self, x: f64, gap: f64) -> Values {
         if x.abs() <= 0.5 {
             return self.about_centre(x);

@@ -1,8 +1,8 @@
 //! Sine, cosine and exponential without branches, tables or calls.
 //!
-//! A loop over many frames that calls nothing and decides nothing is turned by the compiler into instructions that work on two
-//! frames at a time, or four, or eight, as the processor allows. The functions of the standard library are calls; these are
-//! their like, to a unit or so in the last place, for arguments within the limits stated.
+//! A loop over many states that calls nothing and decides nothing is turned by the compiler into instructions that work
+//! on two states at a time, or four, or eight, as the processor allows. The functions of the standard library are calls;
+//! these are their like, to a unit or so in the last place, for arguments within the limits stated.
 //!
 //! Angles come in quarter turns, in two parts. A motion of constant rate reaches them with a single product, and
 //! reducing them is nothing but taking off whole quarters, which is exact; the reduction by a long π is

@@ -64,7 +64,8 @@ impl WithSimd for Expansion<'_> {
         let mut sums = [NOTHING; TAYLOR_ORDER];
         for j in 0..TAYLOR_ORDER {
             let [_, u, o, n, _, _, re, im] = series[j];
-            // Of a product's coefficient the sum holds all but what the first row and this one make. What is known last comes last.
+            // Of a product's coefficient the sum holds all but what the first row and this one make. What is known last
+            // comes last.
             let (sum, first) = (sums[j].0, right[0].0);
             let early = sum[0] + c * first[0];
             let g = early + c0 * u;

@@ -254,7 +254,6 @@ fn a_station_turns_and_a_blow_is_finite() {
     );
     assert!(struck.position(&Vector3::x(), f64::INFINITY).is_err());
     assert_eq!(message(struck.sample(&[1.0, f64::NAN])), "time NaN s is not a finite number");
-    assert_eq!(struck.sample(&[1.0, 2.0]), Ok(vec![struck.at(1.0).unwrap(), struck.at(2.0).unwrap()]));
 }
 
 fn dragged(drag: Drag, omega_body: Vector3<f64>) -> Result<DraggedTop, InvalidQuantity> {

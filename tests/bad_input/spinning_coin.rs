@@ -1,10 +1,9 @@
 //! Wheels, and coins that spin down.
 
 use mechanics::integrate::Taylor;
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
-use mechanics::scenes::spinning_coin::{
-    DiskParameters, EulersDisk, Loss, MomentFactors, Rolling, SpinDown, SpinningCoin,
-};
+use mechanics::scenes::spinning_coin::{EulersDisk, Loss, SpinDown, SpinningCoin};
 use mechanics::{InvalidQuantity, Rule};
 use std::fmt;
 
@@ -70,7 +69,8 @@ fn a_coin_that_spins_down_has_mass_time_and_tilt() {
 
 #[test]
 fn a_time_of_a_tilt_is_a_number_or_an_error() {
-    // Far below the start the difference of the two sines was more than all of the first: the logarithm of a negative number.
+    // Far below the start the difference of the two sines was more than all of the first: the logarithm of a negative
+    // number.
     let start = SpinningCoin::new(TOY, 0.06).unwrap();
     let spin_down = SpinDown::new(start, Loss::new(1e-6, 2.0).unwrap()).unwrap();
     assert_eq!(spin_down.time_to(1e-20), Ok(spin_down.life()));

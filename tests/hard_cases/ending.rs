@@ -2,7 +2,8 @@
 
 use crate::{FEW_ULPS, ROUNDOFF, TOY, assert_level, assert_slope, number, relative, rows};
 use mechanics::integrate::{Dop853, Failure, rk4};
-use mechanics::scenes::spinning_coin::{DiskParameters, Loss, MomentFactors, SpinDown, SpinningCoin};
+use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn start() -> SpinningCoin {

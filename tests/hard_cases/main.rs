@@ -1,8 +1,8 @@
-//! Hard cases: the naive program fails by as much as its cause predicts, and the library does not, over decades of the hard
-//! parameter and against 35 digits that no code of this library took part in.
+//! Hard cases: the naive program fails by as much as its cause predicts, and the library does not, over decades of the
+//! hard parameter and against 35 digits that no code of this library took part in.
 //!
-//! Failures are bounded from below and from above: should one become smaller the lesson is no longer true, should one become larger the
-//! cause is another.
+//! Failures are bounded from below and from above: should one become smaller the lesson is no longer true, should one
+//! become larger the cause is another.
 
 mod cancellation;
 mod drift;
@@ -13,8 +13,8 @@ mod tolerance;
 mod vanishing;
 
 use mechanics::measure::observed_order;
+use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::laundromat::{Machine, Parameters};
-use mechanics::scenes::spinning_coin::{DiskParameters, MomentFactors};
 use serde_json::Value;
 use std::ops::Range;
 use std::sync::OnceLock;

@@ -2,8 +2,9 @@
 
 use crate::{FEW_ULPS, assert_level, assert_slope, machine, number, relative, rows};
 use mechanics::integrate::{Dop853, Failure, Taylor, Work, rk4};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::laundromat::{Machine, Polar, Shaft};
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel};
+use mechanics::scenes::rolling_wheel::Wheel;
 use nalgebra::Complex;
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -143,7 +144,8 @@ fn wheel_that_almost_falls_flat_is_followed_by_its_tilt_however_near_it_comes() 
         let (error, work) = drop.by_tilt(1e-13).unwrap();
         println!("q = {:e}: {error:e}, {} evaluations", drop.q(), work.evaluations);
         assert!(error.abs() < 1e-12, "q = {:e}: {error:e}", drop.q());
-        // A thousand evaluations a decade: the steps are in proportion to the tilt. Equal steps would cost ten times as many a decade.
+        // A thousand evaluations a decade: the steps are in proportion to the tilt. Equal steps would cost ten times as
+        // many a decade.
         let decades = -drop.q().log10();
         let expected = 300.0 + 1050.0 * decades;
         assert!(

@@ -186,11 +186,51 @@ fn motor_torque_feeds_the_dampers() {
     }
 }
 
+/// The folds of a motor whose torque falls in proportion to the speed, T = T₀(1 − Ω/3): where this line touches the steady torque, to 32
+/// digits from the polynomial that eq:steady-torque then is; m + M = ω₀ = 1, b = Γ = 0.1.
+const FOLDS: [(f64, f64); 2] = [
+    (1.004_422_967_404_502_5, 0.151_158_419_846_002_62),
+    (1.660_291_771_790_034_6, 0.009_074_863_538_338_883),
+];
+
+#[test]
+fn the_slope_of_the_torque_finds_the_folds_of_a_weak_motor() {
+    let machine = |spin| {
+        let parameters = Parameters {
+            drum_mass: 0.0,
+            load_mass: 1.0,
+            load_radius: 0.1,
+            stiffness: 1.0,
+            damping: 0.1,
+            spin,
+        };
+        Machine::new(parameters).unwrap().steady().unwrap()
+    };
+    // τ/(1 − Ω/3) is extreme.
+    let slope = |spin: f64| {
+        let steady = machine(spin);
+        steady.motor_torque_slope() * (1.0 - spin / 3.0) + steady.motor_torque() / 3.0
+    };
+    for (fold, torque) in FOLDS {
+        let (mut low, mut high) = (0.99 * fold, 1.01 * fold);
+        let falls = slope(low) > 0.0;
+        assert!(slope(high) * slope(low) < 0.0, "{fold}");
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            *(if (slope(middle) > 0.0) == falls { &mut low } else { &mut high }) = middle;
+        }
+        assert!((low / fold - 1.0).abs() < 2e-15, "{low} for {fold}");
+        let needed = machine(low).motor_torque() / (1.0 - low / 3.0);
+        assert!((needed / torque - 1.0).abs() < 4e-15, "{needed} for {torque}");
+    }
+}
+
 #[test]
 fn a_steady_circle_at_the_ends_of_the_range_is_no_less_exact() {
     // At rest: nothing moves, and the motor has nothing to do.
     let resting = Machine::new(Parameters { spin: 0.0, ..WASHER }).unwrap().steady().unwrap();
     assert_eq!([resting.radius(), resting.motor_torque(), resting.motor_power()], [0.0; 3]);
+    assert_eq!(resting.motor_torque_slope(), 0.0);
     assert_eq!(resting.centre_of_mass_radius(), washer().offset());
     // So far below resonance that squares of the ratio are beyond all numbers: bΩ²/ω₀².
     let stiff = Parameters {

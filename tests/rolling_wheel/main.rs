@@ -1,4 +1,5 @@
-//! The rolling wheel: equations (72) to (90) and (5), each by a route that shares no code with it, and the general motion.
+//! The rolling wheel: equations (72) to (90) and (5), each by a route that shares no code with it, and the general
+//! motion.
 
 mod coin;
 mod general;
@@ -8,7 +9,8 @@ mod start;
 mod steady;
 mod whole_body;
 
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Wheel};
+use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::scenes::rolling_wheel::Wheel;
 
 /// Mass, radius and gravity of the tests: nothing is one.
 const MASS: f64 = 1.7;

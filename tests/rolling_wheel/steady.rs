@@ -8,7 +8,8 @@ use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, Taylor};
-use mechanics::scenes::rolling_wheel::{MomentFactors, SteadyRolling, Wheel};
+use mechanics::rolling::MomentFactors;
+use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel};
 use mechanics::{InvalidQuantity, Rule};
 use nalgebra::{Complex, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
@@ -71,8 +72,8 @@ fn eq74_the_torque_is_that_of_friction_and_support() {
     }
 }
 
-/// The angular momentum of a steadily rolling wheel at a time, in the room, added up over its mass: twelve points at the distance
-/// √k a from the axle have the moments of a wheel with the factor k.
+/// The angular momentum of a steadily rolling wheel at a time, in the room, added up over its mass: twelve points at
+/// the distance √k a from the axle have the moments of a wheel with the factor k.
 fn momentum(k: f64, lean: f64, steady: &SteadyRolling, time: f64) -> Vector3<f64> {
     let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), steady.turn_rate() * time);
     let [first, second, third] = axes(lean);
@@ -112,8 +113,8 @@ fn eq75_eq76_and_eq77_eulers_equations_hold_in_body_axes_and_the_printed_third_d
         assert_relative_eq!(torque[0], steady.torque(), epsilon = 1e-8 * size);
         assert!(torque[1].abs() < 1e-8 * size && torque[2].abs() < 1e-8 * size);
     }
-    // (77) prints (I₁ − I₂)ω₂ω₃ for (I₂ − I₁)ω₁ω₂, which is zero for a wheel either way. A body with three moments tells them
-    // apart: ω̇₃ of its free rotation in closed form, by differences.
+    // (77) prints (I₁ − I₂)ω₂ω₃ for (I₂ − I₁)ω₁ω₂, which is zero for a wheel either way. A body with three moments
+    // tells them apart: ω̇₃ of its free rotation in closed form, by differences.
     let moments = PrincipalMoments::new(1.0, 1.5, 2.0).unwrap();
     let [i1, i2, i3] = moments.to_array();
     let start =
@@ -133,7 +134,8 @@ fn eq75_eq76_and_eq77_eulers_equations_hold_in_body_axes_and_the_printed_third_d
 #[test]
 fn eq78_and_eq79_the_angular_velocity_changes_by_the_turn_in_both_frames() {
     for (k, lean, b, steady) in cases() {
-        // The whole body, moved by gravity and by the force that keeps its contact at rest: nothing in it goes round by itself.
+        // The whole body, moved by gravity and by the force that keeps its contact at rest: nothing in it goes round by
+        // itself.
         let start = placed(lean, 0.0, steady.omega().into(), Complex::new(0.0, b));
         let (rates, _) = solve(MomentFactors::flat(k), &start);
         let rate = Vector3::new(rates[10], rates[11], rates[12]);

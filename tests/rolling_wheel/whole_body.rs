@@ -1,8 +1,9 @@
-//! An independent simulation: a free rigid body with a quaternion, and a force at its lowest point found at every instant from nine
-//! linear equations: Newton's, Euler's, and that the material point of contact has no acceleration but that of rolling on.
+//! An independent simulation: a free rigid body with a quaternion, and a force at its lowest point found at every
+//! instant from nine linear equations: Newton's, Euler's, and that the material point of contact has no acceleration
+//! but that of rolling on.
 
 use crate::{GRAVITY, MASS, RADIUS};
-use mechanics::scenes::rolling_wheel::MomentFactors;
+use mechanics::rolling::MomentFactors;
 use nalgebra::{Complex, Matrix3, Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
 use std::ops::AddAssign;
 
@@ -34,8 +35,9 @@ pub(crate) fn solve(moments: MomentFactors, state: &State) -> ([f64; 13], Vector
     let unit = MASS * RADIUS * RADIUS;
     let inertia = (Matrix3::identity() * transverse + n * n.transpose() * (axial - transverse)) * unit;
     let momentum = inertia * omega;
-    // The material point at the contact: v + ω × r = 0 for every point as it touches. Its derivative along the path of the
-    // contact, where r is the lowest point of the moving disc: v̇ + ω̇ × r + ω × ṙ = 0, with ṙ from that of the axle.
+    // The material point at the contact: v + ω × r = 0 for every point as it touches. Its derivative along the path of
+    // the contact, where r is the lowest point of the moving disc: v̇ + ω̇ × r + ω × ṙ = 0, with ṙ from that of the
+    // axle.
     let (down, n_rate) = (-Vector3::z(), omega.cross(&n));
     let towards = down - n * n.dot(&down);
     let towards_rate = -(n_rate * n.dot(&down) + n * n_rate.dot(&down));
@@ -77,8 +79,8 @@ pub(crate) fn frame(lean: f64, heading: f64) -> Matrix3<f64> {
     Matrix3::from_columns(&[first, second, first.cross(&second)])
 }
 
-/// The whole body in the state that lean, heading, the three components of ω along the frame and the place of the centre
-/// say, rolling without slip.
+/// The whole body in the state that lean, heading, the three components of ω along the frame and the place of the
+/// centre say, rolling without slip.
 pub(crate) fn placed(lean: f64, heading: f64, omega_frame: [f64; 3], centre: Complex<f64>) -> State {
     let axes = frame(lean, heading);
     let q = UnitQuaternion::from_matrix(&axes);

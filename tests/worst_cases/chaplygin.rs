@@ -4,7 +4,8 @@ use crate::conical;
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search};
 use crate::taylor::System;
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+use mechanics::scenes::rolling_wheel::Wheel;
 use std::f64::consts::FRAC_PI_2;
 
 /// Units in the last place of the sums without their signs.
@@ -15,8 +16,8 @@ fn sin_cos_lean(tilt: f64) -> (Long, Long) {
     ((long(FRAC_PI_2) - tilt).sin_cos().0, long(tilt).sin_cos().0)
 }
 
-/// ω₂ and ω₃ at another tilt: dω₃/dθ = ω₂/(1 + I₃), dω₂/dθ = ω₂ tan θ + (I₃/I₁)ω₃, by series in y = artanh sin θ, in which nothing is
-/// singular.
+/// ω₂ and ω₃ at another tilt: dω₃/dθ = ω₂/(1 + I₃), dω₂/dθ = ω₂ tan θ + (I₃/I₁)ω₃, by series in y = artanh sin θ, in
+/// which nothing is singular.
 fn judge(moments: MomentFactors, from: &Rolling, other: f64) -> [Long; 2] {
     let (mut system, [omega_2, omega_3, sin, cos]) = System::new();
     let [one, transverse, axial] = [1.0, moments.transverse, moments.axial].map(long);

@@ -3,7 +3,8 @@
 use crate::rolling::{Disc, numbers, parameters, placed, worst_part};
 use crate::search::{Case, Draw, search};
 use mechanics::integrate::Taylor;
-use mechanics::scenes::spinning_coin::{EulersDisk, Rolling};
+use mechanics::rolling::Rolling;
+use mechanics::scenes::spinning_coin::EulersDisk;
 use mechanics::{Error, Rule};
 
 /// A start, and what kind.

@@ -1,12 +1,14 @@
-//! What wheel and disk share: how they are drawn, the equations of motion of a disc on its edge, and what an ulp of the start makes.
+//! What wheel and disk share: how they are drawn, the equations of motion of a disc on its edge, and what an ulp of the
+//! start makes.
 //!
-//! The judge was derived with the normal *upward*: its axes 1 and 3 are the library's, reversed, and its heading differs by half a turn.
+//! The judge was derived with the normal *upward*: its axes 1 and 3 are the library's, reversed, and its heading
+//! differs by half a turn.
 
 use crate::long::{Long, PI, long};
 use crate::search::Draw;
 use crate::taylor::{System, Term};
 use mechanics::nalgebra::Complex;
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 
 /// Hoop, disc, other flat bodies, and bodies that are not flat, of mass one.
 pub(crate) fn parameters(draw: &mut Draw<'_>, least: f64) -> DiskParameters {
@@ -34,7 +36,8 @@ pub(crate) fn placed(draw: &mut Draw<'_>, radius: f64, state: Rolling) -> Rollin
     }
 }
 
-/// A disc or hoop on its edge, with its moments over ma², on a film or none; g/a in 1/s², the film's torque over m a² in 1/s.
+/// A disc or hoop on its edge, with its moments over ma², on a film or none; g/a in 1/s², the film's torque over m a²
+/// in 1/s.
 #[derive(Clone, Copy)]
 pub(crate) struct Disc {
     pub(crate) transverse: f64,
@@ -69,8 +72,9 @@ pub(crate) fn rolling(n: &Numbers) -> [Long; 8] {
     [n[0], -n[1], n[2], -n[3], n[4] - PI, -n[5], n[6] - s * cos, n[7] + c * cos]
 }
 
-/// The largest error of a state in parts of what is promised for this tolerance: 30 times what a change of start and time makes, and so
-/// many ulps of the numbers and of one in the units a, √(g/a) and rad, with those of the heading's way for the place.
+/// The largest error of a state in parts of what is promised for this tolerance: 30 times what a change of start and
+/// time makes, and so many ulps of the numbers and of one in the units a, √(g/a) and rad, with those of the heading's
+/// way for the place.
 pub(crate) fn worst_part(
     parameters: &DiskParameters,
     [given, found]: [&Rolling; 2],
@@ -99,7 +103,8 @@ pub(crate) fn worst_part(
     worst
 }
 
-/// Units in the last place, and how many times what such a unit makes of start and time; for a looser tolerance in its place.
+/// Units in the last place, and how many times what such a unit makes of start and time; for a looser tolerance in its
+/// place.
 const PROMISE: f64 = 30.0;
 
 impl Disc {
@@ -111,9 +116,9 @@ impl Disc {
         Self { transverse, axial, gravity_over_radius, film: gravity_over_radius.sqrt() * film }
     }
 
-    /// The motion from a start, at times that run from zero in one direction. Momentum about the contact with axes that follow the
-    /// heading and the tilt β from lying flat: axis 1 level, 3 the upward normal, ω₃ − ω₂ cot β = φ̇. Nothing if
-    /// the judge gives up.
+    /// The motion from a start, at times that run from zero in one direction. Momentum about the contact with axes that
+    /// follow the heading and the tilt β from lying flat: axis 1 level, 3 the upward normal, ω₃ − ω₂ cot β = φ̇.
+    /// Nothing if the judge gives up.
     pub(crate) fn motion(&self, start: &Numbers, times: &[Long]) -> Option<Vec<Numbers>> {
         let &Self { transverse, axial, gravity_over_radius: gravity, film } = self;
         let (mut system, terms): (System, [Term; 12]) = System::new();
@@ -157,8 +162,8 @@ impl Disc {
         Some(samples.into_iter().map(|sample| std::array::from_fn(|i| sample[i])).collect())
     }
 
-    /// The numbers at a time, and by how much each changes if the first four of the start, and the time, change by a unit in the last
-    /// place: of their own, or of `least` where that is larger. Nothing if the judge gives up.
+    /// The numbers at a time, and by how much each changes if the first four of the start, and the time, change by a
+    /// unit in the last place: of their own, or of `least` where that is larger. Nothing if the judge gives up.
     pub(crate) fn with_conditioning(
         &self,
         start: &Numbers,

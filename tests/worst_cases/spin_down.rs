@@ -2,7 +2,8 @@
 
 use crate::long::{Long, PI, long};
 use crate::search::{Case, Draw, search, worse};
-use mechanics::scenes::spinning_coin::{DiskParameters, Loss, MomentFactors, SpinDown, SpinningCoin};
+use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use std::f64::consts::FRAC_PI_2;
 
 const EPS: f64 = f64::EPSILON;

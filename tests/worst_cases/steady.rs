@@ -7,6 +7,8 @@ use mechanics::scenes::laundromat::{LockedState, Machine, Parameters};
 
 /// The documented error.
 const UNITS: f64 = 8.0 * f64::EPSILON;
+/// The same of the slope of the torque, of its largest term.
+const SLOPE_UNITS: f64 = 12.0 * f64::EPSILON;
 
 /// A machine of any size, and ω₀², Γ and b to 32 digits.
 struct Subject {
@@ -85,8 +87,15 @@ fn every_number_of_the_steady_circle_has_its_digits() {
         if machine.damping_rate() > 0.0 {
             numbers.extend([(steady.motor_torque(), torque), (steady.motor_power(), torque * spin)]);
         }
+        // dτ/dΩ, from the square of D and its derivative, of the size of its largest term.
+        let of_square = long(2.0) * (drag * damping - spin * detuning * 2.0) / square;
+        let (rise, fall) = (torque * 5.0 / spin, torque * of_square);
+        let slope = (rise - fall - steady.motor_torque_slope()).abs().rounded();
+        let of_drag = (torque * drag * damping / square).abs().rounded();
+        let largest = rise.abs().rounded().max(fall.abs().rounded()).max(of_drag);
+        let off_slope = if largest > 0.0 { slope / largest } else { slope } * (UNITS / SLOPE_UNITS);
         let circles = [near([ours.re, ours.im], amplitude), near([ours_centre.re, ours_centre.im], centre)];
-        let error = [worst(&numbers), off_phase].into_iter().chain(circles).fold(0.0, worse);
+        let error = [worst(&numbers), off_phase, off_slope].into_iter().chain(circles).fold(0.0, worse);
         let way = if detuning.abs() < stiffness * 1e-3 { "at resonance" } else { "elsewhere" };
         Some(Case { ratio: error / UNITS, way, said: format!("{machine:?}: {steady:?}") })
     });

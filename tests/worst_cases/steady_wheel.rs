@@ -1,8 +1,10 @@
-//! Closed forms without a time: steady rolling, the turn of a wheel that is almost flat, the tilt for a speed, the balanced engine.
+//! Closed forms without a time: steady rolling, the turn of a wheel that is almost flat, the tilt for a speed, the
+//! balanced engine.
 
 use crate::long::{Long, PI, long};
 use crate::search::{Case, search};
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Wheel};
+use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::SpinningCoin;
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use std::f64::consts::FRAC_PI_2;
@@ -37,8 +39,8 @@ fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() 
         };
         let wheel = Wheel::new(DiskParameters { mass: 1.0, radius, moments, gravity }).ok()?;
         let steady = wheel.steady(lean, b).ok()?;
-        // Per mass and square of the radius, along axis 1: Ωẑ × L with L₂ = I₁Ω cos θ, L₃ = I₃Ωb/a, and r × F with the force −Ω²b
-        // inward and g upward.
+        // Per mass and square of the radius, along axis 1: Ωẑ × L with L₂ = I₁Ω cos θ, L₃ = I₃Ωb/a, and r × F with the
+        // force −Ω²b inward and g upward.
         let ((s, c), ratio) = (long(lean).sin_cos(), long(b) / radius);
         let [i1, i3] = [transverse, axial].map(long);
         let momentum = i3 * ratio * c + i1 * s * c;
@@ -56,7 +58,8 @@ fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() 
         let spin_error = (turn * (ratio + s) - steady.relative_spin()).abs().rounded()
             / (turn * (ratio.abs() + s.abs())).rounded()
             / (1.0 + lost);
-        // −dθ̈/dθ along the motions of the same two constants, whose q and n change by dq/dθ = q tan θ + (I₃/I₁)n and dn/dθ = q/(1 + I₃).
+        // −dθ̈/dθ along the motions of the same two constants, whose q and n change by dq/dθ = q tan θ + (I₃/I₁)n and
+        // dn/dθ = q/(1 + I₃).
         let (q, n, tan) = (turn * c, turn * ratio, s / c);
         let (dq, dn) = (q * tan + n * i3 / i1, q / (i3 + 1.0));
         let terms = [

@@ -5,7 +5,8 @@ use crate::rolling::{Disc, numbers, parameters, placed, rolling, worst_part};
 use crate::search::{Case, Draw, search};
 use mechanics::integrate::Taylor;
 use mechanics::nalgebra::Complex;
-use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel, Wobble};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+use mechanics::scenes::rolling_wheel::{Wheel, Wobble};
 use mechanics::{Error, Rule};
 use std::f64::consts::FRAC_PI_2;
 
@@ -114,8 +115,8 @@ fn a_wobble_is_as_good_as_its_start_and_its_time() {
 
 #[test]
 fn a_whirl_still_to_come_costs_nothing() {
-    // Half a wobble on, which is before the wheel whirls round by 500 rad: the whirl behind it and the wobble ahead cancelled, and left
-    // their rounding.
+    // Half a wobble on, which is before the wheel whirls round by 500 rad: the whirl behind it and the wobble ahead
+    // cancelled, and left their rounding.
     let wheel = flat(0.000_295_951_263_879_914_37);
     let start = Rolling {
         tilt: FRAC_PI_2 - 1.557_474_623_397_495_9,
@@ -144,8 +145,8 @@ fn flat(k: f64) -> Wheel {
     Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments, gravity: 1.0 }).expect("a wheel")
 }
 
-/// A wheel let go upright with hardly a turn: at a tilt of 1e-13 or less, some sixteen √(a/g) later, a step is shorter than the last digit
-/// of the time.
+/// A wheel let go upright with hardly a turn: at a tilt of 1e-13 or less, some sixteen √(a/g) later, a step is shorter
+/// than the last digit of the time.
 fn falling(omega_2: f64, lean: f64) -> (Wheel, Rolling) {
     let (tilt, omega_1) = (FRAC_PI_2 - lean, 2.971_545_220_354_780_6e-7);
     (flat(0.000_284_465_837_554_280_46), Rolling { tilt, omega_1, omega_2, ..Rolling::UPRIGHT })

@@ -1,11 +1,12 @@
 //! A round body that rolls on its edge without slipping: what the wheel and the spinning coin share.
 //!
-//! Axes: x, y in the table, z up. Axis 1 of the disk's frame is level, in its plane; axis 2 runs up the steepest line of its
-//! plane, from the contact to the centre; axis 3 = 1 × 2 is its normal, inward and down when it leans inward. The frame follows
-//! heading and lean and does not roll with the disk.
+//! Axes: x, y in the table, z up. Axis 1 of the disk's frame is level, in its plane; axis 2 runs up the steepest line
+//! of its plane, from the contact to the centre; axis 3 = 1 × 2 is its normal, inward and down when it leans inward.
+//! The frame follows heading and lean and does not roll with the disk.
 //!
-//! The lean θ is the angle of the plane from the upright, the tilt α = π/2 − θ that from lying flat. The tilt is what a state
-//! holds: near flat, where the motion hangs on it, it has all its digits; a lean near the upright is good to 1e-16.
+//! The lean θ is the angle of the plane from the upright, the tilt α = π/2 − θ that from lying flat. The tilt is what a
+//! state holds: near flat, where the motion hangs on it, it has all its digits; a lean near the upright is good to
+//! 1e-16.
 
 mod disk;
 mod motion;

@@ -7,8 +7,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// A rolling disk at one instant; axes 1, 2, 3 as at the top of [`crate::rolling`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rolling {
-    /// The tilt α from lying flat, rad, between 0 and π; the right angle of `f64` is upright. Near π, which is flat on the other
-    /// face, what it lacks has no digits below 4e-16.
+    /// The tilt α from lying flat, rad, between 0 and π; the right angle of `f64` is upright. Near π, which is flat on
+    /// the other face, what it lacks has no digits below 4e-16.
     pub tilt: f64,
     /// The angular velocity about axis 1, rad/s: the rate θ̇ of the lean, −α̇.
     pub omega_1: f64,

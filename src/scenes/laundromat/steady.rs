@@ -7,7 +7,7 @@ use nalgebra::Complex;
 
 /// The steady motion z = Z e<sup>iΩt</sup>: the shaft goes round O once for each turn of the drum.
 ///
-/// From [`Machine::steady`]. All quantities are accurate to eight units in the last place at any spin, near
+/// From [`Machine::steady`]. All quantities but the slope are accurate to eight units in the last place at any spin, near
 /// resonance too; a torque or power beyond the largest `f64` is infinite.
 ///
 /// ```
@@ -31,6 +31,7 @@ pub struct SteadyMotion {
     phase: f64,
     centre_of_mass_radius: f64,
     motor_torque: f64,
+    motor_torque_slope: f64,
     motor_power: f64,
 }
 
@@ -71,6 +72,8 @@ impl Machine {
         let turned_back = Complex::new(detuning, -drag) / size; // e^{−iφ₀}, eq:steady-phase
         let radius = offset / size; // eq:steady-radius
         let motor_torque = self.parameters().damping * radius * radius * spin; // eq:steady-torque
+        // eq:torque-slope, its fraction over Ω⁴ above and below.
+        let fraction = (4.0 * detuning - 2.0 * drag * drag) / (size * size);
         SteadyMotion {
             amplitude: radius * turned_back, // eq:steady-amplitude
             centre_of_mass_amplitude: offset * (Complex::new(stiffness, drag) / size * turned_back),
@@ -78,6 +81,7 @@ impl Machine {
             phase: drag.atan2(detuning),
             centre_of_mass_radius: offset * (stiffness.hypot(drag) / size), // eq:centre-of-mass-radius
             motor_torque,
+            motor_torque_slope: motor_torque / spin * (5.0 + fraction),
             motor_power: motor_torque * spin,
         }
     }
@@ -112,6 +116,7 @@ impl SteadyMotion {
             phase: 0.0,
             centre_of_mass_radius: offset,
             motor_torque: 0.0,
+            motor_torque_slope: 0.0,
             motor_power: 0.0,
         }
     }
@@ -146,6 +151,12 @@ impl SteadyMotion {
     /// Torque that the motor must give, N m (`eq:steady-torque`): constant, and in the sense of the spin.
     pub fn motor_torque(&self) -> f64 {
         self.motor_torque
+    }
+
+    /// How the torque changes with the spin, dτ/dΩ, N m s (`eq:torque-slope`), to twelve units in the last place of the
+    /// largest of its three terms.
+    pub fn motor_torque_slope(&self) -> f64 {
+        self.motor_torque_slope
     }
 
     /// Power that the motor gives and the dampers turn into heat, W.

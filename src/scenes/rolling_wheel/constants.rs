@@ -16,8 +16,9 @@ pub struct RollingConstants {
 }
 
 impl Wheel {
-    /// The constants of a motion (`eq:chaplygin`, solved for A and B with Wronski's determinant, `(1 − X²)(e o′ − e′ o) = 1`). With
-    /// [`Wheel::at_tilt`] exact to 40 units in the last place of the sums of the closed form without their signs.
+    /// The constants of a motion (`eq:chaplygin`, solved for A and B with Wronski's determinant, `(1 − X²)(e o′ − e′ o)
+    /// = 1`). With [`Wheel::at_tilt`] exact to 40 units in the last place of the sums of the closed form without their
+    /// signs.
     pub fn constants(&self, state: &Rolling) -> RollingConstants {
         let Rolling { omega_2: q, omega_3: n, .. } = *state;
         let (_, cos) = sin_cos_lean(state.tilt);
@@ -31,9 +32,9 @@ impl Wheel {
         }
     }
 
-    /// The state at a tilt from lying flat, rad, of a motion with these constants whose lean turns there, ω₁ = 0, above the origin and
-    /// with axis 1 along x (`eq:chaplygin`). Its ω₂ and ω₃ are sums of a part of the even and one of the odd constant, which lose
-    /// digits where these nearly cancel.
+    /// The state at a tilt from lying flat, rad, of a motion with these constants whose lean turns there, ω₁ = 0, above
+    /// the origin and with axis 1 along x (`eq:chaplygin`). Its ω₂ and ω₃ are sums of a part of the even and one of the
+    /// odd constant, which lose digits where these nearly cancel.
     pub fn at_tilt(&self, constants: &RollingConstants, tilt: f64) -> Rolling {
         let &RollingConstants { even: a, odd: b } = constants;
         let (_, cos) = sin_cos_lean(tilt);

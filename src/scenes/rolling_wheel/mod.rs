@@ -1,7 +1,7 @@
 //! A wheel that rolls on a table without slipping. Chapter "The rolling wheel".
 //!
-//! Axes and states are those of [`crate::rolling`]. The lean θ is the angle of the wheel's plane from the upright, positive if
-//! the top leans towards the axis of the circle for a steady motion with positive b.
+//! Axes and states are those of [`crate::rolling`]. The lean θ is the angle of the wheel's plane from the upright,
+//! positive if the top leans towards the axis of the circle for a steady motion with positive b.
 //!
 //! | to find | call |
 //! |---|---|
@@ -16,7 +16,6 @@ mod swing;
 mod wheel;
 mod wobble;
 
-pub use crate::rolling::{DiskParameters, MomentFactors, Rolling};
 pub use constants::RollingConstants;
 pub use steady::SteadyRolling;
 pub use wheel::Wheel;

@@ -9,7 +9,8 @@ use std::f64::consts::FRAC_PI_2;
 /// A wheel that rolls steadily round a circle.
 ///
 /// ```
-/// use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Wheel};
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::rolling_wheel::Wheel;
 /// // A hoop leaning by 30° whose centre goes round on half its radius.
 /// let (mass, radius, gravity) = (1.0, 1.0, 9.81);
 /// let hoop = Wheel::new(DiskParameters { mass, radius, moments: MomentFactors::HOOP, gravity })?;
@@ -27,11 +28,11 @@ pub struct SteadyRolling {
 }
 
 impl Wheel {
-    /// Steady rolling with a lean θ, rad, and the centre on a circle of radius b = `centre_radius`, m; negative if the centre is
-    /// beyond the axis (`eq:steady-moments`). Of the two senses, the one with positive Ω.
+    /// Steady rolling with a lean θ, rad, and the centre on a circle of radius b = `centre_radius`, m; negative if the
+    /// centre is beyond the axis (`eq:steady-moments`). Of the two senses, the one with positive Ω.
     ///
-    /// Rates and [`SteadyRolling::wobble_square`] are exact to 4 units in the last place, of the largest term where terms cancel, and lose
-    /// what `(1 + I₃)b + I₁a sin θ` loses near the least radius, where it vanishes.
+    /// Rates and [`SteadyRolling::wobble_square`] are exact to 4 units in the last place, of the largest term where
+    /// terms cancel, and lose what `(1 + I₃)b + I₁a sin θ` loses near the least radius, where it vanishes.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for an upright or a flat wheel, and where no turn rate balances the lean.
@@ -74,7 +75,8 @@ impl SteadyRolling {
         self.turn_rate * self.centre_radius / self.radius()
     }
 
-    /// Radius of the contact point's circle, `b + a sin θ`, m; negative if it lies beyond the axis (`eq:contact-speed`).
+    /// Radius of the contact point's circle, `b + a sin θ`, m; negative if it lies beyond the axis
+    /// (`eq:contact-speed`).
     pub fn contact_radius(&self) -> f64 {
         self.centre_radius + self.radius() * self.lean.sin()
     }

@@ -8,8 +8,8 @@ use std::ops::ControlFlow;
 
 /// How long, in units of √(a/g), a turning point of the lean is waited for.
 const PATIENCE: f64 = 1e4;
-/// The longest step, in that unit. A wheel that hardly leans falls like e^t at most, and the series of that has then converged to rounding
-/// of itself, however small it is beside the tolerance.
+/// The longest step, in that unit. A wheel that hardly leans falls like e^t at most, and the series of that has then
+/// converged to rounding of itself, however small it is beside the tolerance.
 const LONGEST_STEP: f64 = 0.75;
 /// At how many moments of a step it is looked for.
 const LOOKS: u32 = 8;
@@ -41,8 +41,8 @@ pub(super) struct Moment {
 }
 
 impl Swing {
-    /// From a state of heading zero to the next moment at which the lean turns, or back to the last if `direction` is negative, not
-    /// counting the start; nothing if there is none.
+    /// From a state of heading zero to the next moment at which the lean turns, or back to the last if `direction` is
+    /// negative, not counting the start; nothing if there is none.
     pub(super) fn new(
         solver: &Taylor,
         wheel: RollingSeries,

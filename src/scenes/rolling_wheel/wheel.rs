@@ -52,8 +52,9 @@ impl Wheel {
         self.disk.normal_force(state)
     }
 
-    /// The angle, rad, by which the contact runs round when the wheel is let go almost flat, falls, just misses lying flat and
-    /// gets up again: `π√(1 + 1/I₁)`, in the limit of a near miss (`eq:near-flat-turn`). To 2 units in the last place.
+    /// The angle, rad, by which the contact runs round when the wheel is let go almost flat, falls, just misses lying
+    /// flat and gets up again: `π√(1 + 1/I₁)`, in the limit of a near miss (`eq:near-flat-turn`). To 2 units in the
+    /// last place.
     pub fn near_flat_turn(&self) -> f64 {
         PI * (1.0 + 1.0 / self.disk.parameters.moments.transverse).sqrt()
     }

@@ -1,9 +1,10 @@
 //! The motion at any time from half a wobble.
 //!
-//! Lean and angular velocities come back after one wobble, whatever the heading and the place. So the wheel repeats one and the same
-//! path, turned and shifted. And from a moment at which the lean turns, what follows is the mirror image of what came before. So it
-//! is enough to know the motion between two such moments: those before and after the start, found by stepping away from it, back and
-//! ahead. What is known best is then the start itself, which matters where a motion is unstable.
+//! Lean and angular velocities come back after one wobble, whatever the heading and the place. So the wheel repeats one
+//! and the same path, turned and shifted. And from a moment at which the lean turns, what follows is the mirror image
+//! of what came before. So it is enough to know the motion between two such moments: those before and after the start,
+//! found by stepping away from it, back and ahead. What is known best is then the start itself, which matters where a
+//! motion is unstable.
 
 use super::swing::{Moment, Swing};
 use super::wheel::Wheel;
@@ -24,7 +25,8 @@ const MOST_WOBBLES: f64 = 140_737_488_355_328.0; // 2^47
 ///
 /// ```
 /// use mechanics::integrate::Taylor;
-/// use mechanics::scenes::rolling_wheel::{DiskParameters, MomentFactors, Rolling, Wheel};
+/// use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+/// use mechanics::scenes::rolling_wheel::Wheel;
 /// let (mass, radius, gravity) = (1.0, 0.1, 9.81);
 /// let disc = Wheel::new(DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity })?;
 /// let start = Rolling { omega_1: 1.0, ..disc.steady(0.5, 0.3)?.state() };
@@ -36,7 +38,8 @@ const MOST_WOBBLES: f64 = 140_737_488_355_328.0; // 2^47
 #[derive(Debug, Clone, PartialEq)]
 pub struct Wobble {
     placed: Placed,
-    // From the start, in radii and √(a/g), back to where the lean turned (nothing, if it turns at the start) and ahead to where it turns:
+    // From the start, in radii and √(a/g), back to where the lean turned (nothing, if it turns at the start) and ahead
+    // to where it turns:
     back: Option<Swing>,
     ahead: Swing,
     turned: (f64, Moment), // when it turned, zero or less, and the state in which it did
@@ -49,14 +52,15 @@ pub struct Wobble {
 }
 
 impl Wheel {
-    /// The motion from `start`, from half a wobble by a Taylor method whose tolerance, at most 1, is in radii and √(a/g). Its limit on the
-    /// number of series holds for the way ahead and for the way back: a wheel that almost falls flat whirls round the more often the smaller
-    /// I₁ is, and whirls of more than a hundred thousand series are given up unless the solver says otherwise.
+    /// The motion from `start`, from half a wobble by a Taylor method whose tolerance, at most 1, is in radii and
+    /// √(a/g). Its limit on the number of series holds for the way ahead and for the way back: a wheel that almost
+    /// falls flat whirls round the more often the smaller I₁ is, and whirls of more than a hundred thousand series are
+    /// given up unless the solver says otherwise.
     ///
     /// # Errors
-    /// [`Error::Quantity`] if a number of `start` cannot be computed with, the tolerance is too loose, or the lean does not swing (a steady
-    /// motion, one whose lean does not turn within ten thousand √(a/g), or one that falls flat to about 1e-16); [`Error::Integration`],
-    /// with time and state in units of √(a/g), if the solver fails.
+    /// [`Error::Quantity`] if a number of `start` cannot be computed with, the tolerance is too loose, or the lean does
+    /// not swing (a steady motion, one whose lean does not turn within ten thousand √(a/g), or one that falls flat to
+    /// about 1e-16); [`Error::Integration`], with time and state in units of √(a/g), if the solver fails.
     pub fn wobble(&self, start: Rolling, solver: &Taylor) -> Result<Wobble, Error> {
         solver.check_at_most(LOOSEST_TOLERANCE)?;
         start.check()?;
@@ -116,10 +120,11 @@ impl Wobble {
 
     /// The state at `time`, s, of either sign. At zero it is the start, to rounding.
     ///
-    /// Within a few wobbles an error is at most 30 times what a change of the start and of the time by a part ε makes, and of 30 ε of the
-    /// numbers themselves and of one in the units a, √(g/a) and rad, where ε is the tolerance or 2.2e-16, whichever is larger; the
-    /// place has in addition 30 ε radii for each radian by which the heading has gone on. Later errors grow in proportion to the time. What
-    /// a change of the start makes may be large: a wheel that comes near an unstable motion after its start leaves it as its last digits say.
+    /// Within a few wobbles an error is at most 30 times what a change of the start and of the time by a part ε makes,
+    /// and of 30 ε of the numbers themselves and of one in the units a, √(g/a) and rad, where ε is the tolerance or
+    /// 2.2e-16, whichever is larger; the place has in addition 30 ε radii for each radian by which the heading has gone
+    /// on. Later errors grow in proportion to the time. What a change of the start makes may be large: a wheel that
+    /// comes near an unstable motion after its start leaves it as its last digits say.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the time is not finite, or so far away that it cannot be said where in a wobble it falls.

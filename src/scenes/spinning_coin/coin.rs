@@ -10,7 +10,8 @@ use std::f64::consts::FRAC_PI_2;
 /// A coin, disc or hoop that rolls on its edge round a circle about its own centre.
 ///
 /// ```
-/// use mechanics::scenes::spinning_coin::{DiskParameters, MomentFactors, SpinningCoin};
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::spinning_coin::SpinningCoin;
 /// // A heavy steel disc of 37.5 mm, almost flat.
 /// let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
 /// let steel = DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity };
@@ -113,9 +114,9 @@ impl SpinningCoin {
         self.turn_rate * (square / (1.0 + i1)).sqrt()
     }
 
-    /// The attitude after `turns` turns of the contact, room from body, where at the start axis 1 lies along x and the coin's
-    /// upward normal leans towards −y (`eq:coin-attitude`). Whole turns are taken off exactly, up to 1e12 of them; what is
-    /// rounded is the angle through which the figure has turned, to 4.5e-16 of itself.
+    /// The attitude after `turns` turns of the contact, room from body, where at the start axis 1 lies along x and the
+    /// coin's upward normal leans towards −y (`eq:coin-attitude`). Whole turns are taken off exactly, up to 1e12 of
+    /// them; what is rounded is the angle through which the figure has turned, to 4.5e-16 of itself.
     pub fn attitude(&self, turns: f64) -> UnitQuaternion<f64> {
         let figure = TwoPart::product(turns, 2.0 * (0.5 * self.tilt).sin().powi(2));
         let round = turn(&Vector3::z(), TwoPart::PI * 2.0 * turns);
@@ -125,15 +126,16 @@ impl SpinningCoin {
         round * lean * spun
     }
 
-    /// The tilt, rad, at which the contact of such a coin runs with the speed `sound`, m/s (`eq:mach-tilt`), to 9e-16 of itself.
+    /// The tilt, rad, at which the contact of such a coin runs with the speed `sound`, m/s (`eq:mach-tilt`), to 9e-16
+    /// of itself.
     ///
     /// # Errors
     /// [`InvalidQuantity`] unless the speed is positive.
     pub fn tilt_for_contact_speed(&self, sound: f64) -> Result<f64, InvalidQuantity> {
         InvalidQuantity::check_positive("speed", sound, "m/s")?;
         let DiskParameters { radius: a, moments, gravity: g, .. } = self.parameters;
-        // ga/I₁ · cos²α/sin α = c²: a quadratic in sin α, solved without a difference; and cos α from its square, since near upright
-        // the sine does not tell the tilt.
+        // ga/I₁ · cos²α/sin α = c²: a quadratic in sin α, solved without a difference; and cos α from its square, since
+        // near upright the sine does not tell the tilt.
         let s = moments.transverse * sound * sound / (g * a);
         let sin = 2.0 / (s + s.hypot(2.0));
         Ok(sin.atan2((s * sin).sqrt()))

@@ -7,17 +7,18 @@ use std::f64::consts::PI;
 
 /// A disk that rolls on its edge without slipping and is slowed by the film of air under it.
 ///
-/// The film takes the torque `K m a² √(g/a) ω/sin³ α` about both axes in the plane of the disk, where α is its tilt from lying
-/// flat (`eq:film-torque`). Nothing is assumed to be slow: it wobbles as it sinks.
+/// The film takes the torque `K m a² √(g/a) ω/sin³ α` about both axes in the plane of the disk, where α is its tilt
+/// from lying flat (`eq:film-torque`). Nothing is assumed to be slow: it wobbles as it sinks.
 ///
-/// In this model the disk never lies flat. The film's rate of damping, `K/(I₁ sin³ α)` in √(g/a), outgrows that of steady rolling,
-/// `1/√(I₁ sin α)`; soon all turning has died out, and the disk creeps on as in glue, α̇ = −α³/K, for ever. The motion is over when
-/// damping is a thousand times faster than rolling would be, at `sin α = (K/1000√I₁)^(2/5)`: for the toy an eighth of a
-/// milliradian, with its high edge nine micrometres up.
+/// In this model the disk never lies flat. The film's rate of damping, `K/(I₁ sin³ α)` in √(g/a), outgrows that of
+/// steady rolling, `1/√(I₁ sin α)`; soon all turning has died out, and the disk creeps on as in glue, α̇ = −α³/K, for
+/// ever. The motion is over when damping is a thousand times faster than rolling would be, at `sin α =
+/// (K/1000√I₁)^(2/5)`: for the toy an eighth of a milliradian, with its high edge nine micrometres up.
 ///
 /// ```
 /// use mechanics::integrate::Taylor;
-/// use mechanics::scenes::spinning_coin::{DiskParameters, EulersDisk, MomentFactors};
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::spinning_coin::EulersDisk;
 /// // The steel disc of the toy shops, 0.4 kg and 37.5 mm, in air.
 /// let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
 /// let steel = DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity };
@@ -42,8 +43,8 @@ impl EulersDisk {
         Ok(Self { disk: Disk::new(parameters, film)? })
     }
 
-    /// A disk in a gas of `viscosity` μ, Pa·s, zero or more: the film's number is then `πμa/4m · √(a/g)`, for which a steadily
-    /// sinking uniform disc loses the power `πμga²/α²` of Moffatt (2000).
+    /// A disk in a gas of `viscosity` μ, Pa·s, zero or more: the film's number is then `πμa/4m · √(a/g)`, for which a
+    /// steadily sinking uniform disc loses the power `πμga²/α²` of Moffatt (2000).
     ///
     /// # Errors
     /// [`InvalidQuantity`] if a number breaks its rule.
@@ -63,8 +64,8 @@ impl EulersDisk {
         self.disk.film
     }
 
-    /// The steady motion about a centre at rest at this tilt from lying flat, rad, as it would be without the film: the state of
-    /// [`SpinningCoin::state`].
+    /// The steady motion about a centre at rest at this tilt from lying flat, rad, as it would be without the film: the
+    /// state of [`SpinningCoin::state`].
     ///
     /// # Errors
     /// [`InvalidQuantity`] unless the tilt is more than zero and less than π/2.
@@ -72,8 +73,8 @@ impl EulersDisk {
         Ok(SpinningCoin::new(self.disk.parameters, tilt)?.state())
     }
 
-    /// The rates of the eight numbers of [`Rolling`], for [`crate::integrate::Dop853`] (`eq:film-rates`): rad/s, rad/s² and
-    /// m/s. Infinite or NaN for a flat disk.
+    /// The rates of the eight numbers of [`Rolling`], for [`crate::integrate::Dop853`] (`eq:film-rates`): rad/s, rad/s²
+    /// and m/s. Infinite or NaN for a flat disk.
     pub fn rates(&self, time: f64, state: &[f64; 8]) -> [f64; 8] {
         self.disk.rates(time, state)
     }
@@ -83,7 +84,8 @@ impl EulersDisk {
         self.disk.energy(state)
     }
 
-    /// The part of the contact force that holds the disk up, N; negative where it would leave the table (`eq:film-support`).
+    /// The part of the contact force that holds the disk up, N; negative where it would leave the table
+    /// (`eq:film-support`).
     pub fn normal_force(&self, state: &Rolling) -> f64 {
         self.disk.normal_force(state)
     }

@@ -23,9 +23,9 @@ pub struct Sinking {
 }
 
 impl EulersDisk {
-    /// The motion from `start`, by a Taylor method whose tolerance, at most 1, is in radii and √(a/g). Its limit on the number of series
-    /// holds for each call and for each direction of time; by default it is a hundred thousand, some fifteen thousand turns, and a fraction
-    /// of a second.
+    /// The motion from `start`, by a Taylor method whose tolerance, at most 1, is in radii and √(a/g). Its limit on the
+    /// number of series holds for each call and for each direction of time; by default it is a hundred thousand, some
+    /// fifteen thousand turns, and a fraction of a second.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if a number of `start` cannot be computed with, or the tolerance is too loose.
@@ -54,10 +54,10 @@ impl Sinking {
 
     /// The disk at `times`, s, in any order and of either sign.
     ///
-    /// An error is at most 30 times what a change of the start and of the time by a part ε makes, and of 30 ε of the numbers themselves
-    /// and of one in the units a, √(g/a) and rad, where ε is the tolerance or 2.2e-16, whichever is larger; the place has in addition 30 ε
-    /// radii for each radian by which the heading has gone on. Back in time a film drives the disk, and a change of numbers smaller than
-    /// one is one of ε of those units.
+    /// An error is at most 30 times what a change of the start and of the time by a part ε makes, and of 30 ε of the
+    /// numbers themselves and of one in the units a, √(g/a) and rad, where ε is the tolerance or 2.2e-16, whichever is
+    /// larger; the place has in addition 30 ε radii for each radian by which the heading has gone on. Back in time a
+    /// film drives the disk, and a change of numbers smaller than one is one of ε of those units.
     ///
     /// # Errors
     /// [`Error::Quantity`] for a time that is not finite, or after the end of the motion, which the message tells;

@@ -1,7 +1,7 @@
 //! How a spinning coin goes down: a loss of energy that depends on the tilt, and the end at a definite time.
 //!
-//! The coin is taken to pass through its steady motions one after the other, which holds as long as it sinks little within one
-//! round. Then the balance of energy is a law for the tilt alone, and it can be solved.
+//! The coin is taken to pass through its steady motions one after the other, which holds as long as it sinks little
+//! within one round. Then the balance of energy is a law for the tilt alone, and it can be solved.
 
 use super::coin::{SpinningCoin, check_tilt};
 use crate::quantity::{InvalidQuantity, Rule};
@@ -32,8 +32,8 @@ impl Loss {
         Ok(Self { coefficient, exponent })
     }
 
-    /// The loss to a layer of air of the given viscosity, Pa·s, between coin and table: `C = π μ g a²/4I₁`, for a uniform disc
-    /// `π μ g a²`, and p = 2 (`eq:film-loss`; Moffatt, *Nature* **404** (2000) 833).
+    /// The loss to a layer of air of the given viscosity, Pa·s, between coin and table: `C = π μ g a²/4I₁`, for a
+    /// uniform disc `π μ g a²`, and p = 2 (`eq:film-loss`; Moffatt, *Nature* **404** (2000) 833).
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the viscosity is not positive.
@@ -43,7 +43,8 @@ impl Loss {
         Self::new(PI * viscosity * g * a * a / (4.0 * moments.transverse), 2.0)
     }
 
-    /// The time, s, from a tilt with this sine to the end, for a coin whose energy is `weight`, J, times the sine (`eq:spin-down`).
+    /// The time, s, from a tilt with this sine to the end, for a coin whose energy is `weight`, J, times the sine
+    /// (`eq:spin-down`).
     fn time(&self, weight: f64, sin: f64) -> f64 {
         // The power of the sine in two halves: as a whole it may be too small for f64 where the time is not.
         let half = sin.powf(0.5 * self.exponent);
@@ -54,7 +55,8 @@ impl Loss {
 /// A coin on its way down, from a start to the moment t₀ when, by this law, it lies flat (`eq:spin-down`).
 ///
 /// ```
-/// use mechanics::scenes::spinning_coin::{DiskParameters, Loss, MomentFactors, SpinDown, SpinningCoin};
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 /// // A steel disc of 0.4 kg, with the air under it as the only brake.
 /// let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
 /// let steel = DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity };
@@ -98,8 +100,8 @@ impl SpinDown {
 
     /// The coin at `time`, s, from zero to t₀ (`eq:spin-down`).
     ///
-    /// A time is rounded, and so is t₀: as the end comes near, their difference has fewer and fewer digits, and the tilt too. But for that it
-    /// is good to 9e-16 of itself. From [`SpinDown::with_time_left`] it has all its digits.
+    /// A time is rounded, and so is t₀: as the end comes near, their difference has fewer and fewer digits, and the
+    /// tilt too. But for that it is good to 9e-16 of itself. From [`SpinDown::with_time_left`] it has all its digits.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the time is negative, not finite, or not before t₀.
@@ -122,8 +124,8 @@ impl SpinDown {
     /// The coin when so much time, s, is left (`eq:spin-down`): the tilt to 9e-16 of itself, however little it is.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the time left is not positive, more than t₀, less than 2.2e-308 t₀, or so little that the tilt is below
-    /// 1e-50.
+    /// [`InvalidQuantity`] if the time left is not positive, more than t₀, less than 2.2e-308 t₀, or so little that the
+    /// tilt is below 1e-50.
     pub fn with_time_left(&self, left: f64) -> Result<SpinningCoin, InvalidQuantity> {
         InvalidQuantity::require_finite("time left", left, "s")?;
         InvalidQuantity::require(left <= self.life, "time left", left, "s", Rule::AtMost(self.life))?;
@@ -149,7 +151,8 @@ impl SpinDown {
         SpinningCoin::new(self.start.parameters(), sin.atan2(cos))
     }
 
-    /// The time, s, that is left when the coin has this tilt, rad, at any tilt up to π/2: to `2.2e-16 (9 + p)` of itself.
+    /// The time, s, that is left when the coin has this tilt, rad, at any tilt up to π/2: to `2.2e-16 (9 + p)` of
+    /// itself.
     ///
     /// # Errors
     /// [`InvalidQuantity`] unless the tilt is positive and less than π/2, and if the time is too short for a number.
@@ -161,7 +164,8 @@ impl SpinDown {
     }
 
     /// The time, s, from the start to this tilt, rad; negative for a tilt above that of the start. However near the
-    /// start, to 1.4e-15 of itself; above it, where the law goes back by many e-foldings, that times one more than their number.
+    /// start, to 1.4e-15 of itself; above it, where the law goes back by many e-foldings, that times one more than
+    /// their number.
     ///
     /// # Errors
     /// [`InvalidQuantity`] unless the tilt is positive and less than π/2.
