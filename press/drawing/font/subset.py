@@ -21,7 +21,7 @@ CHARACTERS = """
 2223-222e 2234 2235 223c 2243 2245 2248 224d 2250 2254 2260-2265 226a 226b 227a 227b 2282 2283 2286 2287
 2295-2299 22a2-22a5 22c0-22c6 22ee-22f1 27c2 2a7d 2a7e
 2308-230b 23dc-23df 27e8-27e9                                      delimiters
-1d400-1d49b 1d5a0-1d5b9 1d6a4 1d6a5 1d6a8-1d755                    alphabets: bold, italic, both; sans; Greek
+1d400-1d49b 1d5a0-1d5d3 1d6a4 1d6a5 1d6a8-1d755                    alphabets: bold, italic, both; sans; Greek
 1d7ce-1d7d7 1d7e2-1d7eb                                            digits: bold, sans
 """
 
