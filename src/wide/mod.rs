@@ -16,25 +16,32 @@ pub(crate) mod turning;
 use functions::at_full_width;
 use std::ops::RangeInclusive;
 
-/// The states at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone one by one, and so on.
+/// The states at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone one by one,
+/// and so on.
 pub(crate) fn sample<S: Clone, E>(
     times: &[f64],
     quick: impl Fn(&[f64], &mut [S]) -> usize,
     at: impl Fn(f64) -> Result<S, E>,
 ) -> Result<Vec<S>, E> {
     let Some(&first) = times.first() else { return Ok(Vec::new()) };
-    let mut states = vec![at(first)?; times.len()];
-    let mut done = 0;
+    let (placeholder, mut done) = (at(first)?, 0);
+    let mut states = Vec::with_capacity(times.len());
     while done < times.len() {
-        done += quick(&times[done..], &mut states[done..]);
-        let block = done..times.len().min(done + BLOCK);
-        for index in block {
-            states[index] = at(times[index])?;
-            done += 1;
+        let end = times.len().min(done + CHUNK);
+        states.resize(end, placeholder.clone());
+        while done < end {
+            done += quick(&times[done..end], &mut states[done..end]);
+            for index in done..end.min(done + BLOCK) {
+                states[index] = at(times[index])?;
+                done += 1;
+            }
         }
     }
     Ok(states)
 }
+
+/// The list grows by so many blocks, which the nearest memory holds until they are filled.
+const CHUNK: usize = 8 * BLOCK;
 
 /// States are computed in blocks of this many: enough for the widest registers, and small enough for the nearest memory.
 pub(crate) const BLOCK: usize = 32;
