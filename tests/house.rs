@@ -12,7 +12,7 @@ const ROOMS: [(&str, &[&str]); 9] = [
     ("error", &["numbers", "integrate"]),
     ("bodies", &["numbers", "special", "integrate", "error", "wide"]),
     ("scenes", &["numbers", "special", "integrate", "error", "bodies", "wide"]),
-    ("wide", &["numbers", "special", "bodies", "scenes"]),
+    ("wide", &["numbers", "special", "integrate", "bodies", "scenes"]),
     ("measure", &[]),
     ("sweep", &[]),
 ];
