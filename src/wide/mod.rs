@@ -32,8 +32,9 @@ pub(crate) fn sample<S: Clone, E>(
         states.resize(end, placeholder.clone());
         while done < end {
             done += quick(&times[done..end], &mut states[done..end]);
-            for index in done..end.min(done + BLOCK) {
-                states[index] = at(times[index])?;
+            let one_by_one = end.min(done + BLOCK);
+            while done < one_by_one {
+                states[done] = at(times[done])?;
                 done += 1;
             }
         }
