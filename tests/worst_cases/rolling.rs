@@ -16,7 +16,7 @@ pub(crate) fn parameters(draw: &mut Draw<'_>, least: f64) -> DiskParameters {
         0 => draw.one_of(&[MomentFactors::DISK, MomentFactors::HOOP]),
         1 => MomentFactors::flat(draw.decades(least, 1.0)),
         _ => {
-            let transverse = draw.decades(least, 1.0);
+            let transverse = draw.decades(least, 10.0);
             MomentFactors { transverse, axial: transverse * draw.decades(1e-6, 2.0) }
         }
     };
@@ -85,12 +85,15 @@ pub(crate) fn worst_part(
     let truth = rolling(truth);
     let scale = [1.0, rate, rate, rate, 1.0, 1.0, radius, radius];
     let turned = (truth[4] - given.heading).abs().rounded();
-    let way_gone = change[6].max(change[7]) + change[4];
+    // The centre is a cos α from the contact, so that a change of the tilt moves it too.
+    let way_gone = change[6].max(change[7]) + change[4] + change[0];
     let given = given.to_array();
     let mut worst = (0.0, 0);
     for (i, found) in found.to_array().into_iter().enumerate() {
         let true_value = if i < 6 { truth[i] } else { truth[i] * radius };
         let size = scale[i].max(given[i].abs()).max(true_value.abs().rounded());
+        // A heading that has whirled round and back has the rounding of the whirls, which the roll angle tells.
+        let size = if i == 4 { size.max(truth[5].abs().rounded()) } else { size };
         // A place has the rounding of the heading that led there.
         let (size, change) =
             if i < 6 { (size, change[i]) } else { (size + radius * turned, radius * way_gone) };

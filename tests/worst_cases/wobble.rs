@@ -10,9 +10,6 @@ use mechanics::scenes::rolling_wheel::{Wheel, Wobble};
 use mechanics::{Error, Rule};
 use std::f64::consts::FRAC_PI_2;
 
-/// The fastest spin about the axle for which the promise holds, in √(g/a).
-const FASTEST: f64 = 10.0;
-
 /// A start, and what kind.
 fn start(draw: &mut Draw<'_>, wheel: &Wheel) -> Option<(Rolling, &'static str)> {
     let DiskParameters { radius, moments, gravity, .. } = wheel.parameters();
@@ -21,7 +18,7 @@ fn start(draw: &mut Draw<'_>, wheel: &Wheel) -> Option<(Rolling, &'static str)> 
         tilt: FRAC_PI_2 + draw.between(-1.4, 1.4),
         omega_1: rate * draw.signed(1e-3, 3.0),
         omega_2: rate * draw.signed(1e-3, 3.0),
-        omega_3: rate * draw.signed(1e-3, FASTEST),
+        omega_3: rate * draw.signed(1e-3, 10.0),
         ..Rolling::UPRIGHT
     };
     let (state, way) = match draw.below(5) {
@@ -51,7 +48,7 @@ fn start(draw: &mut Draw<'_>, wheel: &Wheel) -> Option<(Rolling, &'static str)> 
                 tilt: FRAC_PI_2 - push(draw),
                 omega_1: rate * push(draw),
                 omega_2: rate * push(draw),
-                omega_3: rate * draw.beside(critical).min(FASTEST),
+                omega_3: rate * draw.beside(critical),
                 ..any(draw)
             };
             (upright, "all but upright")

@@ -125,8 +125,8 @@ impl Wobble {
     /// the tolerance or 2.2e-16, whichever is larger; the place has in addition 30 ε radii for each radian by
     /// which the heading has gone on. Later errors grow in proportion to the time. What a change of the start
     /// makes may be large: a wheel that comes near an unstable motion after its start leaves it as its last
-    /// digits say. All this for moments up to ma² and spins about the axle up to 10 √(g/a). The spin carries
-    /// errors of ω₂ over to the lean; with a faster one errors grow in proportion to it.
+    /// digits say. The numbers are those on the way: a heading that has whirled
+    /// round and back, as the roll angle tells, has the rounding of all that way.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the time is not finite, or so far away that it cannot be said where in a wobble it falls.
