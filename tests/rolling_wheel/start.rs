@@ -83,7 +83,7 @@ fn whirls_that_would_take_for_ever_are_given_up_or_followed_as_the_caller_says()
     };
     for k in [1e-20, 1e-41] {
         let (wheel, start) = falling(k);
-        let refused = wobble(&wheel, start, 1e-16).err().expect("a refusal");
+        let Err(refused) = wobble(&wheel, start, 1e-16) else { panic!("a whirl without end") };
         // Within the hundred thousand series that a solver allows, a fraction of a second.
         assert!(
             matches!(

@@ -16,7 +16,7 @@ pub(crate) fn parameters(draw: &mut Draw<'_>, least: f64) -> DiskParameters {
         0 => draw.one_of(&[MomentFactors::DISK, MomentFactors::HOOP]),
         1 => MomentFactors::flat(draw.decades(least, 1.0)),
         _ => {
-            let transverse = draw.decades(least, 10.0);
+            let transverse = draw.decades(least, 1.0);
             MomentFactors { transverse, axial: transverse * draw.decades(1e-6, 2.0) }
         }
     };

@@ -10,6 +10,9 @@ use mechanics::scenes::rolling_wheel::{Wheel, Wobble};
 use mechanics::{Error, Rule};
 use std::f64::consts::FRAC_PI_2;
 
+/// The fastest spin about the axle for which the promise holds, in √(g/a).
+const FASTEST: f64 = 10.0;
+
 /// A start, and what kind.
 fn start(draw: &mut Draw<'_>, wheel: &Wheel) -> Option<(Rolling, &'static str)> {
     let DiskParameters { radius, moments, gravity, .. } = wheel.parameters();
@@ -18,7 +21,7 @@ fn start(draw: &mut Draw<'_>, wheel: &Wheel) -> Option<(Rolling, &'static str)> 
         tilt: FRAC_PI_2 + draw.between(-1.4, 1.4),
         omega_1: rate * draw.signed(1e-3, 3.0),
         omega_2: rate * draw.signed(1e-3, 3.0),
-        omega_3: rate * draw.signed(1e-3, 10.0),
+        omega_3: rate * draw.signed(1e-3, FASTEST),
         ..Rolling::UPRIGHT
     };
     let (state, way) = match draw.below(5) {
@@ -48,7 +51,7 @@ fn start(draw: &mut Draw<'_>, wheel: &Wheel) -> Option<(Rolling, &'static str)> 
                 tilt: FRAC_PI_2 - push(draw),
                 omega_1: rate * push(draw),
                 omega_2: rate * push(draw),
-                omega_3: rate * draw.beside(critical),
+                omega_3: rate * draw.beside(critical).min(FASTEST),
                 ..any(draw)
             };
             (upright, "all but upright")
