@@ -61,7 +61,8 @@ impl Maths {
         match self.converter.convert_with_local_state(tex, display) {
             Ok(result) => {
                 let mathml = result.mathml.replace('\n', " ");
-                match mathml.chars().find(|&c| self.font.glyph_index(c).is_none()) {
+                let lacks = |&c: &char| !c.is_ascii() && self.font.glyph_index(c).is_none();
+                match mathml.chars().find(lacks) {
                     None => Ok(mathml),
                     Some(c) => Err(MathsFault {
                         offset: 0,
