@@ -240,7 +240,7 @@ const CASES: &[Case] = &[
     ("raw-reference", "# A\n\n<p>See @eq:x</p>\n", &[(3, "raw HTML is not read for references")]),
     (
         "link-in-caption",
-        "# A\n\n![One,\nsee [there](nowhere.md) and <A HREF=\"nope.html\">there</A>.](fig:speed-hoop)\n",
+        "# A\n\n![One,\nsee [there](nowhere.md) and <A HREF=\"nope.html\">there</A>.](fig:machine)\n",
         &[(4, "the link to `nope.html`"), (4, "the link to `nowhere.md`")],
     ),
     ("empty-link", "# A\n\nSee [there]().\n", &[(3, "the link leads nowhere")]),
@@ -388,7 +388,7 @@ fn every_number_of_the_source_has_a_row_in_the_ledger_and_every_row_an_equation(
         .unwrap();
     let expected = [
         "error: book/a.md:3: the ledger has no row for equation (3) of the source",
-        "error: book/ledger.md:6: no page has the equation with the source's number (2)",
+        "error: book/ledger.md:6: no equation carries the source's number (2)",
     ];
     assert_eq!(book.faults(), expected);
 }
