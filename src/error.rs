@@ -6,9 +6,9 @@ use std::fmt;
 
 /// Why there is no answer.
 ///
-/// A function that only checks numbers returns an [`InvalidQuantity`], a stepping method a [`Failure`]; what does both returns this. Its
-/// message is that of its cause, with the value, the unit and the rule broken, or the time and the state at which an
-/// integration stopped.
+/// A function that only checks numbers returns an [`InvalidQuantity`], a stepping method a [`Failure`]; what
+/// does both returns this. Its message is that of its cause, with the value, the unit and the rule broken, or
+/// the time and the state at which an integration stopped.
 ///
 /// ```
 /// use mechanics::{Error, inertia::Body};

@@ -36,7 +36,8 @@ pub struct ObservedOrder {
 }
 
 /// Fits the order of a method to pairs of step and error, leaving out errors at or below `plateau`, where
-/// rounding rules, and errors of one or more, where no order shows yet: give errors relative to the size of the solution.
+/// rounding rules, and errors of one or more, where no order shows yet: give errors relative to the size of
+/// the solution.
 ///
 /// `None` with fewer than three usable points, or if an error or a step is not a number: that is no evidence.
 ///

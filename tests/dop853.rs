@@ -1,4 +1,5 @@
-//! The adaptive integrator against another implementation of the same method, against exact solutions, and in its limits.
+//! The adaptive integrator against another implementation of the same method, against exact solutions, and in
+//! its limits.
 
 use mechanics::integrate::{Direction, Dop853, Failure, Outcome};
 use mechanics::measure::{Counter, max_error};
@@ -23,8 +24,8 @@ fn van_der_pol(t: f64, &[x, v]: &[f64; 2]) -> [f64; 2] {
 /// Two orders of the same sums differ by rounding, carried along for some hundred steps.
 const SAME: f64 = 1e-10;
 
-/// Compares solutions with those of the crate `ivp`, which also evaluates the dense output, three times a step; how many steps
-/// were rejected.
+/// Compares solutions with those of the crate `ivp`, which also evaluates the dense output, three times a
+/// step; how many steps were rejected.
 fn assert_same_as_ivp<const N: usize>(
     rates: fn(f64, &[f64; N]) -> [f64; N],
     start: [f64; N],
@@ -76,8 +77,9 @@ fn first_step_is_found_without_help() {
 
 #[test]
 fn first_step_follows_the_rule_of_the_book() {
-    // Hairer, Nørsett & Wanner, section II.4. ẏ = 1 from 1: a hundredth of |y|/|ẏ| is 0.01, and a first step is at
-    // most a hundred times that. With a tolerance so loose the rule by the order, (0.01 · 2000)^(1/8), would allow 1.45.
+    // Hairer, Nørsett & Wanner, section II.4. ẏ = 1 from 1: a hundredth of |y|/|ẏ| is 0.01, and a first step
+    // is at most a hundred times that. With a tolerance so loose the rule by the order, (0.01 · 2000)^(1/8),
+    // would allow 1.45.
     let mut first = None;
     let solver = Dop853::new(1e3).unwrap();
     let end = solver.solve_with(
@@ -162,7 +164,8 @@ fn event_is_found_to_the_accuracy_of_the_integration() {
         assert!(found.state[component].abs() < 1e-14);
         assert!((found.state[0] - found.time.sin()).abs() < 2e-12);
     }
-    // Backwards in time "falling" is meant along the way: sin t falls from 0 as t falls from 0, and comes up through zero at −π.
+    // Backwards in time "falling" is meant along the way: sin t falls from 0 as t falls from 0, and comes up
+    // through zero at −π.
     let event = |_t: f64, y: &[f64; 2]| y[0];
     let outcome = solver.solve_until(circle, 0.0, [0.0, 1.0], -20.0, event, Direction::Rising).unwrap();
     let Outcome::Event(found) = outcome else { panic!("no event backwards") };
@@ -313,8 +316,8 @@ fn too_much_work_says_how_far_it_got() {
 
 #[test]
 fn the_next_step_follows_from_the_two_differences_of_a_step() {
-    // Prey and predators, 2 and 2, one step of 0.2. The state after it and its differences from those of orders 5 and 3 are
-    // those of the stages and weights of scipy 1.17.1 (`scipy.integrate._ivp`).
+    // Prey and predators, 2 and 2, one step of 0.2. The state after it and its differences from those of
+    // orders 5 and 3 are those of the stages and weights of scipy 1.17.1 (`scipy.integrate._ivp`).
     let rates = |_: f64, &[x, y]: &[f64; 2]| [x * (1.0 - y), y * (x - 1.0)];
     let (before, after, h) = ([2.0, 2.0], [1.578_832_361_755_685_2, 2.342_984_296_936_917], 0.2);
     let fifth = [-1.724_178_509_687_757e-7, 4.209_519_726_572_353e-7];

@@ -43,8 +43,8 @@ fn mirror_images_are_conjugate_and_opposites_add_up_to_a_gaussian() {
 
 #[test]
 fn the_nodes_of_the_rule_leave_no_trace() {
-    // Along a line close above the real axis the choice of the rule changes every quarter of its spacing, √(π/12); the function,
-    // of slope at most 2/√π, must not jump.
+    // Along a line close above the real axis the choice of the rule changes every quarter of its spacing,
+    // √(π/12); the function, of slope at most 2/√π, must not jump.
     let spacing = (PI / 12.0).sqrt();
     for height in [0.0, 1e-14, 1e-6, 0.1, 0.3] {
         for quarter in 0..60 {

@@ -1,5 +1,5 @@
-//! The data of the report "Speed and accuracy": what does not depend on the machine is computed again, and the tables of the page are those
-//! of the measurements. Nothing here asserts on a time.
+//! The data of the report "Speed and accuracy": what does not depend on the machine is computed again, and
+//! the tables of the page are those of the measurements. Nothing here asserts on a time.
 
 #[allow(dead_code, reason = "the tests measure without a runner")]
 #[path = "../benches/speed/contest.rs"]
@@ -28,15 +28,17 @@ const LONG_RUN: &str = include_str!("../book/speed-and-accuracy/long-run.csv");
 const LIMITS: &str = include_str!("../book/speed-and-accuracy/limits.csv");
 const PAGE: &str = include_str!("../book/speed-and-accuracy/index.md");
 
-/// Errors are repeated to this factor. On the kind of machine that wrote the data they are repeated exactly; another library of sines, whose last
-/// bit differs here and there, changes an error far above rounding by less than a tenth. (Tried by changing the last bit of all rates at random.)
+/// Errors are repeated to this factor. On the kind of machine that wrote the data they are repeated exactly;
+/// another library of sines, whose last bit differs here and there, changes an error far above rounding by
+/// less than a tenth. (Tried by changing the last bit of all rates at random.)
 const FACTOR: f64 = 1.1;
 
 /// Whether this is the kind of machine that wrote the data: the same steps, to the last bit.
 const SAME: bool = cfg!(all(target_arch = "x86_64", target_os = "linux", target_env = "gnu"));
 
-/// By how much the evaluations of an adaptive method may differ on another kind of machine. Random last bits change most counts not at all, some on
-/// the hoop by up to 2 in 100 and next to the separatrix, at tolerances that are no use there, by 20 in 100.
+/// By how much the evaluations of an adaptive method may differ on another kind of machine. Random last bits
+/// change most counts not at all, some on the hoop by up to 2 in 100 and next to the separatrix, at
+/// tolerances that are no use there, by 20 in 100.
 fn slack(problem: &str, method: &str) -> f64 {
     match (SAME, method, problem) {
         (true, ..) | (false, "RK4", _) => 0.0,
@@ -45,8 +47,9 @@ fn slack(problem: &str, method: &str) -> f64 {
     }
 }
 
-/// Where an error is made of rounding, its size is chance: by [`FACTOR`], it may differ by this in addition. The floors of the problems
-/// lie between 1e-16 and 1e-10; they grow with the number of steps, and near the separatrix with the sensitivity of the motion.
+/// Where an error is made of rounding, its size is chance: by [`FACTOR`], it may differ by this in addition.
+/// The floors of the problems lie between 1e-16 and 1e-10; they grow with the number of steps, and near the
+/// separatrix with the sensitivity of the motion.
 fn floor(problem: &str) -> f64 {
     match problem {
         "separatrix" => 1e-1,
@@ -211,7 +214,8 @@ fn the_beginning_of_the_long_run_is_that_of_the_committed_data() {
             assert!((found - committed).abs() < near, "{row}: {found:e} and not {committed:e}");
         }
     }
-    // Each method loses what the page says: in proportion to the time, the attitude as its square, the splitting's in proportion.
+    // Each method loses what the page says: in proportion to the time, the attitude as its square, the
+    // splitting's in proportion.
     let grows = |method: &str, setting: &str, quantity: fn(&long_run::Row) -> f64| {
         let mine: Vec<_> = rows.iter().filter(|row| row.method == method && row.setting == setting).collect();
         (quantity(mine[1]) / quantity(mine[0])).abs().log10()

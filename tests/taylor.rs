@@ -27,7 +27,8 @@ impl Expand<1> for Runaway {
 
 #[test]
 fn thousands_of_steps_lose_nothing_of_a_late_time() {
-    // A millionth second, of which a tenth cannot be told from its neighbours by 1e-10, and ten thousand steps of about a tenth.
+    // A millionth second, of which a tenth cannot be told from its neighbours by 1e-10, and ten thousand
+    // steps of about a tenth.
     let (start, end) = (1e6, 1e6 + 1000.0);
     for direction in [1.0, -1.0] {
         let (start, end) = (direction * start, direction * end);

@@ -1,9 +1,9 @@
 //! What a contestant is, how it is timed, and the lines in which it speaks with the runner.
 //!
-//! A contestant is a program. To the line `list` it answers with a line for each `version`, each `note` (what it cannot do) and each
-//! `entry` (problem, contestant, method, setting), with tabs between the fields, then `end`. To `run I` it solves entry `I`
-//! again and again for the time of a slice and answers `error evaluations seconds`, the evaluations being `-` where
-//! they are not counted, or `failed` and why.
+//! A contestant is a program. To the line `list` it answers with a line for each `version`, each `note` (what
+//! it cannot do) and each `entry` (problem, contestant, method, setting), with tabs between the fields, then
+//! `end`. To `run I` it solves entry `I` again and again for the time of a slice and answers
+//! `error evaluations seconds`, the evaluations being `-` where they are not counted, or `failed` and why.
 
 use crate::problems::Problem;
 use std::error::Error;
@@ -44,8 +44,8 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
-    /// An entry that fills a list of samples of any kind `F` and returns its evaluations. What brings a sample into the problem's form is
-    /// not timed.
+    /// An entry that fills a list of samples of any kind `F` and returns its evaluations. What brings a
+    /// sample into the problem's form is not timed.
     pub(crate) fn new<const N: usize, F: 'static>(
         problem: &Rc<Problem<N>>,
         [contestant, method]: [&'static str; 2],

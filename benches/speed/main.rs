@@ -1,8 +1,9 @@
 //! Error against time and work for every scene with motion.
 //!
-//! `cargo bench --bench speed` prints a table. `-- work FILE` writes what does not depend on the machine: errors and evaluations of the
-//! rates; `-- long FILE` what is left after a million periods of the hoop (a minute or two). `-- limits` prints what a sample costs in long lists.
-//! `-- serve` makes the program a contestant of `cargo book measure`, which compares it with others.
+//! `cargo bench --bench speed` prints a table. `-- work FILE` writes what does not depend on the machine:
+//! errors and evaluations of the rates; `-- long FILE` what is left after a million periods of the hoop (a
+//! minute or two). `-- limits` prints what a sample costs in long lists. `-- serve` makes the program a
+//! contestant of `cargo book measure`, which compares it with others.
 
 mod contest;
 mod limits;

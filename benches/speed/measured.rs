@@ -98,8 +98,8 @@ pub(crate) fn front(pairs: impl IntoIterator<Item = (f64, f64)>) -> Vec<(f64, f6
     pairs
 }
 
-/// The cost at which an error is reached, between two settings in proportion on logarithmic scales; `None` if it never is. The front
-/// is that of [`front`].
+/// The cost at which an error is reached, between two settings in proportion on logarithmic scales; `None` if
+/// it never is. The front is that of [`front`].
 pub(crate) fn cost_to_reach(front: &[(f64, f64)], goal: f64) -> Option<f64> {
     let after = front.iter().position(|&(error, _)| error <= goal)?;
     let (error, cost) = front[after];

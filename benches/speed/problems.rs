@@ -1,7 +1,7 @@
 //! The problems of the report "Speed and accuracy": their equations, their reference values and what "error" means.
 //!
-//! The bench, its peers and the tests share this file. It knows nothing of `mechanics`: what it says is the judge. All numbers
-//! are without units; parameters, starts and times are exact doubles.
+//! The bench, its peers and the tests share this file. It knows nothing of `mechanics`: what it says is the
+//! judge. All numbers are without units; parameters, starts and times are exact doubles.
 
 use serde_json::Value;
 
@@ -39,7 +39,8 @@ enum Norm {
 pub(crate) const NAMES: [&str; 9] =
     ["washer", "ramp", "hoop", "separatrix", "disk", "rest", "toss", "station", "drag"];
 
-/// The washing machine, ω₀ = b = 1, Γ = 0.01, Ω = 3, from rest; x, y, ẋ, ẏ of the shaft at the end of each of 200 turns.
+/// The washing machine, ω₀ = b = 1, Γ = 0.01, Ω = 3, from rest; x, y, ẋ, ẏ of the shaft at the end of each of
+/// 200 turns.
 pub(crate) fn washer() -> Problem<4> {
     read("washer", Norm::Largest, include_str!("../../tests/data/two-hundred-turns.json"))
 }
@@ -169,8 +170,8 @@ fn rolling_rates(film: f64, _t: f64, &[beta, w1, w2, w3, psi, _, _, _]: &[f64; 8
 }
 
 impl<const N: usize> Problem<N> {
-    /// The error of a list of samples, one for each time: the largest over all samples with a reference value. NaN if a number is, or
-    /// if there are not as many samples as times.
+    /// The error of a list of samples, one for each time: the largest over all samples with a reference
+    /// value. NaN if a number is, or if there are not as many samples as times.
     pub(crate) fn error(&self, samples: &[[f64; N]]) -> f64 {
         if samples.len() != self.times.len() {
             return f64::NAN;
@@ -199,7 +200,8 @@ impl<const N: usize> Kept<N> {
             }
             Norm::Turning => {
                 let omega = parts[0].hypot(parts[1]).hypot(parts[2]);
-                // The vector part of q_ref⁻¹ q is that of q_ref⁻¹ (q − q_ref); its length is that of q times sin of half the angle.
+                // The vector part of q_ref⁻¹ q is that of q_ref⁻¹ (q − q_ref); its length is that of q times
+                // sin of half the angle.
                 let [a, b, c, d] = [3, 4, 5, 6].map(|i| self.high[i]);
                 let [e, f, g, h] = [3, 4, 5, 6].map(|i| {
                     if a * state[3] + b * state[4] + c * state[5] + d * state[6] < 0.0 {

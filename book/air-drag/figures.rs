@@ -179,7 +179,8 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
     Ok(drawing)
 }
 
-/// The relative error of the angle by the inverse cosine and by the arctangent of the two parts, against its own exponential.
+/// The relative error of the angle by the inverse cosine and by the arctangent of the two parts, against its
+/// own exponential.
 pub(crate) fn drag_fault(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
         "Error of the angle by the inverse cosine",

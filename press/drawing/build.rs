@@ -1,5 +1,5 @@
-//! Takes the glyphs and the measures that labels need out of the mathematics font and writes them as a Rust table, so that the
-//! crate `drawing` needs neither the font nor a font parser.
+//! Takes the glyphs and the measures that labels need out of the mathematics font and writes them as a Rust
+//! table, so that the crate `drawing` needs neither the font nor a font parser.
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -12,7 +12,8 @@ const FONT: &str = "font/math.otf";
 const SYMBOLS: &str = "+−×·±∓=<>≤≥≪≫≈≃∼∝≠≡∞→←↔∂∇√()[]{}|‖,;:.!/°′″…⋯⟨⟩∠⊥∥";
 /// Combining accents: hat, tilde, bar, dot, two dots, vector arrow.
 const ACCENTS: &str = "\u{302}\u{303}\u{304}\u{307}\u{308}\u{20d7}";
-/// First and last of: letters, digits, Greek, and the mathematical alphabets (italic, bold, bold italic; Latin, Greek, digits).
+/// First and last of: letters, digits, Greek, and the mathematical alphabets (italic, bold, bold italic;
+/// Latin, Greek, digits).
 const ALPHABETS: [(u32, u32); 10] = [
     (0x30, 0x39),
     (0x41, 0x5a),

@@ -146,8 +146,8 @@ pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Removes rustdoc's pages if the library is newer, since rustdoc writes them all again and never removes that of an item
-/// which is gone.
+/// Removes rustdoc's pages if the library is newer, since rustdoc writes them all again and never removes
+/// that of an item which is gone.
 fn remove_outdated(doc: &Path, sources: &Path) -> io::Result<()> {
     let Ok(written) = fs::metadata(doc.join(PAGES).join("index.html")).and_then(|page| page.modified())
     else {

@@ -18,7 +18,8 @@ pub fn check(root: &Path, drawn: &Rendered) -> Result<usize, Faults> {
     Ok(pages.len())
 }
 
-/// The pages as they go to mdBook. This is the one way there, so that building, testing and checking find the same faults.
+/// The pages as they go to mdBook. This is the one way there, so that building, testing and checking find the
+/// same faults.
 ///
 /// # Errors
 /// Every fault of every page, of the labels that code cites, and of SUMMARY.md.

@@ -17,8 +17,8 @@ cargo book figures FOLDER               every figure as a standalone SVG file
 cargo book pdf [FILE]                   the book as a PDF (needs Chromium); by default target/book/things-that-spin.pdf
 cargo book measure [OPTION …]           runs the library beside its peers, for the report \"Speed and accuracy\"; --help says more";
 
-/// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before exiting with
-/// status 1.
+/// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before
+/// exiting with status 1.
 ///
 /// # Errors
 /// A message for the reader, complete.

@@ -1,7 +1,7 @@
 //! The press: prints the book.
 //!
-//! It is an mdBook preprocessor (Markdown in our dialect → Markdown with MathML, numbers, figures), an mdBook renderer that
-//! finishes and checks the site, and the `cargo book` command.
+//! It is an mdBook preprocessor (Markdown in our dialect → Markdown with MathML, numbers, figures), an mdBook
+//! renderer that finishes and checks the site, and the `cargo book` command.
 //!
 //! # The dialect of the pages
 //!
@@ -21,28 +21,32 @@
 //! | `@source:19` | a link to the equation that has this number in the source |
 //! | `@cite:key` | a link with the entry's short name |
 //!
-//! Labels are made of lower-case letters, digits and hyphens, and are unique in the whole book. Counters run through all pages
-//! of a numbered chapter; equations, figures and exercises can stand in numbered chapters only.
+//! Labels are made of lower-case letters, digits and hyphens, and are unique in the whole book. Counters run
+//! through all pages of a numbered chapter; equations, figures and exercises can stand in numbered chapters
+//! only.
 //!
 //! # Faults
 //!
-//! All faults of a run are reported, each as `error: book/page.md:80: …`, and nothing is built. `mdbook build`, `mdbook test`
-//! and `cargo book check` send the pages through the same function, so they find the same faults:
+//! All faults of a run are reported, each as `error: book/page.md:80: …`, and nothing is built.
+//! `mdbook build`, `mdbook test` and `cargo book check` send the pages through the same function, so they
+//! find the same faults:
 //!
-//! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an id that stands
-//!   on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry that nothing cites;
-//! - mathematics: LaTeX that is not understood or nested too deeply, a character that the font lacks, a blank line inside
-//!   `$$`, a stray `$`, display mathematics that shares its paragraph, mathematics in a heading;
-//! - links: a dead link or anchor, a link without words or target, a reference `[x][y]` or a footnote that is defined nowhere
-//!   or twice, a footnote that nothing refers to;
+//! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an
+//!   id that stands on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry
+//!   that nothing cites;
+//! - mathematics: LaTeX that is not understood or nested too deeply, a character that the font lacks, a blank
+//!   line inside `$$`, a stray `$`, display mathematics that shares its paragraph, mathematics in a heading;
+//! - links: a dead link or anchor, a link without words or target, a reference `[x][y]` or a footnote that is
+//!   defined nowhere or twice, a footnote that nothing refers to;
 //! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
-//! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible lines or with a
-//!   line too long for the page, text indented into a code block;
+//! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
+//!   lines or with a line too long for the page, text indented into a code block;
 //! - exercises without hint or solution, table columns without a name;
-//! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are not closed
-//!   where they were opened, end tags that close nothing, mathematics or references inside;
+//! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are
+//!   not closed where they were opened, end tags that close nothing, mathematics or references inside;
 //! - mdBook's directives `{{#…}}`, control characters, and characters that turn the direction of the text;
-//! - pages: one that SUMMARY.md names twice, or that does not exist or is not UTF-8, and one that SUMMARY.md does not name;
+//! - pages: one that SUMMARY.md names twice, or that does not exist or is not UTF-8, and one that SUMMARY.md
+//!   does not name;
 //! - numbers of the source: one that two equations claim, and one without a row in the ledger.
 
 pub mod book;

@@ -3,10 +3,12 @@
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use ttf_parser::Face;
 
-/// The mathematics font of the site and of labels, cut by the script beside it down to the characters that the script lists.
+/// The mathematics font of the site and of labels, cut by the script beside it down to the characters that
+/// the script lists.
 pub(crate) const FONT: &[u8] = include_bytes!("../drawing/font/math.otf");
 
-/// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the MathML later.
+/// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
+/// MathML later.
 const DEEPEST: usize = 60;
 
 /// A converter, built once a run.
@@ -82,7 +84,8 @@ impl Maths {
     }
 }
 
-/// Where a formula goes deeper than [`DEEPEST`]: into braces, brackets, `\left`, environments, or commands that each take the next.
+/// Where a formula goes deeper than [`DEEPEST`]: into braces, brackets, `\left`, environments, or commands
+/// that each take the next.
 fn too_deep(tex: &str) -> Option<usize> {
     // Open groups, and commands in a row.
     let (mut open, mut row) = (0_usize, 0_usize);

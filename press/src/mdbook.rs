@@ -8,7 +8,8 @@ use std::{env, io};
 const SERIES: &str = "0.5.";
 const VERSION: &str = "0.5.4";
 
-/// What of it is optimised: where a build of the book spends its time. The rest, mostly the server, compiles in half the time.
+/// What of it is optimised: where a build of the book spends its time. The rest, mostly the server, compiles
+/// in half the time.
 const OPTIMISED: [&str; 12] = [
     "elasticlunr-rs",
     "handlebars",
@@ -24,7 +25,8 @@ const OPTIMISED: [&str; 12] = [
     "tendril",
 ];
 
-/// The program `mdbook` of the right series: the one on PATH, else the one under `target/tools`, else a fresh one there.
+/// The program `mdbook` of the right series: the one on PATH, else the one under `target/tools`, else a fresh
+/// one there.
 ///
 /// Installing takes some minutes and needs a network; it says so on standard error.
 ///

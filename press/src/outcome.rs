@@ -19,8 +19,8 @@ pub(crate) fn bring_back(unfinished: &Path, site: &Path) -> io::Result<()> {
     fs::rename(unfinished, site)
 }
 
-/// Takes the site away after a build that failed. Who looks at it through `mdbook serve` sees the reason instead, at every
-/// address, until the next build.
+/// Takes the site away after a build that failed. Who looks at it through `mdbook serve` sees the reason
+/// instead, at every address, until the next build.
 pub(crate) fn withdraw(site: &Path, config: &Config, failed: &Failed) -> io::Result<()> {
     remove(&site.with_file_name("html-unfinished"))?;
     remove(site)?;

@@ -11,8 +11,8 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::{env, fmt, fs};
 
-/// Where the finished press waits for mdBook to call it as a renderer, relative to the project's root: a place that does
-/// not depend on Cargo's settings. book.toml names it.
+/// Where the finished press waits for mdBook to call it as a renderer, relative to the project's root: a
+/// place that does not depend on Cargo's settings. book.toml names it.
 const FINISHER: &str = "target/press/book";
 
 /// Why there is no book.

@@ -12,7 +12,8 @@ use pulldown_cmark::{CowStr, Event, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// Renders all pages with what is `drawn`; the faults if there are any. `code` holds the files whose comments cite labels, with their text.
+/// Renders all pages with what is `drawn`; the faults if there are any. `code` holds the files whose comments
+/// cite labels, with their text.
 ///
 /// # Errors
 /// Every fault of every page, and every label that code cites and no page defines.

@@ -26,8 +26,8 @@ pub struct Figure {
 }
 
 impl Rendered {
-    /// Reads `folder`: `figures.txt` with a line `chapter fig:name …` for each figure, its `name.inline.svg` and `name.svg`,
-    /// and the tables, `table.md`.
+    /// Reads `folder`: `figures.txt` with a line `chapter fig:name …` for each figure, its `name.inline.svg`
+    /// and `name.svg`, and the tables, `table.md`.
     ///
     /// # Errors
     /// If a file is missing or cannot be read.

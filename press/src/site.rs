@@ -60,7 +60,8 @@ pub(crate) fn check(folder: &Path) -> io::Result<Vec<SiteFault>> {
             }
         }
     }
-    // mdBook prints the first page again as index.html and all of them as print.html, where a target may be written otherwise.
+    // mdBook prints the first page again as index.html and all of them as print.html, where a target may be
+    // written otherwise.
     if faults.iter().any(|fault| !is_copy(&fault.page)) {
         faults.retain(|fault| !is_copy(&fault.page));
     }

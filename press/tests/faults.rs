@@ -52,7 +52,8 @@ impl Drop for Book {
 
 type Case = (&'static str, &'static str, &'static [(usize, &'static str)]);
 
-/// The name of a case, a page, and what must be said of it: the line of `a.md` and words of the message. An empty list means nothing.
+/// The name of a case, a page, and what must be said of it: the line of `a.md` and words of the message. An
+/// empty list means nothing.
 const CASES: &[Case] = &[
     ("good-maths", "# A\n\nSo $x = 1$ and\n\n$$\ny = \\frac{1}{2}\n$$ {#eq:half}\n\nby @eq:half.\n", &[]),
     ("dollar", "# A\n\nIt costs \\$5.\n", &[]),

@@ -1,5 +1,5 @@
-//! The ledger is complete and true: every equation of the source has its row, its anchor on a page and its test, and where the
-//! source is wrong the test holds what is printed and sees it fail.
+//! The ledger is complete and true: every equation of the source has its row, its anchor on a page and its
+//! test, and where the source is wrong the test holds what is printed and sees it fail.
 
 mod suite;
 
@@ -89,10 +89,10 @@ fn every_equation_of_the_source_has_its_row_its_anchor_and_its_test() {
 
 #[test]
 fn the_test_of_a_corrected_equation_holds_the_printed_form_and_sees_it_fail() {
-    // What can be seen from here: the very test that the row names binds the two forms to `corrected` and to `printed` and gives
-    // them to `corrected_holds_and_printed_fails`, which at run time wants every case of the one right and nine in ten of the
-    // other wrong. A comment does not count, nor does another test. That the form bound to `printed` is the source's is the
-    // business of whoever reads it.
+    // What can be seen from here: the very test that the row names binds the two forms to `corrected` and to
+    // `printed` and gives them to `corrected_holds_and_printed_fails`, which at run time wants every case of
+    // the one right and nine in ten of the other wrong. A comment does not count, nor does another test. That
+    // the form bound to `printed` is the source's is the business of whoever reads it.
     let rows = rows(&ledger(), "{#sec:ledger-equations}");
     let suite = suite::read(&root().join("tests"));
     let corrected = corrected(&rows);

@@ -17,10 +17,11 @@ const DEFAULT_EVALUATIONS: usize = 10_000_000;
 
 /// An adaptive integrator of order eight with dense output of order seven and event location.
 ///
-/// The tolerance bounds the estimated error of each step, per component, by `absolute + relative·|y|` in the root mean
-/// square. It is not a bound on the error at the end, which is usually within a few orders of magnitude of it
-/// and shrinks in proportion, down to a floor set by rounding: that of the state, and where the rates depend on the time
-/// that of the time, magnified some ten times by the large weights of the method.
+/// The tolerance bounds the estimated error of each step, per component, by `absolute + relative·|y|` in the
+/// root mean square. It is not a bound on the error at the end, which is usually within a few orders of
+/// magnitude of it and shrinks in proportion, down to a floor set by rounding: that of the state, and where
+/// the rates depend on the time that of the time, magnified some ten times by the large weights of the
+/// method.
 ///
 /// From Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, 2nd ed. (1993), sections II.5 and II.10.
 /// The default step control is that of their program, without its test for stiffness.

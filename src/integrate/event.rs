@@ -42,13 +42,14 @@ impl Direction {
 impl Dop853 {
     /// Integrates until `event(time, state)` passes zero in the given direction, or until `end`.
     ///
-    /// The moment is found on the dense output to a few units in the last place of the time, so its error is that of the
-    /// integration. Passages are seen as changes of sign over a step: two within one step go unnoticed, for which
-    /// [`Dop853::with_max_step`] is the cure. A zero exactly at the start is not an event.
+    /// The moment is found on the dense output to a few units in the last place of the time, so its error is
+    /// that of the integration. Passages are seen as changes of sign over a step: two within one step go
+    /// unnoticed, for which [`Dop853::with_max_step`] is the cure. A zero exactly at the start is not an
+    /// event.
     ///
     /// # Errors
-    /// As [`Dop853::solve`], also if the state at a moment that is looked at is not finite; and [`Failure::EventNotANumber`] if the
-    /// event function is NaN.
+    /// As [`Dop853::solve`], also if the state at a moment that is looked at is not finite; and
+    /// [`Failure::EventNotANumber`] if the event function is NaN.
     ///
     /// ```
     /// use mechanics::integrate::{Direction, Dop853, Outcome};
@@ -101,9 +102,9 @@ impl Dop853 {
     }
 }
 
-/// The zero within a step, by Chandrupatla's method (*Advances in Engineering Software* 28 (1997) 145): inverse quadratic
-/// interpolation where three points show that it can be trusted, else bisection; always bracketed. Fails if the state or the event is
-/// not a number on the way.
+/// The zero within a step, by Chandrupatla's method (*Advances in Engineering Software* 28 (1997) 145):
+/// inverse quadratic interpolation where three points show that it can be trusted, else bisection; always
+/// bracketed. Fails if the state or the event is not a number on the way.
 fn locate<const N: usize, F: Rates<N>>(
     step: &mut Step<'_, N, F>,
     event: &mut impl FnMut(f64, &[f64; N]) -> f64,

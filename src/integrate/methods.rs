@@ -1,7 +1,7 @@
 //! The one table of stepping methods: what each promises.
 //!
-//! [`METHODS`] is the table, and the book prints it. `tests/orders` measures every entry; a method that is added needs a line there
-//! that says how it is run.
+//! [`METHODS`] is the table, and the book prints it. `tests/orders` measures every entry; a method that is
+//! added needs a line there that says how it is run.
 
 use super::TAYLOR_ORDER;
 use Kept::{AngularMomentum, UnitLength, Volume, WayBack};
@@ -14,8 +14,8 @@ pub struct Method {
     pub name: &'static str,
     /// The error at a fixed time shrinks as this power of the step.
     pub order: u32,
-    /// The order of the dense output: its error within one step shrinks as this power of the step plus one, like that of a
-    /// step by a method of this order. `None` without dense output.
+    /// The order of the dense output: its error within one step shrinks as this power of the step plus one,
+    /// like that of a step by a method of this order. `None` without dense output.
     pub dense_order: Option<u32>,
     /// What one accepted step costs (without the dense output, and in a long row of steps).
     pub cost: Cost,

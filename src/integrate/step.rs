@@ -58,10 +58,10 @@ impl<const N: usize, F: Rates<N>> Step<'_, N, F> {
 
     /// The state at `time`, of order seven (Hairer, Nørsett & Wanner 1993, section II.10).
     ///
-    /// Accurate between [`Step::start`] and [`Step::end`]; outside it extrapolates. The step control watches the ends only.
-    /// Where a fast decay and not accuracy limits the step, at about five times the shortest decay time, the state between
-    /// the ends can be digits worse than at them; [`super::Dop853::with_max_step`] helps. Not a number where the three evaluations
-    /// are not.
+    /// Accurate between [`Step::start`] and [`Step::end`]; outside it extrapolates. The step control watches
+    /// the ends only. Where a fast decay and not accuracy limits the step, at about five times the shortest
+    /// decay time, the state between the ends can be digits worse than at them;
+    /// [`super::Dop853::with_max_step`] helps. Not a number where the three evaluations are not.
     pub fn at(&mut self, time: f64) -> [f64; N] {
         let x = (time - self.start) / self.length;
         let y0 = self.y0;

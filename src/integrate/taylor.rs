@@ -17,9 +17,10 @@ const DEFAULT_EXPANSIONS: usize = 100_000;
 
 /// A system that knows its own Taylor series.
 ///
-/// Products, quotients and functions of series have coefficients that follow from earlier ones by short recurrences, so that all
-/// derivatives together cost about as much as a few hundred evaluations of the rates (R. E. Moore, *Interval Analysis* (1966);
-/// À. Jorba & M. Zou, *Experimental Mathematics* **14** (2005) 99–117).
+/// Products, quotients and functions of series have coefficients that follow from earlier ones by short
+/// recurrences, so that all derivatives together cost about as much as a few hundred evaluations of the rates
+/// (R. E. Moore, *Interval Analysis* (1966); À. Jorba & M. Zou, *Experimental Mathematics* **14** (2005)
+/// 99–117).
 pub trait Expand<const N: usize> {
     /// Fills rows 1 to [`TAYLOR_ORDER`] of `series` from the state in row 0.
     ///
@@ -29,9 +30,10 @@ pub trait Expand<const N: usize> {
 
 /// The Taylor method of order sixteen for an autonomous system, with a step from the size of the last two coefficients.
 ///
-/// The tolerance is the size that the last terms of the series may have at the end of a step, in the unit of the state: scale a
-/// system so that its variables are about one. No step is ever rejected, the series itself is the dense output, and the state
-/// is summed in two parts, so that thousands of steps do not add up their rounding.
+/// The tolerance is the size that the last terms of the series may have at the end of a step, in the unit of
+/// the state: scale a system so that its variables are about one. No step is ever rejected, the series itself
+/// is the dense output, and the state is summed in two parts, so that thousands of steps do not add up their
+/// rounding.
 ///
 /// ```
 /// use mechanics::integrate::{Expand, Series, TAYLOR_ORDER, Taylor};

@@ -1,25 +1,28 @@
 //! Sine, cosine and exponential without branches, tables or calls.
 //!
-//! A loop over many states that calls nothing and decides nothing is turned by the compiler into instructions that work
-//! on two states at a time, or four, or eight, as the processor allows. The functions of the standard library are calls;
-//! these are their like, to a unit or so in the last place, for arguments within the limits stated.
+//! A loop over many states that calls nothing and decides nothing is turned by the compiler into instructions
+//! that work on two states at a time, or four, or eight, as the processor allows. The functions of the
+//! standard library are calls; these are their like, to a unit or so in the last place, for arguments within
+//! the limits stated.
 //!
-//! Angles come in quarter turns, in two parts. A motion of constant rate reaches them with a single product, and
-//! reducing them is nothing but taking off whole quarters, which is exact; the reduction by a long π is
-//! needed only once, in the rate. Polynomials: W. J. Cody & W. Waite, *Software Manual for the Elementary Functions* (1980), with the
-//! coefficients of FDLIBM (K. C. Ng, Sun Microsystems, 1993).
+//! Angles come in quarter turns, in two parts. A motion of constant rate reaches them with a single product,
+//! and reducing them is nothing but taking off whole quarters, which is exact; the reduction by a long π is
+//! needed only once, in the rate. Polynomials: W. J. Cody & W. Waite, *Software Manual for the Elementary
+//! Functions* (1980), with the coefficients of FDLIBM (K. C. Ng, Sun Microsystems, 1993).
 
 use crate::two_part::TwoPart;
 use std::f64::consts::FRAC_PI_2;
 
-/// Adding this and taking it off again rounds to the nearest whole number; what is in between holds that number in its last bits.
+/// Adding this and taking it off again rounds to the nearest whole number; what is in between holds that
+/// number in its last bits.
 const WHOLE: f64 = 6_755_399_441_055_744.0; // 1.5 · 2^52
 
-/// Numbers below this in size can be rounded so, and what rounding has left of them, half a unit in the last place, is small.
+/// Numbers below this in size can be rounded so, and what rounding has left of them, half a unit in the last
+/// place, is small.
 pub(crate) const ROUNDABLE: f64 = 140_737_488_355_328.0; // 2^47
 
-/// Runs a loop compiled for the widest registers that the processor has. The answer is the same on all of them, to the last bit: nothing
-/// is fused or reordered.
+/// Runs a loop compiled for the widest registers that the processor has. The answer is the same on all of
+/// them, to the last bit: nothing is fused or reordered.
 #[inline(always)]
 pub(crate) fn at_full_width<R>(work: impl FnOnce() -> R) -> R {
     pulp::Arch::new().dispatch(work)
@@ -39,8 +42,8 @@ fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
     start.iter().rev().fold(*last, |sum, coefficient| sum * x + coefficient)
 }
 
-/// Sine and cosine of `high + low` quarter turns, to about a unit in the last place of one. For `high` below [`ROUNDABLE`] in
-/// size; `low` is what rounding has left over, and small.
+/// Sine and cosine of `high + low` quarter turns, to about a unit in the last place of one. For `high` below
+/// [`ROUNDABLE`] in size; `low` is what rounding has left over, and small.
 #[inline(always)]
 pub(crate) fn sin_cos_quarters(high: f64, low: f64) -> (f64, f64) {
     let (whole, quadrant) = nearest(high);

@@ -1,9 +1,10 @@
 //! Many times at once, in the wide registers of the processor: nothing but speed.
 //!
-//! Every motion of the library has an `at(time)`, which is the one to read, and a `sample(times)`, which gives the same states to rounding.
-//! Where a scene is asked for a million states its `sample` is a kernel of this folder: straight code without a branch, a table or a call,
-//! from which the compiler makes instructions for two, four or eight times at once. What a kernel leaves alone (a time
-//! out of its reach, a motion of another kind) is done by `at`. Without this folder every `sample` would be a loop over `at`.
+//! Every motion of the library has an `at(time)`, which is the one to read, and a `sample(times)`, which
+//! gives the same states to rounding. Where a scene is asked for a million states its `sample` is a kernel of
+//! this folder: straight code without a branch, a table or a call, from which the compiler makes instructions
+//! for two, four or eight times at once. What a kernel leaves alone (a time out of its reach, a motion of
+//! another kind) is done by `at`. Without this folder every `sample` would be a loop over `at`.
 
 pub(crate) mod air_drag;
 pub(crate) mod faddeeva;
@@ -16,31 +17,41 @@ pub(crate) mod turning;
 use functions::at_full_width;
 use std::ops::RangeInclusive;
 
-/// The states at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone one by one, and so on.
+/// The states at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone
+/// one by one, and so on.
 pub(crate) fn sample<S: Clone, E>(
     times: &[f64],
     quick: impl Fn(&[f64], &mut [S]) -> usize,
     at: impl Fn(f64) -> Result<S, E>,
 ) -> Result<Vec<S>, E> {
     let Some(&first) = times.first() else { return Ok(Vec::new()) };
-    let mut states = vec![at(first)?; times.len()];
-    let mut done = 0;
+    let (placeholder, mut done) = (at(first)?, 0);
+    let mut states = Vec::with_capacity(times.len());
     while done < times.len() {
-        done += quick(&times[done..], &mut states[done..]);
-        let block = done..times.len().min(done + BLOCK);
-        for index in block {
-            states[index] = at(times[index])?;
-            done += 1;
+        let end = times.len().min(done + CHUNK);
+        states.resize(end, placeholder.clone());
+        while done < end {
+            done += quick(&times[done..end], &mut states[done..end]);
+            let one_by_one = end.min(done + BLOCK);
+            while done < one_by_one {
+                states[done] = at(times[done])?;
+                done += 1;
+            }
         }
     }
     Ok(states)
 }
 
-/// States are computed in blocks of this many: enough for the widest registers, and small enough for the nearest memory.
+/// The list grows by so many blocks, which the nearest memory holds until they are filled.
+const CHUNK: usize = 8 * BLOCK;
+
+/// States are computed in blocks of this many: enough for the widest registers, and small enough for the
+/// nearest memory.
 pub(crate) const BLOCK: usize = 32;
 
-/// Does `work` block by block, as many states as there are times, and says so; leaves alone, and counts not, the block in which a
-/// time is not `reached` or not a number or of which `work` says that it has not come out, and what follows it.
+/// Does `work` block by block, as many states as there are times, and says so; leaves alone, and counts not,
+/// the block in which a time is not `reached` or not a number or of which `work` says that it has not come
+/// out, and what follows it.
 #[inline(always)]
 pub(crate) fn in_blocks<S>(
     times: &[f64],
@@ -76,8 +87,8 @@ pub(crate) trait Branchless: Copy {
     }
 }
 
-/// Fills states as [`in_blocks`], several with the same instructions. The constants come by value: for all the compiler knows, a
-/// state that is written might change what is borrowed.
+/// Fills states as [`in_blocks`], several with the same instructions. The constants come by value: for all
+/// the compiler knows, a state that is written might change what is borrowed.
 #[inline(always)]
 pub(crate) fn several_at_once<C: Branchless>(
     constants: C,

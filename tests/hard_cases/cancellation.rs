@@ -1,4 +1,5 @@
-//! Differences of nearly equal numbers: the flat coin, high spin, the separatrix's parameter, heavy and critical damping.
+//! Differences of nearly equal numbers: the flat coin, high spin, the separatrix's parameter, heavy and
+//! critical damping.
 
 use crate::{FEW_ULPS, ROUNDOFF, TOY, assert_level, assert_slope, machine, number, numbers, relative, rows};
 use mechanics::elliptic::quarter_period;

@@ -184,7 +184,8 @@ fn drifts_of_rk4_go_with_the_fifth_power_of_the_step_one_more_than_its_order() {
 
 #[test]
 fn one_step_of_rk4_and_of_euler_changes_the_length_of_a_steadily_turning_quaternion_as_predicted() {
-    // q̇ = ½ω q is a rotation in the plane of q and its quarter turn: with x = ωh/2 the methods multiply by polynomials in ix.
+    // q̇ = ½ω q is a rotation in the plane of q and its quarter turn: with x = ωh/2 the methods multiply by
+    // polynomials in ix.
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5).unwrap();
     let mut rates = euler::turning_rates(moments, |_, _| Vector3::zeros());
     let start = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 2.0]; // ω = 2 about axis 3, so x = h
@@ -228,7 +229,8 @@ fn with_the_energy_brought_back_the_attitude_is_lost_half_as_fast_and_with_the_m
     for errors in &both {
         assert!(errors.momentum.abs() < 1e-15, "{errors:?}");
     }
-    // What goes on drifting is |L|, in proportion to the time; from ten to a hundred periods the attitude's error grows nearly a hundredfold.
+    // What goes on drifting is |L|, in proportion to the time; from ten to a hundred periods the attitude's
+    // error grows nearly a hundredfold.
     let drift = energy[2].momentum / energy[1].momentum;
     assert!((drift - 10.0).abs() < 0.1, "{drift}");
     let growth = energy[1].attitude / energy[0].attitude;
@@ -236,7 +238,8 @@ fn with_the_energy_brought_back_the_attitude_is_lost_half_as_fast_and_with_the_m
     let gain = energy[1].attitude / length[1].attitude; // after a hundred periods
     assert!((0.45..0.7).contains(&gain), "{gain}");
     assert!(energy[2].attitude > 0.5, "after a thousand periods it is lost: {:?}", energy[2]);
-    // With both, only the error along the motion is left: 0.06 rad after a thousand periods, half of that in the quaternion.
+    // With both, only the error along the motion is left: 0.06 rad after a thousand periods, half of that in
+    // the quaternion.
     let series = [0, 1, 2].map(|n| (hoop.rows[n + 1].periods + 0.3, both[n].attitude));
     assert_slope("attitude with all three kept", &series, 1.0, 0.01);
     assert_level("attitude with all three kept", &series, |periods| 3.1e-5 * periods, 0.95..1.05);

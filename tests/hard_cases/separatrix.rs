@@ -63,8 +63,8 @@ fn thousandth_flip_is_known_as_well_as_the_time() {
 
 #[test]
 fn stepped_motion_past_the_separatrix_loses_two_digits_a_decade_at_any_tolerance() {
-    // Rows in threes: a quarter, a half and five quarters of the period. At five quarters the hoop is in the middle of its third
-    // flip, after two visits to the middle axis.
+    // Rows in threes: a quarter, a half and five quarters of the period. At five quarters the hoop is in the
+    // middle of its third flip, after two visits to the middle axis.
     let mut errors = Vec::new();
     for (near, late) in rows("separatrix").iter().step_by(3).zip(rows("separatrix").iter().skip(2).step_by(3))
     {

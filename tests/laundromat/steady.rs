@@ -186,8 +186,9 @@ fn motor_torque_feeds_the_dampers() {
     }
 }
 
-/// The folds of a motor whose torque falls in proportion to the speed, T = T₀(1 − Ω/3): where this line touches the steady torque, to 32
-/// digits from the polynomial that eq:steady-torque then is; m + M = ω₀ = 1, b = Γ = 0.1.
+/// The folds of a motor whose torque falls in proportion to the speed, T = T₀(1 − Ω/3): where this line
+/// touches the steady torque, to 32 digits from the polynomial that eq:steady-torque then is; m + M = ω₀ = 1,
+/// b = Γ = 0.1.
 const FOLDS: [(f64, f64); 2] = [
     (1.004_422_967_404_502_5, 0.151_158_419_846_002_62),
     (1.660_291_771_790_034_6, 0.009_074_863_538_338_883),

@@ -12,7 +12,8 @@ use mechanics::integrate::{Dop853, METHODS, Taylor, rk4};
 use mechanics::measure::{ObservedOrder, observed_order};
 use nalgebra::{UnitQuaternion, Vector3};
 
-/// An observed slope may miss the order by this much: the error is a power of the step only in the limit of short steps.
+/// An observed slope may miss the order by this much: the error is a power of the step only in the limit of
+/// short steps.
 const SLACK: f64 = 0.35;
 
 /// Errors at or below this are rounding over some hundred steps on states of size one.
@@ -54,7 +55,8 @@ fn brick() -> (PrincipalMoments, Turning) {
 /// That body after `duration` in so many steps of fixed length, as seven numbers that nobody has normed.
 type Run = fn(start: Turning, duration: f64, steps: usize) -> [f64; 7];
 
-/// How a method of the table is run, and numbers of steps for a duration of [`DURATION`] in which its error is a power of the step.
+/// How a method of the table is run, and numbers of steps for a duration of [`DURATION`] in which its error
+/// is a power of the step.
 fn run(name: &str) -> (Run, [usize; 8]) {
     fn free() -> impl FnMut(f64, &[f64; 7]) -> [f64; 7] {
         euler::turning_rates(brick().0, |_, _| Vector3::zeros())

@@ -94,7 +94,8 @@ fn dop853_has_its_order() {
 
 #[test]
 fn frames_between_the_steps_are_as_good_as_the_steps() {
-    // A dense output of order seven, whose own error within a step is of the eighth power, keeps up with a method of order eight.
+    // A dense output of order seven, whose own error within a step is of the eighth power, keeps up with a
+    // method of order eight.
     let method = method("DOP853");
     assert_eq!(method.dense_order.map(|dense| dense + 1), Some(method.order));
     let steps = [52, 60, 68, 76, 86, 98, 110];
@@ -103,8 +104,8 @@ fn frames_between_the_steps_are_as_good_as_the_steps() {
 
 #[test]
 fn within_one_step_the_dense_output_has_its_own_order() {
-    // One step of length (end − start)/n from the exact start: the end is of order eight, the inside of order seven, each seen as
-    // the next power of the length.
+    // One step of length (end − start)/n from the exact start: the end is of order eight, the inside of order
+    // seven, each seen as the next power of the length.
     fn one<const N: usize>(problem: &Problem<N>, offset: f64, n: usize) -> (f64, f64) {
         let start = problem.start + offset;
         let short = Problem { start, end: start + (problem.end - problem.start) / n as f64, ..*problem };

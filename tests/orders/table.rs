@@ -22,7 +22,8 @@ fn error(run: Run, steps: usize) -> f64 {
     rotation_between(&found.world_from_body, &exact.world_from_body).max(spin)
 }
 
-/// The error of single steps of the length `DURATION / steps` from exact states along the motion, in the root mean square.
+/// The error of single steps of the length `DURATION / steps` from exact states along the motion, in the root
+/// mean square.
 fn single_step_error(run: Run, steps: usize) -> f64 {
     let (moments, start) = brick();
     let exact = FreeTop::new(moments, start).unwrap();
@@ -40,8 +41,9 @@ fn single_step_error(run: Run, steps: usize) -> f64 {
     (sum / f64::from(starts)).sqrt()
 }
 
-/// The order as the errors at the end show it. Those of a Taylor method's steps are high derivatives of the motion, which nearly cancel
-/// over a round and the more so the shorter the steps: it is judged by its single steps, whose order is one more.
+/// The order as the errors at the end show it. Those of a Taylor method's steps are high derivatives of the
+/// motion, which nearly cancel over a round and the more so the shorter the steps: it is judged by its single
+/// steps, whose order is one more.
 fn measured(method: &Method) -> ObservedOrder {
     let (run, steps) = run(method.name);
     if matches!(method.cost, Cost::Series(_)) {

@@ -1,5 +1,6 @@
-//! Properties that hold for every system, tried on seeded random ones, the extreme among them: `fastrand`, because the cases are
-//! numbers over a hundred decades and a failing one is printed whole; there is nothing to shrink.
+//! Properties that hold for every system, tried on seeded random ones, the extreme among them: `fastrand`,
+//! because the cases are numbers over a hundred decades and a failing one is printed whole; there is nothing
+//! to shrink.
 
 mod free_tops;
 mod laundromat;

@@ -7,8 +7,8 @@ type Matrix<const N: usize> = [[Long; N]; N];
 /// The state at `time` from `state` at zero, for the rates `matrix · state`.
 pub(crate) fn carried<const N: usize>(matrix: &[[Long; N]; N], state: &[Long; N], time: Long) -> [Long; N] {
     let size = matrix.iter().flatten().map(|number| number.abs().rounded()).fold(0.0, f64::max);
-    // A step so short that the series converges in a few terms, and the rest by doubling it. The exponential less one is what
-    // is doubled, so that a short step loses nothing beside the one.
+    // A step so short that the series converges in a few terms, and the rest by doubling it. The exponential
+    // less one is what is doubled, so that a short step loses nothing beside the one.
     let doublings = (size * time.abs().rounded() * 4.0).log2().ceil().max(0.0) as i32;
     let step = time / 2.0_f64.powi(doublings);
     let mut power = unit::<N>();

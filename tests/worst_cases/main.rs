@@ -1,9 +1,10 @@
 //! The worst cases of the closed forms, searched for.
 //!
-//! A closed form has branches, and the branch that is wrong is the one that no test enters. So nothing here is a grid: each test
-//! draws parameters over the whole range that is documented, with a liking for edges and for the borders between branches, judges
-//! each case by [`taylor`] or another route of twice the working precision that shares no code with the library, and then walks
-//! from the worst cases to where they are worse still. The promise it holds is the one in the library's documentation.
+//! A closed form has branches, and the branch that is wrong is the one that no test enters. So nothing here
+//! is a grid: each test draws parameters over the whole range that is documented, with a liking for edges and
+//! for the borders between branches, judges each case by [`taylor`] or another route of twice the working
+//! precision that shares no code with the library, and then walks from the worst cases to where they are
+//! worse still. The promise it holds is the one in the library's documentation.
 //!
 //! `WORST_CASES=50 cargo test --test worst_cases` looks fifty times as long.
 

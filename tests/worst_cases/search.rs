@@ -9,8 +9,8 @@ const CASES_PER_WALK: usize = 20;
 const FIRST_STEP: f64 = 0.2;
 const LAST_STEP: f64 = 1e-7;
 
-/// Numbers drawn one after the other, each from one coordinate of a point of the unit cube: a small step of the point is a small
-/// step of the parameters.
+/// Numbers drawn one after the other, each from one coordinate of a point of the unit cube: a small step of
+/// the point is a small step of the parameters.
 pub(crate) struct Draw<'a> {
     point: &'a mut Vec<f64>,
     next: usize,
@@ -57,7 +57,8 @@ impl Draw<'_> {
         choices[self.below(choices.len())]
     }
 
-    /// Near `value` on either side, by a part of it between one and a unit in the last place; sometimes the value itself.
+    /// Near `value` on either side, by a part of it between one and a unit in the last place; sometimes the
+    /// value itself.
     pub(crate) fn beside(&mut self, value: f64) -> f64 {
         let part = self.decades(f64::EPSILON, 1.0);
         match self.below(7) {
@@ -75,7 +76,8 @@ pub(crate) fn worse(a: f64, b: f64) -> f64 {
 
 /// What was found of one case.
 pub(crate) struct Case {
-    /// The error over what is promised; infinite for an answer that is not a number or a refusal that is not documented.
+    /// The error over what is promised; infinite for an answer that is not a number or a refusal that is not
+    /// documented.
     pub(crate) ratio: f64,
     /// Which of the ways the case goes; each way that a test names has to be gone.
     pub(crate) way: &'static str,
@@ -91,8 +93,8 @@ pub(crate) struct Worst {
     pub(crate) ways: BTreeMap<&'static str, usize>,
 }
 
-/// Judges `count` random cases, times the environment's `WORST_CASES`, walks on from the worst, and prints and returns the worst of all. A draw
-/// that makes no case is `None`.
+/// Judges `count` random cases, times the environment's `WORST_CASES`, walks on from the worst, and prints
+/// and returns the worst of all. A draw that makes no case is `None`.
 pub(crate) fn search(name: &str, count: usize, judge: impl Fn(&mut Draw<'_>) -> Option<Case>) -> Worst {
     let longer: f64 = std::env::var("WORST_CASES").map_or(1.0, |factor| factor.parse().expect("a number"));
     let count = (count as f64 * longer).ceil() as usize;

@@ -1,7 +1,7 @@
 //! A physics engine for games and robots, on the pinned hoop.
 //!
-//! The engine is given a free body with the moments about the pin, which is the same motion without a joint to hold: a kindness. No colliders, no
-//! gravity, no damping, no sleep.
+//! The engine is given a free body with the moments about the pin, which is the same motion without a joint
+//! to hold: a kindness. No colliders, no gravity, no damping, no sleep.
 
 use crate::contest::{Cause, Entry};
 use crate::problems::{self, Problem};

@@ -1,7 +1,8 @@
 //! Other people's solvers on the problems of the report, and the runner that measures them beside the library.
 //!
-//! `cargo book measure` runs it; so does `cargo run --release --manifest-path benches/peers/Cargo.toml -- [OPTION …]`. With `serve` it
-//! is a contestant itself: the peers that are written in Rust.
+//! `cargo book measure` runs it; so does
+//! `cargo run --release --manifest-path benches/peers/Cargo.toml -- [OPTION …]`. With `serve` it is a
+//! contestant itself: the peers that are written in Rust.
 
 mod card;
 #[path = "../../speed/contest.rs"]

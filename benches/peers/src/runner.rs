@@ -1,8 +1,8 @@
 //! Runs every contestant on every problem, in rounds, and writes what it finds.
 //!
-//! In each round every entry of every contestant has its turn of a few milliseconds, in an order that is shuffled anew, so that what
-//! disturbs the machine disturbs all of them; what is reported is the median over the rounds. Contestants are processes of their own
-//! and speak the lines of `benches/speed/contest.rs`.
+//! In each round every entry of every contestant has its turn of a few milliseconds, in an order that is
+//! shuffled anew, so that what disturbs the machine disturbs all of them; what is reported is the median over
+//! the rounds. Contestants are processes of their own and speak the lines of `benches/speed/contest.rs`.
 
 use crate::card;
 use crate::contest::Cause;

@@ -1,6 +1,7 @@
 //! The Rust crates that solve ordinary differential equations.
 //!
-//! Each is given the same rates as the library, inlined, and the output at the times of the samples in the way that its interface offers.
+//! Each is given the same rates as the library, inlined, and the output at the times of the samples in the
+//! way that its interface offers.
 
 use crate::contest::{Cause, Entry, Note};
 use crate::problems::{self, Problem};
@@ -183,8 +184,8 @@ fn clocked(
     }
 }
 
-/// From sample to sample, each solver beginning with the longest step of the one before: the crate's own output in equal steps is wrong
-/// where these are longer than the solver's.
+/// From sample to sample, each solver beginning with the longest step of the one before: the crate's own
+/// output in equal steps is wrong where these are longer than the solver's.
 fn ode_solvers_samples<const N: usize, const M: usize, R: Fn(f64, &[f64; M]) -> [f64; M] + Copy>(
     system: Sliced<R, M>,
     problem: &Problem<N>,

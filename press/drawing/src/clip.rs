@@ -33,7 +33,8 @@ pub fn clip(points: &[Point], frame: &Rect) -> Vec<Vec<Point>> {
     pieces
 }
 
-/// The part of the segment inside the frame, as fractions of its length (Liang and Barsky, ACM Trans. Graphics 3, 1984).
+/// The part of the segment inside the frame, as fractions of its length (Liang and Barsky, ACM Trans.
+/// Graphics 3, 1984).
 fn inside(start: Point, end: Point, frame: &Rect) -> Option<(f64, f64)> {
     let step = end - start;
     if !(start.x.is_finite() && start.y.is_finite() && end.x.is_finite() && end.y.is_finite()) {

@@ -191,8 +191,8 @@ impl Drawing {
         self.items.push(Item { role, shape, name: None });
     }
 
-    /// Names the shapes that were added last, the pieces of a curve, over the axes that were: the first with the curve's name,
-    /// the others with `-2`, `-3` after it.
+    /// Names the shapes that were added last, the pieces of a curve, over the axes that were: the first with
+    /// the curve's name, the others with `-2`, `-3` after it.
     pub fn name_curve(&mut self, name: &str, pieces: usize) {
         let first = self.items.len().saturating_sub(pieces);
         for (item, piece) in self.items[first..].iter_mut().zip(1..) {

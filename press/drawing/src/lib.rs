@@ -1,12 +1,13 @@
 //! Shapes and labels with roles instead of colours, written as SVG.
 //!
-//! A [`Drawing`] is a display list: polylines, polygons, circles, arcs and labels in the order in which they are painted,
-//! each with a [`Role`] (an axis, a curve in the hue of the body, a face, …). Nothing in it is a colour. The page's style
-//! sheet, `book/theme/figures.css`, says what each role looks like in light and dark themes and on paper.
+//! A [`Drawing`] is a display list: polylines, polygons, circles, arcs and labels in the order in which they
+//! are painted, each with a [`Role`] (an axis, a curve in the hue of the body, a face, …). Nothing in it is a
+//! colour. The page's style sheet, `book/theme/figures.css`, says what each role looks like in light and dark
+//! themes and on paper.
 //!
-//! Coordinates are pixels of a figure at its full size, x to the right and y **downwards**. Angles are in radians and
-//! counter-clockwise **as seen on the page**, from the direction to the right, so that drawn angles turn like those of the
-//! text.
+//! Coordinates are pixels of a figure at its full size, x to the right and y **downwards**. Angles are in
+//! radians and counter-clockwise **as seen on the page**, from the direction to the right, so that drawn
+//! angles turn like those of the text.
 //!
 //! | module | holds |
 //! |---|---|

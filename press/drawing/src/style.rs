@@ -1,8 +1,9 @@
 //! The style sheet of figures that stand alone.
 //!
-//! There is one source for the looks of the roles, the page's `book/theme/figures.css`. It names every colour once, as a pair
-//! for light and dark pages. A slide or a picture viewer knows neither the page's variables nor `light-dark()` nor
-//! `color-mix()`, so here all of them are resolved: the rules once for light, and those that differ once more for dark.
+//! There is one source for the looks of the roles, the page's `book/theme/figures.css`. It names every colour
+//! once, as a pair for light and dark pages. A slide or a picture viewer knows neither the page's variables
+//! nor `light-dark()` nor `color-mix()`, so here all of them are resolved: the rules once for light, and
+//! those that differ once more for dark.
 
 const PAGE: &str = include_str!("../../../book/theme/figures.css");
 

@@ -12,7 +12,8 @@ use std::fmt::Write as _;
 const SMALLEST: f64 = 11.0 / 13.0;
 
 impl Drawing {
-    /// The drawing as SVG to be put into a page: no colours, no blank lines; the page's style sheet gives roles their looks.
+    /// The drawing as SVG to be put into a page: no colours, no blank lines; the page's style sheet gives
+    /// roles their looks.
     ///
     /// # Errors
     /// [`Flaw`] if a coordinate is no number, or something could not be added.

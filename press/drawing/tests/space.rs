@@ -86,8 +86,9 @@ fn points_land_where_the_definition_of_the_view_puts_them() {
     assert_eq!(landed(usual_view(), times(Eye::new(usual_view()).back, 7.1)), None, "behind the eye");
 }
 
-/// Asks at many points of a segment whether the drawing and the judge agree on what is hidden. Points within half a pixel of a
-/// boundary are left out, as the judge walks in steps. Returns how many points each way were compared.
+/// Asks at many points of a segment whether the drawing and the judge agree on what is hidden. Points within
+/// half a pixel of a boundary are left out, as the judge walks in steps. Returns how many points each way
+/// were compared.
 fn agree(eye: &Eye, bodies: &[Body], from: Vector, to: Vector) -> (usize, usize) {
     let mut stage = Stage::new(eye.camera());
     for body in bodies {
@@ -294,8 +295,8 @@ fn painted(drawing: &Drawing, page: Point) -> Option<Hue> {
     })
 }
 
-/// Compares, on a grid over the page, what is painted with what the judge sees first. Where the judge's answer changes within two
-/// pixels nothing is compared. Returns how many points were.
+/// Compares, on a grid over the page, what is painted with what the judge sees first. Where the judge's
+/// answer changes within two pixels nothing is compared. Returns how many points were.
 fn right_areas(eye: &Eye, bodies: &[Body]) -> usize {
     let mut stage = Stage::new(eye.camera());
     for (body, hue) in bodies.iter().zip(Hue::ALL) {

@@ -1,7 +1,7 @@
 //! Writes every figure of the book into a folder, to be looked at: `cargo run -p figures --example sheet -- DIR`.
 //!
-//! `DIR/sheet.html` shows them as a page would, in its light or dark theme as the browser prefers; beside it lies each figure
-//! as an SVG file of its own.
+//! `DIR/sheet.html` shows them as a page would, in its light or dark theme as the browser prefers; beside it
+//! lies each figure as an SVG file of its own.
 
 use std::error::Error;
 use std::fs;

@@ -8,8 +8,8 @@ use std::ops::Range;
 
 /// An axis of a plot: its range, its scale, its ticks and its title.
 ///
-/// On a logarithmic axis a value stands at its power of ten, so that all scales are linear: the logarithmic ones of plotters
-/// label ticks `9.99e-5`.
+/// On a logarithmic axis a value stands at its power of ten, so that all scales are linear: the logarithmic
+/// ones of plotters label ticks `9.99e-5`.
 #[derive(Clone)]
 pub struct Axis {
     pub(crate) scale: Scale,
@@ -31,7 +31,8 @@ impl Axis {
         Self::new(Scale { from, to, logarithmic: false }, step, |place| number(place, digits))
     }
 
-    /// A logarithmic axis with a major tick every `decades` powers of ten, and minor ones at the other powers, or else between.
+    /// A logarithmic axis with a major tick every `decades` powers of ten, and minor ones at the other
+    /// powers, or else between.
     ///
     /// # Errors
     /// [`InvalidAxis`] for a range that is empty or does not begin above zero.
@@ -63,7 +64,8 @@ impl Axis {
         Self { minor: self.multiples(step).take(1000).collect(), ..self }
     }
 
-    /// The axis with its title. The title of an x axis stands below its right end, that of a y axis above its upper end.
+    /// The axis with its title. The title of an x axis stands below its right end, that of a y axis above its
+    /// upper end.
     #[must_use]
     pub fn titled(self, title: &str) -> Self {
         Self { title: Some(title.into()), ..self }
@@ -82,8 +84,8 @@ impl Axis {
         Self { major: self.major.into_iter().map(|(place, _)| (place, String::new())).collect(), ..self }
     }
 
-    /// Where a value stands on the scale; none for what no such axis can show. Values far outside, which would leave the range
-    /// of the whole numbers, come nearer: the plot cuts them at its frame anyway.
+    /// Where a value stands on the scale; none for what no such axis can show. Values far outside, which
+    /// would leave the range of the whole numbers, come nearer: the plot cuts them at its frame anyway.
     pub(crate) fn place(&self, value: f64) -> Option<f64> {
         let (Range { start, end }, place) = (self.range(), on_scale(self.scale, value));
         let margin = 100.0 * (end - start);

@@ -63,8 +63,8 @@ impl DrawingBackend for Canvas<'_> {
         Ok(())
     }
 
-    /// The number at a tick, 10 px from the axis for plotters. To the left of an axis it stands 1 px nearer; those below an
-    /// axis stand on one baseline, whatever their ink.
+    /// The number at a tick, 10 px from the axis for plotters. To the left of an axis it stands 1 px nearer;
+    /// those below an axis stand on one baseline, whatever their ink.
     fn draw_text<S: BackendTextStyle>(&mut self, text: &str, style: &S, place: BackendCoord) -> Drawn {
         let label = Label::new(text, TICK_TYPE).map_err(DrawingErrorKind::DrawingError)?;
         let label = match style.anchor().h_pos {

@@ -1,8 +1,9 @@
 //! Every figure of the book: the house plot style, and the collection of `book/*/figures.rs`.
 //!
-//! A figure is a function that takes what the library computes and returns a [`Drawing`]. Each chapter keeps its figures in
-//! its own folder, in `figures.rs`; this crate finds and compiles those files and gives them the plot style ([`Plot`],
-//! [`Axis`]) and the drawing kit. Another build script calls [`of`] for the chapters whose code has changed.
+//! A figure is a function that takes what the library computes and returns a [`Drawing`]. Each chapter keeps
+//! its figures in its own folder, in `figures.rs`; this crate finds and compiles those files and gives them
+//! the plot style ([`Plot`], [`Axis`]) and the drawing kit. Another build script calls [`of`] for the
+//! chapters whose code has changed.
 
 mod axis;
 mod canvas;
@@ -12,7 +13,8 @@ mod list; // of the build script
 mod plot;
 mod sample;
 
-// A module for each chapter, and `ENTRIES`, every figure in the order of the book: the build script reads both off the files.
+// A module for each chapter, and `ENTRIES`, every figure in the order of the book: the build script reads
+// both off the files.
 include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 
 pub use axis::Axis;

@@ -1,7 +1,7 @@
 //! The house plot style.
 //!
-//! Axes at the left and below, ticks outward, no grid, no frame; the y title stands horizontally above its axis; curves carry
-//! their labels beside them.
+//! Axes at the left and below, ticks outward, no grid, no frame; the y title stands horizontally above its
+//! axis; curves carry their labels beside them.
 
 use crate::Cause;
 use crate::axis::Axis;
@@ -29,7 +29,8 @@ pub struct Plot<'a> {
 }
 
 impl<'a> Plot<'a> {
-    /// A plot whose axes run along the left and the lower edge of a rectangle of the drawing, px. The axes are drawn at once.
+    /// A plot whose axes run along the left and the lower edge of a rectangle of the drawing, px. The axes
+    /// are drawn at once.
     ///
     /// # Errors
     /// [`LabelError`] if a title or a tick's label cannot be set.
@@ -93,7 +94,8 @@ impl<'a> Plot<'a> {
         place
     }
 
-    /// Draws a line through values in pieces, cut at the frame, along which plotters would go on. How many pieces there are.
+    /// Draws a line through values in pieces, cut at the frame, along which plotters would go on. How many
+    /// pieces there are.
     fn line(&mut self, what: &str, values: &[(f64, f64)], stroke: Stroke, hue: Hue) -> usize {
         let places: Vec<Point> = values.iter().filter_map(|&value| self.placed(what, value)).collect();
         let (x, y) = (self.axes.get_x_range(), self.axes.get_y_range());
@@ -105,8 +107,8 @@ impl<'a> Plot<'a> {
         pieces.iter().filter(drawn).count()
     }
 
-    /// A curve through values, cut at the frame and thinned to what can be seen. Its name becomes an id; if the frame cuts it
-    /// into pieces, later ones get `-2`, `-3`.
+    /// A curve through values, cut at the frame and thinned to what can be seen. Its name becomes an id; if
+    /// the frame cuts it into pieces, later ones get `-2`, `-3`.
     pub fn curve(
         &mut self,
         name: &str,

@@ -54,7 +54,8 @@ impl<'a> Scan<'a, '_> {
         self.place(range.start..end, Item::DisplayMaths { tex, label });
     }
 
-    /// A formula without the `>` of the quotation that it stands in: blanks in their place, so that a fault keeps its line.
+    /// A formula without the `>` of the quotation that it stands in: blanks in their place, so that a fault
+    /// keeps its line.
     fn unquoted(&self, tex: &'a str) -> Cow<'a, str> {
         if self.surroundings.quotes == 0 || !tex.contains('\n') {
             return Cow::Borrowed(tex);

@@ -22,7 +22,8 @@ pub(super) fn examine(html: &str) -> Built {
     // Depth inside elements whose text is not prose.
     let mut verbatim = 0_u32;
     let mut in_figure = false;
-    // Whether the drawing that is being read has said its title and its description, and the element that the text is in.
+    // Whether the drawing that is being read has said its title and its description, and the element that the
+    // text is in.
     let mut svg: Option<(bool, bool)> = None;
     let mut element = String::new();
     let mut emitter = DefaultEmitter::new_with_span();

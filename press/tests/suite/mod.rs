@@ -98,7 +98,8 @@ impl Suite {
         }
     }
 
-    /// That the test runs, asserts something, and reaches the library, itself or through the functions of its part that it calls.
+    /// That the test runs, asserts something, and reaches the library, itself or through the functions of its
+    /// part that it calls.
     pub(crate) fn proves(&self, name: &str) -> Result<(), String> {
         let test = self.test(name)?;
         let (mut asserts, mut reaches) = (false, false);

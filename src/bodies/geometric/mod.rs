@@ -21,8 +21,8 @@ use crate::euler::Turning;
 use crate::integrate::Failure;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// The rotation by a vector along its own direction, its length being the angle, rad, however small (nalgebra's own takes
-/// angles below 4e-16 for none).
+/// The rotation by a vector along its own direction, its length being the angle, rad, however small
+/// (nalgebra's own takes angles below 4e-16 for none).
 fn exp(scaled_axis: &Vector3<f64>) -> UnitQuaternion<f64> {
     let angle = scaled_axis.norm();
     if angle == 0.0 {

@@ -7,8 +7,8 @@ use nalgebra::Complex;
 
 /// The steady motion z = Z e<sup>iΩt</sup>: the shaft goes round O once for each turn of the drum.
 ///
-/// From [`Machine::steady`]. All quantities but the slope are accurate to eight units in the last place at any spin, near
-/// resonance too; a torque or power beyond the largest `f64` is infinite.
+/// From [`Machine::steady`]. All quantities but the slope are accurate to eight units in the last place at
+/// any spin, near resonance too; a torque or power beyond the largest `f64` is infinite.
 ///
 /// ```
 /// use mechanics::scenes::laundromat::{Machine, Parameters};

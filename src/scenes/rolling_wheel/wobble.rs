@@ -120,13 +120,13 @@ impl Wobble {
 
     /// The state at `time`, s, of either sign. At zero it is the start, to rounding.
     ///
-    /// Within a few wobbles an error is at most 30 times what a change of the start and of the time by a part ε makes,
-    /// and of 30 ε of the numbers themselves and of one in the units a, √(g/a) and rad, where ε is the tolerance or
-    /// 2.2e-16, whichever is larger; the place has in addition 30 ε radii for each radian by which the heading has gone
-    /// on. Later errors grow in proportion to the time. What a change of the start makes may be large: a wheel that
-    /// comes near an unstable motion after its start leaves it as its last digits say.
-    /// All this for moments up to ma² and spins about the axle up to 10 √(g/a). The spin carries errors of ω₂ over to the
-    /// lean; with a faster one errors grow in proportion to it.
+    /// Within a few wobbles an error is at most 30 times what a change of the start and of the time by a part
+    /// ε makes, and of 30 ε of the numbers themselves and of one in the units a, √(g/a) and rad, where ε is
+    /// the tolerance or 2.2e-16, whichever is larger; the place has in addition 30 ε radii for each radian by
+    /// which the heading has gone on. Later errors grow in proportion to the time. What a change of the start
+    /// makes may be large: a wheel that comes near an unstable motion after its start leaves it as its last
+    /// digits say. All this for moments up to ma² and spins about the axle up to 10 √(g/a). The spin carries
+    /// errors of ω₂ over to the lean; with a faster one errors grow in proportion to it.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the time is not finite, or so far away that it cannot be said where in a wobble it falls.

@@ -1,5 +1,5 @@
-//! The drum's shaft at many times at once, of lightly damped machines: turning steadily away from resonance, and speeding
-//! up.
+//! The drum's shaft at many times at once, of lightly damped machines: turning steadily away from resonance,
+//! and speeding up.
 
 mod ramp;
 

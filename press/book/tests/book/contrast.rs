@@ -1,4 +1,5 @@
-//! The colours of the built site, computed from its style sheets: text can be read in every theme, and links are told by a line.
+//! The colours of the built site, computed from its style sheets: text can be read in every theme, and links
+//! are told by a line.
 
 use super::{files, site};
 use std::collections::BTreeMap;

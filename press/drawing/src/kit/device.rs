@@ -25,8 +25,8 @@ pub fn spring(drawing: &mut Drawing, from: Point, to: Point, turns: u32, width: 
     drawing.polyline(&points, Stroke::Outline, hue);
 }
 
-/// A damper from a point to a point: a cylinder on the first end, `length` px long and `width` px across, open towards the
-/// second end, from which the rod with its piston comes.
+/// A damper from a point to a point: a cylinder on the first end, `length` px long and `width` px across,
+/// open towards the second end, from which the rod with its piston comes.
 pub fn damper(drawing: &mut Drawing, from: Point, to: Point, length: f64, width: f64, hue: Hue) {
     let step = to - from;
     let along = step.unit();

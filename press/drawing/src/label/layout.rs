@@ -1,5 +1,5 @@
-//! Mathematics set by the measures of the math font, after the rules of TeX (D. E. Knuth's book on TeX, appendix G) with the
-//! constants of OpenType's MATH table.
+//! Mathematics set by the measures of the math font, after the rules of TeX (D. E. Knuth's book on TeX,
+//! appendix G) with the constants of OpenType's MATH table.
 
 use super::error::LabelError;
 use super::font::{self, em};

@@ -1,11 +1,12 @@
 //! Labels: words and mathematics, measured and set without any font on the reader's machine.
 //!
-//! A label is written as words with mathematics between `$` signs, in a subset of TeX: letters and digits, Greek, `^` and
-//! `_` (nested too), primes, accents, `\mathbf`, `\boldsymbol`, `\sqrt{}`, `\tfrac{}{}`, `\text{}`, relations and operations
-//! ([`TEX_COMMANDS`]). Among the words, `^{…}` raises what it holds: `10^{-4}`. Whatever is not understood is an error.
+//! A label is written as words with mathematics between `$` signs, in a subset of TeX: letters and digits,
+//! Greek, `^` and `_` (nested too), primes, accents, `\mathbf`, `\boldsymbol`, `\sqrt{}`, `\tfrac{}{}`,
+//! `\text{}`, relations and operations ([`TEX_COMMANDS`]). Among the words, `^{…}` raises what it holds:
+//! `10^{-4}`. Whatever is not understood is an error.
 //!
-//! Mathematics becomes outlines of the math font's glyphs. Words stay text, with their widths given, so that they can be
-//! searched and copied and yet take the same room with every font.
+//! Mathematics becomes outlines of the math font's glyphs. Words stay text, with their widths given, so that
+//! they can be searched and copied and yet take the same room with every font.
 
 mod error;
 mod font;
@@ -96,8 +97,8 @@ impl Label {
     /// Sets a label at a type size, px.
     ///
     /// # Errors
-    /// [`LabelError`] for a command or character that is not known, for braces and `$` without partners, and for commands
-    /// without what they apply to.
+    /// [`LabelError`] for a command or character that is not known, for braces and `$` without partners, and
+    /// for commands without what they apply to.
     ///
     /// ```
     /// use drawing::{Label, LabelError};

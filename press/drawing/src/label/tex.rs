@@ -126,7 +126,8 @@ const SPACES: [(&str, i8); 5] = [(",", 3), (":", 4), (";", 5), ("!", -3), ("quad
 const ALPHABETS: [(&str, Alphabet); 3] =
     [("mathrm", Alphabet::Upright), ("mathbf", Alphabet::Bold), ("boldsymbol", Alphabet::BoldItalic)];
 
-/// The commands of the TeX subset, without their backslashes, beside `\sqrt{}`, `\tfrac{}{}`, `\text{}`, `\Re` and `\Im`.
+/// The commands of the TeX subset, without their backslashes, beside `\sqrt{}`, `\tfrac{}{}`, `\text{}`,
+/// `\Re` and `\Im`.
 pub const TEX_COMMANDS: [&str;
     SYMBOLS.len() + FUNCTIONS.len() + ACCENTS.len() + SPACES.len() + ALPHABETS.len()] = {
     let mut all = [""; SYMBOLS.len() + FUNCTIONS.len() + ACCENTS.len() + SPACES.len() + ALPHABETS.len()];

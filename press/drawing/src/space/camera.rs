@@ -46,8 +46,8 @@ impl Camera {
     /// Checks a view.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite (the distance may be infinite), for a distance or scale that is not
-    /// positive, and for an elevation beyond ±π/2.
+    /// [`SpaceError`] for numbers that are not finite (the distance may be infinite), for a distance or scale
+    /// that is not positive, and for an elevation beyond ±π/2.
     pub fn new(view: View) -> Result<Self, SpaceError> {
         let target = finite("target", view.target)?;
         finite("camera", [view.azimuth, view.elevation, 0.0])?;
@@ -96,8 +96,8 @@ impl Camera {
         1.0 - self.nearness * (point - self.target).dot(self.back)
     }
 
-    /// The direction from a point towards the eye, of a length that is linear in the point: the eye is `distance` of these
-    /// steps away.
+    /// The direction from a point towards the eye, of a length that is linear in the point: the eye is
+    /// `distance` of these steps away.
     pub(super) fn sight(&self, point: Vec3) -> Vec3 {
         self.back - (point - self.target) * self.nearness
     }

@@ -52,8 +52,8 @@ impl Cone {
         self.axis.dot(first) * self.axis.dot(second) - self.opening.1.powi(2) * first.dot(second)
     }
 
-    /// The arc of the rim whose generators are seen from outside: where it begins and how far it goes, rad; the rest is seen
-    /// from inside. A tangent plane holds the apex, so one sight decides.
+    /// The arc of the rim whose generators are seen from outside: where it begins and how far it goes, rad;
+    /// the rest is seen from inside. A tangent plane holds the apex, so one sight decides.
     fn outside(&self, camera: &Camera) -> (f64, f64) {
         let sight = camera.sight(self.apex);
         let level = sight.across(self.axis);

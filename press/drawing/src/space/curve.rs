@@ -18,8 +18,8 @@ pub enum Hiding {
 
 /// A line in space. Units are those of the world, angles in rad.
 ///
-/// Its points may lie on a solid's surface: what is not more than 0.3 % of the solid's least thickness behind the surface
-/// counts as lying on it.
+/// Its points may lie on a solid's surface: what is not more than 0.3 % of the solid's least thickness behind
+/// the surface counts as lying on it.
 ///
 /// ```
 /// use drawing::space::{Curve, SpaceError};
@@ -64,8 +64,8 @@ impl Curve {
         Self::joined([from.into(), to.into()], false)
     }
 
-    /// A smooth curve through points that lie close enough for a cubic between neighbours: some hundred for a turn. It is
-    /// closed if the last point is the first. Such a curve may lie on the surface of a solid.
+    /// A smooth curve through points that lie close enough for a cubic between neighbours: some hundred for a
+    /// turn. It is closed if the last point is the first. Such a curve may lie on the surface of a solid.
     ///
     /// # Errors
     /// [`SpaceError`] for numbers that are not finite and fewer than two points that differ.
@@ -91,8 +91,8 @@ impl Curve {
     /// The arc of an angle at `vertex`, from one direction to another, by the shorter way.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, directions without length, parallel or opposite to each other, and a
-    /// radius that is not positive.
+    /// [`SpaceError`] for numbers that are not finite, directions without length, parallel or opposite to
+    /// each other, and a radius that is not positive.
     pub fn between(
         vertex: impl Into<[f64; 3]>,
         from: impl Into<[f64; 3]>,

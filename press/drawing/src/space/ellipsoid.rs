@@ -35,7 +35,8 @@ impl Ellipsoid {
         (0..3).fold(Vec3::ZERO, |sum, index| sum + self.axes[index] * (self.radii[index] * vector.0[index]))
     }
 
-    /// The cap of the unit sphere that the eye sees: the unit vector to its middle, and how far its plane is from the centre.
+    /// The cap of the unit sphere that the eye sees: the unit vector to its middle, and how far its plane is
+    /// from the centre.
     fn seen_cap(&self, camera: &Camera) -> (Vec3, f64) {
         let sight = self.shrunk(camera.sight(self.centre));
         let length = sight.length();

@@ -25,8 +25,9 @@ pub(super) trait Form {
     /// Where a ray is inside, in order.
     fn spans(&self, ray: &Ray) -> Vec<Span>;
 
-    /// The values, at a point, of polynomials of at most second degree in the point, whose zeros hold all boundaries
-    /// between what the solid hides and what it does not: its surfaces and the cones that the eye spans with its outline.
+    /// The values, at a point, of polynomials of at most second degree in the point, whose zeros hold all
+    /// boundaries between what the solid hides and what it does not: its surfaces and the cones that the eye
+    /// spans with its outline.
     fn boundaries(&self, camera: &Camera, point: Vec3, values: &mut Vec<f64>);
 
     /// Its edges and its outline.

@@ -24,12 +24,12 @@ impl Ground {
 }
 
 impl Stage {
-    /// Adds a horizontal piece of ground, a rectangle between two opposite corners (x, y) at a height, with grid lines every
-    /// `step` from the first corner. It is painted first and hides nothing.
+    /// Adds a horizontal piece of ground, a rectangle between two opposite corners (x, y) at a height, with
+    /// grid lines every `step` from the first corner. It is painted first and hides nothing.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, corners that enclose no area, a step that is not positive or gives more
-    /// lines than can be seen, and ground behind the eye.
+    /// [`SpaceError`] for numbers that are not finite, corners that enclose no area, a step that is not
+    /// positive or gives more lines than can be seen, and ground behind the eye.
     pub fn ground(&mut self, from: [f64; 2], to: [f64; 2], height: f64, step: f64) -> Result<(), SpaceError> {
         let corner = |x: f64, y: f64| finite("corner of the ground", [x, y, height]);
         let corners = [

@@ -1,9 +1,9 @@
 //! Lines divided into what is seen and what is hidden.
 //!
-//! Along a straight line the boundaries between the two are zeros of polynomials of second degree, which every solid names
-//! ([`Form::boundaries`]); between neighbouring zeros one ray from the middle to the eye decides. A smooth curve is treated
-//! chord by chord, with rays from the curve itself, as the chord would lie inside the body that the curve runs on; the
-//! boundary is then found on the curve by bisection.
+//! Along a straight line the boundaries between the two are zeros of polynomials of second degree, which
+//! every solid names ([`Form::boundaries`]); between neighbouring zeros one ray from the middle to the eye
+//! decides. A smooth curve is treated chord by chord, with rays from the curve itself, as the chord would lie
+//! inside the body that the curve runs on; the boundary is then found on the curve by bisection.
 
 use super::camera::Camera;
 use super::form::Form;
@@ -37,8 +37,8 @@ pub(super) struct Run {
     probes: (f64, f64),
 }
 
-/// Whether a solid stands between a point and the eye. A point on its surface, or just below, is not hidden by it. No solid is
-/// behind the eye, so what is met on the way to it hides.
+/// Whether a solid stands between a point and the eye. A point on its surface, or just below, is not hidden
+/// by it. No solid is behind the eye, so what is met on the way to it hides.
 pub(super) fn hides(form: &dyn Form, camera: &Camera, point: Vec3) -> bool {
     let direction = camera.sight(point);
     let surface = SURFACE * form.thinnest() / direction.length();

@@ -140,7 +140,8 @@ impl<'a> Ink<'a> {
         }
     }
 
-    /// The pieces of a line on the page. Of a closed line, the last joins the first if both are seen or both are hidden.
+    /// The pieces of a line on the page. Of a closed line, the last joins the first if both are seen or both
+    /// are hidden.
     fn pieces(&self, track: &Track, runs: &[Run]) -> Vec<Piece> {
         let joins = runs.len() > 1
             && track.closed()

@@ -62,12 +62,12 @@ impl Stage {
         self.caption_beyond(tip, along, name, hue)
     }
 
-    /// Adds an arrow that turns about an axis, right-handed: most of a circle seen in perspective, open towards the right on
-    /// the page. It shows the sense of a rotation.
+    /// Adds an arrow that turns about an axis, right-handed: most of a circle seen in perspective, open
+    /// towards the right on the page. It shows the sense of a rotation.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius that is not positive, and what is
-    /// behind the eye.
+    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius that is not positive,
+    /// and what is behind the eye.
     pub fn turning(
         &mut self,
         centre: impl Into<[f64; 3]>,
@@ -85,8 +85,8 @@ impl Stage {
         self.arrow(Curve::new(track), Stroke::Outline, Heads::End, hue)
     }
 
-    /// Adds the arc of an angle between two directions at a vertex, by the shorter way, with its name outside the middle; an
-    /// empty name is left out.
+    /// Adds the arc of an angle between two directions at a vertex, by the shorter way, with its name outside
+    /// the middle; an empty name is left out.
     ///
     /// # Errors
     /// [`SpaceError`] as for [`Curve::between`], for what is behind the eye, and for a name that cannot be set.
@@ -141,7 +141,8 @@ impl Stage {
         Ok(())
     }
 
-    /// Adds a label of 14 px beside a point. It has a rim in the colour of the page, unless it stands on an opaque solid.
+    /// Adds a label of 14 px beside a point. It has a rim in the colour of the page, unless it stands on an
+    /// opaque solid.
     ///
     /// # Errors
     /// [`SpaceError`] for a point that is not finite or lies behind the eye, and for a label that cannot be set.

@@ -1,18 +1,20 @@
 //! Solids, curves and vectors in space, seen through a camera, with what is hidden drawn dashed or left out.
 //!
-//! A [`Stage`] collects [`Solid`]s, [`Curve`]s, arrows, points and labels in world coordinates and writes them into a
-//! [`Drawing`](crate::Drawing) in the right order. The world is right-handed, z points up, lengths have any unit; angles are in
-//! rad. Points and directions are anything that turns into `[f64; 3]`, such as arrays and the vectors of nalgebra.
+//! A [`Stage`] collects [`Solid`]s, [`Curve`]s, arrows, points and labels in world coordinates and writes
+//! them into a [`Drawing`](crate::Drawing) in the right order. The world is right-handed, z points up,
+//! lengths have any unit; angles are in rad. Points and directions are anything that turns into `[f64; 3]`,
+//! such as arrays and the vectors of nalgebra.
 //!
-//! **What is hidden.** Lines are hidden by solids, exactly: each solid knows in closed form the boundaries of what it hides,
-//! and every line is divided there. What lies on a surface is seen from outside, with a tolerance of 0.3 % of the
-//! solid's least thickness. Grounds and other lines hide nothing.
+//! **What is hidden.** Lines are hidden by solids, exactly: each solid knows in closed form the boundaries of
+//! what it hides, and every line is divided there. What lies on a surface is seen from outside, with a
+//! tolerance of 0.3 % of the solid's least thickness. Grounds and other lines hide nothing.
 //!
-//! **What is painted over what.** Solids are painted from back to front; which of two is in front is asked of lines of sight
-//! that meet both. A rod that pierces other solids (a shaft through a plate, an axle through a sphere) is divided where it
-//! enters and leaves them, so that the part in front covers them and they cover the rest; a ring that is threaded is divided
-//! into sectors. Two solids that cut through each other in another way, as two rods that cross in a point, are painted one
-//! over the other: lines remain right, areas do not.
+//! **What is painted over what.** Solids are painted from back to front; which of two is in front is asked of
+//! lines of sight that meet both. A rod that pierces other solids (a shaft through a plate, an axle through a
+//! sphere) is divided where it enters and leaves them, so that the part in front covers them and they cover
+//! the rest; a ring that is threaded is divided into sectors. Two solids that cut through each other in
+//! another way, as two rods that cross in a point, are painted one over the other: lines remain right, areas
+//! do not.
 //!
 //! | module | holds |
 //! |---|---|

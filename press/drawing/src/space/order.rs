@@ -1,9 +1,10 @@
 //! In which order solids are painted.
 //!
-//! Which of two parts is in front is asked of lines of sight through points where both are seen. A rod that pierces something
-//! is divided along the lines where it does, and what is inside is not painted. Other solids that answer both ways are divided
-//! if they can be: rings into sectors. A ring is then first painted whole, at the turn of its hindmost sector, and once more
-//! in every sector that is in front of something painted since; the seams fall on the same colours and cannot be seen.
+//! Which of two parts is in front is asked of lines of sight through points where both are seen. A rod that
+//! pierces something is divided along the lines where it does, and what is inside is not painted. Other
+//! solids that answer both ways are divided if they can be: rings into sectors. A ring is then first painted
+//! whole, at the turn of its hindmost sector, and once more in every sector that is in front of something
+//! painted since; the seams fall on the same colours and cannot be seen.
 
 use super::camera::Camera;
 use super::form::{Form, Part, Patch};
@@ -62,7 +63,8 @@ fn piece(body: usize, form: &dyn Form, part: &Part, camera: &Camera) -> Option<P
     Some(Piece { body, part: part.clone(), patches, bounds })
 }
 
-/// By how much the first part is in front of the second, and the second in front of the first, summed over lines of sight.
+/// By how much the first part is in front of the second, and the second in front of the first, summed over
+/// lines of sight.
 fn in_front(first: &Piece, second: &Piece, bodies: &[Body<'_>], camera: &Camera) -> (f64, f64) {
     let mut sums = (0.0, 0.0);
     if !first.bounds.overlaps(&second.bounds) {

@@ -30,8 +30,8 @@ pub(super) enum Passage {
 
 /// Where a rod passes with its whole wall through the surface of another solid, in order along the rod.
 ///
-/// The wall's straight lines are followed one by one. If some miss the other solid, as where one rod grazes another, there is
-/// no junction.
+/// The wall's straight lines are followed one by one. If some miss the other solid, as where one rod grazes
+/// another, there is no junction.
 pub(super) fn junctions(rod: &Tube, other: &dyn Form) -> Vec<Junction> {
     let length = 2.0 * rod.half;
     let inside = TOUCH..1.0 - TOUCH;
@@ -67,8 +67,8 @@ pub(super) fn junctions(rod: &Tube, other: &dyn Form) -> Vec<Junction> {
     (0..ends).map(junction).collect()
 }
 
-/// The parts of a rod that stand outside all solids that it pierces, cut along its junctions. If nothing is pierced, the whole
-/// rod.
+/// The parts of a rod that stand outside all solids that it pierces, cut along its junctions. If nothing is
+/// pierced, the whole rod.
 pub(super) fn parts(pierced: &[Vec<Junction>]) -> Vec<Part> {
     let starts_in = |junctions: &&Vec<Junction>| {
         junctions.first().is_some_and(|junction| junction.passage == Passage::Leaves)

@@ -7,11 +7,12 @@ use crate::drawing::Shape;
 use crate::point::at;
 use std::f64::consts::{PI, TAU};
 
-/// A polynomial in the point whose zeros are the cone that the eye spans with a circle (a cylinder for an eye at infinity).
+/// A polynomial in the point whose zeros are the cone that the eye spans with a circle (a cylinder for an eye
+/// at infinity).
 ///
-/// A point at the step d from the circle's centre, moved along its line of sight into the circle's plane, lands at the step
-/// (d·a − g·h)/(a − k·h), with g the sight at the centre, a its part along the axis, h the height of the point and k the
-/// nearness of the eye.
+/// A point at the step d from the circle's centre, moved along its line of sight into the circle's plane,
+/// lands at the step (d·a − g·h)/(a − k·h), with g the sight at the centre, a its part along the axis, h the
+/// height of the point and k the nearness of the eye.
 pub(super) fn shadow(camera: &Camera, centre: Vec3, axis: Vec3, radius: f64, point: Vec3) -> f64 {
     let (step, sight) = (point - centre, camera.sight(centre));
     let (height, rise) = (step.dot(axis), sight.dot(axis));
@@ -50,9 +51,10 @@ pub(super) fn common_arcs((from, sweep): (f64, f64), sector: Option<(f64, f64)>)
 
 /// The ellipse on the page of the ellipse centre + first·cos φ + second·sin φ of the world.
 ///
-/// The image of a circle in perspective is exactly an ellipse as long as all of it lies in front of the eye. With h the linear
-/// map to homogeneous page coordinates and H = (h(first), h(second), h(centre)), the lines that touch the image are those
-/// with lᵀ·D·l = 0, D = H·diag(1, 1, −1)·Hᵀ; centre and axes of the ellipse are read off D.
+/// The image of a circle in perspective is exactly an ellipse as long as all of it lies in front of the eye.
+/// With h the linear map to homogeneous page coordinates and H = (h(first), h(second), h(centre)), the lines
+/// that touch the image are those with lᵀ·D·l = 0, D = H·diag(1, 1, −1)·Hᵀ; centre and axes of the ellipse
+/// are read off D.
 pub(super) fn ellipse(camera: &Camera, centre: Vec3, first: Vec3, second: Vec3) -> Shape {
     let origin = camera.homogeneous(centre);
     let step = |radius: Vec3| {

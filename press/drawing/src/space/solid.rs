@@ -62,7 +62,8 @@ impl Solid {
     /// A disc: a coin, a plate, a wheel. Its centre is half-way through its thickness.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius or thickness that is not positive.
+    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius or thickness that is
+    /// not positive.
     pub fn disc(
         centre: impl Into<[f64; 3]>,
         axis: impl Into<[f64; 3]>,
@@ -90,8 +91,8 @@ impl Solid {
     /// A ring: a disc of this height with a round hole.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius or height that is not positive, and a
-    /// hole as wide as the ring.
+    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius or height that is not
+    /// positive, and a hole as wide as the ring.
     pub fn ring(
         centre: impl Into<[f64; 3]>,
         axis: impl Into<[f64; 3]>,
@@ -108,13 +109,13 @@ impl Solid {
         Ok(Self::new(Body::Tube(Tube::new("ring", centre, axis, [outer, inner], half))))
     }
 
-    /// The open shell of a cone, without thickness, from its apex along its axis. `half_angle` (rad, between 0 and π/2) is the
-    /// angle between axis and side; `length` is measured along the side, so that two cones that roll on each other touch as
-    /// far as their rims if they are of one length.
+    /// The open shell of a cone, without thickness, from its apex along its axis. `half_angle` (rad, between
+    /// 0 and π/2) is the angle between axis and side; `length` is measured along the side, so that two cones
+    /// that roll on each other touch as far as their rims if they are of one length.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, an axis without length, a half-angle outside its interval, a length
-    /// that is not positive.
+    /// [`SpaceError`] for numbers that are not finite, an axis without length, a half-angle outside its
+    /// interval, a length that is not positive.
     pub fn cone(
         apex: impl Into<[f64; 3]>,
         axis: impl Into<[f64; 3]>,
@@ -146,8 +147,8 @@ impl Solid {
     /// An ellipsoid with its semi-axes along three perpendicular directions.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, directions without length or not perpendicular, and a semi-axis that is
-    /// not positive.
+    /// [`SpaceError`] for numbers that are not finite, directions without length or not perpendicular, and a
+    /// semi-axis that is not positive.
     pub fn ellipsoid(
         centre: impl Into<[f64; 3]>,
         axes: [impl Into<[f64; 3]>; 3],

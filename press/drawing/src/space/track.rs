@@ -63,8 +63,8 @@ impl Track {
         self.on_chord(chord, parameter - chord as f64)
     }
 
-    /// The point at a fraction of a chord. On a smooth curve it lies on the cubic through the four nearest points, with the
-    /// lengths of the chords as parameter.
+    /// The point at a fraction of a chord. On a smooth curve it lies on the cubic through the four nearest
+    /// points, with the lengths of the chords as parameter.
     pub(super) fn on_chord(&self, chord: usize, part: f64) -> Vec3 {
         let (from, to) = (self.points[chord], self.points[chord + 1]);
         if part >= 1.0 {

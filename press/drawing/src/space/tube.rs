@@ -61,7 +61,8 @@ impl Tube {
         self.axis.dot(sight) * height.signum() > 0.0
     }
 
-    /// The direction to the eye about the axis, and half the angle over which a wall of this radius, seen from outside, shows.
+    /// The direction to the eye about the axis, and half the angle over which a wall of this radius, seen
+    /// from outside, shows.
     fn turned_to_eye(&self, camera: &Camera, radius: f64) -> (f64, f64) {
         let sight = camera.sight(self.centre).across(self.axis);
         let cosine = camera.nearness() * radius / sight.length();

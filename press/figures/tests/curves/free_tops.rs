@@ -1,4 +1,5 @@
-//! The curves of the wobble plate and of the free tops, read back from the SVG, lie on formulas that are written out here.
+//! The curves of the wobble plate and of the free tops, read back from the SVG, lie on formulas that are
+//! written out here.
 
 use crate::{PIXELS, curve, lies_on, place};
 use std::f64::consts::{PI, TAU};
@@ -74,7 +75,8 @@ fn the_spiral_makes_three_turns() {
             turned += (a.0 * b.1 - a.1 * b.0).atan2(a.0 * b.0 + a.1 * b.1);
         }
     }
-    // The size is e^{−Ct/I₁} and the phase 3(1 − e^{−Ct/I₃}) turns, with I₃ = 2I₁; the rest lies within half a pixel of the centre.
+    // The size is e^{−Ct/I₁} and the phase 3(1 − e^{−Ct/I₃}) turns, with I₃ = 2I₁; the rest lies within half
+    // a pixel of the centre.
     let turns = turned / TAU;
     let expected = 3.0 * (1.0 - (0.5_f64 / 160.0).sqrt());
     assert!((turns - expected).abs() < 0.15, "{turns} turns for {expected}");

@@ -1,4 +1,5 @@
-//! The hard cases: every point that is drawn lies where the error analysis, written out here, or a computation of its own says.
+//! The hard cases: every point that is drawn lies where the error analysis, written out here, or a
+//! computation of its own says.
 
 use crate::constrained::step;
 use crate::{curve, lies_on};
@@ -32,7 +33,8 @@ fn middle_ratio(values: &[(f64, f64)], from: f64, to: f64, law: impl Fn(f64) -> 
 
 #[test]
 fn differences_lose_two_digits_a_decade_and_the_library_none() {
-    // The largest error over u/ε²: of the sine; of a few numbers over (Γ/ω₀)² = 0.09; of the root; of the parameter in a logarithm.
+    // The largest error over u/ε²: of the sine; of a few numbers over (Γ/ω₀)² = 0.09; of the root; of the
+    // parameter in a logarithm.
     for (name, most) in [("coin", 1.0), ("spin", 45.0), ("root", 1.0), ("period", 1.0)] {
         let naive = values("hard-cancellation", &format!("{name}-naive"));
         let law = |small: f64| ROUNDOFF / (small * small);
@@ -70,8 +72,8 @@ fn the_phase_loses_one_digit_a_decade_by_a_product_and_two_by_a_sum() {
     between("parts", &of("parts"), |_| (0.0, 8e-16));
 }
 
-/// Error in place of the free swing of a shaft, damped by Γ = 0.01, that passes O at a distance, in polar coordinates by steps of
-/// 1 ms; the load's push, a millionth, left out.
+/// Error in place of the free swing of a shaft, damped by Γ = 0.01, that passes O at a distance, in polar
+/// coordinates by steps of 1 ms; the load's push, a millionth, left out.
 fn polar_error(miss: f64) -> f64 {
     let damping = 0.01;
     let rates =

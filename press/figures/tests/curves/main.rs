@@ -1,7 +1,8 @@
-//! The curves of the figures, read back from the SVG, agree with formulas or the library at points that the figure did not sample.
+//! The curves of the figures, read back from the SVG, agree with formulas or the library at points that the
+//! figure did not sample.
 //!
-//! What the places of a curve mean is read off the axes that its drawing carries, and that these are the axes a reader sees is
-//! a test of its own: the numbers at the ticks stand where their values belong.
+//! What the places of a curve mean is read off the axes that its drawing carries, and that these are the axes
+//! a reader sees is a test of its own: the numbers at the ticks stand where their values belong.
 
 mod constrained;
 mod free_tops;
@@ -15,7 +16,8 @@ use figures::{Figure, all};
 use roxmltree::Document;
 use std::sync::OnceLock;
 
-/// Thinning may move a curve by 0.06 px; reading two decimals costs 0.005 px, the coordinates 0.001 px, sampling the rest.
+/// Thinning may move a curve by 0.06 px; reading two decimals costs 0.005 px, the coordinates 0.001 px,
+/// sampling the rest.
 const PIXELS: f64 = 0.08;
 
 fn figures() -> &'static [Figure] {

@@ -21,7 +21,8 @@ fn rk4(start: Book, duration: f64, steps: u32) -> Book {
     (0..steps).fold(start, |book, _| step(rates, 0.0, book, duration / f64::from(steps)))
 }
 
-/// A turn about axis 1, 2 or 3 (0, 1, 2) as if only that axis' part of the energy were there: the plain splitting's turn.
+/// A turn about axis 1, 2 or 3 (0, 1, 2) as if only that axis' part of the energy were there: the plain
+/// splitting's turn.
 fn turn([w, x, y, z, a, b, c]: Book, axis: usize, rate: f64, time: f64) -> Book {
     let mut momentum = [MOMENTS[0] * a, MOMENTS[1] * b, MOMENTS[2] * c];
     let angle = rate * momentum[axis] * time;
@@ -83,7 +84,8 @@ fn energy([.., a, b, c]: Book) -> f64 {
     MOMENTS[0] * a * a + MOMENTS[1] * b * b + MOMENTS[2] * c * c
 }
 
-/// Time of a round of the polhode, s, which goes about axis 1: Landau & Lifshitz, *Mechanics*, §37, with `K` by the arithmetic-geometric mean.
+/// Time of a round of the polhode, s, which goes about axis 1: Landau & Lifshitz, *Mechanics*, §37, with `K`
+/// by the arithmetic-geometric mean.
 fn round() -> f64 {
     let [i1, i2, i3] = MOMENTS;
     let [.., a, b, c] = START;

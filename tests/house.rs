@@ -1,0 +1,125 @@
+//! The walls of the library: which room of `src` may use which.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The rooms, and for each the rooms that it may use beside itself. `wide` is the other side of `sample` and knows the
+/// motions that it computes.
+const ROOMS: [(&str, &[&str]); 9] = [
+    ("numbers", &[]),
+    ("special", &["numbers"]),
+    ("integrate", &["numbers"]),
+    ("error", &["numbers", "integrate"]),
+    ("bodies", &["numbers", "special", "integrate", "error", "wide"]),
+    ("scenes", &["numbers", "special", "integrate", "error", "bodies", "wide"]),
+    ("wide", &["numbers", "special", "integrate", "bodies", "scenes"]),
+    ("measure", &[]),
+    ("sweep", &[]),
+];
+
+/// The room of each module that `lib.rs` shows at the root.
+fn room(module: &str) -> &str {
+    match module {
+        "quantity" | "two_part" | "InvalidQuantity" | "Rule" => "numbers",
+        "conical" | "elliptic" | "faddeeva" => "special",
+        "attitude" | "euler" | "free_rotation" | "geometric" | "inertia" | "rolling" => "bodies",
+        "Error" => "error",
+        other => other,
+    }
+}
+
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
+    let files = files.into_iter().filter(|path| path.extension().is_some_and(|ending| ending == "rs"));
+    files.chain(folders.iter().flat_map(|folder| sources(folder))).collect()
+}
+
+/// Every file of the library but its root, as its path below `src`, without the tests and comments in it.
+fn library() -> Vec<(String, String)> {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let name = |path: &Path| path.strip_prefix(&src).unwrap().to_string_lossy().replace('\\', "/");
+    let code = |path: &Path| {
+        let text = fs::read_to_string(path).unwrap();
+        let text = text.split("#[cfg(test)]").next().unwrap_or_default();
+        text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
+    };
+    let files = sources(&src).into_iter().filter(|path| !path.ends_with("lib.rs"));
+    files.map(|path| (name(&path), code(&path))).collect()
+}
+
+/// What a file names behind a prefix such as `crate::`, one name for each place.
+fn named<'a>(code: &'a str, prefix: &str) -> Vec<&'a str> {
+    let word = |rest: &'a str| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or("");
+    code.split(prefix)
+        .skip(1)
+        .flat_map(|rest| match rest.strip_prefix('{') {
+            Some(list) => {
+                list.split('}').next().unwrap_or("").split(',').map(|name| word(name.trim())).collect()
+            }
+            None => vec![word(rest)],
+        })
+        .collect()
+}
+
+#[test]
+fn every_room_uses_only_what_lies_below_it() {
+    let mut uses = 0;
+    for (file, code) in library() {
+        let here = file.split(['/', '.']).next().unwrap();
+        let (_, allowed) =
+            ROOMS.iter().find(|(name, _)| *name == here).unwrap_or_else(|| panic!("{file} has no room"));
+        for name in named(&code, "crate::") {
+            let used = room(name);
+            assert!(
+                used == here || allowed.contains(&used),
+                "{file} uses {name}, which is no room below {here}"
+            );
+            uses += 1;
+        }
+    }
+    assert!(uses > 100);
+}
+
+#[test]
+fn no_scene_uses_another() {
+    for (file, code) in library() {
+        let Some(rest) = file.strip_prefix("scenes/") else { continue };
+        let own = rest.split(['/', '.']).next().unwrap();
+        for name in named(&code, "scenes::") {
+            assert_eq!(name, own, "{file}");
+        }
+    }
+}
+
+#[test]
+fn only_sample_asks_for_wide_registers() {
+    let mut kernels = 0;
+    for (file, code) in library().iter().filter(|(file, _)| !file.starts_with("wide/")) {
+        let mut function = "";
+        for line in code.lines() {
+            if let Some((_, rest)) = line.split_once("fn ") {
+                function = rest.split(['(', '<']).next().unwrap();
+            }
+            if line.contains("wide::") && !line.starts_with("use ") {
+                assert_eq!(function, "sample", "{file}: {line}");
+                kernels += 1;
+            }
+        }
+    }
+    assert!(kernels > 3);
+}
+
+#[test]
+fn comments_fit_a_screen() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for path in
+        ["src", "tests", "benches", "press", "book"].iter().flat_map(|folder| sources(&root.join(folder)))
+    {
+        for (number, line) in fs::read_to_string(&path).unwrap().lines().enumerate() {
+            let is_text = line.trim_start().starts_with("//") && !line.contains("//! |");
+            let place = format!("{}:{}", path.display(), number + 1);
+            assert!(!is_text || line.chars().count() <= 120, "{place}: more than 120 characters");
+        }
+    }
+}
