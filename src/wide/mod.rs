@@ -17,19 +17,19 @@ pub(crate) mod turning;
 use functions::at_full_width;
 use std::ops::RangeInclusive;
 
-/// The states at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone
-/// one by one, and so on.
-pub(crate) fn sample<S: Clone, E>(
+/// The states at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone one by
+/// one, and so on. A state that is not known yet is `blank`.
+pub(crate) fn sample<S: Copy, E>(
     times: &[f64],
+    blank: S,
     quick: impl Fn(&[f64], &mut [S]) -> usize,
     at: impl Fn(f64) -> Result<S, E>,
 ) -> Result<Vec<S>, E> {
-    let Some(&first) = times.first() else { return Ok(Vec::new()) };
-    let (placeholder, mut done) = (at(first)?, 0);
+    let mut done = 0;
     let mut states = Vec::with_capacity(times.len());
     while done < times.len() {
         let end = times.len().min(done + CHUNK);
-        states.resize(end, placeholder.clone());
+        states.resize(end, blank);
         while done < end {
             done += quick(&times[done..end], &mut states[done..end]);
             let one_by_one = end.min(done + BLOCK);
@@ -167,8 +167,8 @@ mod tests {
             Ok::<_, Infallible>(decay.at(time))
         };
         let quick = |times: &[f64], states: &mut [[f64; 2]]| several_at_once(decay, 0.0..=1e9, times, states);
-        let states = sample(&times, quick, single).unwrap();
-        assert_eq!(singles.get(), 2 * BLOCK + 1);
+        let states = sample(&times, [f64::NAN; 2], quick, single).unwrap();
+        assert_eq!(singles.get(), 2 * BLOCK);
         for (state, &time) in states.iter().zip(&times) {
             assert_eq!(*state, decay.at(time));
         }

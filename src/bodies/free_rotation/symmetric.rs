@@ -90,7 +90,7 @@ impl FreeSymmetricTop {
     /// As [`FreeSymmetricTop::at`], of the first time that is refused.
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
         let kernel = TwoTurns::of_top(self, 0, &UnitQuaternion::identity());
-        wide::sample(times, |times, states| kernel.fill(times, states), |time| self.at(time))
+        wide::sample(times, self.start, |times, states| kernel.fill(times, states), |time| self.at(time))
     }
 
     /// The direction of the axis of symmetry in the room at `time`, s; cheaper than the whole attitude

@@ -126,15 +126,15 @@ impl FreeTop {
         match &self.motion {
             Motion::Steady { axis_body, rate } => {
                 let kernel = TwoTurns::steady(&self.start, axis_body, *rate);
-                wide::sample(times, |times, states| kernel.fill(times, states), at)
+                wide::sample(times, self.start, |times, states| kernel.fill(times, states), at)
             }
             Motion::Symmetric { top, renamed_from_body, shift } => {
                 let kernel = TwoTurns::of_top(top, *shift, renamed_from_body);
-                wide::sample(times, |times, states| kernel.fill(times, states), at)
+                wide::sample(times, self.start, |times, states| kernel.fill(times, states), at)
             }
             Motion::Asymmetric(motion) => {
                 let kernel = Tumbling::new(motion);
-                wide::sample(times, |times, states| kernel.fill(times, states), at)
+                wide::sample(times, self.start, |times, states| kernel.fill(times, states), at)
             }
         }
     }

@@ -128,7 +128,7 @@ impl DraggedTop {
     /// As [`DraggedTop::at`], for the first time that it refuses.
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Vector3<f64>>, InvalidQuantity> {
         let quick = |times: &[f64], states: &mut [_]| crate::wide::air_drag::fill(self, times, states);
-        crate::wide::sample(times, quick, |time| self.at(time))
+        crate::wide::sample(times, Vector3::zeros(), quick, |time| self.at(time))
     }
 
     /// The angular velocity at a time that has been checked.

@@ -20,7 +20,7 @@ const LARGEST_EXPONENT: f64 = 650.0;
 pub(crate) fn sample_transient(motion: &Transient, times: &[f64]) -> Result<Vec<Shaft>, InvalidQuantity> {
     let kernel = Steady::new(motion);
     let quick = |times: &[f64], states: &mut [Shaft]| kernel.map_or(0, |kernel| kernel.fill(times, states));
-    sample(times, quick, |time| motion.at(time))
+    sample(times, Shaft::AT_REST, quick, |time| motion.at(time))
 }
 
 /// A position and a velocity as x, y, ẋ, ẏ.

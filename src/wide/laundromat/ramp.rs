@@ -14,7 +14,7 @@ pub(crate) fn sample_ramp(motion: &Ramp, times: &[f64]) -> Result<Vec<Shaft>, In
     let kernel = SpeedingUp::new(motion);
     let quick =
         |times: &[f64], states: &mut [Shaft]| kernel.as_ref().map_or(0, |kernel| kernel.fill(times, states));
-    sample(times, quick, |time| motion.at(time))
+    sample(times, Shaft::AT_REST, quick, |time| motion.at(time))
 }
 
 /// `eq:ramp-motion` for two roots apart.
