@@ -92,8 +92,9 @@ pub(crate) fn worst_part(
     for (i, found) in found.to_array().into_iter().enumerate() {
         let true_value = if i < 6 { truth[i] } else { truth[i] * radius };
         let size = scale[i].max(given[i].abs()).max(true_value.abs().rounded());
-        // A heading that has whirled round and back has the rounding of the whirls, which the roll angle tells.
-        let size = if i == 4 { size.max(truth[5].abs().rounded()) } else { size };
+        // Near flat heading and roll angle whirl round together; one that has whirled back has the rounding of that.
+        let whirls = truth[4].abs().rounded().max(truth[5].abs().rounded());
+        let size = if i == 4 || i == 5 { size.max(whirls) } else { size };
         // A place has the rounding of the heading that led there.
         let (size, change) =
             if i < 6 { (size, change[i]) } else { (size + radius * turned, radius * way_gone) };

@@ -125,8 +125,8 @@ impl Wobble {
     /// the tolerance or 2.2e-16, whichever is larger; the place has in addition 30 ε radii for each radian by
     /// which the heading has gone on. Later errors grow in proportion to the time. What a change of the start
     /// makes may be large: a wheel that comes near an unstable motion after its start leaves it as its last
-    /// digits say. The numbers are those on the way: a heading that has whirled
-    /// round and back, as the roll angle tells, has the rounding of all that way.
+    /// digits say. Of heading and roll angle the larger counts for both: near flat they whirl round together, and
+    /// one that has whirled round and back has the rounding of all that way.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the time is not finite, or so far away that it cannot be said where in a wobble it falls.
