@@ -1,4 +1,4 @@
-//! What a frame costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and
+//! What a sample costs in long lists, beside what the functions in it cost by themselves; and a sweep, on one core and
 //! on all.
 
 use crate::contest::Cause;
@@ -17,13 +17,13 @@ use nalgebra::Complex;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// Frames in a list: set-up no longer counts.
-const FRAMES: usize = 4096;
+/// Samples in a list: set-up no longer counts.
+const SAMPLES: usize = 4096;
 /// Rounds, of which the median is taken.
 const ROUNDS: usize = 31;
 /// How long each round lasts.
 const SLICE: Duration = Duration::from_millis(4);
-/// Machines in a sweep, and the frames of each.
+/// Machines in a sweep, and the samples of each.
 const MACHINES: usize = 20_000;
 
 /// Nanoseconds for one of `count` things that `work` does, the median of some rounds.
@@ -71,11 +71,11 @@ type Row = (&'static str, &'static str, f64);
 /// # Errors
 /// Whatever the library says.
 pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
-    let times: Vec<f64> = (0..FRAMES).map(|n| 0.37 * n as f64).collect();
+    let times: Vec<f64> = (0..SAMPLES).map(|n| 0.37 * n as f64).collect();
     let mut rows = Vec::new();
 
     let motion = machine(0.01, 3.0)?.transient(Shaft::AT_REST)?;
-    let cost = nanoseconds(FRAMES, || {
+    let cost = nanoseconds(SAMPLES, || {
         black_box(motion.sample(black_box(&times))?);
         Ok(())
     })?;
@@ -87,7 +87,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     rows.push(("washer", "its functions", functions));
 
     let ramp = machine(0.01, 0.0)?.ramp(0.01, Shaft::AT_REST)?;
-    let cost = nanoseconds(FRAMES, || {
+    let cost = nanoseconds(SAMPLES, || {
         black_box(ramp.sample(black_box(&times))?);
         Ok(())
     })?;
@@ -102,7 +102,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
 
     let start = turning(&problems::hoop());
     let top = FreeTop::new(PrincipalMoments::new(1.5, 0.5, 2.0)?, start)?;
-    rows.push(("hoop", "a sample", nanoseconds(FRAMES, || sampled(&top, &times))?));
+    rows.push(("hoop", "a sample", nanoseconds(SAMPLES, || sampled(&top, &times))?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         (a + b * c + 3.0).sqrt() + (b - a * d + 3.0).sqrt() / (2.0 + a)
@@ -110,7 +110,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     rows.push(("hoop", "its functions", functions));
 
     let top = FreeTop::new(PrincipalMoments::new(0.25, 0.25, 0.5)?, turning(&problems::toss()))?;
-    rows.push(("toss", "a sample", nanoseconds(FRAMES, || sampled(&top, &times))?));
+    rows.push(("toss", "a sample", nanoseconds(SAMPLES, || sampled(&top, &times))?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         a * b + c * d
@@ -128,7 +128,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     let wheel = Wheel::new(UNIT_DISC)?;
     let rolling = Rolling { omega_1: -0.15, ..wheel.steady(0.5, 3.0)?.state() };
     let wobble = wheel.wobble(rolling, &Taylor::new(1e-16)?)?;
-    let cost = nanoseconds(FRAMES, || {
+    let cost = nanoseconds(SAMPLES, || {
         black_box(wobble.sample(black_box(&times))?);
         Ok(())
     })?;

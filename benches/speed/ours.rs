@@ -44,13 +44,13 @@ pub(crate) fn entries() -> Result<Vec<Entry>, Cause> {
     }
 }
 
-/// Steps of RK4 between two frames.
+/// Steps of RK4 between two samples.
 const RK4_WASHER: &[usize] = &[25, 50, 100, 200, 400, 800];
 const RK4_HOOP: &[usize] = &[50, 100, 200, 400, 800];
 const RK4_DISK: &[usize] = &[50, 100, 200, 400, 800, 1600];
 const RK4_TOP: &[usize] = &[12, 25, 50, 100, 200, 400];
 
-/// The stepping methods, the same for every problem: DOP853 with its dense output, RK4 from frame to frame.
+/// The stepping methods, the same for every problem: DOP853 with its dense output, RK4 from sample to sample.
 fn steppers<const N: usize>(
     entries: &mut Vec<Entry>,
     problem: &Rc<Problem<N>>,
@@ -59,21 +59,21 @@ fn steppers<const N: usize>(
 ) {
     for digits in 3..=14 {
         let tolerance = 10.0_f64.powi(-digits);
-        let solve = move |problem: &Problem<N>, frames: &mut Vec<[f64; N]>| {
+        let solve = move |problem: &Problem<N>, samples: &mut Vec<[f64; N]>| {
             let (states, work) = Dop853::new(tolerance)?.sample(rates, 0.0, problem.start, &problem.times)?;
-            *frames = states;
+            *samples = states;
             Ok(Some(work.evaluations))
         };
         entries.push(Entry::new(problem, [NAME, "DOP853"], format!("tolerance 1e-{digits}"), solve, |y| *y));
     }
     for &steps in steps {
-        let solve = move |problem: &Problem<N>, frames: &mut Vec<[f64; N]>| {
-            frames.clear();
-            frames.push(problem.start);
+        let solve = move |problem: &Problem<N>, samples: &mut Vec<[f64; N]>| {
+            samples.clear();
+            samples.push(problem.start);
             let mut state = problem.start;
             for pair in problem.times.windows(2) {
                 state = rk4(rates, pair[0], state, pair[1], steps)?;
-                frames.push(state);
+                samples.push(state);
             }
             Ok(Some(4 * steps * (problem.times.len() - 1)))
         };
@@ -95,8 +95,8 @@ fn washing_machine(spin: f64) -> Result<Machine, Cause> {
 
 fn washer(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::washer());
-    let solve = |problem: &Problem<4>, frames: &mut Vec<Shaft>| {
-        *frames = washing_machine(3.0)?.transient(Shaft::AT_REST)?.sample(&problem.times)?;
+    let solve = |problem: &Problem<4>, samples: &mut Vec<Shaft>| {
+        *samples = washing_machine(3.0)?.transient(Shaft::AT_REST)?.sample(&problem.times)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, Shaft::to_array));
@@ -105,8 +105,8 @@ fn washer(entries: &mut Vec<Entry>) {
 
 fn ramp(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::ramp());
-    let solve = |problem: &Problem<4>, frames: &mut Vec<Shaft>| {
-        *frames = washing_machine(0.0)?.ramp(0.01, Shaft::AT_REST)?.sample(&problem.times)?;
+    let solve = |problem: &Problem<4>, samples: &mut Vec<Shaft>| {
+        *samples = washing_machine(0.0)?.ramp(0.01, Shaft::AT_REST)?.sample(&problem.times)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, Shaft::to_array));
@@ -131,9 +131,9 @@ fn body(
     steps: &[usize],
 ) {
     let problem = Rc::new(problem);
-    let solve = move |problem: &Problem<7>, frames: &mut Vec<Turning>| {
+    let solve = move |problem: &Problem<7>, samples: &mut Vec<Turning>| {
         let top = FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, turning(problem))?;
-        *frames = top.sample(&problem.times)?;
+        *samples = top.sample(&problem.times)?;
         Ok(None)
     };
     let state = |turning: &Turning| {
@@ -182,12 +182,12 @@ fn rest(entries: &mut Vec<Entry>) {
 
 fn drag(entries: &mut Vec<Entry>) {
     let problem = Rc::new(problems::drag());
-    let solve = |problem: &Problem<3>, frames: &mut Vec<Vector3<f64>>| {
+    let solve = |problem: &Problem<3>, samples: &mut Vec<Vector3<f64>>| {
         let [w1, w2, w3] = problem.start;
         let moments = PrincipalMoments::new(0.25, 0.25, 0.5)?;
         let (drag, omega_body) = (Drag::isotropic(1e-4), Vector3::new(w1, w2, w3));
         let top = DraggedTop::new(air_drag::Parameters { moments, drag, omega_body })?;
-        *frames = top.sample(&problem.times)?;
+        *samples = top.sample(&problem.times)?;
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, |omega| (*omega).into()));
