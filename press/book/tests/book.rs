@@ -92,12 +92,9 @@ fn the_site_holds_the_font_and_the_licences() {
 /// A small book in the workspace, for the real press and the real mdBook; the page `a.md` is the one given.
 fn small_book(name: &str, page: &str) -> PathBuf {
     let folder = folder(name);
-    fs::create_dir_all(folder.join("book/theme")).unwrap();
     fs::write(folder.join("LICENSE-CC-BY-4.0"), "licence").unwrap();
     fs::copy(root().join("book.toml"), folder.join("book.toml")).unwrap();
-    for sheet in ["press.css", "figures.css"] {
-        fs::copy(root().join("book/theme").join(sheet), folder.join("book/theme").join(sheet)).unwrap();
-    }
+    copy(&root().join("book/theme"), &folder.join("book/theme"));
     // Every figure has to be shown somewhere.
     let figures: String =
         drawn().figures.iter().map(|figure| format!("\n![A caption.]({})\n", figure.id)).collect();
@@ -105,6 +102,19 @@ fn small_book(name: &str, page: &str) -> PathBuf {
     fs::write(folder.join("book/a.md"), page).unwrap();
     fs::write(folder.join("book/figures.md"), format!("# Figures\n{figures}")).unwrap();
     folder
+}
+
+/// Copies a folder with all that is in it.
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    for name in names(from) {
+        let (from, to) = (from.join(&name), to.join(&name));
+        if from.is_dir() {
+            copy(&from, &to);
+        } else {
+            fs::copy(from, to).unwrap();
+        }
+    }
 }
 
 /// What a run of mdBook says, on both channels.

@@ -87,7 +87,7 @@ struct Theme {
 
 impl Theme {
     fn new(name: &'static str) -> Self {
-        let (own, figures) = (sheet("press"), sheet("figures"));
+        let (own, figures) = ([sheet("page"), sheet("maths")].concat(), sheet("figures"));
         let highlight = match name {
             "ayu" => "ayu-highlight",
             "coal" | "navy" => "tomorrow-night",
@@ -96,8 +96,7 @@ impl Theme {
         let mut variables = BTreeMap::new();
         // In the order of their weight: a class, then an element with it.
         let [class, element] = [format!(".{name}"), format!("html.{name}")];
-        let drawn = format!("html.{name} svg.drawn");
-        for selector in [":root", &class, "html:root", &element, "svg.drawn", &drawn] {
+        for selector in [":root", &class, "html:root", &element] {
             for (_, declarations) in
                 sheet("variables").iter().chain(&own).chain(&figures).filter(|(s, _)| s == selector)
             {
