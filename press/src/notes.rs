@@ -96,16 +96,11 @@ fn references(
     let mut seen: HashSet<&str> = HashSet::new();
     for (event, range) in events {
         match event {
-            Event::FootnoteReference(name) => {
-                if !seen.insert(name) {
-                    report.fault(
-                        range.start,
-                        format!(
-                            "a second reference to the footnote `[^{name}]`: a note stands beside one place"
-                        ),
-                    );
-                }
-            }
+            Event::FootnoteReference(name) if seen.insert(name) => {}
+            Event::FootnoteReference(name) => report.fault(
+                range.start,
+                format!("a second reference to the footnote `[^{name}]`: a note stands beside one place"),
+            ),
             // A reference that is still text.
             Event::Text(_) => {
                 for (at, _) in text[range.clone()].match_indices('[') {

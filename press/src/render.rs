@@ -116,7 +116,10 @@ impl Printer<'_, '_> {
                 continue;
             }
             let replacement = match &placed.item {
-                Item::Heading { level: 1, .. } => self.title(&text[range.clone()]),
+                item @ Item::Heading { level: 1, .. } => {
+                    let heading = self.item(item, range.start);
+                    self.title(heading.as_deref().unwrap_or(&text[range.clone()])).or(heading)
+                }
                 item => self.item(item, range.start),
             };
             let Some(replacement) = replacement else {
@@ -130,12 +133,12 @@ impl Printer<'_, '_> {
         out
     }
 
-    /// The title of a page of a numbered chapter, under the number of the chapter.
-    fn title(&self, written: &str) -> Option<String> {
+    /// The title of a page of a numbered chapter, below the number of the chapter.
+    fn title(&self, heading: &str) -> Option<String> {
         let chapter = self.page.chapter?;
         let part = self.page.part.as_ref().map(|part| format!(" · {}", escaped(part))).unwrap_or_default();
         Some(format!(
-            "<p class=\"kicker\" data-chapter=\"{chapter}\">Chapter {chapter}{part}</p>\n\n{written}"
+            "<p class=\"kicker\" data-chapter=\"{chapter}\">Chapter {chapter}{part}</p>\n\n{heading}"
         ))
     }
 
@@ -447,6 +450,20 @@ mod tests {
             <a class=\"source corrected\" id=\"source-21\" href=\"#source-21\" title=\"corrects equation (21) of the source\">corrects 21</a></div></div>\n\n\
             See [(1.2)](a.md#eq-y), [source 19](a.md#source-19), [“Motion”](a.md#sec-motion) and `@eq:z`.\n";
         assert_eq!(printed(page), expected);
+    }
+
+    #[test]
+    fn the_number_of_the_chapter_stands_above_the_title() {
+        let print = |chapter, part: Option<&str>| {
+            let text = "# A {#sec:a}\n".to_owned();
+            let page = Page::new("book", "a.md".to_owned(), chapter, part.map(str::to_owned), text);
+            render(&[page], &Rendered::default(), &Items::default(), &[]).unwrap_or_default().remove(0)
+        };
+        let kicker =
+            |words: &str| format!("<p class=\"kicker\" data-chapter=\"4\">{words}</p>\n\n# A {{#sec-a}}\n");
+        assert_eq!(print(Some(4), None), kicker("Chapter 4"));
+        assert_eq!(print(Some(4), Some("Exercises")), kicker("Chapter 4 · Exercises"));
+        assert_eq!(print(None, None), "# A {#sec-a}\n");
     }
 
     #[test]
