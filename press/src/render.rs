@@ -5,7 +5,7 @@ use crate::book::{Page, relative, resolve};
 use crate::fault::Faults;
 use crate::labels::Registry;
 use crate::maths::Maths;
-use crate::page::{EquationLabel, Item, Kind, Label, Mention, Placed};
+use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed};
 use crate::rendered::Rendered;
 use crate::scan::scan;
 use pulldown_cmark::{CowStr, Event, html::push_html};
@@ -38,6 +38,7 @@ pub(crate) fn render(
             drawn,
             library: items,
             cited: &mut cited,
+            notes: Vec::new(),
             faults: &mut faults,
         };
         rendered.push(printer.page(found));
@@ -90,6 +91,8 @@ struct Printer<'a, 'f> {
     library: &'a Items,
     /// Every label that some page mentions.
     cited: &'f mut BTreeSet<Label>,
+    /// The notes of the page whose marks are printed, in their order.
+    notes: Vec<String>,
     faults: &'f mut Faults,
 }
 
@@ -112,7 +115,14 @@ impl Printer<'_, '_> {
                 }
                 continue;
             }
-            let Some(replacement) = self.item(&placed.item, range.start) else {
+            let replacement = match &placed.item {
+                item @ Item::Heading { level: 1, .. } => {
+                    let heading = self.item(item, range.start);
+                    self.title(heading.as_deref().unwrap_or(&text[range.clone()])).or(heading)
+                }
+                item => self.item(item, range.start),
+            };
+            let Some(replacement) = replacement else {
                 continue;
             };
             out.push_str(&text[done..range.start]);
@@ -121,6 +131,15 @@ impl Printer<'_, '_> {
         }
         out.push_str(&text[done..]);
         out
+    }
+
+    /// The title of a page of a numbered chapter, below the number of the chapter.
+    fn title(&self, heading: &str) -> Option<String> {
+        let chapter = self.page.chapter?;
+        let part = self.page.part.as_ref().map(|part| format!(" · {}", escaped(part))).unwrap_or_default();
+        Some(format!(
+            "<p class=\"kicker\" data-chapter=\"{chapter}\">Chapter {chapter}{part}</p>\n\n{heading}"
+        ))
     }
 
     fn item(&mut self, item: &Item<'_>, offset: usize) -> Option<String> {
@@ -133,6 +152,9 @@ impl Printer<'_, '_> {
             Item::Mention(mention) => {
                 self.mention(mention, offset).map(|(words, target)| format!("[{words}]({target})"))
             }
+            Item::NoteMark(name) => Some(self.note_mark(name)),
+            Item::Note(note) => Some(self.note(note)),
+            Item::NoteDefinition => Some(String::new()),
             Item::Snippet { code } => self.uses(code),
             Item::CodeLabel(label) => match self.words(label) {
                 Ok((words, _)) => Some(words),
@@ -199,7 +221,7 @@ impl Printer<'_, '_> {
     fn figure(&mut self, label: &Label, caption: &[Event<'_>], offset: usize) -> Option<String> {
         let figure = self.drawn.figures.iter().find(|figure| figure.id == label.written())?;
         let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
-        let caption = self.caption(caption, offset);
+        let caption = self.words_of(caption, offset, "caption");
         let up = "../".repeat(self.page.path.matches('/').count());
         Some(format!(
             "<figure class=\"figure\" id=\"{}\">\n<div class=\"drawing\">\n{}\n</div>\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
@@ -219,8 +241,26 @@ impl Printer<'_, '_> {
         table
     }
 
-    /// A caption as HTML: Markdown's own handwriting, mathematics and references.
-    fn caption(&mut self, events: &[Event<'_>], offset: usize) -> String {
+    /// The mark of a note; the note itself stands behind the block.
+    fn note_mark(&mut self, name: &str) -> String {
+        self.notes.push(name.to_owned());
+        let number = self.notes.len();
+        format!(
+            "<a class=\"note-mark\" id=\"noteref-{name}\" href=\"#note-{name}\" role=\"doc-noteref\">{number}</a>"
+        )
+    }
+
+    fn note(&mut self, Note { name, words, offset }: &Note<'_>) -> String {
+        let number = self.notes.iter().position(|mark| mark == name).map_or(0, |at| at + 1);
+        let words = self.words_of(words, *offset, "note");
+        format!(
+            "\n\n<aside class=\"note\" id=\"note-{name}\" role=\"doc-footnote\"><a class=\"note-number\" href=\"#noteref-{name}\" \
+             aria-label=\"back to the text\">{number}</a> {words}</aside>\n\n"
+        )
+    }
+
+    /// A caption or a note as HTML: Markdown's own handwriting, mathematics and references.
+    fn words_of(&mut self, events: &[Event<'_>], offset: usize, what: &str) -> String {
         let mut out = String::new();
         let mut printed: Vec<Event<'_>> = Vec::new();
         for event in events {
@@ -228,7 +268,7 @@ impl Printer<'_, '_> {
                 Event::InlineMath(tex) => match self.maths.inline_html(tex) {
                     Ok(mathml) => Event::InlineHtml(CowStr::from(mathml)),
                     Err(fault) => {
-                        self.fault(offset, format!("in the caption, {}", fault.message));
+                        self.fault(offset, format!("in the {what}, {}", fault.message));
                         continue;
                     }
                 },
@@ -236,6 +276,7 @@ impl Printer<'_, '_> {
                     Event::InlineHtml(CowStr::from(self.mentions_in(text, offset)))
                 }
                 Event::SoftBreak => Event::Text(CowStr::from(" ")),
+                Event::FootnoteReference(name) => Event::InlineHtml(CowStr::from(self.note_mark(name))),
                 other => other.clone(),
             });
         }
@@ -367,9 +408,15 @@ mod tests {
 
     /// What becomes of one page, which is chapter 1.
     fn printed(text: &str) -> String {
-        let page = Page::new("book", "a.md".to_owned(), Some(1), text.to_owned());
+        let page = Page::new("book", "a.md".to_owned(), Some(1), None, text.to_owned());
         let printed = render(&[page], &Rendered::default(), &Items::default(), &[]);
         printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
+    }
+
+    /// The only formula of a text.
+    fn maths(text: &str) -> String {
+        let page = printed(&format!("# A\n\n{text}\n"));
+        page[page.find("<math").unwrap()..page.find("</math>").unwrap() + "</math>".len()].to_owned()
     }
 
     #[test]
@@ -392,7 +439,7 @@ mod tests {
     fn a_page_comes_out_as_expected() {
         let page = "# A\n\n## Motion {#sec:motion}\n\n$$\na\n$$ {#eq:x source=19}\n\n$$\nb\n$$\n\n\
                     $$\nc\n$$ {#eq:y source=\"20 21\" corrected}\n\nSee @eq:y, @source:19, @sec:motion and `@eq:z`.\n";
-        let expected = "# A\n\n## Motion {#sec-motion}\n\n\
+        let expected = "<p class=\"kicker\" data-chapter=\"1\">Chapter 1</p>\n\n# A\n\n## Motion {#sec-motion}\n\n\
             <div class=\"equation numbered\" id=\"eq-x\"><div class=\"formula\"><math display=\"block\"><mi>a</mi></math></div>\
             <div class=\"marks\"><a class=\"number\" href=\"#eq-x\">(1.1)</a>\
             <a class=\"source\" id=\"source-19\" href=\"#source-19\" title=\"equation (19) of the source\">source 19</a></div></div>\n\n\
@@ -403,5 +450,68 @@ mod tests {
             <a class=\"source corrected\" id=\"source-21\" href=\"#source-21\" title=\"corrects equation (21) of the source\">corrects 21</a></div></div>\n\n\
             See [(1.2)](a.md#eq-y), [source 19](a.md#source-19), [“Motion”](a.md#sec-motion) and `@eq:z`.\n";
         assert_eq!(printed(page), expected);
+    }
+
+    #[test]
+    fn the_number_of_the_chapter_stands_above_the_title() {
+        let print = |chapter, part: Option<&str>| {
+            let text = "# A {#sec:a}\n".to_owned();
+            let page = Page::new("book", "a.md".to_owned(), chapter, part.map(str::to_owned), text);
+            render(&[page], &Rendered::default(), &Items::default(), &[]).unwrap_or_default().remove(0)
+        };
+        let kicker =
+            |words: &str| format!("<p class=\"kicker\" data-chapter=\"4\">{words}</p>\n\n# A {{#sec-a}}\n");
+        assert_eq!(print(Some(4), None), kicker("Chapter 4"));
+        assert_eq!(print(Some(4), Some("Exercises")), kicker("Chapter 4 · Exercises"));
+        assert_eq!(print(None, None), "# A {#sec-a}\n");
+    }
+
+    #[test]
+    fn a_note_of_a_caption_stands_below_the_figure() {
+        let [svg, standalone] = [String::new(), String::new()];
+        let figure =
+            crate::rendered::Figure { id: "fig:x".to_owned(), chapter: "a".to_owned(), svg, standalone };
+        let drawn = Rendered { figures: vec![figure], tables: Vec::new() };
+        let text = "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n".to_owned();
+        let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
+        let printed = render(&[page], &drawn, &Items::default(), &[]);
+        let printed = printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0);
+        let at = |words: &str| printed.find(words).unwrap_or_else(|| panic!("{words} in {printed}"));
+        assert!(at("It’s so.<a class=\"note-mark\"") < at("</figcaption>"));
+        assert!(at("</figure>") < at("<aside class=\"note\""));
+    }
+
+    #[test]
+    fn a_note_stands_behind_the_block_that_refers_to_it() {
+        let mark = |n: u8, name: &str| {
+            format!(
+                "<a class=\"note-mark\" id=\"noteref-{name}\" href=\"#note-{name}\" role=\"doc-noteref\">{n}</a>"
+            )
+        };
+        let note = |n: u8, name: &str, words: &str| {
+            format!(
+                "<aside class=\"note\" id=\"note-{name}\" role=\"doc-footnote\"><a class=\"note-number\" \
+                 href=\"#noteref-{name}\" aria-label=\"back to the text\">{n}</a> {words}</aside>"
+            )
+        };
+        let page = "# A\n\n$$\na\n$$ {#eq:x}\n\nSo.[^b] More[^a]\nhere.\n\n[^a]: It's $x$.\n\n[^b]: From *b*\n    by @eq:x.\n\n\
+                    - one[^c]\n- two\n\n> quoted[^d]\n\nEnd.\n\n[^c]: C.\n[^d]: D.\n";
+        let printed = printed(page);
+        let blocks: Vec<&str> =
+            printed.split("\n\n").map(str::trim).filter(|block| !block.is_empty()).collect();
+        let x = maths("$x$");
+        assert_eq!(
+            blocks[3..],
+            [
+                format!("So.{} More{}\nhere.", mark(1, "b"), mark(2, "a")),
+                note(1, "b", "From <em>b</em> by <a href=\"a.md#eq-x\">(1.1)</a>."),
+                note(2, "a", &format!("It’s {x}.")),
+                format!("- one{}\n- two", mark(3, "c")),
+                note(3, "c", "C."),
+                format!("> quoted{}", mark(4, "d")),
+                note(4, "d", "D."),
+                "End.".to_owned(),
+            ]
+        );
     }
 }
