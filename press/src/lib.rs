@@ -78,4 +78,5 @@ mod signs;
 mod site;
 mod snippets;
 mod summary;
+mod ties;
 mod written;
