@@ -201,8 +201,9 @@ impl Printer<'_, '_> {
         let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
         let caption = self.caption(caption, offset);
         let up = "../".repeat(self.page.path.matches('/').count());
+        let class = if figure.wide { "figure wide" } else { "figure" };
         Some(format!(
-            "<figure class=\"figure\" id=\"{}\">\n<div class=\"drawing\">\n{}\n</div>\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
+            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
              <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
             label.id(),
             figure.svg.trim(),
