@@ -1,11 +1,7 @@
 //! LaTeX to MathML.
 
+use crate::faces;
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
-use ttf_parser::Face;
-
-/// The mathematics font of the site and of labels, cut by the script beside it down to the characters that
-/// the script lists.
-pub(crate) const FONT: &[u8] = include_bytes!("../drawing/font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
 /// MathML later.
@@ -14,7 +10,6 @@ const DEEPEST: usize = 60;
 /// A converter, built once a run.
 pub(crate) struct Maths {
     converter: LatexToMathML,
-    font: Face<'static>,
 }
 
 /// LaTeX that is not understood: where in it, and why.
@@ -31,7 +26,6 @@ impl Maths {
         // Only a macro can make the converter fail, and there is none.
         Self {
             converter: LatexToMathML::new(config).unwrap_or_else(|_| unreachable!("no macros to be wrong")),
-            font: Face::parse(FONT, 0).unwrap_or_else(|_| unreachable!("the font is sound")),
         }
     }
 
@@ -61,13 +55,9 @@ impl Maths {
         match self.converter.convert_with_local_state(tex, display) {
             Ok(result) => {
                 let mathml = result.mathml.replace('\n', " ");
-                let lacks = |&c: &char| !c.is_ascii() && self.font.glyph_index(c).is_none();
-                match mathml.chars().find(lacks) {
-                    None => Ok(mathml),
-                    Some(c) => Err(MathsFault {
-                        offset: 0,
-                        message: format!("the font has no `{c}`: add it in press/drawing/font/subset.py"),
-                    }),
+                match faces::check_mathml(&mathml) {
+                    Ok(()) => Ok(mathml),
+                    Err(message) => Err(MathsFault { offset: 0, message }),
                 }
             }
             Err(error) => {
@@ -159,7 +149,7 @@ mod tests {
     #[test]
     fn a_character_that_the_font_lacks_is_a_fault() {
         let fault = Maths::new().display(r"x \in \mathfrak{g}").unwrap_err();
-        assert_eq!(fault.message, "the font has no `𝔤`: add it in press/drawing/font/subset.py");
+        assert!(fault.message.contains("has no `𝔤` (U+1D524)"), "{}", fault.message);
     }
 
     #[test]
