@@ -37,8 +37,9 @@
 //! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an
 //!   id that stands on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry
 //!   that nothing cites;
-//! - mathematics: LaTeX that is not understood or nested too deeply, a character that the font lacks, a blank
-//!   line inside `$$`, a stray `$`, display mathematics that shares its paragraph, mathematics in a heading;
+//! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`,
+//!   display mathematics that shares its paragraph, mathematics in a heading;
+//! - characters that the faces of text, code or mathematics lack: they hold what `font/characters.txt` lists;
 //! - links: a dead link or anchor, a link without words or target, a reference `[x][y]` that is
 //!   defined nowhere, a link or a figure that Markdown does not read as one;
 //! - notes: a footnote that is defined nowhere or twice, or referred to twice or never, that holds more than a
@@ -64,6 +65,7 @@ pub mod preprocess;
 pub mod rendered;
 
 mod api;
+mod faces;
 mod labels;
 mod maths;
 mod notes;

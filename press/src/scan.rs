@@ -3,6 +3,7 @@
 mod mathematics;
 
 use crate::book::Page;
+use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
 use crate::page::{Item, Kind, Note, Placed};
 use crate::raw::{Find, RawHtml};
@@ -83,6 +84,13 @@ impl<'a> Scan<'a, '_> {
         self.report.fault(offset, message);
     }
 
+    /// Text that the page shows in this face.
+    fn shown(&mut self, face: Face, range: &Range<usize>) {
+        if let Err((at, message)) = face.check(&self.text[range.clone()]) {
+            self.fault(range.start + at, message);
+        }
+    }
+
     fn place(&mut self, range: Range<usize>, item: Item<'a>) {
         self.items.push(Placed { range, item });
     }
@@ -119,7 +127,9 @@ impl<'a> Scan<'a, '_> {
                 Event::FootnoteReference(name) => self.note_mark(name, range),
                 Event::InlineMath(_) => self.inline(range),
                 Event::DisplayMath(_) => self.display(range),
+                Event::Code(_) => self.shown(Face::Code, range),
                 Event::Text(_) => {
+                    self.shown(Face::Text, range);
                     let in_link = self.surroundings.in_link;
                     self.items.extend(written::mentions(self.text, range, in_link, &mut self.report));
                     self.stray_dollars(range.clone());
@@ -228,6 +238,7 @@ impl<'a> Scan<'a, '_> {
     }
 
     fn code(&mut self, kind: &CodeBlockKind<'a>, range: &Range<usize>) {
+        self.shown(Face::Code, range);
         snippets::check(self.text, kind, range, |offset, message| self.report.fault(offset, message));
         if matches!(kind, CodeBlockKind::Indented) {
             self.fault(range.start, "text indented by four spaces becomes code: unindent it, or fence it");
@@ -301,6 +312,7 @@ impl<'a> Scan<'a, '_> {
         let mut places = Vec::new();
         for (event, range) in events {
             if let Event::Html(piece) | Event::InlineHtml(piece) = event {
+                self.shown(Face::Text, range);
                 places.push((html.len(), range.start));
                 html.push_str(piece);
             }

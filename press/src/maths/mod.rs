@@ -4,13 +4,13 @@ mod accents;
 mod brackets;
 mod tree;
 
+use crate::faces;
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use tree::Element;
 use ttf_parser::Face;
 
-/// The mathematics font of the site and of labels, cut by the script beside it down to the characters that
-/// the script lists.
-pub(crate) const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
+/// The mathematics font, which knows where an accent stands.
+const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
 /// MathML later.
@@ -66,16 +66,12 @@ impl Maths {
         match self.converter.convert_with_local_state(tex, display) {
             Ok(result) => {
                 let mathml = result.mathml.replace('\n', " ");
-                let lacks = |&c: &char| !c.is_ascii() && self.font.glyph_index(c).is_none();
-                match mathml.chars().find(lacks) {
-                    None => self.mended(&mathml).ok_or_else(|| MathsFault {
+                match faces::check_mathml(&mathml) {
+                    Ok(()) => self.mended(&mathml).ok_or_else(|| MathsFault {
                         offset: 0,
                         message: "the formula becomes no sound XML".to_owned(),
                     }),
-                    Some(c) => Err(MathsFault {
-                        offset: 0,
-                        message: format!("the font has no `{c}`: add it in press/drawing/font/subset.py"),
-                    }),
+                    Err(message) => Err(MathsFault { offset: 0, message }),
                 }
             }
             Err(error) => {
@@ -177,7 +173,7 @@ mod tests {
     #[test]
     fn a_character_that_the_font_lacks_is_a_fault() {
         let fault = Maths::new().display(r"x \in \mathfrak{g}").unwrap_err();
-        assert_eq!(fault.message, "the font has no `𝔤`: add it in press/drawing/font/subset.py");
+        assert!(fault.message.contains("has no `𝔤` (U+1D524)"), "{}", fault.message);
     }
 
     #[test]
