@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 /// The only figure and the only table that these books can show.
 fn drawn() -> Rendered {
     let [svg, standalone] = [String::new(), String::new()];
-    let figure = Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone };
+    let figure = Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone, wide: false };
     Rendered { figures: vec![figure], tables: vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())] }
 }
 
