@@ -28,7 +28,7 @@ pub(crate) fn render(
     let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
     let registry = Registry::build(pages, &scans, &drawn.figures, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
-    let maths = Maths::new();
+    let maths = Maths::new(pages, &mut faults);
     let mut cited = BTreeSet::new();
     let mut rendered = Vec::with_capacity(pages.len());
     for (page, found) in pages.iter().zip(&scans) {
@@ -159,6 +159,8 @@ impl Printer<'_, '_> {
                 let before = &self.page.text[..offset];
                 self.mention(mention, before, offset).map(|(words, target)| format!("[{words}]({target})"))
             }
+            Item::Coloured(Some(quantity)) => Some(format!("<span class=\"{}\">", quantity.class())),
+            Item::Coloured(None) => Some("</span>".to_owned()),
             Item::Blank => Some(ties::BLANK.to_owned()),
             Item::NoteMark(name) => Some(self.note_mark(name)),
             Item::Note(note) => Some(self.note(note)),
@@ -198,11 +200,14 @@ impl Printer<'_, '_> {
     }
 
     fn inline(&mut self, tex: &str, offset: usize) -> Option<String> {
-        self.maths.inline(tex).map_err(|fault| self.fault(offset + fault.offset, fault.message)).ok()
+        self.maths
+            .inline(tex, &self.page.path)
+            .map_err(|fault| self.fault(offset + fault.offset, fault.message))
+            .ok()
     }
 
     fn display(&mut self, tex: &str, label: Option<&EquationLabel>, offset: usize) -> Option<String> {
-        let converted = self.maths.display(tex);
+        let converted = self.maths.display(tex, &self.page.path);
         let mathml = converted.map_err(|fault| self.fault(offset + 2 + fault.offset, fault.message)).ok()?;
         let Some(EquationLabel { label, source, corrected }) = label else {
             return Some(format!("<div class=\"equation\"><div class=\"formula\">{mathml}</div></div>"));
@@ -279,7 +284,7 @@ impl Printer<'_, '_> {
                 _ => "",
             };
             let html = match event {
-                Event::InlineMath(tex) => match self.maths.inline_html(tex) {
+                Event::InlineMath(tex) => match self.maths.inline_html(tex, &self.page.path) {
                     Ok(mathml) => {
                         let last = match printed.last_mut() {
                             Some(Event::InlineHtml(html)) => html,
@@ -495,6 +500,16 @@ mod tests {
             <a class=\"source corrected\" id=\"source-21\" href=\"#source-21\" title=\"corrects equation (21) of the source\">corrects 21</a></div></div>\n\n\
             See [(1.2)](a.md#eq-y), [source\u{a0}19](a.md#source-19), [“Motion”](a.md#sec-motion) and `@eq:z`.\n";
         assert_eq!(printed(page), expected);
+    }
+
+    #[test]
+    fn words_have_the_colour_of_their_quantity() {
+        let page = printed("# A\n\nThe [angular *momentum*]{.momentum}, [so] and [$x$]{.spin}.\n");
+        let [momentum, spin] = ["momentum", "spin"].map(|role| format!("<span class=\"q-{role}\">"));
+        let expected = format!(
+            "The {momentum}angular *momentum*</span>, [so] and {spin}<math><mi>x</mi></math></span>."
+        );
+        assert!(page.contains(&expected), "{page}");
     }
 
     #[test]
