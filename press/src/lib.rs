@@ -7,7 +7,8 @@
 //!
 //! | write | get |
 //! |---|---|
-//! | `$r_0$`, `$$…$$` in a paragraph of its own | mathematics, as MathML; `\$` is a dollar |
+//! | `$r_0$`, `$$…$$` in a paragraph of its own | mathematics, as MathML, in the colours of its letters; `\$` is a dollar |
+//! | `[words]{.spin}` | words in the colour of a quantity: body, spin, momentum, contact, force |
 //! | `$$…$$ {#eq:steady-radius}` | an equation with a number, chapter first: (1.9) |
 //! | `… {#eq:steady-radius source=19}` | the same, with the source's number and the anchor `#source-19` |
 //! | `… {#eq:r source="12 13" corrected}` | two numbers of the source; the equation corrects it |
@@ -28,6 +29,10 @@
 //! only. Notes are numbered on each page and stand behind the outermost block that refers to them. In a
 //! numbered chapter the title of a page stands below `Chapter 4`, or `Chapter 4 · Exercises`.
 //!
+//! Two tables of `conventions.md` say which letters stand for which coloured quantity, in the whole book and in
+//! single chapters. A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its
+//! unit; the number of an equation within round brackets has none of its own.
+//!
 //! # Faults
 //!
 //! All faults of a run are reported, each as `error: book/page.md:80: …`, and nothing is built.
@@ -37,6 +42,8 @@
 //! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an
 //!   id that stands on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry
 //!   that nothing cites;
+//! - colours: words in a colour that there is not, or in a caption; a colour or letter of the tables of conventions
+//!   that is none;
 //! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`,
 //!   display mathematics that shares its paragraph, mathematics in a heading;
 //! - characters that the faces of text, code or mathematics lack: they hold what `font/characters.txt` lists;

@@ -5,6 +5,7 @@ mod mathematics;
 use crate::book::Page;
 use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
+use crate::maths::Quantity;
 use crate::page::{Item, Kind, Note, Placed};
 use crate::raw::{Find, RawHtml};
 use crate::{notes, outline, references, signs, snippets, ties, written};
@@ -137,12 +138,40 @@ impl<'a> Scan<'a, '_> {
                     if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
                         self.lost_labels(range);
                         self.blanks(range);
+                        self.coloured(range);
                     }
                 }
                 _ => {}
             }
         }
         self.raw.end(&mut self.report);
+    }
+
+    /// `[words]{.role}`: words in the colour of a quantity.
+    fn coloured(&mut self, range: &Range<usize>) {
+        for (at, _) in self.text[range.clone()].match_indices("{.") {
+            let at = range.start + at;
+            let Some(words) = self.text[..at].strip_suffix(']') else {
+                continue;
+            };
+            let paragraph = self.text[..at].rfind("\n\n").map_or(0, |blank| blank + 2);
+            let role = &self.text[at + 2..];
+            let (Some(open), Some(end)) = (words[paragraph.min(words.len())..].rfind('['), role.find('}'))
+            else {
+                continue;
+            };
+            let open = paragraph + open;
+            if self.surroundings.in_caption || self.surroundings.in_note {
+                self.fault(open, "coloured words stand in the text of a page, not in a caption or a note");
+            }
+            match Quantity::of_role(&role[..end]) {
+                Ok(quantity) => {
+                    self.place(open..open + 1, Item::Coloured(Some(quantity)));
+                    self.place(at - 1..at + 2 + end + 1, Item::Coloured(None));
+                }
+                Err(message) => self.fault(at, message),
+            }
+        }
     }
 
     /// Numbers in a run of text are not parted from their units.
