@@ -185,7 +185,7 @@ pub(crate) fn drag_stills(id: &str) -> Outcome {
 /// The spin and the wobble part of the angular velocity, shrinking.
 pub(crate) fn two_clocks(id: &str) -> Outcome {
     let panel = |name: &str, [title, description, says]: [&str; 3], ratio: f64, wobble: f64, step: f64| -> Outcome {
-        let mut drawing = Drawing::new("", 240.0, 360.0).titled(title, description);
+        let mut drawing = Drawing::new("", 240.0, 372.0).titled(title, description);
         let top = body(ratio, 1.0, Vector3::new(wobble, 0.0, 1.0))?;
         let parts = |time: f64| -> Result<(f64, f64), InvalidQuantity> {
             let omega = top.at(time)?;
@@ -201,7 +201,7 @@ pub(crate) fn two_clocks(id: &str) -> Outcome {
             arrow(plot.drawing(), from, to, Hue::Orange);
         }
         plot.label(parts(0.0)?, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        drawing.label(at(130.0, 348.0), Side::Over, says, Hue::Ink)?;
+        drawing.label(at(130.0, 360.0), Side::Over, says, Hue::Ink)?;
         Ok(drawing)
     };
     let flat = panel(

@@ -229,9 +229,8 @@ pub(crate) fn cones(id: &str) -> Outcome {
     }
     let wide = tossed(2.0 * 75_f64.to_radians().tan(), 1.0)?;
     let edge = wide.first_edge().ok_or("it goes over")?;
-    for (time, name, hue) in [(0.5 * edge, "heads up", Hue::Blue), (1.3 * edge, "tails up", Hue::Muted)] {
-        stage.label(wide.normal(time)?, Side::Left, name, hue)?;
-    }
+    stage.label(wide.normal(0.5 * edge)?, Side::Left, "heads up", Hue::Blue)?;
+    stage.label(wide.normal(1.15 * edge)?, Side::Right, "tails up", Hue::Muted)?;
     stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
     stage.label_shifted([0.0, 0.0, 1.0], at(0.0, -7.0), Side::Above, "start, flat", Hue::Ink)?;
     stage.write(&mut drawing);

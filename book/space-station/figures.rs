@@ -69,7 +69,7 @@ pub(crate) fn station(id: &str) -> Outcome {
         stage.angle([0.0; 3], Vector3::z(), to, radius, "", Hue::Ink)?;
         let between = if to == omega { omega + momentum } else { momentum + Vector3::z() };
         let middle = between.normalize() * radius;
-        stage.label_shifted(middle, at(0.0, 3.0), Side::Above, name, Hue::Ink)?;
+        stage.label_shifted(middle, at(0.0, -1.0), Side::Above, name, Hue::Ink)?;
     }
     let rim = [0.0, 0.93, 0.08];
     stage.solid(Solid::sphere([0.0, 0.93, -0.72], 0.045)?, Hue::Muted)?;
