@@ -44,7 +44,7 @@ impl Room {
 ///         Ok(drawing)
 ///     })
 /// }
-/// assert_eq!(parabola("fig:parabola").unwrap().all_parts()[1].id(), "fig:parabola-narrow");
+/// assert_eq!(parabola("it").unwrap().all_parts()[1].id(), "it-narrow");
 /// ```
 ///
 /// # Errors
