@@ -104,7 +104,7 @@ fn lengths_and_angles() -> Outcome {
     let outward = Point::polar(1.0, phi);
     let load = shaft + outward * 104.0;
     let mass = shaft + outward * 76.0;
-    drawing.disc(shaft, 122.0, Hue::Blue);
+    drawing.disc(shaft, 128.0, Hue::Blue);
 
     // Directions: the x axis, its parallel through the shaft, and the radius carried on beyond the shaft.
     let axis_end = at(300.0, origin.y);
@@ -141,8 +141,8 @@ fn lengths_and_angles() -> Outcome {
     kit::angle(&mut drawing, shaft, 48.0, theta, phi - theta, Heads::End, Hue::Ink);
     let lead_label = shaft + Point::polar(48.0, 0.5 * (theta + phi));
     drawing.label_on_face(lead_label, Side::AboveRight, r"$\phi_0$", Hue::Ink)?;
-    kit::angle(&mut drawing, shaft, 134.0, 2.1, 0.5, Heads::End, Hue::Orange);
-    drawing.label(shaft + Point::polar(134.0, 2.35), Side::AboveLeft, r"$\Omega$", Hue::Orange)?;
+    kit::angle(&mut drawing, shaft, 139.0, 2.1, 0.5, Heads::End, Hue::Orange);
+    drawing.label(shaft + Point::polar(139.0, 2.35), Side::AboveLeft, r"$\Omega$", Hue::Orange)?;
     drawing.dot(origin, 3.4, Hue::Ink);
     drawing.label(origin, Side::BelowLeft, "$O$", Hue::Ink)?;
     Ok(drawing)

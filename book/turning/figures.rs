@@ -384,13 +384,14 @@ pub(crate) fn possible_moments(id: &str) -> Outcome {
     let cylinder = |height: f64| Body::cylinder(1.0, Cylinder { radius: 1.0, height });
     for (body, name, side) in [
         (Body::sphere(1.0, 1.0)?, "ball", Side::BelowLeft),
-        (cylinder(20.0)?, "pencil", Side::Right),
+        (cylinder(20.0)?, "pencil", Side::BelowRight),
         (cylinder(0.0)?, "coin", Side::AboveRight),
         (Body::cuboid(2.0, [0.20, 0.10, 0.06])?, "brick", Side::Right),
     ] {
         let place = over_largest(body.moments());
         plot.markers(&[place], Marker::Disc, Hue::Blue);
-        let place = plot.at(place);
+        let clear_of_the_edge = at(if name == "pencil" { 12.0 } else { 0.0 }, 0.0);
+        let place = plot.at(place) + clear_of_the_edge;
         plot.drawing().label_on_face(place, side, name, Hue::Ink)?;
     }
     let place = plot.at((0.62, 0.22));
