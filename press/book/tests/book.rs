@@ -2,6 +2,8 @@
 
 #[path = "book/contrast.rs"]
 mod contrast;
+#[path = "book/vision.rs"]
+mod vision;
 
 use press::rendered::Rendered;
 use std::collections::BTreeSet;
