@@ -15,6 +15,7 @@
 //! | `words[^name]`, and `[^name]: The note.` somewhere below | a note in the margin, with maths and references |
 //! | `![Caption.](fig:machine)[^name]` | the same, on a figure |
 //! | `![](table:methods)` in a paragraph of its own | a table that the library gives |
+//! | `let r = wheel.rate(); // → 4.317 rad/s` in a snippet | a number that the test holds to every digit shown |
 //! | `## Title {#sec:motion}` | a section that can be referred to |
 //! | `## Title {#ex:peak}` | an exercise with a number; it holds a hint in `<details>` |
 //! | `## {#sol:peak}` | its solution, titled and linked both ways |
@@ -27,6 +28,17 @@
 //! through all pages of a numbered chapter; equations, figures and exercises can stand in numbered chapters
 //! only. Notes are numbered on each page and stand behind the outermost block that refers to them. In a
 //! numbered chapter the title of a page stands below `Chapter 4`, or `Chapter 4 · Exercises`.
+//!
+//! # Snippets
+//!
+//! All of a snippet is tested; its page shows what a reader would type. Lines behind `# ` are hidden, and the
+//! assertions that a snippet ends with are folded below it, with the comments right above them, if they take up more
+//! than three lines and stand below something else.
+//!
+//! A number behind `// → ` is an output. The test rounds the value of the statement to as many digits and refuses
+//! any other: what a `let` at the beginning of the statement binds, or the statement itself if it has one line. The
+//! value is an `f64`, an integer, a pair or an array; several numbers stand with commas between, `// → 1.2, 3.4`,
+//! and any words may follow. Very large and small ones are written `1.2e-5`.
 //!
 //! # Faults
 //!
@@ -45,7 +57,8 @@
 //!   paragraph of words, or hangs on a heading or another note;
 //! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
 //! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
-//!   lines or with a line too long for the page, text indented into a code block;
+//!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, text
+//!   indented into a code block;
 //! - exercises without hint or solution, table columns without a name;
 //! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are
 //!   not closed where they were opened, end tags that close nothing, mathematics or references inside;
@@ -64,12 +77,14 @@ pub mod preprocess;
 pub mod rendered;
 
 mod api;
+mod checks;
 mod labels;
 mod maths;
 mod notes;
 mod outcome;
 mod outline;
 mod page;
+mod printed;
 mod raw;
 mod references;
 mod render;

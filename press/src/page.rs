@@ -116,8 +116,6 @@ pub(crate) enum Item<'a> {
     Snippet {
         code: &'a str,
     },
-    /// A label in a comment of a snippet, where a reader sees the number.
-    CodeLabel(Label),
     Citation {
         label: Label,
         short: &'a str,

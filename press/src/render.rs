@@ -8,6 +8,7 @@ use crate::maths::Maths;
 use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed};
 use crate::rendered::Rendered;
 use crate::scan::scan;
+use crate::snippets;
 use pulldown_cmark::{CowStr, Event, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -155,14 +156,7 @@ impl Printer<'_, '_> {
             Item::NoteMark(name) => Some(self.note_mark(name)),
             Item::Note(note) => Some(self.note(note)),
             Item::NoteDefinition => Some(String::new()),
-            Item::Snippet { code } => self.uses(code),
-            Item::CodeLabel(label) => match self.words(label) {
-                Ok((words, _)) => Some(words),
-                Err(message) => {
-                    self.fault(offset, message);
-                    None
-                }
-            },
+            Item::Snippet { code } => Some(self.snippet(code, offset)),
             Item::Citation { label, short } => Some(format!(
                 "<span class=\"cite\" id=\"{}\">&#91;{}&#93;</span>",
                 label.id(),
@@ -174,6 +168,25 @@ impl Printer<'_, '_> {
             }
             Item::Heading { label: None, .. } | Item::Hint | Item::Id(_) => None,
         }
+    }
+
+    /// A snippet with numbers for the labels that it cites, its checks folded, and what it uses of the library.
+    fn snippet(&mut self, code: &str, offset: usize) -> String {
+        let mut shown = String::with_capacity(code.len());
+        let mut done = 0;
+        for (place, name) in snippets::cited_labels(code, &(0..code.len())) {
+            let label = Label { kind: Kind::Equation, name: name["eq:".len()..].to_owned() };
+            match self.words(&label) {
+                Ok((number, _)) => {
+                    shown.push_str(&code[done..place.start]);
+                    shown.push_str(&number);
+                    done = place.end;
+                }
+                Err(message) => self.fault(offset + place.start, message),
+            }
+        }
+        shown.push_str(&code[done..]);
+        snippets::with_folded_checks(&shown) + &self.uses(code).unwrap_or_default()
     }
 
     /// A line below a snippet that leads to the documentation of the library items that it imports.

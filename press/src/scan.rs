@@ -225,12 +225,7 @@ impl<'a> Scan<'a, '_> {
             self.fault(range.start, "text indented by four spaces becomes code: unindent it, or fence it");
         }
         if matches!(kind, CodeBlockKind::Fenced(info) if info.starts_with("rust")) {
-            self.place(range.end..range.end, Item::Snippet { code: &self.text[range.clone()] });
-        }
-        for (place, written) in snippets::cited_labels(self.text, range) {
-            if let Some(label) = written::label(written, place.start, &mut self.report) {
-                self.place(place, Item::CodeLabel(label));
-            }
+            self.place(range.clone(), Item::Snippet { code: &self.text[range.clone()] });
         }
     }
 

@@ -132,6 +132,12 @@ const CASES: &[Case] = &[
         &[(4, "do not fit on the page")],
     ),
     (
+        "printed",
+        "# A\n\n```rust\nlet x = 1; // → much\nlet y = 1 // → 4\n    .f(); // → 5 m\n\n// → 6\ny; // → -1.2e-5, 7 m\n```\n",
+        &[(4, "is written `// → 4.317 rad/s`"), (5, "end of a statement"), (8, "end of a statement")],
+    ),
+    ("not-printed", "# A\n\n```text\n// → much\n```\n", &[]),
+    (
         "code-label",
         "# A\n\n```rust\nlet x = 1; // eq:nowhere\n```\n",
         &[(4, "no page defines the label eq:nowhere")],
