@@ -93,4 +93,5 @@ mod signs;
 mod site;
 mod snippets;
 mod summary;
+mod ties;
 mod written;

@@ -126,6 +126,8 @@ pub(crate) enum Item<'a> {
     /// An id that raw HTML claims.
     Id(String),
     Hint,
+    /// A blank between a number and its unit.
+    Blank,
 }
 
 /// An item and the bytes of the page that it takes up.

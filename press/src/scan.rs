@@ -6,7 +6,7 @@ use crate::book::Page;
 use crate::fault::{Faults, Reporter};
 use crate::page::{Item, Kind, Note, Placed};
 use crate::raw::{Find, RawHtml};
-use crate::{notes, outline, references, signs, snippets, written};
+use crate::{notes, outline, references, signs, snippets, ties, written};
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Tag, TagEnd};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -126,12 +126,20 @@ impl<'a> Scan<'a, '_> {
                     self.foreign_maths(range);
                     if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
                         self.lost_labels(range);
+                        self.blanks(range);
                     }
                 }
                 _ => {}
             }
         }
         self.raw.end(&mut self.report);
+    }
+
+    /// Numbers in a run of text are not parted from their units.
+    fn blanks(&mut self, range: &Range<usize>) {
+        for at in ties::blanks(&self.text[range.clone()]).into_iter().map(|at| range.start + at) {
+            self.place(at..at + 1, Item::Blank);
+        }
     }
 
     /// An element of Markdown begins; `next` is its first event.

@@ -1,11 +1,16 @@
-//! LaTeX to MathML.
+//! LaTeX to MathML: a converter's, mended where browsers print it badly.
+
+mod accents;
+mod brackets;
+mod tree;
 
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+use tree::Element;
 use ttf_parser::Face;
 
 /// The mathematics font of the site and of labels, cut by the script beside it down to the characters that
 /// the script lists.
-pub(crate) const FONT: &[u8] = include_bytes!("../drawing/font/math.otf");
+pub(crate) const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
 /// MathML later.
@@ -63,7 +68,10 @@ impl Maths {
                 let mathml = result.mathml.replace('\n', " ");
                 let lacks = |&c: &char| !c.is_ascii() && self.font.glyph_index(c).is_none();
                 match mathml.chars().find(lacks) {
-                    None => Ok(mathml),
+                    None => self.mended(&mathml).ok_or_else(|| MathsFault {
+                        offset: 0,
+                        message: "the formula becomes no sound XML".to_owned(),
+                    }),
                     Some(c) => Err(MathsFault {
                         offset: 0,
                         message: format!("the font has no `{c}`: add it in press/drawing/font/subset.py"),
@@ -82,6 +90,16 @@ impl Maths {
                 Err(MathsFault { offset, message: format!("in the formula: {message}{near}") })
             }
         }
+    }
+
+    /// The converter's MathML as browsers print it well.
+    fn mended(&self, mathml: &str) -> Option<String> {
+        let mut formula = Element::read(mathml).ok()?;
+        brackets::keep_their_height(&mut formula);
+        accents::centre(&mut formula, &self.font);
+        let mut out = String::with_capacity(mathml.len());
+        formula.write(&mut out);
+        Some(out)
     }
 }
 
