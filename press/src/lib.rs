@@ -93,5 +93,6 @@ mod signs;
 mod site;
 mod snippets;
 mod summary;
+mod tables;
 mod ties;
 mod written;
