@@ -1,5 +1,6 @@
 //! What stands on a page that the press has to replace or check.
 
+use crate::maths::Quantity;
 use pulldown_cmark::Event;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -70,6 +71,28 @@ pub(crate) enum Mention {
     Source(u32),
 }
 
+/// A table: its rows of cells, of which the first holds the names of the columns.
+#[derive(Debug, Default)]
+pub(crate) struct Table<'a> {
+    pub(crate) rows: Vec<Vec<Cell<'a>>>,
+}
+
+/// A cell of a table, and where it stands on the page.
+#[derive(Debug)]
+pub(crate) struct Cell<'a> {
+    pub(crate) words: Vec<Event<'a>>,
+    pub(crate) offset: usize,
+}
+
+/// A note in the margin: `[^name]` in the text and `[^name]: words` below it.
+#[derive(Debug, Clone)]
+pub(crate) struct Note<'a> {
+    pub(crate) name: String,
+    pub(crate) words: Vec<Event<'a>>,
+    /// Where the words stand on the page.
+    pub(crate) offset: usize,
+}
+
 /// One thing on a page that the press has to see to.
 #[derive(Debug)]
 pub(crate) enum Item<'a> {
@@ -84,9 +107,16 @@ pub(crate) enum Item<'a> {
         label: Label,
         caption: Vec<Event<'a>>,
     },
-    /// A table that the library gives.
     Table {
+        table: Table<'a>,
+        caption: Vec<Event<'a>>,
+        /// Where the caption stands.
+        below: usize,
+    },
+    /// A table that the library gives.
+    LibraryTable {
         name: String,
+        caption: Vec<Event<'a>>,
     },
     Heading {
         level: u8,
@@ -97,12 +127,16 @@ pub(crate) enum Item<'a> {
         plain: String,
     },
     Mention(Mention),
+    /// The mark of a note.
+    NoteMark(String),
+    /// The words of a note, behind the block that holds its mark.
+    Note(Note<'a>),
+    /// The place where a note is written, and not printed.
+    NoteDefinition,
     /// A snippet in Rust, fences included.
     Snippet {
         code: &'a str,
     },
-    /// A label in a comment of a snippet, where a reader sees the number.
-    CodeLabel(Label),
     Citation {
         label: Label,
         short: &'a str,
@@ -113,6 +147,10 @@ pub(crate) enum Item<'a> {
     /// An id that raw HTML claims.
     Id(String),
     Hint,
+    /// A blank between a number and its unit.
+    Blank,
+    /// Words in the colour of a quantity begin, `[`, or end, `]{.role}`.
+    Coloured(Option<Quantity>),
 }
 
 /// An item and the bytes of the page that it takes up.

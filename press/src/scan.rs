@@ -3,12 +3,15 @@
 mod mathematics;
 
 use crate::book::Page;
+use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
-use crate::page::{Item, Kind, Placed};
+use crate::maths::Quantity;
+use crate::page::{Item, Kind, Note, Placed};
 use crate::raw::{Find, RawHtml};
-use crate::{outline, references, signs, snippets, written};
+use crate::{notes, outline, references, signs, snippets, tables, ties, written};
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Tag, TagEnd};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Markdown as mdBook reads it, and mathematics, which it does not.
@@ -20,6 +23,7 @@ pub(crate) fn options() -> Options {
         | Options::ENABLE_HEADING_ATTRIBUTES
         | Options::ENABLE_DEFINITION_LIST
         | Options::ENABLE_GFM
+        | Options::ENABLE_SMART_PUNCTUATION
         | Options::ENABLE_MATH
 }
 
@@ -28,10 +32,12 @@ pub(crate) fn scan<'a>(page: &'a Page, faults: &mut Faults) -> Vec<Placed<'a>> {
     let mut report = page.reporter(faults);
     signs::check(&page.text, &mut report);
     let events = references::parsed(&page.text, &mut report);
+    let notes = notes::defined(&page.text, &events, &mut report);
     let mut items = written::citations(&page.text, &mut report);
     let mut scan = Scan {
         text: &page.text,
         events: &events,
+        notes,
         items: Vec::new(),
         report,
         surroundings: Surroundings::default(),
@@ -49,6 +55,8 @@ type Events<'a> = [(Event<'a>, Range<usize>)];
 struct Scan<'a, 'f> {
     text: &'a str,
     events: &'f Events<'a>,
+    /// The notes whose marks have not been met.
+    notes: BTreeMap<String, Note<'a>>,
     items: Vec<Placed<'a>>,
     report: Reporter<'f>,
     surroundings: Surroundings,
@@ -62,8 +70,14 @@ struct Surroundings {
     quotes: usize,
     in_table: bool,
     in_table_head: bool,
+    /// Where the last table ends, with its caption.
+    end_of_table: usize,
     in_link: bool,
     in_caption: bool,
+    in_note: bool,
+    /// How many elements deep, and the notes that the outermost one refers to.
+    depth: usize,
+    notes: Vec<String>,
     paragraph: Option<Range<usize>>,
     heading: Option<Range<usize>>,
 }
@@ -71,6 +85,13 @@ struct Surroundings {
 impl<'a> Scan<'a, '_> {
     fn fault(&mut self, offset: usize, message: impl Into<String>) {
         self.report.fault(offset, message);
+    }
+
+    /// Text that the page shows in this face.
+    fn shown(&mut self, face: Face, range: &Range<usize>) {
+        if let Err((at, message)) = face.check(&self.text[range.clone()]) {
+            self.fault(range.start + at, message);
+        }
     }
 
     fn place(&mut self, range: Range<usize>, item: Item<'a>) {
@@ -95,21 +116,31 @@ impl<'a> Scan<'a, '_> {
                 Event::InlineHtml(_) => self.html(&events[n - 1..n]),
                 Event::Start(tag) => {
                     self.raw.enter();
+                    self.surroundings.depth += 1;
                     self.start(tag, range, n);
                 }
                 Event::End(tag) => {
                     self.end(*tag);
                     self.raw.leave(&mut self.report);
+                    self.surroundings.depth -= 1;
+                    if self.surroundings.depth == 0 {
+                        self.notes(range.end.max(self.surroundings.end_of_table));
+                    }
                 }
+                Event::FootnoteReference(name) => self.note_mark(name, range),
                 Event::InlineMath(_) => self.inline(range),
                 Event::DisplayMath(_) => self.display(range),
+                Event::Code(_) => self.shown(Face::Code, range),
                 Event::Text(_) => {
+                    self.shown(Face::Text, range);
                     let in_link = self.surroundings.in_link;
                     self.items.extend(written::mentions(self.text, range, in_link, &mut self.report));
                     self.stray_dollars(range.clone());
                     self.foreign_maths(range);
                     if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
                         self.lost_labels(range);
+                        self.blanks(range);
+                        self.coloured(range);
                     }
                 }
                 _ => {}
@@ -118,11 +149,48 @@ impl<'a> Scan<'a, '_> {
         self.raw.end(&mut self.report);
     }
 
+    /// `[words]{.role}`: words in the colour of a quantity.
+    fn coloured(&mut self, range: &Range<usize>) {
+        for (at, _) in self.text[range.clone()].match_indices("{.") {
+            let at = range.start + at;
+            let Some(words) = self.text[..at].strip_suffix(']') else {
+                continue;
+            };
+            let paragraph = self.text[..at].rfind("\n\n").map_or(0, |blank| blank + 2);
+            let role = &self.text[at + 2..];
+            let (Some(open), Some(end)) = (words[paragraph.min(words.len())..].rfind('['), role.find('}'))
+            else {
+                continue;
+            };
+            let open = paragraph + open;
+            if self.surroundings.in_caption || self.surroundings.in_note {
+                self.fault(open, "coloured words stand in the text of a page, not in a caption or a note");
+            }
+            match Quantity::of_role(&role[..end]) {
+                Ok(quantity) => {
+                    self.place(open..open + 1, Item::Coloured(Some(quantity)));
+                    self.place(at - 1..at + 2 + end + 1, Item::Coloured(None));
+                }
+                Err(message) => self.fault(at, message),
+            }
+        }
+    }
+
+    /// Numbers in a run of text are not parted from their units.
+    fn blanks(&mut self, range: &Range<usize>) {
+        for at in ties::blanks(&self.text[range.clone()]).into_iter().map(|at| range.start + at) {
+            self.place(at..at + 1, Item::Blank);
+        }
+    }
+
     /// An element of Markdown begins; `next` is its first event.
     fn start(&mut self, tag: &Tag<'a>, range: &Range<usize>, next: usize) {
         match tag {
             Tag::BlockQuote(_) => self.surroundings.quotes += 1,
-            Tag::Table(_) => self.surroundings.in_table = true,
+            Tag::Table(_) => {
+                self.surroundings.in_table = true;
+                self.table(range, next);
+            }
             Tag::TableHead => self.surroundings.in_table_head = true,
             Tag::TableCell => {
                 let empty = self.text[range.clone()].trim_matches(['|', ' ', '\t']).is_empty();
@@ -137,6 +205,10 @@ impl<'a> Scan<'a, '_> {
                         "a row of no table: no blank line may stand above it, and a table begins with a line of names and one of dashes",
                     );
                 }
+                let caption = self.text[range.clone()].starts_with(tables::CAPTION);
+                if caption && range.end > self.surroundings.end_of_table {
+                    self.fault(range.start, "a caption of no table: it stands right below its table");
+                }
                 self.surroundings.paragraph = Some(range.clone());
             }
             Tag::Heading { level, classes, attrs, .. } => {
@@ -148,6 +220,10 @@ impl<'a> Scan<'a, '_> {
                 }
                 self.heading(*level as u8, range.clone());
                 self.surroundings.heading = Some(range.clone());
+            }
+            Tag::FootnoteDefinition(_) => {
+                self.surroundings.in_note = true;
+                self.place(range.clone(), Item::NoteDefinition);
             }
             Tag::Image { .. } if self.surroundings.in_caption => {
                 self.fault(range.start, "a figure cannot stand in the caption of another");
@@ -170,6 +246,7 @@ impl<'a> Scan<'a, '_> {
             TagEnd::Table => self.surroundings.in_table = false,
             TagEnd::TableHead => self.surroundings.in_table_head = false,
             TagEnd::Link => self.surroundings.in_link = false,
+            TagEnd::FootnoteDefinition => self.surroundings.in_note = false,
             TagEnd::Image => self.surroundings.in_caption = false,
             TagEnd::Paragraph => self.surroundings.paragraph = None,
             TagEnd::Heading(_) => self.surroundings.heading = None,
@@ -177,33 +254,55 @@ impl<'a> Scan<'a, '_> {
         }
     }
 
+    /// The mark of a note, which is printed behind the outermost block around it.
+    fn note_mark(&mut self, name: &str, range: &Range<usize>) {
+        if self.surroundings.heading.is_some() {
+            self.fault(range.start, "a note cannot hang on a heading: it would be lost in the sidebar");
+        } else if self.surroundings.in_note {
+            self.fault(range.start, "a note cannot hang on another note");
+        } else if self.notes.contains_key(name) && !self.surroundings.notes.iter().any(|note| note == name) {
+            self.surroundings.notes.push(name.to_owned());
+            self.place(range.clone(), Item::NoteMark(name.to_owned()));
+        }
+    }
+
+    /// The notes of the block that ends here.
+    fn notes(&mut self, end: usize) {
+        for name in std::mem::take(&mut self.surroundings.notes) {
+            if let Some(note) = self.notes.remove(&name) {
+                self.place(end..end, Item::Note(note));
+            }
+        }
+    }
+
     fn code(&mut self, kind: &CodeBlockKind<'a>, range: &Range<usize>) {
+        self.shown(Face::Code, range);
         snippets::check(self.text, kind, range, |offset, message| self.report.fault(offset, message));
         if matches!(kind, CodeBlockKind::Indented) {
             self.fault(range.start, "text indented by four spaces becomes code: unindent it, or fence it");
         }
         if matches!(kind, CodeBlockKind::Fenced(info) if info.starts_with("rust")) {
-            self.place(range.end..range.end, Item::Snippet { code: &self.text[range.clone()] });
-        }
-        for (place, written) in snippets::cited_labels(self.text, range) {
-            if let Some(label) = written::label(written, place.start, &mut self.report) {
-                self.place(place, Item::CodeLabel(label));
-            }
+            self.place(range.clone(), Item::Snippet { code: &self.text[range.clone()] });
         }
     }
 
     /// A figure, whose caption is read like any text, or a table of the library.
     fn image(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
-        let alone = self
-            .surroundings
-            .paragraph
-            .as_ref()
-            .is_some_and(|p| self.text[p.clone()].trim() == &self.text[range.clone()]);
+        let (mut alone, mut marks) = (false, "");
+        if let Some(paragraph) = &self.surroundings.paragraph {
+            marks = self.text[range.end..paragraph.end].trim_end();
+            alone = self.text[paragraph.start..range.start].trim().is_empty() && notes::only_marks(marks);
+        }
         if let Some(name) = dest_url.strip_prefix("table:") {
             if !alone {
                 self.fault(range.start, format!("the table {name} must stand in a paragraph of its own"));
             }
-            self.place(range.clone(), Item::Table { name: name.to_owned() });
+            let caption = self.caption(next, marks);
+            if caption.is_empty() {
+                self.fault(range.start, format!("the table {name} has no caption that says what it holds"));
+            }
+            let name = name.to_owned();
+            self.place(range.start..range.end + marks.len(), Item::LibraryTable { name, caption });
             return;
         }
         let label = written::label(dest_url, range.start, &mut self.report);
@@ -217,13 +316,39 @@ impl<'a> Scan<'a, '_> {
         if !alone {
             self.fault(range.start, format!("the figure {dest_url} must stand in a paragraph of its own"));
         }
-        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Image));
-        let caption: Vec<Event<'a>> =
-            self.events[next..end - 1].iter().map(|(event, _)| event.clone()).collect();
+        let caption = self.caption(next, if alone { marks } else { "" });
         if caption.is_empty() {
             self.fault(range.start, format!("the figure {dest_url} has no caption that says what it shows"));
         }
-        self.place(range.clone(), Item::Figure { label, caption });
+        self.place(range.start..range.end + marks.len(), Item::Figure { label, caption });
+    }
+
+    /// The words of a figure, or of a table of the library, and the `marks` of notes behind it.
+    fn caption(&self, next: usize, marks: &str) -> Vec<Event<'a>> {
+        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Image));
+        let behind = self.events[end..]
+            .iter()
+            .take_while(|(event, _)| !marks.is_empty() && !matches!(event, Event::End(_)));
+        self.events[next..end - 1].iter().chain(behind).map(|(event, _)| event.clone()).collect()
+    }
+
+    /// A table, with the caption below it.
+    fn table(&mut self, range: &Range<usize>, next: usize) {
+        if self.surroundings.depth > 1 {
+            self.fault(range.start, "a table cannot stand in a list or a quotation");
+        }
+        let table = tables::read(&self.events[next..]);
+        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Table));
+        let (caption, place) =
+            tables::caption(self.text, &self.events[end..]).unwrap_or((Vec::new(), range.clone()));
+        if caption.is_empty() {
+            self.fault(
+                range.start,
+                "the table has no caption: a paragraph right below it, `Table: what it holds.`",
+            );
+        }
+        self.surroundings.end_of_table = place.end;
+        self.place(range.start..place.end, Item::Table { table, caption, below: place.start });
     }
 
     fn link(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
@@ -247,6 +372,7 @@ impl<'a> Scan<'a, '_> {
         let mut places = Vec::new();
         for (event, range) in events {
             if let Event::Html(piece) | Event::InlineHtml(piece) = event {
+                self.shown(Face::Text, range);
                 places.push((html.len(), range.start));
                 html.push_str(piece);
             }
