@@ -110,8 +110,10 @@ fn failed(entry: &Entry, cause: Cause) -> Failure {
 
 fn render(entry: &Entry) -> Result<Figure, Cause> {
     let drawing = (entry.draw)(entry.id)?;
-    let is_mute = |part: &Drawing| part.title().trim().is_empty() || part.description().trim().is_empty();
-    if is_mute(&drawing) || drawing.all_parts().into_iter().any(is_mute) {
+    let [title, description] = [drawing.title(), drawing.description()].map(|words| words.trim().is_empty());
+    // A panel may leave the words to the whole, but not half of them.
+    let mut parts = drawing.all_parts().into_iter();
+    if title || description || parts.any(|part| part.title().is_empty() != part.description().is_empty()) {
         return Err("the figure lacks a title or a description for those who cannot see it".into());
     }
     Ok(Figure {
