@@ -16,6 +16,8 @@ pub struct Page {
     pub file: String,
     /// The number of the chapter that it belongs to; `None` for unnumbered pages.
     pub chapter: Option<u32>,
+    /// Its name in SUMMARY.md if it stands below the first page of its chapter: `Exercises`.
+    pub part: Option<String>,
     /// Its Markdown.
     pub text: String,
     /// Where its lines begin.
@@ -24,9 +26,15 @@ pub struct Page {
 
 impl Page {
     /// A page of the book whose source folder is `source`.
-    pub(crate) fn new(source: &str, path: String, chapter: Option<u32>, text: String) -> Self {
+    pub(crate) fn new(
+        source: &str,
+        path: String,
+        chapter: Option<u32>,
+        part: Option<String>,
+        text: String,
+    ) -> Self {
         let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text); // as mdBook does
-        Self { file: format!("{source}/{path}"), path, chapter, lines: Lines::of(&text), text }
+        Self { file: format!("{source}/{path}"), path, chapter, part, lines: Lines::of(&text), text }
     }
 
     /// What reports the faults of this page.
@@ -49,10 +57,16 @@ fn collect(items: &[BookItem], source: &str, pages: &mut Vec<Page>) {
         };
         if let Some(path) = &chapter.source_path {
             let number = chapter.number.as_ref().and_then(|number| number.first().copied());
-            pages.push(Page::new(source, slashed(path), number, chapter.content.clone()));
+            let part = chapter.number.as_ref().and_then(|number| part(number, &chapter.name));
+            pages.push(Page::new(source, slashed(path), number, part, chapter.content.clone()));
         }
         collect(&chapter.sub_items, source, pages);
     }
+}
+
+/// What a page that has this number and this name is of its chapter, if it is not its first page.
+fn part(number: &[u32], name: &str) -> Option<String> {
+    (number.len() > 1).then(|| name.to_owned())
 }
 
 /// The pages as they stand on disk under `root`, read without mdBook, and the folder that they stand in.
@@ -115,8 +129,9 @@ fn read(item: &SummaryItem, root: &Path, source: &str, pages: &mut Vec<Page>, fa
     if let Some(location) = &link.location {
         let path = slashed(location);
         let chapter = link.number.as_ref().and_then(|number| number.first().copied());
+        let part = link.number.as_ref().and_then(|number| part(number, &link.name));
         let text = text(root, &format!("{source}/{path}"), faults);
-        pages.extend(text.map(|text| Page::new(source, path, chapter, text)));
+        pages.extend(text.map(|text| Page::new(source, path, chapter, part, text)));
     }
     for nested in &link.nested_items {
         read(nested, root, source, pages, faults);

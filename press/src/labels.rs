@@ -95,6 +95,11 @@ impl Registry {
                         claimed.push((id.clone(), line));
                         continue;
                     }
+                    Item::NoteMark(name) => {
+                        claimed.push((format!("noteref-{name}"), line));
+                        claimed.push((format!("note-{name}"), line));
+                        continue;
+                    }
                     _ => continue,
                 };
                 let number = registry.number(label, page, line, &mut counters, faults);

@@ -12,6 +12,8 @@
 //! | `… {#eq:steady-radius source=19}` | the same, with the source's number and the anchor `#source-19` |
 //! | `… {#eq:r source="12 13" corrected}` | two numbers of the source; the equation corrects it |
 //! | `![Caption.](fig:machine)` in a paragraph of its own | the figure, with number and caption |
+//! | `words[^name]`, and `[^name]: The note.` somewhere below | a note in the margin, with maths and references |
+//! | `![Caption.](fig:machine)[^name]` | the same, on a figure |
 //! | `![](table:methods)` in a paragraph of its own | a table that the library gives |
 //! | `## Title {#sec:motion}` | a section that can be referred to |
 //! | `## Title {#ex:peak}` | an exercise with a number; it holds a hint in `<details>` |
@@ -23,7 +25,8 @@
 //!
 //! Labels are made of lower-case letters, digits and hyphens, and are unique in the whole book. Counters run
 //! through all pages of a numbered chapter; equations, figures and exercises can stand in numbered chapters
-//! only.
+//! only. Notes are numbered on each page and stand behind the outermost block that refers to them. In a
+//! numbered chapter the title of a page stands below `Chapter 4`, or `Chapter 4 · Exercises`.
 //!
 //! # Faults
 //!
@@ -37,8 +40,10 @@
 //! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`,
 //!   display mathematics that shares its paragraph, mathematics in a heading;
 //! - characters that the faces of text, code or mathematics lack: they hold what `font/characters.txt` lists;
-//! - links: a dead link or anchor, a link without words or target, a reference `[x][y]` or a footnote that is
-//!   defined nowhere or twice, a footnote that nothing refers to;
+//! - links: a dead link or anchor, a link without words or target, a reference `[x][y]` that is
+//!   defined nowhere, a link or a figure that Markdown does not read as one;
+//! - notes: a footnote that is defined nowhere or twice, or referred to twice or never, that holds more than a
+//!   paragraph of words, or hangs on a heading or another note;
 //! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
 //! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
 //!   lines or with a line too long for the page, text indented into a code block;
@@ -63,6 +68,7 @@ mod api;
 mod faces;
 mod labels;
 mod maths;
+mod notes;
 mod outcome;
 mod outline;
 mod page;
@@ -74,4 +80,5 @@ mod signs;
 mod site;
 mod snippets;
 mod summary;
+mod ties;
 mod written;

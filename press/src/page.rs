@@ -70,6 +70,15 @@ pub(crate) enum Mention {
     Source(u32),
 }
 
+/// A note in the margin: `[^name]` in the text and `[^name]: words` below it.
+#[derive(Debug, Clone)]
+pub(crate) struct Note<'a> {
+    pub(crate) name: String,
+    pub(crate) words: Vec<Event<'a>>,
+    /// Where the words stand on the page.
+    pub(crate) offset: usize,
+}
+
 /// One thing on a page that the press has to see to.
 #[derive(Debug)]
 pub(crate) enum Item<'a> {
@@ -97,6 +106,12 @@ pub(crate) enum Item<'a> {
         plain: String,
     },
     Mention(Mention),
+    /// The mark of a note.
+    NoteMark(String),
+    /// The words of a note, behind the block that holds its mark.
+    Note(Note<'a>),
+    /// The place where a note is written, and not printed.
+    NoteDefinition,
     /// A snippet in Rust, fences included.
     Snippet {
         code: &'a str,
@@ -113,6 +128,8 @@ pub(crate) enum Item<'a> {
     /// An id that raw HTML claims.
     Id(String),
     Hint,
+    /// A blank between a number and its unit.
+    Blank,
 }
 
 /// An item and the bytes of the page that it takes up.

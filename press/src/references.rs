@@ -1,9 +1,8 @@
-//! Links by reference and footnotes: what is referred to is defined, once, and what is defined is referred to.
+//! Links by reference: what is referred to is defined.
 
 use crate::fault::Reporter;
 use crate::scan::options;
-use pulldown_cmark::{BrokenLink, CowStr, Event, LinkType, Parser, Tag};
-use std::collections::HashMap;
+use pulldown_cmark::{BrokenLink, Event, LinkType, Parser};
 use std::ops::Range;
 
 /// The events of a page; what Markdown would print as it is written, because it is defined nowhere, is a fault.
@@ -23,43 +22,19 @@ pub(crate) fn parsed<'a>(text: &'a str, report: &mut Reporter<'_>) -> Vec<(Event
             );
         }
     }
-    footnotes(text, &events, report);
-    events
-}
-
-fn footnotes(text: &str, events: &[(Event<'_>, Range<usize>)], report: &mut Reporter<'_>) {
-    let mut defined: HashMap<&CowStr<'_>, usize> = HashMap::new();
-    for (event, range) in events {
-        if let Event::Start(Tag::FootnoteDefinition(name)) = event
-            && defined.insert(name, range.start).is_some()
+    for (event, range) in &events {
+        // A bracket that ends a run of text has its parenthesis in the next.
+        let end = range.end + usize::from(text[range.end..].starts_with('('));
+        if matches!(event, Event::Text(_))
+            && let Some(at) = text[range.start..end].find("](").map(|at| range.start + at)
+            && !text[..at].ends_with('\\')
         {
-            report.fault(range.start, format!("the footnote `[^{name}]` is defined already"));
+            report.fault(
+                at,
+                "`](` was left as it is: no link and no figure begins before it, perhaps since a footnote stands in its \
+                 words; that of a figure stands behind it, `![Caption.](fig:name)[^note]`",
+            );
         }
     }
-    for (event, range) in events {
-        match event {
-            Event::FootnoteReference(name) => _ = defined.remove(name),
-            // A reference that is still text.
-            Event::Text(_) => {
-                for (at, _) in text[range.clone()].match_indices('[') {
-                    let at = range.start + at;
-                    let escaped = text[..at].ends_with('\\');
-                    let name = text[at..].strip_prefix("[^").filter(|_| !escaped);
-                    let end = name.and_then(|name| name.find([']', '[', '\n']));
-                    if let (Some(name), Some(end)) = (name, end)
-                        && name[end..].starts_with(']')
-                    {
-                        report.fault(
-                            at,
-                            format!("the footnote `[^{}]` is defined nowhere on this page", &name[..end]),
-                        );
-                    }
-                }
-            }
-            _ => {}
-        }
-    }
-    for (name, offset) in defined {
-        report.fault(offset, format!("nothing refers to the footnote `[^{name}]`"));
-    }
+    events
 }

@@ -5,9 +5,10 @@ use crate::book::{Page, relative, resolve};
 use crate::fault::Faults;
 use crate::labels::Registry;
 use crate::maths::Maths;
-use crate::page::{EquationLabel, Item, Kind, Label, Mention, Placed};
+use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed};
 use crate::rendered::Rendered;
 use crate::scan::scan;
+use crate::ties::{self, BLANK};
 use pulldown_cmark::{CowStr, Event, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -38,6 +39,7 @@ pub(crate) fn render(
             drawn,
             library: items,
             cited: &mut cited,
+            notes: Vec::new(),
             faults: &mut faults,
         };
         rendered.push(printer.page(found));
@@ -90,6 +92,8 @@ struct Printer<'a, 'f> {
     library: &'a Items,
     /// Every label that some page mentions.
     cited: &'f mut BTreeSet<Label>,
+    /// The notes of the page whose marks are printed, in their order.
+    notes: Vec<String>,
     faults: &'f mut Faults,
 }
 
@@ -112,15 +116,36 @@ impl Printer<'_, '_> {
                 }
                 continue;
             }
-            let Some(replacement) = self.item(&placed.item, range.start) else {
+            let replacement = match &placed.item {
+                item @ Item::Heading { level: 1, .. } => {
+                    let heading = self.item(item, range.start);
+                    self.title(heading.as_deref().unwrap_or(&text[range.clone()])).or(heading)
+                }
+                item => self.item(item, range.start),
+            };
+            let Some(replacement) = replacement else {
                 continue;
             };
-            out.push_str(&text[done..range.start]);
-            out.push_str(&replacement);
-            done = range.end;
+            let (head, tail) = match &placed.item {
+                Item::InlineMaths { .. } => ties::around(&text[done..range.start], &text[range.end..]),
+                _ => (0, 0),
+            };
+            let (start, end) = (range.start - head, range.end + tail);
+            out.push_str(&text[done..start]);
+            out.push_str(&ties::tied(&text[start..range.start], &replacement, &text[range.end..end]));
+            done = end;
         }
         out.push_str(&text[done..]);
         out
+    }
+
+    /// The title of a page of a numbered chapter, below the number of the chapter.
+    fn title(&self, heading: &str) -> Option<String> {
+        let chapter = self.page.chapter?;
+        let part = self.page.part.as_ref().map(|part| format!(" · {}", escaped(part))).unwrap_or_default();
+        Some(format!(
+            "<p class=\"kicker\" data-chapter=\"{chapter}\">Chapter {chapter}{part}</p>\n\n{heading}"
+        ))
     }
 
     fn item(&mut self, item: &Item<'_>, offset: usize) -> Option<String> {
@@ -131,8 +156,13 @@ impl Printer<'_, '_> {
             Item::Table { name } => self.table(name, offset),
             Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
             Item::Mention(mention) => {
-                self.mention(mention, offset).map(|(words, target)| format!("[{words}]({target})"))
+                let before = &self.page.text[..offset];
+                self.mention(mention, before, offset).map(|(words, target)| format!("[{words}]({target})"))
             }
+            Item::Blank => Some(ties::BLANK.to_owned()),
+            Item::NoteMark(name) => Some(self.note_mark(name)),
+            Item::Note(note) => Some(self.note(note)),
+            Item::NoteDefinition => Some(String::new()),
             Item::Snippet { code } => self.uses(code),
             Item::CodeLabel(label) => match self.words(label) {
                 Ok((words, _)) => Some(words),
@@ -199,10 +229,11 @@ impl Printer<'_, '_> {
     fn figure(&mut self, label: &Label, caption: &[Event<'_>], offset: usize) -> Option<String> {
         let figure = self.drawn.figures.iter().find(|figure| figure.id == label.written())?;
         let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
-        let caption = self.caption(caption, offset);
+        let caption = self.words_of(caption, offset, "caption");
         let up = "../".repeat(self.page.path.matches('/').count());
+        let class = if figure.wide { "figure wide" } else { "figure" };
         Some(format!(
-            "<figure class=\"figure\" id=\"{}\">\n<div class=\"drawing\">\n{}\n</div>\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
+            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
              <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
             label.id(),
             figure.svg.trim(),
@@ -219,36 +250,75 @@ impl Printer<'_, '_> {
         table
     }
 
-    /// A caption as HTML: Markdown's own handwriting, mathematics and references.
-    fn caption(&mut self, events: &[Event<'_>], offset: usize) -> String {
+    /// The mark of a note; the note itself stands behind the block.
+    fn note_mark(&mut self, name: &str) -> String {
+        self.notes.push(name.to_owned());
+        let number = self.notes.len();
+        format!(
+            "<a class=\"note-mark\" id=\"noteref-{name}\" href=\"#note-{name}\" role=\"doc-noteref\">{number}</a>"
+        )
+    }
+
+    fn note(&mut self, Note { name, words, offset }: &Note<'_>) -> String {
+        let number = self.notes.iter().position(|mark| mark == name).map_or(0, |at| at + 1);
+        let words = self.words_of(words, *offset, "note");
+        format!(
+            "\n\n<aside class=\"note\" id=\"note-{name}\" role=\"doc-footnote\"><a class=\"note-number\" href=\"#noteref-{name}\" \
+             aria-label=\"back to the text\">{number}</a> {words}</aside>\n\n"
+        )
+    }
+
+    /// A caption or a note as HTML: Markdown's own handwriting, mathematics and references.
+    fn words_of(&mut self, events: &[Event<'_>], offset: usize, what: &str) -> String {
         let mut out = String::new();
         let mut printed: Vec<Event<'_>> = Vec::new();
-        for event in events {
-            printed.push(match event {
+        let mut before = String::new(); // as it is written, without its mathematics
+        let mut taken = 0; // of the next text, by the formula before it
+        for (n, event) in events.iter().enumerate() {
+            let next = match events.get(n + 1) {
+                Some(Event::Text(text)) => text,
+                _ => "",
+            };
+            let html = match event {
                 Event::InlineMath(tex) => match self.maths.inline_html(tex) {
-                    Ok(mathml) => Event::InlineHtml(CowStr::from(mathml)),
+                    Ok(mathml) => {
+                        let last = match printed.last_mut() {
+                            Some(Event::InlineHtml(html)) => html,
+                            _ => &mut CowStr::from(""),
+                        };
+                        let (head, tail) = ties::around(last, next);
+                        let (kept, head) = last.split_at(last.len() - head);
+                        let formula = ties::tied(head, &mathml, &next[..tail]);
+                        *last = CowStr::from(kept.to_owned());
+                        taken = tail;
+                        Event::InlineHtml(CowStr::from(formula))
+                    }
                     Err(fault) => {
-                        self.fault(offset, format!("in the caption, {}", fault.message));
+                        self.fault(offset, format!("in the {what}, {}", fault.message));
                         continue;
                     }
                 },
-                Event::Text(text) if text.contains('@') => {
-                    Event::InlineHtml(CowStr::from(self.mentions_in(text, offset)))
+                Event::Text(text) => {
+                    let html = self.mentions_in(&text[std::mem::take(&mut taken)..], &before, offset);
+                    before.push_str(text);
+                    Event::InlineHtml(CowStr::from(html))
                 }
                 Event::SoftBreak => Event::Text(CowStr::from(" ")),
+                Event::FootnoteReference(name) => Event::InlineHtml(CowStr::from(self.note_mark(name))),
                 other => other.clone(),
-            });
+            };
+            printed.push(html);
         }
         push_html(&mut out, printed.into_iter());
         out.trim().to_owned()
     }
 
-    /// Text with its mentions as HTML links.
-    fn mentions_in(&mut self, text: &str, offset: usize) -> String {
+    /// Text as HTML, with its mentions as links; `before` is what stands before it.
+    fn mentions_in(&mut self, text: &str, before: &str, offset: usize) -> String {
         let mut out = String::new();
         let mut rest = text;
         while let Some(at) = rest.find('@') {
-            out.push_str(&escaped(&rest[..at]));
+            out.push_str(&prose(&rest[..at]));
             let tail = &rest[at + 1..];
             let end = tail
                 .find(|c: char| !(c.is_ascii_alphanumeric() || c == '-' || c == ':'))
@@ -261,7 +331,8 @@ impl Printer<'_, '_> {
                     .find(|kind| kind.prefix() == prefix)
                     .map(|kind| Mention::Label(Label { kind, name: name.to_owned() })),
             });
-            match mention.and_then(|mention| self.mention(&mention, offset)) {
+            let before = format!("{before}{}", &text[..text.len() - rest.len() + at]);
+            match mention.and_then(|mention| self.mention(&mention, &before, offset)) {
                 Some((words, target)) => {
                     let _ = write!(out, "<a href=\"{target}\">{}</a>", escaped(&words));
                 }
@@ -269,24 +340,31 @@ impl Printer<'_, '_> {
             }
             rest = &tail[word.len()..];
         }
-        out.push_str(&escaped(rest));
+        out.push_str(&prose(rest));
         out
     }
 
-    /// The words of a reference and where it leads.
-    fn mention(&mut self, mention: &Mention, offset: usize) -> Option<(String, String)> {
+    /// The words of a reference behind the text `before`, and where it leads. An equation within brackets has
+    /// no more of its own.
+    fn mention(&mut self, mention: &Mention, before: &str, offset: usize) -> Option<(String, String)> {
         let found = match mention {
-            Mention::Source(number) => self
-                .registry
-                .find_source(*number)
-                .map(|entry| (format!("source {number}"), entry.page.clone(), format!("source-{number}"))),
+            Mention::Source(number) => self.registry.find_source(*number).map(|entry| {
+                (format!("source{BLANK}{number}"), entry.page.clone(), format!("source-{number}"))
+            }),
             Mention::Label(label) => {
                 self.cited.insert(label.clone());
                 self.words(label).map(|(words, page)| (words, page, label.id()))
             }
         };
         match found {
-            Ok((words, page, id)) => Some((words, format!("{}#{id}", relative(&self.page.path, &page)))),
+            Ok((words, page, id)) => {
+                let bare = words.strip_prefix('(').and_then(|words| words.strip_suffix(')'));
+                let words = match bare {
+                    Some(bare) if ties::in_brackets(before) => bare.to_owned(),
+                    _ => words,
+                };
+                Some((words, format!("{}#{id}", relative(&self.page.path, &page))))
+            }
             Err(message) => {
                 self.fault(offset, message);
                 None
@@ -299,15 +377,15 @@ impl Printer<'_, '_> {
         let entry = self.registry.find(label)?;
         let words = match label.kind {
             Kind::Equation => format!("({})", entry.number),
-            Kind::Figure => format!("Figure {}", entry.number),
-            Kind::Exercise => format!("Exercise {}", entry.number),
+            Kind::Figure => format!("Figure{BLANK}{}", entry.number),
+            Kind::Exercise => format!("Exercise{BLANK}{}", entry.number),
             Kind::Solution => {
                 let exercise =
                     self.registry.find(&Label { kind: Kind::Exercise, name: label.name.clone() })?;
-                format!("Solution {}", exercise.number)
+                format!("Solution{BLANK}{}", exercise.number)
             }
             Kind::Section => format!("“{}”", entry.title),
-            Kind::Citation => entry.title.clone(),
+            Kind::Citation => entry.title.replace(' ', BLANK),
         };
         Ok((words, entry.page.clone()))
     }
@@ -356,6 +434,15 @@ impl Printer<'_, '_> {
     }
 }
 
+/// A run of text as HTML, its numbers tied to their units.
+fn prose(text: &str) -> String {
+    let mut tied = text.to_owned();
+    for at in ties::blanks(text).into_iter().rev() {
+        tied.replace_range(at..=at, BLANK);
+    }
+    escaped(&tied)
+}
+
 /// Text as HTML.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
@@ -367,9 +454,15 @@ mod tests {
 
     /// What becomes of one page, which is chapter 1.
     fn printed(text: &str) -> String {
-        let page = Page::new("book", "a.md".to_owned(), Some(1), text.to_owned());
+        let page = Page::new("book", "a.md".to_owned(), Some(1), None, text.to_owned());
         let printed = render(&[page], &Rendered::default(), &Items::default(), &[]);
         printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
+    }
+
+    /// The only formula of a text.
+    fn maths(text: &str) -> String {
+        let page = printed(&format!("# A\n\n{text}\n"));
+        page[page.find("<math").unwrap()..page.find("</math>").unwrap() + "</math>".len()].to_owned()
     }
 
     #[test]
@@ -392,7 +485,7 @@ mod tests {
     fn a_page_comes_out_as_expected() {
         let page = "# A\n\n## Motion {#sec:motion}\n\n$$\na\n$$ {#eq:x source=19}\n\n$$\nb\n$$\n\n\
                     $$\nc\n$$ {#eq:y source=\"20 21\" corrected}\n\nSee @eq:y, @source:19, @sec:motion and `@eq:z`.\n";
-        let expected = "# A\n\n## Motion {#sec-motion}\n\n\
+        let expected = "<p class=\"kicker\" data-chapter=\"1\">Chapter 1</p>\n\n# A\n\n## Motion {#sec-motion}\n\n\
             <div class=\"equation numbered\" id=\"eq-x\"><div class=\"formula\"><math display=\"block\"><mi>a</mi></math></div>\
             <div class=\"marks\"><a class=\"number\" href=\"#eq-x\">(1.1)</a>\
             <a class=\"source\" id=\"source-19\" href=\"#source-19\" title=\"equation (19) of the source\">source 19</a></div></div>\n\n\
@@ -401,7 +494,98 @@ mod tests {
             <div class=\"marks\"><a class=\"number\" href=\"#eq-y\">(1.2)</a>\
             <a class=\"source corrected\" id=\"source-20\" href=\"#source-20\" title=\"corrects equation (20) of the source\">corrects 20</a>\
             <a class=\"source corrected\" id=\"source-21\" href=\"#source-21\" title=\"corrects equation (21) of the source\">corrects 21</a></div></div>\n\n\
-            See [(1.2)](a.md#eq-y), [source 19](a.md#source-19), [“Motion”](a.md#sec-motion) and `@eq:z`.\n";
+            See [(1.2)](a.md#eq-y), [source\u{a0}19](a.md#source-19), [“Motion”](a.md#sec-motion) and `@eq:z`.\n";
         assert_eq!(printed(page), expected);
+    }
+
+    #[test]
+    fn brackets_around_the_number_of_an_equation_are_its_own() {
+        let page = printed(
+            "# A\n\n$$\na\n$$ {#eq:x}\n\nBy @eq:x (@eq:x, as in @eq:x) and (so)\n@eq:x.[^a]\n\n[^a]: By (@eq:x) @eq:x.\n",
+        );
+        let [x, bare] = ["(1.1)", "1.1"].map(|words| format!("[{words}](a.md#eq-x)"));
+        assert!(page.contains(&format!("By {x} ({bare}, as in {bare}) and (so)\n{x}.")), "{page}");
+        let [x, bare] = ["(1.1)", "1.1"].map(|words| format!("<a href=\"a.md#eq-x\">{words}</a>"));
+        assert!(page.contains(&format!("By ({bare}) {x}.")), "{page}");
+    }
+
+    #[test]
+    fn a_formula_is_tied_to_what_stands_beside_it_in_text_tables_and_notes() {
+        let page = printed(
+            "# A\n\nSo ($x$), 5 kg, *$x$.*[^a]\n\n| a |\n|---|\n| ($x$) |\n\n[^a]: So ($x$), 5 kg.\n",
+        );
+        let tied = |head: &str, tail: &str| {
+            format!("<span class=\"tied\">{head}<math><mi>x</mi></math>{tail}</span>")
+        };
+        for expected in [
+            format!("So {} 5\u{a0}kg, *{}*", tied("(", "),"), tied("", ".")),
+            format!("| {} |", tied("(", ")")),
+            format!("So {} 5\u{a0}kg.</aside>", tied("(", "),")),
+        ] {
+            assert!(page.contains(&expected), "{page}");
+        }
+    }
+
+    #[test]
+    fn the_number_of_the_chapter_stands_above_the_title() {
+        let print = |chapter, part: Option<&str>| {
+            let text = "# A {#sec:a}\n".to_owned();
+            let page = Page::new("book", "a.md".to_owned(), chapter, part.map(str::to_owned), text);
+            render(&[page], &Rendered::default(), &Items::default(), &[]).unwrap_or_default().remove(0)
+        };
+        let kicker =
+            |words: &str| format!("<p class=\"kicker\" data-chapter=\"4\">{words}</p>\n\n# A {{#sec-a}}\n");
+        assert_eq!(print(Some(4), None), kicker("Chapter 4"));
+        assert_eq!(print(Some(4), Some("Exercises")), kicker("Chapter 4 · Exercises"));
+        assert_eq!(print(None, None), "# A {#sec-a}\n");
+    }
+
+    #[test]
+    fn a_note_of_a_caption_stands_below_the_figure() {
+        let [svg, standalone] = [String::new(), String::new()];
+        let figure =
+            crate::rendered::Figure { id: "fig:x".to_owned(), chapter: "a".to_owned(), svg, standalone };
+        let drawn = Rendered { figures: vec![figure], tables: Vec::new() };
+        let text = "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n".to_owned();
+        let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
+        let printed = render(&[page], &drawn, &Items::default(), &[]);
+        let printed = printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0);
+        let at = |words: &str| printed.find(words).unwrap_or_else(|| panic!("{words} in {printed}"));
+        assert!(at("It’s so.<a class=\"note-mark\"") < at("</figcaption>"));
+        assert!(at("</figure>") < at("<aside class=\"note\""));
+    }
+
+    #[test]
+    fn a_note_stands_behind_the_block_that_refers_to_it() {
+        let mark = |n: u8, name: &str| {
+            format!(
+                "<a class=\"note-mark\" id=\"noteref-{name}\" href=\"#note-{name}\" role=\"doc-noteref\">{n}</a>"
+            )
+        };
+        let note = |n: u8, name: &str, words: &str| {
+            format!(
+                "<aside class=\"note\" id=\"note-{name}\" role=\"doc-footnote\"><a class=\"note-number\" \
+                 href=\"#noteref-{name}\" aria-label=\"back to the text\">{n}</a> {words}</aside>"
+            )
+        };
+        let page = "# A\n\n$$\na\n$$ {#eq:x}\n\nSo.[^b] More[^a]\nhere.\n\n[^a]: It's $x$.\n\n[^b]: From *b*\n    by @eq:x.\n\n\
+                    - one[^c]\n- two\n\n> quoted[^d]\n\nEnd.\n\n[^c]: C.\n[^d]: D.\n";
+        let printed = printed(page);
+        let blocks: Vec<&str> =
+            printed.split("\n\n").map(str::trim).filter(|block| !block.is_empty()).collect();
+        let x = maths("$x$");
+        assert_eq!(
+            blocks[3..],
+            [
+                format!("So.{} More{}\nhere.", mark(1, "b"), mark(2, "a")),
+                note(1, "b", "From <em>b</em> by <a href=\"a.md#eq-x\">(1.1)</a>."),
+                note(2, "a", &format!("It’s <span class=\"tied\">{x}.</span>")),
+                format!("- one{}\n- two", mark(3, "c")),
+                note(3, "c", "C."),
+                format!("> quoted{}", mark(4, "d")),
+                note(4, "d", "D."),
+                "End.".to_owned(),
+            ]
+        );
     }
 }

@@ -5,11 +5,12 @@ mod mathematics;
 use crate::book::Page;
 use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
-use crate::page::{Item, Kind, Placed};
+use crate::page::{Item, Kind, Note, Placed};
 use crate::raw::{Find, RawHtml};
-use crate::{outline, references, signs, snippets, written};
+use crate::{notes, outline, references, signs, snippets, ties, written};
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Tag, TagEnd};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Markdown as mdBook reads it, and mathematics, which it does not.
@@ -21,6 +22,7 @@ pub(crate) fn options() -> Options {
         | Options::ENABLE_HEADING_ATTRIBUTES
         | Options::ENABLE_DEFINITION_LIST
         | Options::ENABLE_GFM
+        | Options::ENABLE_SMART_PUNCTUATION
         | Options::ENABLE_MATH
 }
 
@@ -29,10 +31,12 @@ pub(crate) fn scan<'a>(page: &'a Page, faults: &mut Faults) -> Vec<Placed<'a>> {
     let mut report = page.reporter(faults);
     signs::check(&page.text, &mut report);
     let events = references::parsed(&page.text, &mut report);
+    let notes = notes::defined(&page.text, &events, &mut report);
     let mut items = written::citations(&page.text, &mut report);
     let mut scan = Scan {
         text: &page.text,
         events: &events,
+        notes,
         items: Vec::new(),
         report,
         surroundings: Surroundings::default(),
@@ -50,6 +54,8 @@ type Events<'a> = [(Event<'a>, Range<usize>)];
 struct Scan<'a, 'f> {
     text: &'a str,
     events: &'f Events<'a>,
+    /// The notes whose marks have not been met.
+    notes: BTreeMap<String, Note<'a>>,
     items: Vec<Placed<'a>>,
     report: Reporter<'f>,
     surroundings: Surroundings,
@@ -65,6 +71,10 @@ struct Surroundings {
     in_table_head: bool,
     in_link: bool,
     in_caption: bool,
+    in_note: bool,
+    /// How many elements deep, and the notes that the outermost one refers to.
+    depth: usize,
+    notes: Vec<String>,
     paragraph: Option<Range<usize>>,
     heading: Option<Range<usize>>,
 }
@@ -103,12 +113,18 @@ impl<'a> Scan<'a, '_> {
                 Event::InlineHtml(_) => self.html(&events[n - 1..n]),
                 Event::Start(tag) => {
                     self.raw.enter();
+                    self.surroundings.depth += 1;
                     self.start(tag, range, n);
                 }
                 Event::End(tag) => {
                     self.end(*tag);
                     self.raw.leave(&mut self.report);
+                    self.surroundings.depth -= 1;
+                    if self.surroundings.depth == 0 {
+                        self.notes(range.end);
+                    }
                 }
+                Event::FootnoteReference(name) => self.note_mark(name, range),
                 Event::InlineMath(_) => self.inline(range),
                 Event::DisplayMath(_) => self.display(range),
                 Event::Code(_) => self.shown(Face::Code, range),
@@ -120,12 +136,20 @@ impl<'a> Scan<'a, '_> {
                     self.foreign_maths(range);
                     if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
                         self.lost_labels(range);
+                        self.blanks(range);
                     }
                 }
                 _ => {}
             }
         }
         self.raw.end(&mut self.report);
+    }
+
+    /// Numbers in a run of text are not parted from their units.
+    fn blanks(&mut self, range: &Range<usize>) {
+        for at in ties::blanks(&self.text[range.clone()]).into_iter().map(|at| range.start + at) {
+            self.place(at..at + 1, Item::Blank);
+        }
     }
 
     /// An element of Markdown begins; `next` is its first event.
@@ -159,6 +183,10 @@ impl<'a> Scan<'a, '_> {
                 self.heading(*level as u8, range.clone());
                 self.surroundings.heading = Some(range.clone());
             }
+            Tag::FootnoteDefinition(_) => {
+                self.surroundings.in_note = true;
+                self.place(range.clone(), Item::NoteDefinition);
+            }
             Tag::Image { .. } if self.surroundings.in_caption => {
                 self.fault(range.start, "a figure cannot stand in the caption of another");
             }
@@ -180,10 +208,32 @@ impl<'a> Scan<'a, '_> {
             TagEnd::Table => self.surroundings.in_table = false,
             TagEnd::TableHead => self.surroundings.in_table_head = false,
             TagEnd::Link => self.surroundings.in_link = false,
+            TagEnd::FootnoteDefinition => self.surroundings.in_note = false,
             TagEnd::Image => self.surroundings.in_caption = false,
             TagEnd::Paragraph => self.surroundings.paragraph = None,
             TagEnd::Heading(_) => self.surroundings.heading = None,
             _ => {}
+        }
+    }
+
+    /// The mark of a note, which is printed behind the outermost block around it.
+    fn note_mark(&mut self, name: &str, range: &Range<usize>) {
+        if self.surroundings.heading.is_some() {
+            self.fault(range.start, "a note cannot hang on a heading: it would be lost in the sidebar");
+        } else if self.surroundings.in_note {
+            self.fault(range.start, "a note cannot hang on another note");
+        } else if self.notes.contains_key(name) && !self.surroundings.notes.iter().any(|note| note == name) {
+            self.surroundings.notes.push(name.to_owned());
+            self.place(range.clone(), Item::NoteMark(name.to_owned()));
+        }
+    }
+
+    /// The notes of the block that ends here.
+    fn notes(&mut self, end: usize) {
+        for name in std::mem::take(&mut self.surroundings.notes) {
+            if let Some(note) = self.notes.remove(&name) {
+                self.place(end..end, Item::Note(note));
+            }
         }
     }
 
@@ -205,11 +255,11 @@ impl<'a> Scan<'a, '_> {
 
     /// A figure, whose caption is read like any text, or a table of the library.
     fn image(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
-        let alone = self
-            .surroundings
-            .paragraph
-            .as_ref()
-            .is_some_and(|p| self.text[p.clone()].trim() == &self.text[range.clone()]);
+        let (mut alone, mut marks) = (false, "");
+        if let Some(paragraph) = &self.surroundings.paragraph {
+            marks = self.text[range.end..paragraph.end].trim_end();
+            alone = self.text[paragraph.start..range.start].trim().is_empty() && notes::only_marks(marks);
+        }
         if let Some(name) = dest_url.strip_prefix("table:") {
             if !alone {
                 self.fault(range.start, format!("the table {name} must stand in a paragraph of its own"));
@@ -229,12 +279,16 @@ impl<'a> Scan<'a, '_> {
             self.fault(range.start, format!("the figure {dest_url} must stand in a paragraph of its own"));
         }
         let end = after(self.events, next, |tag| matches!(tag, TagEnd::Image));
-        let caption: Vec<Event<'a>> =
+        let mut caption: Vec<Event<'a>> =
             self.events[next..end - 1].iter().map(|(event, _)| event.clone()).collect();
         if caption.is_empty() {
             self.fault(range.start, format!("the figure {dest_url} has no caption that says what it shows"));
         }
-        self.place(range.clone(), Item::Figure { label, caption });
+        if alone {
+            let behind = self.events[end..].iter().map(|(event, _)| event);
+            caption.extend(behind.take_while(|event| !matches!(event, Event::End(_))).cloned());
+        }
+        self.place(range.start..range.end + marks.len(), Item::Figure { label, caption });
     }
 
     fn link(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {

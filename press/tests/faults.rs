@@ -256,6 +256,49 @@ const CASES: &[Case] = &[
         "# A\n\nSo.[^one]\n\n[^one]: Words.\n\n[^one]: More.\n",
         &[(7, "the footnote `[^one]` is defined already")],
     ),
+    (
+        "footnote-twice",
+        "# A\n\nSo.[^one]\n\nAnd so.[^one]\n\n[^one]: Words.\n",
+        &[(5, "a second reference to the footnote `[^one]`")],
+    ),
+    (
+        "footnote-places",
+        "# A\n\n## Two[^a]\n\nSo.[^c]\n\n[^a]: A.\n\n[^c]: C.[^d]\n\n[^d]: D.\n",
+        &[(3, "hang on a heading"), (9, "hang on another note"), (9, "one paragraph of words")],
+    ),
+    ("footnote-in-link", "# A\n\nSee [there[^a]](b.md).\n\n[^a]: A.\n", &[(3, "`](` was left as it is")]),
+    (
+        "footnote-in-caption",
+        "# A\n\n![Words.[^a]](fig:machine)\n\n[^a]: A.\n",
+        &[(3, "stands behind it, `![Caption.](fig:name)[^note]`")],
+    ),
+    (
+        "footnote-and-more",
+        "# A\n\n![Words.](fig:machine)[^a] More.\n\n[^a]: A.\n",
+        &[(3, "must stand in a paragraph of its own")],
+    ),
+    ("good-bracket", "# A\n\nSo \\](x) is.\n", &[]),
+    (
+        "footnote-body",
+        "# A\n\nSo[^a] it[^b] is.[^C]\n\n[^a]: A.\n\n    B.\n\n[^b]: - c\n\n[^C]: C.\n",
+        &[(5, "one paragraph of words"), (9, "one paragraph of words"), (11, "only lower-case letters")],
+    ),
+    (
+        "footnote-maths",
+        "# A\n\nSo.[^a]\n\n[^a]: By $\\unknown$ and @eq:none.\n",
+        &[(5, "in the note, "), (5, "no page defines the label eq:none")],
+    ),
+    (
+        "footnote-id",
+        "# A\n\n## One {#note-a}\n\nSo.[^a]\n\n[^a]: A.\n",
+        &[(5, "the id `note-a` stands on the page already")],
+    ),
+    (
+        "good-footnotes",
+        "# A\n\n![Caption.](fig:machine)[^a]\n\n| a |\n|---|\n| b[^b] |\n\n1. So\n   it is.[^c]\n\n\
+         [^a]: A [link](b.md).\n[^b]: B.\n[^c]: `C`.\n",
+        &[],
+    ),
     ("good-brackets", "# A\n\nFrom [0, 1], [so] [far] and [x],[^one] [ ] too.\n\n[^one]: Words.\n", &[]),
     ("include", "# A\n\n{{#include nowhere.md}}\n", &[(3, "`{{#include`: mdBook's directives")]),
     (

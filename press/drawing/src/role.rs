@@ -124,6 +124,18 @@ impl Stroke {
         Self::Grid,
     ];
 
+    /// How wide the style sheet draws it, px.
+    pub const fn width(self) -> f64 {
+        match self {
+            Self::Curve | Self::DashedCurve => 2.0,
+            Self::Vector => 1.75,
+            Self::Dotted => 1.6,
+            Self::Tick | Self::Hatch => 0.75,
+            Self::Grid => 0.6,
+            Self::Axis | Self::Orbit | Self::Outline | Self::Reference | Self::Hidden => 1.0,
+        }
+    }
+
     /// The class of the style sheet.
     pub const fn class(self) -> &'static str {
         match self {

@@ -115,6 +115,17 @@ mod tests {
     }
 
     #[test]
+    fn lines_are_as_wide_as_the_style_sheet_draws_them() {
+        for stroke in Stroke::ALL {
+            let (class, width) = (stroke.class(), stroke.width());
+            let rule = format!(".{class} {{ stroke-width: {width};");
+            let plain = format!(".{class} {{ stroke-width: {width} ");
+            let agrees = |line: &str| line.starts_with(&rule) || line.starts_with(&plain);
+            assert!(PAGE.lines().any(agrees), "{class} is not {width} px wide");
+        }
+    }
+
+    #[test]
     fn the_standalone_style_sheet_is_plain_css() {
         let sheet = standalone();
         for word in ["var(", "light-dark(", "color-mix("] {

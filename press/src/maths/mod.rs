@@ -1,7 +1,16 @@
-//! LaTeX to MathML.
+//! LaTeX to MathML: a converter's, mended where browsers print it badly.
+
+pub(crate) mod accents;
+mod brackets;
+mod tree;
 
 use crate::faces;
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+use tree::Element;
+use ttf_parser::Face;
+
+/// The mathematics font of labels, which has the measures of that of the pages.
+const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
 /// MathML later.
@@ -10,6 +19,7 @@ const DEEPEST: usize = 60;
 /// A converter, built once a run.
 pub(crate) struct Maths {
     converter: LatexToMathML,
+    font: Face<'static>,
 }
 
 /// LaTeX that is not understood: where in it, and why.
@@ -26,6 +36,7 @@ impl Maths {
         // Only a macro can make the converter fail, and there is none.
         Self {
             converter: LatexToMathML::new(config).unwrap_or_else(|_| unreachable!("no macros to be wrong")),
+            font: Face::parse(FONT, 0).unwrap_or_else(|_| unreachable!("the font is sound")),
         }
     }
 
@@ -56,7 +67,10 @@ impl Maths {
             Ok(result) => {
                 let mathml = result.mathml.replace('\n', " ");
                 match faces::check_mathml(&mathml) {
-                    Ok(()) => Ok(mathml),
+                    Ok(()) => self.mended(&mathml).ok_or_else(|| MathsFault {
+                        offset: 0,
+                        message: "the formula becomes no sound XML".to_owned(),
+                    }),
                     Err(message) => Err(MathsFault { offset: 0, message }),
                 }
             }
@@ -72,6 +86,16 @@ impl Maths {
                 Err(MathsFault { offset, message: format!("in the formula: {message}{near}") })
             }
         }
+    }
+
+    /// The converter's MathML as browsers print it well.
+    fn mended(&self, mathml: &str) -> Option<String> {
+        let mut formula = Element::read(mathml).ok()?;
+        brackets::keep_their_height(&mut formula);
+        accents::centre(&mut formula, &self.font);
+        let mut out = String::with_capacity(mathml.len());
+        formula.write(&mut out);
+        Some(out)
     }
 }
 

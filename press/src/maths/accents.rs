@@ -1,0 +1,72 @@
+//! Dots and hats over the middle of their letters.
+
+use super::tree::Element;
+use ttf_parser::Face;
+
+/// Browsers put an accent over the middle of a letter's box. The font knows better where an italic letter
+/// has its top; the accent is moved there by a margin of twice the way, as what is centred is accent and margin.
+pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
+    formula.visit(&mut |over| {
+        if !over.is("mover") || over.attribute("accent").is_none() {
+            return;
+        }
+        let Some(way) = over.elements().next().and_then(|letter| way(letter, font)) else {
+            return;
+        };
+        if let Some(accent) = over.element_mut(1) {
+            let side = if way > 0.0 { "left" } else { "right" };
+            accent.set("style", &format!("margin-{side}:{:.2}em", 2.0 * way.abs()));
+        }
+    });
+}
+
+/// How far the top of a letter stands from the middle of its box, in ems, if one sees it.
+fn way(letter: &Element, font: &Face<'_>) -> Option<f32> {
+    let text = letter.text();
+    let c =
+        text.chars().next().filter(|_| matches!(&*letter.name, "mi" | "mn") && text.chars().count() == 1)?;
+    let c = if letter.is("mi") && letter.attribute("mathvariant").is_none() { italic(c) } else { c };
+    let glyph = font.glyph_index(c)?;
+    let tops = font.tables().math?.glyph_info?.top_accent_attachments?;
+    let top = f32::from(tops.get(glyph)?.value);
+    let way = (top - f32::from(font.glyph_hor_advance(glyph)?) / 2.0) / f32::from(font.units_per_em());
+    (way.abs() >= 0.02).then_some(way)
+}
+
+/// The italic letter that a browser shows for a plain one.
+pub(crate) fn italic(c: char) -> char {
+    let from = |first: u32, base: char| char::from_u32(first + u32::from(c) - u32::from(base)).unwrap_or(c);
+    match c {
+        'h' => 'ℎ',
+        'A'..='Z' => from(0x1d434, 'A'),
+        'a'..='z' => from(0x1d44e, 'a'),
+        'Α'..='Ω' => from(0x1d6e2, 'Α'),
+        'α'..='ω' => from(0x1d6fc, 'α'),
+        'ϵ' => '𝜖',
+        'ϑ' => '𝜗',
+        'ϕ' => '𝜙',
+        'ϱ' => '𝜚',
+        'ϖ' => '𝜛',
+        'ı' => '𝚤',
+        'ȷ' => '𝚥',
+        _ => c,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::maths::Maths;
+
+    #[test]
+    fn a_dot_stands_over_the_top_of_an_italic_letter() {
+        let maths = Maths::new();
+        let margin = |tex: &str| -> f32 {
+            let mathml = maths.display(tex).unwrap();
+            let (_, rest) = mathml.split_once("margin-left:").unwrap_or(("", "0em"));
+            rest.split_once("em").unwrap().0.parse().unwrap()
+        };
+        assert!(margin(r"\dot d") > margin(r"\dot\theta") && margin(r"\dot\theta") > margin(r"\dot\omega"));
+        assert!(margin(r"\dot\omega") > 0.0);
+        assert_eq!(margin(r"\hat{\mathbf x}"), 0.0);
+    }
+}

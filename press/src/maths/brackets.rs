@@ -1,0 +1,43 @@
+//! Brackets that keep their size when something is raised or lowered behind them.
+
+use super::tree::{Element, Node};
+
+/// A browser gives `\Bigr)` its height only among other parts of a row. As the base of a power it is alone,
+/// so it gets a row of its own.
+pub(super) fn keep_their_height(formula: &mut Element) {
+    formula.visit(&mut |scripts| {
+        if !matches!(&*scripts.name, "msup" | "msub" | "msubsup") {
+            return;
+        }
+        let Some(base) = scripts.element_mut(0).filter(|base| base.is("mo")) else {
+            return;
+        };
+        if base.attribute("minsize").is_some() || base.attribute("stretchy") == Some("true") {
+            base.set("form", "postfix");
+            let bracket = std::mem::take(base);
+            *base = Element::around("mrow", vec![Node::Element(bracket)]);
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::maths::Maths;
+
+    #[test]
+    fn a_bracket_with_a_power_stands_in_a_row() {
+        for tex in [
+            r"\Bigl(\tfrac{a}{b}\Bigr)^2",
+            r"\bigl(a\bigr)_0",
+            r"\biggl[a\biggr]_0^1",
+            r"\Bigl|a\Bigr|_{x=0}",
+            r"\left(\tfrac{a}{b}\right)^2",
+        ] {
+            let mathml = Maths::new().display(tex).unwrap();
+            let scripts = mathml.rsplit_once("<msup>").or_else(|| mathml.rsplit_once("<msub>"));
+            let scripts = scripts.or_else(|| mathml.rsplit_once("<msubsup>")).unwrap().1;
+            assert!(scripts.starts_with("<mrow>"), "{tex}: {mathml}");
+        }
+        assert!(Maths::new().display("(a)^2").unwrap().contains("<msup><mo stretchy=\"false\">"));
+    }
+}
