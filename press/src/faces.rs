@@ -66,9 +66,11 @@ fn listed(section: &str) -> BTreeSet<char> {
         .collect()
 }
 
-/// Whether a character needs no shape: ends of lines, places where a word may or may not break, a narrow space.
+/// Whether a character needs no shape: ends of lines, places where a word may or may not break, directions, a narrow
+/// space.
 fn is_unseen(c: char) -> bool {
-    c.is_control() || matches!(c, '\u{ad}' | '\u{200b}'..='\u{200d}' | '\u{202f}' | '\u{2060}'..='\u{2064}')
+    c.is_control()
+        || matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202f}' | '\u{2060}'..='\u{2069}')
 }
 
 /// What is wrong with MathML: the first character that its face lacks.

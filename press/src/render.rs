@@ -543,8 +543,13 @@ mod tests {
     #[test]
     fn a_note_of_a_caption_stands_below_the_figure() {
         let [svg, standalone] = [String::new(), String::new()];
-        let figure =
-            crate::rendered::Figure { id: "fig:x".to_owned(), chapter: "a".to_owned(), svg, standalone };
+        let figure = crate::rendered::Figure {
+            id: "fig:x".to_owned(),
+            chapter: "a".to_owned(),
+            wide: false,
+            svg,
+            standalone,
+        };
         let drawn = Rendered { figures: vec![figure], tables: Vec::new() };
         let text = "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n".to_owned();
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);

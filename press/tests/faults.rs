@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 /// The only figure and the only table that these books can show.
 fn drawn() -> Rendered {
     let [svg, standalone] = [String::new(), String::new()];
-    let figure = Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone };
+    let figure =
+        Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), wide: false, svg, standalone };
     Rendered { figures: vec![figure], tables: vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())] }
 }
 
@@ -319,7 +320,19 @@ const CASES: &[Case] = &[
     ("nul", "# A\n\nA\0B.\n", &[(3, "U+0000")]),
     ("override", "# A\n\nOne\ntwo\u{202e}three.\n", &[(4, "U+202E")]),
     ("isolate-in-code", "# A\n\n```text\na\u{2066}b\n```\n", &[(4, "U+2066")]),
-    ("good-characters", "\u{feff}# A\r\n\r\nשלום, \u{200f}emoji 🛞,\ttab.\r\n", &[]),
+    ("good-characters", "\u{feff}# A\r\n\r\n“Störmer”, \u{2060}10⁻⁴ − 1,\ttab; `ω₀²`.\r\n", &[]),
+    ("text-lacks", "# A\n\nOf course\nω is.\n", &[(4, "the face of the text has no `ω` (U+03C9)")]),
+    ("table-lacks", "# A\n\n| a | b |\n|---|---|\n| x | 🛞 |\n", &[(5, "the face of the text has no `🛞`")]),
+    ("caption-lacks", "# A\n\n![So ∇ is.](fig:machine)\n", &[(3, "the face of the text has no `∇`")]),
+    (
+        "html-lacks",
+        "# A\n\n<details>\n<summary>Hint</summary>\nω\n</details>\n",
+        &[(5, "the text has no `ω`")],
+    ),
+    ("code-lacks", "# A\n\n```rust\n//\n// a ∝ b\n```\n", &[(5, "the face of the code has no `∝`")]),
+    ("inline-code-lacks", "# A\n\nSo\n`Γᵢ`.\n", &[(4, "the face of the code has no `ᵢ`")]),
+    ("maths-lacks", "# A\n\nSo\n$\\mathfrak{g}$.\n", &[(4, "the face of mathematics has no `𝔤`")]),
+    ("words-in-maths-lack", "# A\n\n$$\na \\text{ ∇}\n$$\n", &[(3, "the face of the text has no `∇`")]),
     (
         "unused-citation",
         "# A\n\n- {#cite:x \"X 1999\"} Words.\n- {#cite:y \"Y 1999\"} Words; @cite:y.\n",
