@@ -2,6 +2,8 @@
 
 #[path = "book/contrast.rs"]
 mod contrast;
+#[path = "book/vision.rs"]
+mod vision;
 
 use press::rendered::Rendered;
 use std::collections::BTreeSet;
@@ -191,6 +193,7 @@ fn a_small_book_builds_and_after_a_fault_leaves_no_site() {
 #[test]
 fn a_fault_of_the_finished_site_leaves_none() {
     let folder = small_book("bad-theme", GOOD);
+    fs::create_dir_all(folder.join("book/theme")).unwrap();
     fs::write(folder.join("book/theme/head.hbs"), "<script src=\"https://example.org/x.js\"></script>\n")
         .unwrap();
     let built = mdbook(&folder, &["build"]);
