@@ -3,7 +3,7 @@
 use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Side, Stroke, at};
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeSymmetricTop;
@@ -24,48 +24,172 @@ fn tossed(omega_1: f64, omega_3: f64) -> Result<Toss, InvalidQuantity> {
     Toss::new(TossParameters { moments: coin()?, omega_1, omega_3 })
 }
 
+/// Half the thickness of a drawn coin, in radii.
+const HALF: f64 = 0.07;
+
+/// The letter on each face, as strokes from point to point along axes 1 and 2 of the coin, in radii. That of tails
+/// is written so that it reads well from below.
+const HEADS: [[[f64; 2]; 2]; 3] =
+    [[[-0.22, -0.32], [-0.22, 0.32]], [[0.22, -0.32], [0.22, 0.32]], [[-0.22, 0.0], [0.22, 0.0]]];
+const TAILS: [[[f64; 2]; 2]; 2] = [[[0.0, -0.3], [0.0, 0.3]], [[-0.26, -0.3], [0.26, -0.3]]];
+
+/// Adds a coin of radius 1 about the origin: the half of the face that was up in the hue of the body with an H, the
+/// other grey with a T. The letters stand a step aside from the middle along axis 2.
+fn coin_in(stage: &mut Stage, attitude: &UnitQuaternion<f64>, aside: f64, pen: Stroke) -> Result<(), Cause> {
+    let normal = attitude * Vector3::z();
+    for (side, hue) in [(0.5, Hue::Blue), (-0.5, Hue::Muted)] {
+        stage.solid(Solid::disc(normal * (side * HALF), normal, 1.0, HALF)?, hue)?;
+    }
+    for (height, hue, letter) in [(HALF, Hue::Blue, &HEADS[..]), (-HALF, Hue::Ink, &TAILS[..])] {
+        for stroke in letter {
+            let [from, to] = stroke.map(|[x, y]| attitude * Vector3::new(x, y + aside, height));
+            stage.curve(Curve::segment(from, to)?.hiding(Hiding::Omitted), pen, hue)?;
+        }
+    }
+    Ok(())
+}
+
+/// The direction of the angular momentum, which lies in the plane of x and z.
+fn momentum_of(toss: &Toss) -> Vector3<f64> {
+    let (sin, cos) = toss.momentum_angle().sin_cos();
+    Vector3::new(sin, 0.0, cos)
+}
+
 /// The coin flat in the hand, and half a precession later.
 pub(crate) fn toss(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 660.0, 330.0).titled(
-        "The coin at the start and half a precession later",
-        "Two pictures of the coin. Left, flat: its normal 3 points straight up, the axis 1 to the right, and the angular momentum L \
-         leans to the right at the angle psi to the normal. Right, half a precession later: L is where it was, the normal has \
-         gone to its other side, at the angle psi again, and points below the horizon, so the lower face is seen from above.",
-    );
     let toss = tossed(1.0, 0.31)?;
     let half = 0.5 * TAU / toss.precession_rate();
-    let momentum = Vector3::new(toss.momentum_angle().sin(), 0.0, toss.momentum_angle().cos());
-    for (x, time) in [(170.0, 0.0), (490.0, half)] {
-        let turning = toss.at(time)?;
-        let normal = turning.axis_3_world();
+    let momentum = momentum_of(&toss);
+    let panel = |title: &str, description: &str, time: f64| -> Outcome {
+        let mut drawing = Drawing::new("", 320.0, 330.0).titled(title, description);
+        let attitude = toss.at(time)?.world_from_body;
+        let normal = attitude * Vector3::z();
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0; 3],
-            azimuth: -1.3,
-            elevation: 0.3,
+            azimuth: -1.75,
+            elevation: 0.45,
             distance: 9.0,
-            centre: at(x, 200.0),
-            scale: 92.0,
+            centre: at(150.0, 185.0),
+            scale: 90.0,
         })?);
-        stage.solid(Solid::disc([0.0; 3], normal, 1.0, 0.12)?, Hue::Blue)?;
-        // A mark on the face that was up, so that one sees which side is which.
-        for radius in [0.82, 0.86] {
-            let ring = Curve::circle(normal * 0.061, normal, radius)?;
-            stage.curve(ring.hiding(Hiding::Omitted), Stroke::Hatch, Hue::Blue)?;
-        }
-        stage.named_vector([0.0; 3], momentum * 1.7, r"$\boldsymbol{L}$", Hue::Green)?;
+        coin_in(&mut stage, &attitude, -0.5, Stroke::Vector)?;
+        stage.named_vector([0.0; 3], momentum * 1.75, r"$\boldsymbol{L}$", Hue::Green)?;
         stage.named_vector([0.0; 3], normal * 1.55, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
-        stage.angle([0.0; 3], normal, momentum, 0.8, r"$\psi$", Hue::Ink)?;
         if time == 0.0 {
             stage.named_vector([0.0; 3], [1.6, 0.0, 0.0], r"$\hat{\mathbf{1}}$", Hue::Ink)?;
+            stage.angle([0.0; 3], normal, momentum, 0.8, r"$\psi$", Hue::Ink)?;
         } else {
             let start = Vector3::z();
             stage.curve(Curve::segment([0.0; 3], start * 1.5)?, Stroke::Reference, Hue::Muted)?;
+            stage.label(start * 1.5, Side::Above, "the normal at the start", Hue::Muted)?;
+            stage.angle([0.0; 3], start, normal, 1.15, "", Hue::Ink)?;
+            stage.label((start * 2.0 + momentum).normalize() * 1.13, Side::AboveRight, r"$2\psi$", Hue::Ink)?;
+            stage.angle([0.0; 3], normal, momentum, 0.7, r"$\psi$", Hue::Ink)?;
         }
         stage.write(&mut drawing);
+        let name = if time == 0.0 { "at the start: heads" } else { "half a precession later: tails" };
+        drawing.label(at(150.0, 318.0), Side::Over, name, Hue::Ink)?;
+        Ok(drawing)
+    };
+    let start = panel(
+        "The coin at the start",
+        "The coin lies flat, heads up: its normal 3 points straight up, the axis 1 to the right, and the angular momentum L leans to \
+         the right at the angle psi to the normal.",
+        0.0,
+    )?;
+    let later = panel(
+        "The coin half a precession later",
+        "L is where it was. The normal has gone to its other side, at the angle psi again, so that it has turned by two psi in \
+         all and points below the horizon: tails is seen from above.",
+        half,
+    )?;
+    Ok(Drawing::panels(id, vec![start, later]))
+}
+
+/// Into how many parts a film strip divides a precession.
+const FRAMES: u32 = 8;
+
+/// Where the frames of a film strip stand, their time running to the right or down, px.
+struct Film {
+    size: (f64, f64),
+    cell: (f64, f64),
+    first: (f64, f64),
+    down: bool,
+}
+
+impl Film {
+    /// The middle of a frame of a strip.
+    fn frame(&self, strip: usize, frame: u32) -> Point {
+        let (strip, frame) = (strip as f64, f64::from(frame));
+        let (column, row) = if self.down { (strip, frame) } else { (frame, strip) };
+        at(self.first.0 + self.cell.0 * column, self.first.1 + self.cell.1 * row)
     }
-    drawing.label(at(170.0, 318.0), Side::Over, "at the start", Hue::Ink)?;
-    drawing.label(at(490.0, 318.0), Side::Over, "half a precession later", Hue::Ink)?;
-    Ok(drawing)
+
+    /// Three tosses through one precession, seen from straight above.
+    fn draw(&self) -> Outcome {
+        let mut drawing = Drawing::new("", self.size.0, self.size.1).titled(
+            "Three tosses through one precession, seen from above",
+            "Three strips of nine pictures of the coin. Without twist it goes over: heads, edge, three times tails, edge, heads. Twisted a \
+             quarter as fast as it tumbles it shows tails in the three pictures in the middle and heads in all others. Twisted three \
+             fifths as fast it shows heads in every picture, leans to all sides, and is nearly on edge in the middle.",
+        );
+        let strips = [(0.0, r"$\omega_3 = 0$"), (0.25, r"$\omega_3 = \tfrac14\,\omega_1$"), (0.6, r"$\omega_3 = \tfrac35\,\omega_1$")];
+        for (strip, (ratio, name)) in strips.into_iter().enumerate() {
+            let toss = tossed(1.0, ratio)?;
+            let period = TAU / toss.precession_rate();
+            for frame in 0..=FRAMES {
+                let (middle, radius) = (self.frame(strip, frame), 0.46 * self.cell.0.min(self.cell.1));
+                let corner = |x: f64, y: f64| middle + at(radius * x, radius * y);
+                let corners = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+                drawing.polygon(corners, Fill::Floor, Hue::Ink);
+                let mut stage = Stage::new(Camera::new(View {
+                    target: [0.0; 3],
+                    azimuth: -FRAC_PI_2,
+                    elevation: FRAC_PI_2,
+                    distance: 9.0,
+                    centre: middle,
+                    scale: 0.8 * radius,
+                })?);
+                let attitude = toss.at(period * f64::from(frame) / f64::from(FRAMES))?.world_from_body;
+                coin_in(&mut stage, &attitude, 0.0, Stroke::Outline)?;
+                stage.write(&mut drawing);
+            }
+            let share = format!("heads {:.0} %", 100.0 * toss.same_face_probability());
+            let start = self.frame(strip, 0);
+            let [above, below] = if self.down {
+                [start - at(0.0, 0.5 * self.cell.1 + 32.0), start - at(0.0, 0.5 * self.cell.1 + 12.0)]
+            } else {
+                [start - at(0.5 * self.cell.0 + 46.0, 10.0), start - at(0.5 * self.cell.0 + 46.0, -10.0)]
+            };
+            drawing.label(above, Side::Over, name, Hue::Ink)?;
+            drawing.label(below, Side::Over, &share, Hue::Blue)?;
+        }
+        for (frame, name) in [(0, "$0$"), (2, r"$\tfrac14$"), (4, r"$\tfrac12$"), (6, r"$\tfrac34$"), (8, "$1$")] {
+            let place = if self.down {
+                self.frame(0, frame) - at(0.5 * self.cell.0 + 8.0, 0.0)
+            } else {
+                self.frame(2, frame) + at(0.0, 0.5 * self.cell.1 + 12.0)
+            };
+            drawing.label(place, Side::Over, name, Hue::Ink)?;
+        }
+        let last = self.frame(2, FRAMES);
+        let (place, side) = if self.down {
+            (at(self.frame(1, 0).x, last.y + 0.5 * self.cell.1 + 12.0), Side::Over)
+        } else {
+            (at(self.first.0 - 0.5 * self.cell.0, last.y + 0.5 * self.cell.1 + 12.0), Side::Left)
+        };
+        drawing.label(place, side, "time, precessions", Hue::Ink)?;
+        Ok(drawing)
+    }
+}
+
+/// A film of three tosses.
+pub(crate) fn toss_film(id: &str) -> Outcome {
+    let across = Film { size: (660.0, 260.0), cell: (60.0, 66.0), first: (150.0, 50.0), down: false };
+    let down = Film { size: (330.0, 660.0), cell: (94.0, 60.0), first: (80.0, 90.0), down: true };
+    let (mut wide, narrow) = (across.draw()?, down.draw()?);
+    wide = Drawing::panels(id, vec![wide]);
+    Ok(wide.with_narrow(narrow))
 }
 
 /// The path of the tip of the normal for three angles, on the unit sphere.
@@ -74,7 +198,7 @@ pub(crate) fn cones(id: &str) -> Outcome {
         "Paths of the tip of the normal on a sphere",
         "A unit sphere with its equator. Three circles on it pass through the north pole, where the normal starts. The smallest, for psi 30 \
          degrees, stays in the upper half; the middle one, for 45 degrees, touches the equator; the largest, for 75 degrees, goes \
-         far below it. Dots mark the directions of the angular momentum at the centres of the circles.",
+         far below it, and is grey there. Dots mark the directions of the angular momentum at the centres of the circles.",
     );
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0; 3],
@@ -86,68 +210,79 @@ pub(crate) fn cones(id: &str) -> Outcome {
     })?);
     stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), 1.0)?, Stroke::Reference, Hue::Ink)?;
-    for (degrees, hue) in [(30.0_f64, Hue::Blue), (45.0, Hue::Green), (75.0, Hue::Pink)] {
+    for degrees in [30.0_f64, 45.0, 75.0] {
         let toss = tossed(2.0 * degrees.to_radians().tan(), 1.0)?;
         let period = TAU / toss.precession_rate();
-        let path = linear_steps(0.0, period, 360)
-            .map(|time| toss.normal(time))
-            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        stage.curve(Curve::smooth(path)?, Stroke::Curve, hue)?;
-        let momentum = Vector3::new(toss.momentum_angle().sin(), 0.0, toss.momentum_angle().cos());
-        stage.dot(momentum, 3.0, hue)?;
-        let name = format!("{degrees}°");
-        stage.label(momentum, Side::Left, &name, hue)?;
+        // Heads from one time on edge to the next, then tails.
+        let edge = toss.first_edge().unwrap_or(0.5 * period);
+        for (from, to, hue) in [(-edge, edge, Hue::Blue), (edge, period - edge, Hue::Muted)] {
+            if to - from > 1e-9 * period {
+                let path = linear_steps(from, to, 360)
+                    .map(|time| toss.normal(time))
+                    .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+                stage.curve(Curve::smooth(path)?, Stroke::Curve, hue)?;
+            }
+        }
+        stage.dot(momentum_of(&toss), 3.5, Hue::Green)?;
+        let step = at(if degrees > 60.0 { -9.0 } else { 0.0 }, 0.0);
+        stage.label_shifted(momentum_of(&toss), step, Side::Left, &format!("${degrees}°$"), Hue::Green)?;
     }
-    stage.dot([0.0, 0.0, 1.0], 3.0, Hue::Ink)?;
-    stage.label([0.0, 0.0, 1.0], Side::Above, "start, flat", Hue::Ink)?;
+    let wide = tossed(2.0 * 75_f64.to_radians().tan(), 1.0)?;
+    let edge = wide.first_edge().ok_or("it goes over")?;
+    stage.label(wide.normal(0.5 * edge)?, Side::Left, "heads up", Hue::Blue)?;
+    stage.label(wide.normal(1.15 * edge)?, Side::Right, "tails up", Hue::Muted)?;
+    stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
+    stage.label_shifted([0.0, 0.0, 1.0], at(0.0, -7.0), Side::Above, "start, flat", Hue::Ink)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
 
 /// Height of the normal for a twist just below, at and just above the threshold.
 pub(crate) fn threshold(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
-        "Height of the normal near the threshold",
-        "Two plots of the height of the coin's normal against time in precessions. Left, from 0 to 2: the curves for the ratios of twist \
-         to tumble 0.49, 0.50 and 0.51 lie so close together that they look like one, which begins at one and falls to about \
-         zero after half a \
-         precession; a fourth, for the ratio 0.2, falls to minus 0.7. Right, the neighbourhood of the lowest \
-         point enlarged: the curve for 0.49 dips below zero, that for 0.50 touches it, that for 0.51 stays above.",
-    );
-    let curves = [(0.20, Hue::Muted), (0.49, Hue::Pink), (0.50, Hue::Green), (0.51, Hue::Blue)];
     let values = |ratio: f64, from: f64, to: f64| -> Result<Vec<(f64, f64)>, Cause> {
         let toss = tossed(1.0, ratio)?;
         let period = TAU / toss.precession_rate();
         linear_steps(from, to, 300).map(|turns| Ok((turns, toss.normal_height(turns * period)?))).collect()
     };
+    let mut whole = Drawing::new("", 340.0, 350.0).titled(
+        "Height of the normal for a small twist and near the threshold",
+        "The height of the coin's normal against time in precessions, from 0 to 2. The curves for the ratios of twist to tumble 0.49, 0.50 \
+         and 0.51 lie so close together that they look like one, which begins at one and falls to about zero after half a \
+         precession; a fourth, for the ratio 0.2, falls to minus 0.7, where tails is up.",
+    );
     let time = Axis::linear(0.0, 2.0, 0.5)?.minor(0.1).titled("time, precessions");
-    let height = Axis::linear(-0.8, 1.0, 0.2)?.titled(r"height of the normal $n_z$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(54.0, 34.0, 330.0, 262.0), time, height)?;
-    plot.level(0.0, Stroke::Reference);
-    for (ratio, hue) in curves {
-        plot.curve(&format!("whole-{ratio}"), values(ratio, 0.0, 2.0)?, Stroke::Curve, hue);
+    let height = Axis::linear(-1.0, 1.0, 0.5)?.minor(0.1).titled(r"height of the normal $n_z$");
+    let mut plot = Plot::new(&mut whole, Rect::new(48.0, 34.0, 270.0, 262.0), time, height)?;
+    plot.region((0.0, -1.0), (2.0, 0.0), Hue::Muted);
+    for ratio in [0.20, 0.49, 0.50, 0.51] {
+        plot.curve(&format!("whole-{ratio}"), values(ratio, 0.0, 2.0)?, Stroke::Curve, Hue::Blue);
     }
-    plot.label((1.0, -0.45), Side::Over, r"$\omega_3/\omega_1$", Hue::Ink)?;
-    plot.label((1.0, -0.62), Side::Over, r"$= 0.20$", Hue::Muted)?;
-    plot.label((0.5, 0.5), Side::Over, "0.49", Hue::Ink)?;
-    plot.label((0.5, 0.36), Side::Over, "to 0.51", Hue::Ink)?;
+    plot.label((0.5, -0.73), Side::Below, "$0.20$", Hue::Blue)?;
+    plot.label((0.5, 0.64), Side::Over, "$0.49$", Hue::Blue)?;
+    plot.label((0.5, 0.48), Side::Over, "to $0.51$", Hue::Blue)?;
+    plot.label((1.0, -0.7), Side::Over, "tails up", Hue::Muted)?;
 
-    let time = Axis::linear(0.4, 0.6, 0.1)?.minor(0.02);
-    let height = Axis::linear(-0.04, 0.1, 0.02)?.titled("enlarged");
-    let mut plot = Plot::new(&mut drawing, Rect::new(450.0, 34.0, 190.0, 262.0), time, height)?;
-    plot.level(0.0, Stroke::Reference);
-    for (ratio, hue) in &curves[1..] {
-        plot.curve(&format!("part-{ratio}"), values(*ratio, 0.4, 0.6)?, Stroke::Curve, *hue);
+    let mut part = Drawing::new("", 300.0, 350.0).titled(
+        "The lowest point of the normal, enlarged",
+        "The neighbourhood of the lowest point enlarged: the curve for the ratio 0.49 dips below zero, that for 0.50 touches it, that \
+         for 0.51 stays above.",
+    );
+    let time = Axis::linear(0.4, 0.6, 0.1)?.minor(0.02).titled("time, precessions");
+    let height = Axis::linear(-0.04, 0.1, 0.02)?.titled(r"$n_z$, enlarged");
+    let mut plot = Plot::new(&mut part, Rect::new(48.0, 34.0, 220.0, 262.0), time, height)?;
+    plot.region((0.4, -0.04), (0.6, 0.0), Hue::Muted);
+    for ratio in [0.49, 0.50, 0.51] {
+        plot.curve(&format!("part-{ratio}"), values(ratio, 0.4, 0.6)?, Stroke::Curve, Hue::Blue);
     }
-    for ((ratio, hue), height) in curves[1..].iter().zip([-0.028, 0.008, 0.03]) {
-        plot.label((0.5, height), Side::Over, &format!("{ratio:.2}"), *hue)?;
+    for (height, name) in [(-0.03, "$0.49$: over"), (0.008, "$0.50$"), (0.044, "$0.51$: never")] {
+        plot.label((0.5, height), Side::Over, name, Hue::Blue)?;
     }
-    Ok(drawing)
+    Ok(Drawing::panels(id, vec![whole, part]))
 }
 
 /// Probability of the same face against the angle between normal and angular momentum.
 pub(crate) fn bias(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
         "Probability of the same face",
         "The probability that a coin shows the same face, against the angle psi between its normal and its angular momentum in \
          degrees. Up to 45 degrees it is one. From there it falls, steeply at first, to one half at 90 degrees. The measured \
@@ -157,8 +292,8 @@ pub(crate) fn bias(id: &str) -> Outcome {
         .minor(5.0)
         .titled(r"angle $\psi$ of normal and $\boldsymbol{L}$, degrees");
     let probability = Axis::linear(0.5, 1.0, 0.1)?.minor(0.02).titled("probability of the same face");
-    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 560.0, 262.0), angle, probability)?;
-    plot.upright(45.0, Stroke::Dotted);
+    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 252.0), angle, probability)?;
+    plot.region((0.0, 0.5), (45.0, 1.0), Hue::Blue);
     // Dense near 45°, where the curve leaves with an upright tangent.
     let mut values = vec![(0.0, 1.0), (45.0, 1.0)];
     for step in linear_steps(0.0, 1.0, 400) {
@@ -167,15 +302,16 @@ pub(crate) fn bias(id: &str) -> Outcome {
     }
     plot.curve("probability", values, Stroke::Curve, Hue::Blue);
     let measured = (angle_for_probability(0.508)?.to_degrees(), 0.508);
-    plot.markers(&[measured], Marker::Disc, Hue::Pink);
-    plot.label((58.0, 0.527), Side::Over, "350,757 tosses: 0.508", Hue::Pink)?;
-    plot.label((22.0, 0.98), Side::Below, "never turns over", Hue::Ink)?;
+    plot.markers(&[measured], Marker::Disc, Hue::Ink);
+    plot.label((measured.0 + 1.0, 0.6), Side::Over, "real tosses", Hue::Ink)?;
+    plot.label((measured.0 + 1.0, 0.565), Side::Over, "$0.508$", Hue::Ink)?;
+    plot.label((22.5, 0.75), Side::Over, "never turns over", Hue::Ink)?;
     Ok(drawing)
 }
 
 /// Error of the direction of the normal by Euler's angles and by the quaternion, against the tilt of the hand.
 pub(crate) fn gimbal(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
+    let mut drawing = Drawing::new(id, 400.0, 350.0).titled(
         "Euler's angles against the quaternion",
         "Both scales are logarithmic: along x the tilt of the coin in the hand, from a millionth of a radian to a tenth; along y the \
          error in the direction of the normal after 0.45 seconds, with the same Runge-Kutta method and step. The quaternion's \
@@ -207,10 +343,10 @@ pub(crate) fn gimbal(id: &str) -> Outcome {
     }
     let tilt = Axis::log(1e-6, 0.1, 1)?.titled("tilt of the hand $d$, rad");
     let error = Axis::log(1e-8, 10.0, 1)?.titled("error of the normal, rad");
-    let mut plot = Plot::new(&mut drawing, Rect::new(66.0, 34.0, 592.0, 286.0), tilt, error)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(56.0, 34.0, 320.0, 262.0), tilt, error)?;
     plot.series("angles", &angles, Marker::Disc, Hue::Orange);
     plot.series("quaternion", &quaternions, Marker::Square, Hue::Blue);
-    plot.label((1e-5, 3.0), Side::Right, "Euler's angles", Hue::Orange)?;
+    plot.label((1e-5, 3.0), Side::Right, "Euler’s angles", Hue::Orange)?;
     plot.label((1e-5, 1e-7), Side::Right, "quaternion", Hue::Blue)?;
     Ok(drawing)
 }

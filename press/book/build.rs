@@ -24,11 +24,11 @@ fn render() -> Result<(), Box<dyn Error>> {
     let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").ok_or("Cargo sets CARGO_MANIFEST_DIR")?);
     let stamps = stamps::Stamps::read(package.ancestors().nth(2).ok_or("the workspace is two folders up")?)?;
     let list = out.join("figures.txt");
-    // A line of the list: the chapter, the figure, the stamp with which it was drawn.
+    // A line of the list: the chapter, the figure, the stamp with which it was drawn, where it goes on a page.
     let known = fs::read_to_string(&list).unwrap_or_default();
     let is_fresh = |line: &&str| {
         let words: Vec<&str> = line.split(' ').collect();
-        matches!(words[..], [chapter, _, stamp] if stamp == stamps.of(chapter))
+        matches!(words[..], [chapter, _, stamp, _] if stamp == stamps.of(chapter))
     };
     let mut lines: Vec<String> = known.lines().filter(is_fresh).map(str::to_owned).collect();
     let is_old = |chapter: &str| !lines.iter().any(|line| line.starts_with(&format!("{chapter} ")));
@@ -41,7 +41,8 @@ fn render() -> Result<(), Box<dyn Error>> {
         let name = figure.id.trim_start_matches("fig:");
         fs::write(out.join(format!("{name}.inline.svg")), &figure.svg)?;
         fs::write(out.join(format!("{name}.svg")), &figure.standalone)?;
-        lines.push(format!("{} {} {}", figure.chapter, figure.id, stamps.of(&figure.chapter)));
+        let place = if figure.wide { "wide" } else { "column" };
+        lines.push(format!("{} {} {} {place}", figure.chapter, figure.id, stamps.of(&figure.chapter)));
     }
     fs::write(out.join("methods.md"), methods())?;
     fs::write(list, lines.join("\n"))?;

@@ -71,6 +71,19 @@ pub(crate) enum Mention {
     Source(u32),
 }
 
+/// A table: its rows of cells, of which the first holds the names of the columns.
+#[derive(Debug, Default)]
+pub(crate) struct Table<'a> {
+    pub(crate) rows: Vec<Vec<Cell<'a>>>,
+}
+
+/// A cell of a table, and where it stands on the page.
+#[derive(Debug)]
+pub(crate) struct Cell<'a> {
+    pub(crate) words: Vec<Event<'a>>,
+    pub(crate) offset: usize,
+}
+
 /// A note in the margin: `[^name]` in the text and `[^name]: words` below it.
 #[derive(Debug, Clone)]
 pub(crate) struct Note<'a> {
@@ -94,9 +107,16 @@ pub(crate) enum Item<'a> {
         label: Label,
         caption: Vec<Event<'a>>,
     },
-    /// A table that the library gives.
     Table {
+        table: Table<'a>,
+        caption: Vec<Event<'a>>,
+        /// Where the caption stands.
+        below: usize,
+    },
+    /// A table that the library gives.
+    LibraryTable {
         name: String,
+        caption: Vec<Event<'a>>,
     },
     Heading {
         level: u8,
@@ -117,8 +137,6 @@ pub(crate) enum Item<'a> {
     Snippet {
         code: &'a str,
     },
-    /// A label in a comment of a snippet, where a reader sees the number.
-    CodeLabel(Label),
     Citation {
         label: Label,
         short: &'a str,

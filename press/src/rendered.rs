@@ -19,15 +19,17 @@ pub struct Figure {
     pub id: String,
     /// The folder of the chapter that draws it: `laundromat`.
     pub chapter: String,
-    /// SVG for a page, coloured by the page's style sheet.
+    /// Its SVGs for a page in their box, coloured by the page's style sheet.
     pub svg: String,
+    /// Whether it needs more room than a column of text has.
+    pub wide: bool,
     /// SVG that stands alone, for slides.
     pub standalone: String,
 }
 
 impl Rendered {
-    /// Reads `folder`: `figures.txt` with a line `chapter fig:name …` for each figure, its `name.inline.svg`
-    /// and `name.svg`, and the tables, `table.md`.
+    /// Reads `folder`: `figures.txt` with a line `chapter fig:name stamp wide` (or `column`) for each figure, its
+    /// `name.inline.svg` and `name.svg`, and the tables, `table.md`.
     ///
     /// # Errors
     /// If a file is missing or cannot be read.
@@ -45,6 +47,7 @@ impl Rendered {
             rendered.figures.push(Figure {
                 id: id.to_owned(),
                 chapter: chapter.to_owned(),
+                wide: words.nth(1) == Some("wide"),
                 svg: text(&format!("{name}.inline.svg"))?,
                 standalone: text(&format!("{name}.svg"))?,
             });

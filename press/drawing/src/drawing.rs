@@ -97,7 +97,7 @@ pub struct Axes {
 /// A figure: shapes with roles, in the order in which they are painted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {
-    id: String,
+    pub(crate) id: String,
     width: f64,
     height: f64,
     title: String,
@@ -105,6 +105,8 @@ pub struct Drawing {
     items: Vec<Item>,
     axes: Vec<Axes>,
     flaw: Option<Flaw>,
+    pub(crate) panels: Vec<Drawing>,
+    pub(crate) narrow: Option<Box<Drawing>>,
 }
 
 impl Drawing {
@@ -120,6 +122,8 @@ impl Drawing {
             items: Vec::new(),
             axes: Vec::new(),
             flaw: None,
+            panels: Vec::new(),
+            narrow: None,
         }
     }
 
@@ -183,7 +187,10 @@ impl Drawing {
 
     /// Why the drawing cannot be shown, if it cannot.
     pub(crate) fn flaw(&self) -> Option<Flaw> {
-        self.flaw.clone().or_else(|| self.items.iter().find_map(flaw::of))
+        let beside = |item: &Item| Flaw::BesidePanels { what: flaw::what(item) };
+        let astray = self.items.first().filter(|_| !self.panels.is_empty()).map(beside);
+        let below = || self.panels.iter().chain(self.narrow.as_deref()).find_map(Self::flaw);
+        self.flaw.clone().or_else(|| self.items.iter().find_map(flaw::of)).or(astray).or_else(below)
     }
 
     /// Adds a shape.

@@ -22,6 +22,11 @@ pub enum Flaw {
         /// What it is.
         what: String,
     },
+    /// A shape of a figure of panels that lies in none of them.
+    BesidePanels {
+        /// What it is.
+        what: String,
+    },
 }
 
 impl fmt::Display for Flaw {
@@ -31,6 +36,7 @@ impl fmt::Display for Flaw {
                 write!(out, "{what} goes through ({x}, {y}), which can be drawn nowhere")
             }
             Self::NothingToSee { what } => write!(out, "no part of {what} lies inside the frame"),
+            Self::BesidePanels { what } => write!(out, "{what} lies in no panel of a figure of panels"),
         }
     }
 }
@@ -41,6 +47,11 @@ impl Error for Flaw {}
 pub(crate) fn of(item: &Item) -> Option<Flaw> {
     let point =
         numbers(&item.shape).into_iter().find(|point| !(point.x.is_finite() && point.y.is_finite()))?;
+    Some(Flaw::NoNumber { what: what(item), place: (point.x, point.y) })
+}
+
+/// What a shape is, by name if it has one.
+pub(crate) fn what(item: &Item) -> String {
     let kind = match &item.shape {
         Shape::Polyline(_) => "line",
         Shape::Polygon(_) => "polygon",
@@ -50,12 +61,11 @@ pub(crate) fn of(item: &Item) -> Option<Flaw> {
         Shape::Rounded { .. } => "rounded body",
         Shape::Label(_) => "label",
     };
-    let what = match (&item.name, &item.shape) {
+    match (&item.name, &item.shape) {
         (Some(name), _) => format!("the {kind} {name}"),
         (None, Shape::Label(label)) => format!("the label {}", words(label)),
         (None, _) => format!("a {kind} ({})", item.role.classes()),
-    };
-    Some(Flaw::NoNumber { what, place: (point.x, point.y) })
+    }
 }
 
 /// All numbers that a shape is made of, in pairs.

@@ -17,6 +17,8 @@
 //! | `label` | words and mathematics, measured and set without any font on the reader's machine |
 //! | [`kit`] | arrows, angles, dimensions, springs, dampers, fixed points |
 //! | `clip`, `simplify` | polylines cut at a frame and thinned below what can be seen |
+//! | `ink` | what a drawing covers: an SVG is cut to it |
+//! | `layout` | panels that stand side by side or one below another, and a second layout for narrow pages |
 //! | `flaw` | why a drawing is refused: a coordinate that is no number, a curve that nobody sees |
 //! | `svg`, `style` | the writer, and the style sheet of figures that stand alone |
 //!
@@ -35,8 +37,10 @@
 mod clip;
 mod drawing;
 mod flaw;
+mod ink;
 pub mod kit;
 mod label;
+mod layout;
 mod point;
 mod role;
 mod simplify;
@@ -47,7 +51,9 @@ mod svg;
 pub use clip::clip;
 pub use drawing::{Axes, Drawing, Item, Scale, Shape};
 pub use flaw::Flaw;
+pub use ink::MARGIN;
 pub use label::{Label, LabelError, Piece, Segment, Side, TEX_COMMANDS};
+pub use layout::{GAP, NARROW, PANEL};
 pub use point::{Point, Rect, at};
 pub use role::{Fill, Hue, Role, Stroke};
 pub use simplify::{TOLERANCE, simplify};

@@ -115,6 +115,28 @@ mod tests {
     }
 
     #[test]
+    fn lines_are_as_wide_as_the_style_sheet_draws_them() {
+        for stroke in Stroke::ALL {
+            let (class, width) = (stroke.class(), stroke.width());
+            let rule = format!(".{class} {{ stroke-width: {width};");
+            let plain = format!(".{class} {{ stroke-width: {width} ");
+            let agrees = |line: &str| line.starts_with(&rule) || line.starts_with(&plain);
+            assert!(PAGE.lines().any(agrees), "{class} is not {width} px wide");
+        }
+    }
+
+    #[test]
+    fn each_meaning_of_a_broken_line_has_a_pattern_of_its_own() {
+        let rules = Stroke::ALL.map(|stroke| format!(".{} {{", stroke.class()));
+        let rules = rules.iter().filter_map(|rule| PAGE.lines().find(|line| line.starts_with(rule)));
+        let pattern =
+            |rule: &str| rule.split_once("stroke-dasharray: ")?.1.split(';').next().map(str::to_owned);
+        let patterns: Vec<String> = rules.filter_map(pattern).collect();
+        let thick: std::collections::BTreeSet<&String> = patterns.iter().collect();
+        assert_eq!((patterns.len(), thick.len()), (7, 7), "{patterns:?}");
+    }
+
+    #[test]
     fn the_standalone_style_sheet_is_plain_css() {
         let sheet = standalone();
         for word in ["var(", "light-dark(", "color-mix("] {
@@ -122,7 +144,7 @@ mod tests {
         }
         let (light, dark) = sheet.split_once("@media").expect("a part for dark");
         for (rule, in_light, in_dark) in [
-            (".f-blue { color: ", "#0072b2; }", "#56b4e9; }"),
+            (".f-blue { color: ", "#1772ba; }", "#8cc1f8; }"),
             (".f-ink { color: ", "#1a1a1a; }", "#c9cad6; }"),
             (".f-page { fill: ", "#ffffff; }", "#161923; }"),
             (".f-face { fill: currentColor; fill-opacity: ", "22%; }", "42%; }"),

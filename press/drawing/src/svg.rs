@@ -3,56 +3,103 @@
 use crate::drawing::{Drawing, Item, Shape};
 use crate::flaw::Flaw;
 use crate::label::{Label, Piece, Segment};
-use crate::point::Point;
+use crate::layout::{self, Pages};
+use crate::point::{Point, Rect, at};
 use crate::role::{RIM, Role, STOPS};
 use crate::style;
 use std::fmt::Write as _;
 
-/// On narrow screens a figure shrinks until its 13 px type is 11 px tall, and then scrolls.
-const SMALLEST: f64 = 11.0 / 13.0;
+/// The widest row of panels in a file of its own, px.
+const ROW: f64 = 1040.0;
 
 impl Drawing {
     /// The drawing as SVG to be put into a page: no colours, no blank lines; the page's style sheet gives
-    /// roles their looks.
+    /// roles their looks. Panels are an SVG each, and so is the layout for narrow pages.
+    ///
+    /// Each shows its ink and a margin of [`MARGIN`](crate::MARGIN) px around it; on a page that is narrower it shrinks.
     ///
     /// # Errors
     /// [`Flaw`] if a coordinate is no number, or something could not be added.
     pub fn to_svg(&self) -> Result<String, Flaw> {
-        let (width, height) = (number(self.width()), number(self.height()));
-        let style = format!("max-width:{width}px;min-width:{}px", number((self.width() * SMALLEST).floor()));
-        self.write(&format!("viewBox=\"0 0 {width} {height}\" style=\"{style}\""), "")
+        self.flaw().map_or(Ok(()), Err)?;
+        let svg = |(part, seen, pages): (&Self, Rect, Pages)| {
+            let class = match pages {
+                Pages::All => "drawn",
+                Pages::Wide => "drawn wide-only",
+                Pages::Narrow => "drawn narrow",
+            };
+            let size = format!("{} style=\"max-width:{}px\"", view_box(seen), number(seen.width()));
+            let mut out = opening(&part.id, class, &size, part.title(), part.description());
+            part.write_items(&mut out);
+            out + "</svg>"
+        };
+        Ok(self.leaves().into_iter().map(svg).collect::<Vec<_>>().join("\n"))
     }
 
-    /// The drawing as an SVG file of its own, in full size, with its style sheet for light and dark inside.
+    /// The drawing as an SVG file of its own, in full size, with its style sheet for light and dark inside. Panels
+    /// stand side by side, in rows.
     ///
     /// # Errors
     /// [`Flaw`] if a coordinate is no number, or something could not be added.
     pub fn to_standalone_svg(&self) -> Result<String, Flaw> {
-        let (width, height) = (number(self.width()), number(self.height()));
+        self.flaw().map_or(Ok(()), Err)?;
+        let parts = self.parts();
+        let seen = layout::seen(&parts);
+        let (places, all) = rows(&seen);
+        let (width, height) = (number(all.width()), number(all.height()));
         let size = format!(
-            "xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\""
+            "xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" {}",
+            view_box(all)
         );
-        let style = format!("<style>\n{}</style>\n", style::standalone());
-        Ok(format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", self.write(&size, &style)?))
+        let mut out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_owned();
+        out += &opening(&self.id, "drawn", &size, self.title(), self.description());
+        let _ = writeln!(out, "<style>\n{}</style>", style::standalone());
+        for (part, place) in parts.into_iter().zip(places) {
+            let (x, y) = (number(place.x), number(place.y));
+            let _ = writeln!(out, "<g transform=\"translate({x} {y})\">");
+            part.write_items(&mut out);
+            out += "</g>\n";
+        }
+        Ok(out + "</svg>\n")
     }
 
-    fn write(&self, size: &str, style: &str) -> Result<String, Flaw> {
-        if let Some(flaw) = self.flaw() {
-            return Err(flaw);
-        }
-        let id = self.id().replace(':', "-");
-        let mut out = format!(
-            "<svg class=\"drawn\" {size} role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n\
-             <title id=\"{id}-title\">{}</title>\n<desc id=\"{id}-desc\">{}</desc>\n{style}",
-            escaped(self.title()),
-            escaped(self.description())
-        );
+    fn write_items(&self, out: &mut String) {
+        let id = self.id.replace(':', "-");
         for (index, item) in self.items().iter().enumerate() {
-            write_item(&mut out, &id, index, item);
+            write_item(out, &id, index, item);
         }
-        out.push_str("</svg>");
-        Ok(out)
     }
+}
+
+/// The tag that opens an SVG, with the words for those who cannot see it.
+fn opening(id: &str, class: &str, size: &str, title: &str, description: &str) -> String {
+    let (id, title, description) = (id.replace(':', "-"), escaped(title), escaped(description));
+    format!(
+        "<svg class=\"{class}\" {size} role=\"img\" aria-labelledby=\"{id}-title {id}-desc\">\n\
+         <title id=\"{id}-title\">{title}</title>\n<desc id=\"{id}-desc\">{description}</desc>\n"
+    )
+}
+
+fn view_box(seen: Rect) -> String {
+    let [left, top, width, height] = [seen.left, seen.top, seen.width(), seen.height()].map(number);
+    format!("viewBox=\"{left} {top} {width} {height}\"")
+}
+
+/// How far to move each drawing so that all stand in rows, and the rectangle of all. The first stays where it is.
+fn rows(seen: &[Rect]) -> (Vec<Point>, Rect) {
+    let first = seen.first().copied().unwrap_or(Rect::new(0.0, 0.0, 0.0, 0.0));
+    let (mut all, mut places) = (first, Vec::new());
+    let (mut right, mut top) = (first.left - layout::GAP, first.top);
+    for own in seen {
+        if right + layout::GAP + own.width() > first.left + ROW.max(first.width()) {
+            (right, top) = (first.left - layout::GAP, all.bottom + layout::GAP);
+        }
+        let step = at(right + layout::GAP - own.left, top - own.top);
+        right += layout::GAP + own.width();
+        all = all.union(&own.moved(step));
+        places.push(step);
+    }
+    (places, all)
 }
 
 fn write_item(out: &mut String, id: &str, index: usize, item: &Item) {

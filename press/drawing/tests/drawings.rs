@@ -102,7 +102,7 @@ fn drawings_become_valid_svg_with_classes_in_place_of_colours() {
     let svg = drawing.to_svg().expect("no flaw");
     let document = Document::parse(&svg).expect("valid XML");
     let root = document.root_element();
-    assert_eq!((root.attribute("viewBox"), root.attribute("role")), (Some("0 0 300 200"), Some("img")));
+    assert_eq!((root.attribute("viewBox"), root.attribute("role")), (Some("1 19 266 192"), Some("img")));
     assert!(root.attribute("width").is_none(), "the page decides how wide it is");
     let text =
         |name: &str| document.descendants().find(|node| node.has_tag_name(name)).and_then(|node| node.text());
@@ -119,9 +119,84 @@ fn drawings_become_valid_svg_with_classes_in_place_of_colours() {
     let alone = drawing.to_standalone_svg().expect("no flaw");
     let document = Document::parse(&alone).expect("valid XML");
     let root = document.root_element();
-    assert_eq!((root.attribute("width"), root.attribute("height")), (Some("300"), Some("200")));
+    assert_eq!((root.attribute("width"), root.attribute("height")), (Some("266"), Some("192")));
     assert_eq!(root.tag_name().namespace(), Some("http://www.w3.org/2000/svg"));
     assert!(alone.contains("prefers-color-scheme: dark"));
+}
+
+/// A panel of this height with one dot.
+fn dotted(height: f64, x: f64, y: f64) -> Drawing {
+    let mut panel = Drawing::new("", 200.0, height).titled("A dot", "One dot.");
+    panel.dot(at(x, y), 3.0, Hue::Blue);
+    panel.name_curve("dot", 1);
+    panel
+}
+
+/// What an attribute of every SVG is.
+fn attributes(svg: &str, name: &str) -> Vec<String> {
+    let document = format!("<div>{svg}</div>");
+    let document = Document::parse(&document).expect("valid XML");
+    let drawn = document.descendants().filter(|node| node.has_tag_name("svg"));
+    drawn.map(|node| node.attribute(name).unwrap_or_default().to_owned()).collect()
+}
+
+#[test]
+fn panels_of_equal_height_are_level_and_each_is_cut_to_its_width() {
+    let panels = vec![dotted(100.0, 50.0, 20.0), dotted(100.0, 80.0, 70.0), dotted(50.0, 10.0, 20.0)];
+    let whole = Drawing::panels("fig:dots", panels);
+    let svg = whole.to_svg().expect("no flaw");
+    assert_eq!(attributes(&svg, "viewBox"), ["37 7 26 76", "67 7 26 76", "-3 7 26 26"]);
+    for id in ["fig-dots-a-dot", "fig-dots-b-dot", "fig-dots-c-title"] {
+        assert!(svg.contains(&format!(" id=\"{id}\"")), "{svg}");
+    }
+    assert_eq!((whole.title(), whole.room()), ("A dot; A dot; A dot", 3.0 * 26.0 + 40.0));
+    // Alone, they stand in a row, level at the top.
+    let alone = whole.to_standalone_svg().expect("no flaw");
+    assert_eq!(attributes(alone.split_once('\n').expect("a head").1, "viewBox"), ["37 7 118 76"]);
+    for step in ["0 0", "16 0", "132 0"] {
+        assert!(alone.contains(&format!("translate({step})")), "{alone}");
+    }
+}
+
+#[test]
+fn many_panels_stand_in_rows() {
+    let panel = || {
+        let mut panel = dotted(100.0, 0.0, 0.0);
+        panel.line(at(0.0, 0.0), at(379.0, 0.0), Stroke::Outline, Hue::Ink);
+        panel
+    };
+    let alone =
+        Drawing::panels("fig:rows", vec![panel(), panel(), panel()]).to_standalone_svg().expect("no flaw");
+    for step in ["0 0", "423 0", "0 46"] {
+        assert!(alone.contains(&format!("translate({step})")), "{alone}");
+    }
+}
+
+#[test]
+fn a_narrow_layout_has_an_svg_of_its_own_for_narrow_pages_only() {
+    let narrow = || Drawing::panels("", vec![dotted(100.0, 5.0, 5.0), dotted(90.0, 5.0, 5.0)]);
+    let whole = dotted(100.0, 50.0, 50.0).with_narrow(narrow());
+    let svg = whole.to_svg().expect("no flaw");
+    assert_eq!(attributes(&svg, "class"), ["drawn wide-only", "drawn narrow", "drawn narrow"]);
+    assert!(svg.contains(" id=\"-narrow-b-dot\""), "{svg}");
+    assert_eq!((whole.parts().len(), whole.narrow_parts().len(), whole.all_parts().len()), (1, 2, 3));
+    assert!(!whole.to_standalone_svg().expect("no flaw").contains("-narrow"));
+    // Only one of the panels has a second layout.
+    let pair = Drawing::panels("fig:x", vec![whole, dotted(100.0, 5.0, 5.0)]);
+    let classes = attributes(&pair.to_svg().expect("no flaw"), "class");
+    assert_eq!(classes, ["drawn wide-only", "drawn", "drawn narrow", "drawn narrow"]);
+    assert_eq!(pair.narrow_parts().len(), 3);
+}
+
+#[test]
+fn what_lies_in_no_panel_is_refused() {
+    let mut whole = Drawing::panels("fig:dots", vec![dotted(100.0, 50.0, 20.0)]);
+    whole.line(at(0.0, 0.0), at(1.0, 0.0), Stroke::Outline, Hue::Ink);
+    let flaw = whole.to_svg().expect_err("it would not be seen").to_string();
+    assert_eq!(flaw, "a line (f-line f-outline f-ink) lies in no panel of a figure of panels");
+    let broken = dotted(100.0, f64::NAN, 20.0);
+    assert!(Drawing::panels("fig:dots", vec![broken.clone()]).to_svg().is_err());
+    assert!(dotted(100.0, 0.0, 0.0).with_narrow(broken).to_standalone_svg().is_err());
 }
 
 #[test]

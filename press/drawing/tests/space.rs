@@ -148,6 +148,16 @@ fn a_segment_behind_a_disc_is_hidden_over_exactly_the_right_interval() {
         }
     }
     assert!(counts.0 > 3000 && counts.1 > 700, "{counts:?}");
+    // Half a cone, whose cut sides are boundaries too.
+    let mut cut = (0, 0);
+    for _ in 0..24 {
+        let eye = Eye::new(some_view(&mut chance));
+        let Body::Cone(apex, axis, half_angle, length) = some_body(3, &mut chance) else { panic!("a cone") };
+        let body = Body::HalfCone(apex, axis, half_angle, length, chance.direction());
+        let found = agree(&eye, &[body], chance.vector(1.2), chance.vector(1.2));
+        cut = (cut.0 + found.0, cut.1 + found.1);
+    }
+    assert!(cut.0 > 1500 && cut.1 > 150, "{cut:?}");
     // Behind a cone half-way up, where only its straight outlines bound what is hidden.
     let eye = Eye::new(View { azimuth: 0.0, elevation: 0.1, ..usual_view() });
     let cone = Body::Cone([0.0, 0.0, -1.0], UP, 0.5, 2.0);
@@ -338,7 +348,7 @@ fn what_is_painted_last_is_what_is_in_front() {
         Body::Tube(step(axis, centre), sum(centre, axis), radius, hole)
     };
     let shaft = tube(ORIGIN, UP, 1.2, 0.08, 0.0);
-    let scenes: [(&str, Vec<Body>); 7] = [
+    let scenes: [(&str, Vec<Body>); 8] = [
         ("plate on a shaft", vec![tube(ORIGIN, [0.5, 0.0, 0.8], 0.05, 0.9, 0.0), shaft.clone()]),
         (
             "sphere on a rod",
@@ -374,6 +384,13 @@ fn what_is_painted_last_is_what_is_in_front() {
         (
             "cone beside a cone",
             vec![Body::Cone(ORIGIN, UP, 0.4, 1.2), Body::Cone(ORIGIN, [0.9, 0.0, 0.5], 0.5, 1.2)],
+        ),
+        (
+            "cone in half a cone",
+            vec![
+                Body::Cone(ORIGIN, UP, 0.3, 1.2),
+                Body::HalfCone(ORIGIN, [-0.5, 0.0, 0.8], 0.95, 1.2, [0.1, -1.0, 0.0]),
+            ],
         ),
         (
             "pencil in a cone",
@@ -571,6 +588,10 @@ fn what_cannot_be_drawn_is_refused_with_its_reason() {
         (Solid::disc(ORIGIN, UP, 1.0, 0.0).err(), "thickness is 0, it must be positive"),
         (Solid::rod(UP, UP, 0.1).err(), "rod has no length, so it has no direction"),
         (Solid::ring(ORIGIN, UP, 1.0, 1.0, 0.1).err(), "the hole's radius 1 is not less than the ring's, 1"),
+        (
+            Solid::half_cone(ORIGIN, UP, 0.5, 1.0, UP).err(),
+            "directions that are parallel or opposite fix no plane",
+        ),
         (Solid::cone(ORIGIN, UP, 1.6, 1.0).err(), "the cone's half-angle 1.6 rad is not between 0 and π/2"),
         (Solid::cone(ORIGIN, UP, nan, 1.0).err(), "half-angle is infinite or no number"),
         (Solid::sphere(ORIGIN, f64::INFINITY).err(), "radius is infinite or no number"),

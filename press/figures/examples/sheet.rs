@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "<!doctype html><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\"><title>Figures</title>\n\
          <style>:root {{ color-scheme: light dark; --bg: light-dark(#fff, hsl(226, 23%, 11%)); --fg: light-dark(#000, #bcbdd0); }}\n\
          body {{ background: var(--bg); color: var(--fg); font: 16px \"Open Sans\", sans-serif; max-width: 750px; margin: 0 auto; }}\n\
-         figure {{ margin: 1.5em 0; overflow-x: auto; }}\n{STYLE}</style>\n"
+         figure {{ margin: 1.5em 0; }}\n{STYLE}</style>\n"
     );
     let figures = figures::all()
         .map_err(|failures| failures.iter().map(|failure| format!("\n{failure}")).collect::<String>())?;

@@ -10,7 +10,9 @@ mod canvas;
 mod failure;
 #[cfg(test)]
 mod list; // of the build script
+mod look;
 mod plot;
+mod room;
 mod sample;
 
 // A module for each chapter, and `ENTRIES`, every figure in the order of the book: the build script reads
@@ -20,11 +22,17 @@ include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 pub use axis::Axis;
 pub use drawing::Drawing;
 pub use failure::{Failure, InvalidAxis};
+pub use look::Look;
 pub use plot::Plot;
+pub use room::{Room, in_both};
 pub use sample::{linear_steps, log_steps};
 
+use drawing::Flaw;
 use std::error::Error;
 use std::{panic, thread};
+
+/// The width of a column of text, px.
+const COLUMN: f64 = 660.0;
 
 /// Why a figure could not be drawn: whatever the library or the kit says.
 pub type Cause = Box<dyn Error + Send + Sync>;
@@ -51,8 +59,10 @@ pub struct Figure {
     pub title: String,
     /// What it shows, in words, for readers who cannot see it.
     pub description: String,
-    /// SVG to be put into a page; roles are classes of `book/theme/figures.css`.
+    /// Its SVGs in the box that lays them out on a page; roles are classes of `book/theme/figures.css`.
     pub svg: String,
+    /// Whether it is wider than a column of text, its panels side by side.
+    pub wide: bool,
     /// An SVG file that stands alone, with its own style sheet for light and dark.
     pub standalone: String,
     /// What it was rendered from.
@@ -100,7 +110,8 @@ fn failed(entry: &Entry, cause: Cause) -> Failure {
 
 fn render(entry: &Entry) -> Result<Figure, Cause> {
     let drawing = (entry.draw)(entry.id)?;
-    if drawing.title().trim().is_empty() || drawing.description().trim().is_empty() {
+    let is_mute = |part: &Drawing| part.title().trim().is_empty() || part.description().trim().is_empty();
+    if is_mute(&drawing) || drawing.all_parts().into_iter().any(is_mute) {
         return Err("the figure lacks a title or a description for those who cannot see it".into());
     }
     Ok(Figure {
@@ -108,10 +119,17 @@ fn render(entry: &Entry) -> Result<Figure, Cause> {
         chapter: entry.chapter.into(),
         title: drawing.title().into(),
         description: drawing.description().into(),
-        svg: drawing.to_svg()?,
+        svg: boxed(&drawing)?,
+        wide: drawing.room() > COLUMN,
         standalone: drawing.to_standalone_svg()?,
         drawing,
     })
+}
+
+/// The SVGs of a figure in their box.
+fn boxed(drawing: &Drawing) -> Result<String, Flaw> {
+    let class = if drawing.all_parts().len() > 1 { "drawing panels" } else { "drawing" };
+    Ok(format!("<div class=\"{class}\">\n{}\n</div>", drawing.to_svg()?))
 }
 
 #[cfg(test)]

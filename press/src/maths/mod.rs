@@ -6,6 +6,7 @@ mod letters;
 mod tree;
 
 use crate::book::Page;
+use crate::faces;
 use crate::fault::Faults;
 use letters::Letters;
 pub(crate) use letters::Quantity;
@@ -15,7 +16,7 @@ use ttf_parser::Face;
 
 /// The mathematics font of the site and of labels, cut by the script beside it down to the characters that
 /// the script lists.
-pub(crate) const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
+const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
 /// MathML later.
@@ -104,11 +105,10 @@ impl Maths {
                 return Err(MathsFault { offset, message: format!("in the formula: {message}{near}") });
             }
         };
-        let lacks = |&c: &char| !c.is_ascii() && self.font.glyph_index(c).is_none();
-        let message = match (mathml.chars().find(lacks), Element::read(&mathml)) {
-            (None, Ok(formula)) => return Ok(formula),
-            (Some(c), _) => format!("the font has no `{c}`: add it in press/drawing/font/subset.py"),
-            (None, Err(error)) => format!("the formula becomes no sound XML: {error}"),
+        let message = match (faces::check_mathml(&mathml), Element::read(&mathml)) {
+            (Ok(()), Ok(formula)) => return Ok(formula),
+            (Err(message), _) => message,
+            (Ok(()), Err(error)) => format!("the formula becomes no sound XML: {error}"),
         };
         Err(MathsFault { offset: 0, message })
     }
@@ -192,7 +192,7 @@ pub(super) mod tests {
     #[test]
     fn a_character_that_the_font_lacks_is_a_fault() {
         let fault = plain().display(r"x \in \mathfrak{g}", "").unwrap_err();
-        assert_eq!(fault.message, "the font has no `𝔤`: add it in press/drawing/font/subset.py");
+        assert!(fault.message.contains("has no `𝔤` (U+1D524)"), "{}", fault.message);
     }
 
     #[test]

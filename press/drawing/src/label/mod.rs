@@ -22,7 +22,7 @@ use crate::point::{Point, Rect, at};
 /// Mathematics is set this much larger than words, whose letters are tall for their size.
 const MATHEMATICS: f64 = 1.1;
 /// Raised words: their size, and how far their baseline rises, both in sizes of the words.
-const RAISED: (f64, f64) = (0.72, 0.42);
+const RAISED: (f64, f64) = (0.75, 0.42);
 
 /// On which side of a point a label stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -88,7 +88,9 @@ pub struct Label {
     /// The rectangle that its ink fills, px.
     pub bounds: Rect,
     /// Its type size, px.
-    size: f64,
+    pub size: f64,
+    /// The size of its smallest raised or lowered sign, px; its type size if it has none.
+    pub smallest: f64,
     /// The sum of the advances, px.
     width: f64,
 }
@@ -110,7 +112,8 @@ impl Label {
     /// # Ok::<(), LabelError>(())
     /// ```
     pub fn new(source: &str, size: f64) -> Result<Self, LabelError> {
-        let mut label = Self { pieces: Vec::new(), bounds: Rect::new(0.0, 0.0, 0.0, 0.0), size, width: 0.0 };
+        let bounds = Rect::new(0.0, 0.0, 0.0, 0.0);
+        let mut label = Self { pieces: Vec::new(), bounds, size, smallest: size, width: 0.0 };
         let mut ink: Option<Rect> = None;
         let parts: Vec<&str> = source.split('$').collect();
         if parts.len().is_multiple_of(2) {
@@ -217,6 +220,7 @@ impl Label {
             return Ok(());
         }
         let size = scale * self.size;
+        self.smallest = self.smallest.min(size);
         let (mut width, mut above, mut below) = (0.0, 0.0_f64, 0.0_f64);
         for character in text.chars() {
             let advance = words::advance(character)
@@ -260,6 +264,7 @@ impl Label {
         let mut segments = Vec::new();
         let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
         for &(glyph, x, y, scale) in &set.glyphs {
+            self.smallest = self.smallest.min(scale * size);
             let units = scale * size / f64::from(font::UNITS_PER_EM);
             let place = |gx: i16, gy: i16| {
                 at(x0 + x * size + f64::from(gx) * units, -y * size - f64::from(gy) * units)

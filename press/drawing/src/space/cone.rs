@@ -10,9 +10,9 @@ use crate::drawing::Shape;
 use crate::point::Point;
 use crate::role::Fill;
 use crate::simplify::{TOLERANCE, simplify};
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-/// The shell of a cone from its apex to its rim, open at the rim.
+/// The shell of a cone from its apex to its rim, open at the rim; or half of it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Cone {
     pub(super) apex: Vec3,
@@ -22,11 +22,25 @@ pub(super) struct Cone {
     pub(super) opening: (f64, f64),
     /// From the apex to the rim along the side.
     pub(super) length: f64,
+    /// The direction, across the axis, towards which half of the shell is cut away.
+    pub(super) open: Option<Vec3>,
 }
 
 impl Cone {
     pub(super) fn new(apex: Vec3, axis: Vec3, half_angle: f64, length: f64) -> Self {
-        Self { apex, axis, across: axis.companions(), opening: half_angle.sin_cos(), length }
+        Self { apex, axis, across: axis.companions(), opening: half_angle.sin_cos(), length, open: None }
+    }
+
+    /// Whether the half of a point (a step from the apex) is there.
+    fn keeps(&self, step: Vec3) -> bool {
+        self.open.is_none_or(|open| step.dot(open) <= 0.0)
+    }
+
+    /// The half of the rim that is there if the other is cut away: where it begins and how far it goes, rad.
+    fn kept(&self) -> Option<(f64, f64)> {
+        let towards = |open: Vec3| open.dot(self.across.1).atan2(open.dot(self.across.0));
+        // A hair less than half a turn, as two arcs may have two pieces in common otherwise.
+        self.open.map(|open| (towards(open) + FRAC_PI_2, PI.next_down()))
     }
 
     fn height(&self) -> f64 {
@@ -71,6 +85,7 @@ impl Cone {
         let mut meets: Vec<(f64, bool)> = roots(a, b, c)
             .into_iter()
             .filter(|&t| (0.0..=self.height()).contains(&(step + direction * t).dot(self.axis)))
+            .filter(|&t| self.keeps(step + direction * t))
             // Inside the cone the form is positive, so a ray that comes from outside meets it where the form grows.
             .map(|t| (t, b + a * t > 0.0))
             .collect();
@@ -109,17 +124,31 @@ impl Form for Cone {
         let (own, mixed, eye) = (self.form(step, step), self.form(step, sight), self.form(sight, sight));
         let shadow = rim::shadow(camera, self.rim_centre(), self.axis, self.radius(), point);
         values.extend([own, mixed * mixed - eye * own, step.dot(self.axis) - self.height(), shadow]);
+        // The planes through the eye and the two cut sides.
+        for angle in self.kept().into_iter().flat_map(|(from, sweep)| [from, from + sweep]) {
+            values.push(step.dot(sight.cross(self.rim(angle) - self.apex)));
+        }
     }
 
     fn edges(&self, camera: &Camera) -> Vec<Edge> {
         let (first, second) = (self.across.0 * self.radius(), self.across.1 * self.radius());
-        let rim = Track::circle(self.rim_centre(), first, second);
-        let mut edges = vec![Edge { track: rim, outline: false }];
+        let side = |angle: f64| Track::segment(self.apex, self.rim(angle));
+        let mut edges = match self.kept() {
+            None => {
+                let rim = Track::circle(self.rim_centre(), first, second);
+                vec![Edge { track: rim, outline: false }]
+            }
+            Some((from, sweep)) => {
+                let start = self.rim(from) - self.rim_centre();
+                let rim = Track::arc(self.rim_centre(), self.axis, start, sweep);
+                [rim, side(from), side(from + sweep)].map(|track| Edge { track, outline: false }).to_vec()
+            }
+        };
         let (from, sweep) = self.outside(camera);
         if sweep > 0.0 && sweep < TAU {
-            for angle in [from, from + sweep] {
-                edges.push(Edge { track: Track::segment(self.apex, self.rim(angle)), outline: true });
-            }
+            let angles = [from, from + sweep].into_iter();
+            let there = angles.filter(|&angle| self.keeps(self.rim(angle) - self.apex));
+            edges.extend(there.map(|angle| Edge { track: side(angle), outline: true }));
         }
         edges
     }
@@ -142,16 +171,17 @@ impl Form for Cone {
         if sweep <= 0.0 {
             return Vec::new();
         }
-        let shape = if sweep >= TAU {
+        if sweep >= TAU && self.open.is_none() {
             let (first, second) = (self.across.0 * self.radius(), self.across.1 * self.radius());
-            rim::ellipse(camera, self.rim_centre(), first, second)
-        } else {
+            return vec![Patch { fill, shape: rim::ellipse(camera, self.rim_centre(), first, second) }];
+        }
+        let sector = |(from, sweep): (f64, f64)| {
             let rim: Vec<Point> =
                 steps(from, sweep).into_iter().map(|angle| camera.land(self.rim(angle))).collect();
             let mut outline = vec![camera.land(self.apex)];
             outline.extend(simplify(&rim, TOLERANCE));
-            Shape::Polygon(outline)
+            Patch { fill, shape: Shape::Polygon(outline) }
         };
-        vec![Patch { fill, shape }]
+        rim::common_arcs((from, sweep), self.kept()).into_iter().map(sector).collect()
     }
 }

@@ -133,6 +133,25 @@ impl Solid {
         Ok(Self::new(Body::Cone(Cone::new(apex, axis, half_angle, length))))
     }
 
+    /// The half of such a cone that lies away from a direction: the other half is cut away, so that one sees into it.
+    ///
+    /// # Errors
+    /// [`SpaceError`] as for [`Solid::cone`], and for a direction along the axis.
+    pub fn half_cone(
+        apex: impl Into<[f64; 3]>,
+        axis: impl Into<[f64; 3]>,
+        half_angle: f64,
+        length: f64,
+        open: impl Into<[f64; 3]>,
+    ) -> Result<Self, SpaceError> {
+        let open = direction("opening", open)?;
+        let mut solid = Self::cone(apex, axis, half_angle, length)?;
+        if let Body::Cone(cone) = &mut solid.body {
+            cone.open = Some(open.across(cone.axis).unit().ok_or(SpaceError::NoPlane)?);
+        }
+        Ok(solid)
+    }
+
     /// A sphere.
     ///
     /// # Errors

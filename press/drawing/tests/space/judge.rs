@@ -122,6 +122,8 @@ pub(crate) enum Body {
     Tube(Vector, Vector, f64, f64),
     /// Apex, axis, half-angle, length of the side.
     Cone(Vector, Vector, f64, f64),
+    /// The same, and the direction towards which half of it is cut away.
+    HalfCone(Vector, Vector, f64, f64, Vector),
     /// Centre, axes, semi-axes.
     Ellipsoid(Vector, [Vector; 3], Vector),
 }
@@ -141,6 +143,9 @@ impl Body {
                 }
             }
             Self::Cone(apex, axis, half_angle, length) => Solid::cone(apex, axis, half_angle, length),
+            Self::HalfCone(apex, axis, half_angle, length, open) => {
+                Solid::half_cone(apex, axis, half_angle, length, open)
+            }
             Self::Ellipsoid(centre, axes, radii) => Solid::ellipsoid(centre, axes, radii),
         }
     }
@@ -161,6 +166,12 @@ impl Body {
                 let within = (0.0..=length * half_angle.cos()).contains(&height);
                 within.then(|| height >= half_angle.cos() * dot(far, far).sqrt())
             }
+            Self::HalfCone(apex, axis, half_angle, length, open) => {
+                let (axis, far) = (unit(axis), step(apex, point));
+                let aside = step(times(axis, dot(far, axis)), far);
+                let there = dot(aside, step(times(axis, dot(open, axis)), open)) < 0.0;
+                Self::Cone(apex, axis, half_angle, length).side(point).filter(|_| there)
+            }
             Self::Ellipsoid(centre, axes, radii) => {
                 let far = step(centre, point);
                 let square: f64 = (0..3).map(|index| (dot(far, axes[index]) / radii[index]).powi(2)).sum();
@@ -176,7 +187,9 @@ impl Body {
             let side = self.side(sum(from, times(step(from, to), part)));
             let met = match self {
                 // A shell is met where the side changes.
-                Self::Cone(..) => matches!((before, side), (Some(was), Some(is)) if was != is),
+                Self::Cone(..) | Self::HalfCone(..) => {
+                    matches!((before, side), (Some(was), Some(is)) if was != is)
+                }
                 _ => side == Some(true),
             };
             before = side;

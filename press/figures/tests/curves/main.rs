@@ -36,9 +36,13 @@ struct Curve {
 fn curve(figure: &str, name: &str) -> Curve {
     let figure = figures().iter().find(|other| other.id == format!("fig:{figure}")).expect("the figure");
     let carries = |axes: &&Axes| axes.curves.iter().any(|curve| curve == name);
-    let axes = figure.drawing.axes().iter().find(carries).unwrap_or_else(|| panic!("no curve {name}"));
+    let parts = figure.drawing.parts();
+    let (part, axes) = parts
+        .into_iter()
+        .find_map(|part| Some((part, part.axes().iter().find(carries)?)))
+        .unwrap_or_else(|| panic!("no curve {name}"));
     let document = Document::parse(&figure.svg).expect("valid XML");
-    let id = format!("{}-{name}", figure.id.replace(':', "-"));
+    let id = format!("{}-{name}", part.id().replace(':', "-"));
     let node =
         document.descendants().find(|node| node.attribute("id") == Some(&id)).expect("a path of this id");
     let data = node.attribute("d").expect("a path").replace(['M', 'L'], " ");
@@ -134,10 +138,10 @@ fn tick(role: Role, shape: &Shape) -> Option<(f64, Point)> {
 #[test]
 fn the_numbers_at_ticks_stand_where_their_values_belong() {
     let mut checked = [0, 0];
-    for figure in figures() {
-        let items = figure.drawing.items();
+    for part in figures().iter().flat_map(|figure| figure.drawing.all_parts()) {
+        let items = part.items();
         let ticks: Vec<_> = items.iter().filter_map(|item| tick(item.role, &item.shape)).collect();
-        for axes in figure.drawing.axes() {
+        for axes in part.axes() {
             let frame = axes.frame;
             for &(shown, middle) in &ticks {
                 let (x, y) = place(axes, (shown, shown));
@@ -145,13 +149,13 @@ fn the_numbers_at_ticks_stand_where_their_values_belong() {
                 let near = (frame.left - 9.0..frame.right + 9.0).contains(&middle.x)
                     && (10.0..20.0).contains(&below);
                 if near {
-                    assert!((middle.x - x).abs() < 1.5, "{}: {shown} stands at {middle:?}", figure.id);
+                    assert!((middle.x - x).abs() < 1.5, "{}: {shown} stands at {middle:?}", part.id());
                     checked[0] += 1;
                 }
                 let near = (frame.top - 9.0..frame.bottom + 9.0).contains(&middle.y)
                     && (9.0..30.0).contains(&beside);
                 if near {
-                    assert!((middle.y - y).abs() < 3.0, "{}: {shown} stands at {middle:?}", figure.id);
+                    assert!((middle.y - y).abs() < 3.0, "{}: {shown} stands at {middle:?}", part.id());
                     checked[1] += 1;
                 }
             }
