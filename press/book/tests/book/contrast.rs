@@ -4,7 +4,7 @@
 use super::{files, site};
 use std::collections::BTreeMap;
 
-const THEMES: [&str; 5] = ["light", "rust", "coal", "navy", "ayu"];
+pub(super) const THEMES: [&str; 5] = ["light", "rust", "coal", "navy", "ayu"];
 /// The least contrast of text with what is behind it, and of the signs on buttons (WCAG 2.2, 1.4.3 and 1.4.11).
 const TEXT: f64 = 4.5;
 const SIGN: f64 = 3.0;
@@ -24,10 +24,15 @@ impl Colour {
         Self(mixed)
     }
 
-    fn luminance(self) -> f64 {
-        let linear = |c: f64| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
+    /// Red, green and blue as amounts of light.
+    fn linear(self) -> [f64; 3] {
         let [r, g, b, _] = self.0;
-        0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b)
+        [r, g, b].map(|c| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) })
+    }
+
+    fn luminance(self) -> f64 {
+        let [r, g, b] = self.linear();
+        0.2126 * r + 0.7152 * g + 0.0722 * b
     }
 }
 
@@ -76,7 +81,7 @@ fn sheet(name: &str) -> Vec<Rule> {
 }
 
 /// The colours of one theme.
-struct Theme {
+pub(super) struct Theme {
     name: &'static str,
     /// The variables of the page and of its figures.
     variables: BTreeMap<String, String>,
@@ -85,7 +90,7 @@ struct Theme {
 }
 
 impl Theme {
-    fn new(name: &'static str) -> Self {
+    pub(super) fn new(name: &'static str) -> Self {
         let (own, figures) = ([sheet("page"), sheet("maths")].concat(), sheet("figures"));
         let mut variables = BTreeMap::new();
         // In the order of their weight: a class, then an element with it.
@@ -106,6 +111,11 @@ impl Theme {
 
     fn is_dark(&self) -> bool {
         self.variables.get("--color-scheme").is_some_and(|scheme| scheme == "dark")
+    }
+
+    /// What an expression of CSS gives in this theme, as amounts of red, green and blue light.
+    pub(super) fn linear(&self, expression: &str) -> [f64; 3] {
+        self.colour(expression).linear()
     }
 
     /// What an expression of CSS gives in this theme.
