@@ -7,7 +7,8 @@
 //!
 //! | write | get |
 //! |---|---|
-//! | `$r_0$`, `$$…$$` in a paragraph of its own | mathematics, as MathML; `\$` is a dollar |
+//! | `$r_0$`, `$$…$$` in a paragraph of its own | mathematics, as MathML, in the colours of its letters; `\$` is a dollar |
+//! | `[words]{.spin}` | words in the colour of a quantity: body, spin, momentum, contact, force |
 //! | `$$…$$ {#eq:steady-radius}` | an equation with a number, chapter first: (1.9) |
 //! | `… {#eq:steady-radius source=19}` | the same, with the source's number and the anchor `#source-19` |
 //! | `… {#eq:r source="12 13" corrected}` | two numbers of the source; the equation corrects it |
@@ -29,6 +30,10 @@
 //! through all pages of a numbered chapter; equations, figures and exercises can stand in numbered chapters
 //! only. Notes are numbered on each page and stand behind the outermost block that refers to them. In a
 //! numbered chapter the title of a page stands below `Chapter 4`, or `Chapter 4 · Exercises`.
+//!
+//! Two tables of `conventions.md` say which letters stand for which coloured quantity, in the whole book and in
+//! single chapters. A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its
+//! unit; the number of an equation within round brackets has none of its own.
 //!
 //! In a table a column of numbers is set with their points below one another. (At least two cells are numbers, the
 //! rest dashes or short words.) There and in captions and notes `1.6e-8` is printed as 1.6·10⁻⁸.
@@ -53,8 +58,11 @@
 //! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an
 //!   id that stands on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry
 //!   that nothing cites;
-//! - mathematics: LaTeX that is not understood or nested too deeply, a character that the font lacks, a blank
-//!   line inside `$$`, a stray `$`, display mathematics that shares its paragraph, mathematics in a heading;
+//! - colours: words in a colour that there is not, or in a caption; a colour or letter of the tables of conventions
+//!   that is none;
+//! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`,
+//!   display mathematics that shares its paragraph, mathematics in a heading;
+//! - characters that the faces of text, code or mathematics lack: they hold what `font/characters.txt` lists;
 //! - links: a dead link or anchor, a link without words or target, a reference `[x][y]` that is
 //!   defined nowhere, a link or a figure that Markdown does not read as one;
 //! - notes: a footnote that is defined nowhere or twice, or referred to twice or never, that holds more than a
@@ -83,6 +91,7 @@ pub mod rendered;
 
 mod api;
 mod checks;
+mod faces;
 mod labels;
 mod maths;
 mod notes;

@@ -1,5 +1,6 @@
 //! What stands on a page that the press has to replace or check.
 
+use crate::maths::Quantity;
 use pulldown_cmark::Event;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -148,6 +149,8 @@ pub(crate) enum Item<'a> {
     Hint,
     /// A blank between a number and its unit.
     Blank,
+    /// Words in the colour of a quantity begin, `[`, or end, `]{.role}`.
+    Coloured(Option<Quantity>),
 }
 
 /// An item and the bytes of the page that it takes up.

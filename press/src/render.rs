@@ -29,7 +29,7 @@ pub(crate) fn render(
     let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
     let registry = Registry::build(pages, &scans, &drawn.figures, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
-    let maths = Maths::new();
+    let maths = Maths::new(pages, &mut faults);
     let mut cited = BTreeSet::new();
     let mut rendered = Vec::with_capacity(pages.len());
     for (page, found) in pages.iter().zip(&scans) {
@@ -161,6 +161,8 @@ impl Printer<'_, '_> {
                 let before = &self.page.text[..offset];
                 self.mention(mention, before, offset).map(|(words, target)| format!("[{words}]({target})"))
             }
+            Item::Coloured(Some(quantity)) => Some(format!("<span class=\"{}\">", quantity.class())),
+            Item::Coloured(None) => Some("</span>".to_owned()),
             Item::Blank => Some(ties::BLANK.to_owned()),
             Item::NoteMark(name) => Some(self.note_mark(name)),
             Item::Note(note) => Some(self.note(note)),
@@ -212,11 +214,14 @@ impl Printer<'_, '_> {
     }
 
     fn inline(&mut self, tex: &str, offset: usize) -> Option<String> {
-        self.maths.inline(tex).map_err(|fault| self.fault(offset + fault.offset, fault.message)).ok()
+        self.maths
+            .inline(tex, &self.page.path)
+            .map_err(|fault| self.fault(offset + fault.offset, fault.message))
+            .ok()
     }
 
     fn display(&mut self, tex: &str, label: Option<&EquationLabel>, offset: usize) -> Option<String> {
-        let converted = self.maths.display(tex);
+        let converted = self.maths.display(tex, &self.page.path);
         let mathml = converted.map_err(|fault| self.fault(offset + 2 + fault.offset, fault.message)).ok()?;
         let Some(EquationLabel { label, source, corrected }) = label else {
             return Some(format!("<div class=\"equation\"><div class=\"formula\">{mathml}</div></div>"));
@@ -322,7 +327,7 @@ impl Printer<'_, '_> {
                 _ => "",
             };
             let html = match event {
-                Event::InlineMath(tex) => match self.maths.inline_html(tex) {
+                Event::InlineMath(tex) => match self.maths.inline_html(tex, &self.page.path) {
                     Ok(mathml) => {
                         let last = match printed.last_mut() {
                             Some(Event::InlineHtml(html)) => html,
@@ -541,6 +546,16 @@ mod tests {
     }
 
     #[test]
+    fn words_have_the_colour_of_their_quantity() {
+        let page = printed("# A\n\nThe [angular *momentum*]{.momentum}, [so] and [$x$]{.spin}.\n");
+        let [momentum, spin] = ["momentum", "spin"].map(|role| format!("<span class=\"q-{role}\">"));
+        let expected = format!(
+            "The {momentum}angular *momentum*</span>, [so] and {spin}<math><mi>x</mi></math></span>."
+        );
+        assert!(page.contains(&expected), "{page}");
+    }
+
+    #[test]
     fn brackets_around_the_number_of_an_equation_are_its_own() {
         let page = printed(
             "# A\n\n$$\na\n$$ {#eq:x}\n\nBy @eq:x (@eq:x, as in @eq:x) and (so)\n@eq:x.[^a]\n\n[^a]: By (@eq:x) @eq:x.\n",
@@ -613,9 +628,9 @@ mod tests {
         let figure = crate::rendered::Figure {
             id: "fig:x".to_owned(),
             chapter: "a".to_owned(),
-            wide: false,
             svg,
             standalone,
+            wide: false,
         };
         let drawn = Rendered { figures: vec![figure], tables: Vec::new() };
         let text = "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n".to_owned();

@@ -3,7 +3,9 @@
 mod mathematics;
 
 use crate::book::Page;
+use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
+use crate::maths::Quantity;
 use crate::page::{Item, Kind, Note, Placed};
 use crate::raw::{Find, RawHtml};
 use crate::{notes, outline, references, signs, snippets, tables, ties, written};
@@ -85,6 +87,13 @@ impl<'a> Scan<'a, '_> {
         self.report.fault(offset, message);
     }
 
+    /// Text that the page shows in this face.
+    fn shown(&mut self, face: Face, range: &Range<usize>) {
+        if let Err((at, message)) = face.check(&self.text[range.clone()]) {
+            self.fault(range.start + at, message);
+        }
+    }
+
     fn place(&mut self, range: Range<usize>, item: Item<'a>) {
         self.items.push(Placed { range, item });
     }
@@ -121,7 +130,9 @@ impl<'a> Scan<'a, '_> {
                 Event::FootnoteReference(name) => self.note_mark(name, range),
                 Event::InlineMath(_) => self.inline(range),
                 Event::DisplayMath(_) => self.display(range),
+                Event::Code(_) => self.shown(Face::Code, range),
                 Event::Text(_) => {
+                    self.shown(Face::Text, range);
                     let in_link = self.surroundings.in_link;
                     self.items.extend(written::mentions(self.text, range, in_link, &mut self.report));
                     self.stray_dollars(range.clone());
@@ -129,12 +140,40 @@ impl<'a> Scan<'a, '_> {
                     if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
                         self.lost_labels(range);
                         self.blanks(range);
+                        self.coloured(range);
                     }
                 }
                 _ => {}
             }
         }
         self.raw.end(&mut self.report);
+    }
+
+    /// `[words]{.role}`: words in the colour of a quantity.
+    fn coloured(&mut self, range: &Range<usize>) {
+        for (at, _) in self.text[range.clone()].match_indices("{.") {
+            let at = range.start + at;
+            let Some(words) = self.text[..at].strip_suffix(']') else {
+                continue;
+            };
+            let paragraph = self.text[..at].rfind("\n\n").map_or(0, |blank| blank + 2);
+            let role = &self.text[at + 2..];
+            let (Some(open), Some(end)) = (words[paragraph.min(words.len())..].rfind('['), role.find('}'))
+            else {
+                continue;
+            };
+            let open = paragraph + open;
+            if self.surroundings.in_caption || self.surroundings.in_note {
+                self.fault(open, "coloured words stand in the text of a page, not in a caption or a note");
+            }
+            match Quantity::of_role(&role[..end]) {
+                Ok(quantity) => {
+                    self.place(open..open + 1, Item::Coloured(Some(quantity)));
+                    self.place(at - 1..at + 2 + end + 1, Item::Coloured(None));
+                }
+                Err(message) => self.fault(at, message),
+            }
+        }
     }
 
     /// Numbers in a run of text are not parted from their units.
@@ -237,6 +276,7 @@ impl<'a> Scan<'a, '_> {
     }
 
     fn code(&mut self, kind: &CodeBlockKind<'a>, range: &Range<usize>) {
+        self.shown(Face::Code, range);
         snippets::check(self.text, kind, range, |offset, message| self.report.fault(offset, message));
         if matches!(kind, CodeBlockKind::Indented) {
             self.fault(range.start, "text indented by four spaces becomes code: unindent it, or fence it");
@@ -332,6 +372,7 @@ impl<'a> Scan<'a, '_> {
         let mut places = Vec::new();
         for (event, range) in events {
             if let Event::Html(piece) | Event::InlineHtml(piece) = event {
+                self.shown(Face::Text, range);
                 places.push((html.len(), range.start));
                 html.push_str(piece);
             }

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 fn drawn() -> Rendered {
     let [svg, standalone] = [String::new(), String::new()];
     let figure =
-        Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), wide: false, svg, standalone };
+        Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone, wide: false };
     Rendered { figures: vec![figure], tables: vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())] }
 }
 
@@ -57,6 +57,13 @@ type Case = (&'static str, &'static str, &'static [(usize, &'static str)]);
 /// empty list means nothing.
 const CASES: &[Case] = &[
     ("good-maths", "# A\n\nSo $x = 1$ and\n\n$$\ny = \\frac{1}{2}\n$$ {#eq:half}\n\nby @eq:half.\n", &[]),
+    ("coloured", "# A\n\nThe [spin]{.spin} of $x$.\n", &[]),
+    (
+        "coloured-unknown",
+        "# A\n\nThe\n[spin]{.spins}.\n",
+        &[(4, "no words are coloured as `spins`, but as body, spin")],
+    ),
+    ("coloured-caption", "# A\n\n![The [spin]{.spin}.](fig:machine)\n", &[(3, "not in a caption or a note")]),
     ("dollar", "# A\n\nIt costs \\$5.\n", &[]),
     ("dollar-in-code", "# A\n\n`$x` and\n\n```sh\necho $HOME @eq:none\n```\n", &[]),
     ("unknown-command", "# A\n\n$$\na = \\fraction{1}{2}\n$$\n", &[(4, "fraction")]),

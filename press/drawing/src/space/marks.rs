@@ -9,7 +9,7 @@ use crate::drawing::Drawing;
 use crate::kit::Heads;
 use crate::label::{Label, Side};
 use crate::point::{Point, at};
-use crate::role::{Hue, Role, Stroke};
+use crate::role::{Fill, Hue, Role, Stroke};
 use std::f64::consts::TAU;
 
 /// The type size of a label, px; its gap from a point; its gap from the tip of an arrow or from an arc.
@@ -109,6 +109,27 @@ impl Stage {
         }
         let outwards = self.camera.land(middle) - self.camera.land(vertex);
         self.caption_beyond(middle, outwards, name, hue)
+    }
+
+    /// Adds a patch: a polygon in space, filled, and painted over every solid. It is meant for what lies on a
+    /// face that is seen: a picture on a coin, a region of a sphere.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite, fewer than three corners, and what is behind the eye.
+    pub fn patch(
+        &mut self,
+        corners: impl IntoIterator<Item = impl Into<[f64; 3]>>,
+        fill: Fill,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        let corners = corners.into_iter().map(|corner| finite("corner of the patch", corner));
+        let corners = corners.collect::<Result<Vec<Vec3>, SpaceError>>()?;
+        if corners.len() < 3 {
+            return Err(SpaceError::NoPlane);
+        }
+        corners.iter().try_for_each(|&corner| self.camera.check(corner))?;
+        self.patches.push((corners, fill, hue));
+        Ok(())
     }
 
     /// Adds a filled dot of a radius on the page, px; a hollow dashed one where a solid hides it.

@@ -17,7 +17,7 @@ use crate::role::{Fill, Hue, Role, Stroke};
 /// A scene: solids, lines and labels in space, seen by one camera.
 ///
 /// Everything is checked when it is added. [`Stage::write`] paints it in the right order, whatever the order
-/// in which it was added: the ground, the solids from back to front, hidden lines, the lines that are seen,
+/// in which it was added: the ground, the solids from back to front, patches on them, hidden lines, the lines that are seen,
 /// points, labels.
 ///
 /// ```
@@ -41,6 +41,7 @@ pub struct Stage {
     pub(super) grounds: Vec<Ground>,
     solids: Vec<(Solid, Hue)>,
     lines: Vec<Stroked>,
+    pub(super) patches: Vec<(Vec<Vec3>, Fill, Hue)>,
     pub(super) points: Vec<(Vec3, Dot, Hue)>,
     pub(super) captions: Vec<Caption>,
 }
@@ -48,8 +49,8 @@ pub struct Stage {
 impl Stage {
     /// An empty scene.
     pub fn new(camera: Camera) -> Self {
-        let (grounds, solids, lines) = (Vec::new(), Vec::new(), Vec::new());
-        Self { camera, grounds, solids, lines, points: Vec::new(), captions: Vec::new() }
+        let (grounds, solids, lines, patches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { camera, grounds, solids, lines, patches, points: Vec::new(), captions: Vec::new() }
     }
 
     /// The camera.
@@ -112,6 +113,10 @@ impl Stage {
         let junctions: Vec<Vec<Vec<Junction>>> =
             (0..self.solids.len()).map(|index| self.junctions(index)).collect();
         self.paint(drawing, &junctions);
+        for (corners, fill, hue) in &self.patches {
+            let corners = corners.iter().map(|&corner| self.camera.land(corner)).collect();
+            drawing.polygon(corners, *fill, *hue);
+        }
         let mut ink = Ink::new(&self.camera, self.solids.iter().map(|(solid, _)| solid.form()).collect());
         for (index, ((solid, hue), junctions)) in self.solids.iter().zip(&junctions).enumerate() {
             ink.solid(index, solid, junctions, *hue);

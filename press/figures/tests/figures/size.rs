@@ -70,55 +70,14 @@ fn too_small(figure: &Figure, part: &Drawing, room: f64) -> Option<String> {
 const NOT_YET: &[&[&str]] = &[
     // laundromat
     &[
-        "fig:machine",
-        "fig:phases",
-        "fig:steady",
-        "fig:centring",
-        "fig:torque",
-        "fig:locked",
-        "fig:eigenvalues",
-        "fig:annulus",
-        "fig:start",
-        "fig:ramp",
-        "fig:ramp-map",
-        "fig:polar-fault",
-        "fig:speed",
     ],
 
     // turning
     &[
-        "fig:split",
-        "fig:drift",
     ],
 
     // wobble-plate
     &[
-        "fig:beta",
-        "fig:antiphase",
-        "fig:residual",
-        "fig:number",
-        "fig:beta-error",
-    ],
-
-    // coin-toss
-    &[
-        "fig:toss",
-        "fig:threshold",
-        "fig:bias",
-        "fig:gimbal",
-    ],
-
-    // space-station
-    &[
-        "fig:nodding",
-    ],
-
-    // air-drag
-    &[
-        "fig:two-bodies",
-        "fig:tangent",
-        "fig:spin-tangent",
-        "fig:drag-fault",
     ],
 
     // pinned-hoop
