@@ -248,11 +248,15 @@ impl Printer<'_, '_> {
     fn figure(&mut self, label: &Label, caption: &[Event<'_>], offset: usize) -> Option<String> {
         let figure = self.drawn.figures.iter().find(|figure| figure.id == label.written())?;
         let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
+        let number = match number.as_str() {
+            "" => String::new(), // on a page that belongs to no chapter
+            number => format!("<span class=\"number\">Figure {number}.</span> "),
+        };
         let caption = self.words_of(caption, offset, "caption");
         let up = "../".repeat(self.page.path.matches('/').count());
         let class = if figure.wide { "figure wide" } else { "figure" };
         Some(format!(
-            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
+            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption>{number}{caption} \
              <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
             label.id(),
             figure.svg.trim(),
@@ -426,6 +430,9 @@ impl Printer<'_, '_> {
         let entry = self.registry.find(label)?;
         let words = match label.kind {
             Kind::Equation => format!("({})", entry.number),
+            Kind::Figure if entry.number.is_empty() => {
+                return Err(format!("{} has no number by which to refer to it", label.written()));
+            }
             Kind::Figure => format!("Figure{BLANK}{}", entry.number),
             Kind::Exercise => format!("Exercise{BLANK}{}", entry.number),
             Kind::Solution => {

@@ -62,6 +62,13 @@ impl Drawing {
         self
     }
 
+    /// The panel as a link to a page, on pages; its title says where to.
+    #[must_use]
+    pub fn linked(mut self, target: &str) -> Self {
+        self.link = Some(target.to_owned());
+        self
+    }
+
     /// Gives the figure its id, and its panels and its narrow layout theirs.
     fn name(&mut self, id: &str) {
         for (panel, letter) in self.panels.iter_mut().zip('a'..) {

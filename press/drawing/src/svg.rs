@@ -43,7 +43,11 @@ impl Drawing {
                 format!("<svg class=\"{class}\" {size} aria-hidden=\"true\">\n")
             };
             part.write_items(&mut out);
-            out + "</svg>"
+            out += "</svg>";
+            match &part.link {
+                Some(target) => format!("<a class=\"panel\" href=\"{}\">{out}</a>", escaped(target)),
+                None => out,
+            }
         };
         Ok(self.leaves().into_iter().map(svg).collect::<Vec<_>>().join("\n"))
     }

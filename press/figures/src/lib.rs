@@ -40,10 +40,11 @@ pub type Cause = Box<dyn Error + Send + Sync>;
 /// What a figure function returns: a drawing, or why there is none.
 pub type Outcome = Result<Drawing, Cause>;
 
-/// A figure to be drawn: its id on the page, its chapter, the line that names it there, and the function that draws it.
+/// A figure to be drawn: its id on the page, its chapter, the file and the line that name it, the function that draws it.
 struct Entry {
     id: &'static str,
     chapter: &'static str,
+    file: &'static str,
     line: usize,
     draw: fn(&str) -> Outcome,
 }
@@ -53,7 +54,7 @@ struct Entry {
 pub struct Figure {
     /// Its label on the page, as in `fig:machine`.
     pub id: String,
-    /// The folder of the chapter that draws it, as in `laundromat`.
+    /// The folder of the chapter that draws it, as in `laundromat`; `figures` for pages without a number.
     pub chapter: String,
     /// A short title, for readers who cannot see it.
     pub title: String,
@@ -105,7 +106,7 @@ pub fn of(wanted: impl Fn(&str) -> bool) -> Result<Vec<Figure>, Vec<Failure>> {
 }
 
 fn failed(entry: &Entry, cause: Cause) -> Failure {
-    Failure { chapter: entry.chapter, line: entry.line, figure: entry.id, cause }
+    Failure { file: entry.file, line: entry.line, figure: entry.id, cause }
 }
 
 fn render(entry: &Entry) -> Result<Figure, Cause> {
@@ -141,7 +142,8 @@ mod tests {
 
     /// What is said of a figure that is drawn by `draw`, in the third line of its file.
     fn said(draw: fn(&str) -> Outcome) -> String {
-        let entry = Entry { id: "fig:typo", chapter: "nowhere", line: 3, draw };
+        let entry =
+            Entry { id: "fig:typo", chapter: "nowhere", file: "book/nowhere/figures.rs", line: 3, draw };
         failed(&entry, render(&entry).expect_err("it is wrong")).to_string()
     }
 
