@@ -76,7 +76,7 @@ fn laundromat(stage: &mut Stage) -> Result<(), Cause> {
     };
     let path = linear_steps(0.0, end, 500).map(place).collect::<Result<Vec<_>, Cause>>()?;
     let (now, load) = (place(end)?, machine.load_direction(end));
-    stage.ground([-1.9, -1.6], [1.9, 1.6], -0.4, 0.4)?;
+    stage.ground([-1.6, -1.2], [1.6, 1.2], -0.4, 0.4)?;
     stage.solid(Solid::ring(now, Vector3::z(), 1.1, 1.04, 0.7)?.finish(Finish::Glass), Hue::Blue)?;
     stage.solid(Solid::sphere(now + Vector3::new(load.re, load.im, 0.0) * 0.9, 0.15)?, Hue::Blue)?;
     stage.curve(seen(path)?, Stroke::Outline, Hue::Ink)?;
@@ -94,7 +94,8 @@ fn upright(ratio: f64, omega_body: Vector3<f64>) -> Result<FreeSymmetricTop, Cau
 
 fn turning(stage: &mut Stage) -> Result<(), Cause> {
     let top = upright(2.0, Vector3::new(1.1, 0.0, 1.3))?;
-    let (start, round) = (0.7, TAU / top.precession_rate());
+    let round = TAU / top.precession_rate();
+    let start = 0.7 + 0.25 * round; // the axis leans to the side
     let now = top.at(start)?;
     let way = linear_steps(start, start + 0.85 * round, 120)
         .map(|time| Ok(top.at(time)?.axis_3_world() * 1.45))

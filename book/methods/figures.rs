@@ -42,11 +42,11 @@ enum Fixed {
 impl Fixed {
     /// Each with its name in the figure, its look, and its label.
     const ALL: [(Self, &'static str, Look, Name); 5] = [
-        (Self::Rk4, "rk4", Look::RK4, (3e-5, Side::Left, "RK4, order 4")),
-        (Self::Dop853, "dop853", Look::DOP853, (1e-8, Side::Right, "DOP853, 8")),
-        (Self::CommutatorFree, "cf4", Look::CF4, (1e-8, Side::Right, "CF4, 4")),
-        (Self::Split(Splitting::Strang), "strang", Look::STRANG, (3e-2, Side::Left, "Strang, order 2")),
-        (Self::Split(Splitting::BlanesMoan), "blanes-moan", Look::BLANES_MOAN, (1e-10, Side::Right, "Blanes–Moan, 4")),
+        (Self::Rk4, "rk4", Look::RK4, (1e-8, Side::Left, "RK4, 4")),
+        (Self::Dop853, "dop853", Look::DOP853, (1e-8, Side::BelowRight, "DOP853, 8")),
+        (Self::CommutatorFree, "cf4", Look::CF4, (1e-9, Side::BelowRight, "CF4, 4")),
+        (Self::Split(Splitting::Strang), "strang", Look::STRANG, (1e-4, Side::AboveLeft, "Strang, order 2")),
+        (Self::Split(Splitting::BlanesMoan), "blanes-moan", Look::BLANES_MOAN, (1e-10, Side::BelowRight, "Blanes–Moan, 4")),
     ];
 
     /// Evaluations, or turns, of one step.
@@ -292,10 +292,10 @@ fn errors(method: Fixed, rounds: usize) -> Result<Errors, Cause> {
 
 /// The four methods of the long run, with the places of their labels in the two figures.
 const LONG_RUN: [(Fixed, &str, Look, Places); 4] = [
-    (Fixed::Rk4, "rk4", Look::RK4, [(30.0, 1e-4), (6.0, 2e-5)]),
-    (Fixed::Split(Splitting::Strang), "strang", Look::STRANG, [(2.0, 2e-4), (4.0, 4e-2)]),
+    (Fixed::Rk4, "rk4", Look::RK4, [(150.0, 3e-3), (20.0, 1.2e-3)]),
+    (Fixed::Split(Splitting::Strang), "strang", Look::STRANG, [(2.0, 2e-4), (2.0, 8e-2)]),
     (Fixed::Dop853, "dop853", Look::DOP853, [(6.0, 6e-10), (60.0, 3e-6)]),
-    (Fixed::Split(Splitting::BlanesMoan), "blanes-moan", Look::BLANES_MOAN, [(2.0, 6e-7), (30.0, 1.2e-4)]),
+    (Fixed::Split(Splitting::BlanesMoan), "blanes-moan", Look::BLANES_MOAN, [(2.0, 6e-7), (85.0, 1.95e-2)]),
 ];
 
 /// Energy error against time.
