@@ -1,6 +1,6 @@
 //! The figures of the chapter "The pinned hoop".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
@@ -189,7 +189,7 @@ pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
     for (sign, name) in [(1.0, "separatrix-above"), (-1.0, "separatrix-below")] {
         let values = linear_steps(-30.0, 210.0, 480)
             .map(|degrees| (degrees, sign * degrees.to_radians().sin() / SQRT_2));
-        plot.curve(name, values, Stroke::Reference, Hue::Muted);
+        plot.curve(name, values, Stroke::Border, Hue::Muted);
     }
     // χ and its rate, by eq:flat-rates: ω₁ = W cos χ, ω₂ = −W sin χ, ω₃ = −χ̇.
     let place = |omega: Vector3<f64>| {
@@ -275,7 +275,7 @@ pub(crate) fn polhodes(id: &str) -> Outcome {
                 [semi[0] * cos, across * sin, sign * slope * across * sin]
             })
             .collect();
-        stage.curve(Curve::smooth(path)?.hiding(Hiding::Omitted), Stroke::Reference, Hue::Ink)?;
+        stage.curve(Curve::smooth(path)?.hiding(Hiding::Omitted), Stroke::Border, Hue::Ink)?;
     }
     for (k, sign, name) in
         [(0, 1.0, r"$\hat{\mathbf{1}}$"), (1, -1.0, r"$-\hat{\mathbf{2}}$"), (2, 1.0, r"$\hat{\mathbf{3}}$")]
@@ -304,7 +304,10 @@ pub(crate) fn tumble(id: &str) -> Outcome {
 
 /// The hoop in the room at a time.
 fn tumbling(time: f64) -> Outcome {
-    let mut drawing = Drawing::new("", 110.0, 190.0);
+    let mut drawing = Drawing::new("", 110.0, 190.0).titled(
+        &format!("The tumbling hoop at {time}"),
+        "The hoop, its pinned point, the upright angular momentum, the angular velocity, and the tangent at the pinned point.",
+    );
     let hoop = pinning(Shape::Hoop, NEARLY)?;
     let (top, upright) = along_momentum(&hoop)?;
     let now = top.at(time)?;
@@ -326,7 +329,7 @@ fn tumbling(time: f64) -> Outcome {
     stage.arrow(omega.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Orange)?;
     stage.dot_in_front([0.0; 3], 4.0, Hue::Pink)?;
     stage.write(&mut drawing);
-    drawing.label(at(55.0, 178.0), Side::Over, &format!("$t = {time}$"), Hue::Ink)?;
+    drawing.label(at(55.0, 152.0), Side::Over, &format!("$t = {time}$"), Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -514,9 +517,9 @@ pub(crate) fn period_error(id: &str) -> Outcome {
     let distance = Axis::log(1e-12, 0.1, 3)?.titled(r"distance of the pin from a right angle, rad");
     let error = Axis::log(1e-17, 1.0, 4)?.titled("relative error of the period");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 246.0), distance, error)?;
-    plot.series("parameter", &naive, Marker::Disc, Hue::Orange);
-    plot.series("complement", &better, Marker::Square, Hue::Blue);
-    plot.label((3e-7, 1e-3), Side::Right, "from the parameter $k^2$", Hue::Orange)?;
-    plot.label((3e-12, 3e-14), Side::Right, r"from the complement $k'^2$", Hue::Blue)?;
+    plot.series("parameter", &naive, Marker::Disc, Hue::Ink);
+    plot.series("complement", &better, Look::EXACT.marker, Look::EXACT.hue);
+    plot.label((3e-7, 1e-3), Side::Right, "from the parameter $k^2$", Hue::Ink)?;
+    plot.label((3e-12, 3e-14), Side::Right, r"from the complement $k'^2$", Look::EXACT.hue)?;
     Ok(drawing)
 }

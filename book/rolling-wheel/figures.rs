@@ -1,6 +1,6 @@
 //! The figures of the chapter "The rolling wheel".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at};
@@ -80,7 +80,7 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     stage.curve(Curve::segment(centre, contact)?, Stroke::Outline, Hue::Muted)?;
     stage.label_shifted(centre - axes[1] * 0.5, at(0.0, 0.0), Side::Right, "$a$", Hue::Ink)?;
     stage.curve(Curve::segment([0.0, 0.0, cos], centre)?, Stroke::Outline, Hue::Muted)?;
-    stage.label_shifted([0.0, 0.45, cos], at(0.0, 3.0), Side::Above, "$b$", Hue::Ink)?;
+    stage.label([0.0, 0.35, cos], Side::Below, "$b$", Hue::Ink)?;
     let radius = Curve::segment([0.0; 3], contact)?;
     stage.curve(radius.hiding(Hiding::Ignored), Stroke::Outline, Hue::Muted)?;
     stage.label([0.0, 0.7, 0.0], Side::Below, "$r$", Hue::Ink)?;
@@ -445,9 +445,10 @@ pub(crate) fn near_flat(id: &str) -> Outcome {
     let turn = Axis::log(1e-4, 1.0, 1)?.titled(r"turn $q$ that the disc is given, in $\sqrt{g/a}$");
     let relative = Axis::log(1e-16, 10.0, 4)?.titled("relative error of the energy");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 246.0), turn, relative)?;
-    plot.series("rk4", &naive, Marker::Disc, Hue::Orange);
-    plot.series("dop853", &better, Marker::Square, Hue::Blue);
-    plot.label((2e-2, 1e-3), Side::Right, "RK4", Hue::Orange)?;
-    plot.label((2e-4, 1e-11), Side::Right, "DOP853", Hue::Blue)?;
+    let [one, other] = [Look::RK4, Look::DOP853];
+    plot.series("rk4", &naive, one.marker, one.hue);
+    plot.series("dop853", &better, other.marker, other.hue);
+    plot.label((2e-2, 1e-3), Side::Right, one.name, one.hue)?;
+    plot.label((2e-4, 1e-11), Side::Right, other.name, other.hue)?;
     Ok(drawing)
 }

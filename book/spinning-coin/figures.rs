@@ -149,7 +149,17 @@ pub(crate) fn one_round(id: &str) -> Outcome {
 }
 
 fn quarter(turns: f64) -> Outcome {
-    let mut drawing = Drawing::new("", 130.0, 150.0);
+    let name = match turns {
+        0.0 => "start",
+        0.25 => "a quarter",
+        0.5 => "half",
+        0.75 => "three quarters",
+        _ => "one round",
+    };
+    let mut drawing = Drawing::new("", 130.0, 150.0).titled(
+        &format!("The coin after its contact has run: {name}"),
+        "The coin with its head, and its contact on the circle, seen from above at a slant.",
+    );
     let coin = disc(SHOWN)?;
     let (sin, cos) = coin.tilt().sin_cos();
     let (centre, attitude) = (Vector3::new(0.0, 0.0, sin), coin.attitude(turns));
@@ -161,7 +171,7 @@ fn quarter(turns: f64) -> Outcome {
         elevation: 1.0,
         distance: 9.0,
         centre: at(65.0, 65.0),
-        scale: 46.0,
+        scale: 41.0,
     })?);
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos)?, Stroke::Outline, Hue::Pink)?;
     stage.solid(Solid::disc(centre, normal, 1.0, thick)?, Hue::Blue)?;
@@ -179,14 +189,7 @@ fn quarter(turns: f64) -> Outcome {
     }
     stage.dot_in_front(contact, 4.0, Hue::Pink)?;
     stage.write(&mut drawing);
-    let name = match turns {
-        0.0 => "start",
-        0.25 => "a quarter",
-        0.5 => "half",
-        0.75 => "three quarters",
-        _ => "one round",
-    };
-    drawing.label(at(65.0, 138.0), Side::Over, name, Hue::Ink)?;
+    drawing.label(at(65.0, 128.0), Side::Over, name, Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -403,7 +406,7 @@ pub(crate) fn figure_error(id: &str) -> Outcome {
     let tilt = Axis::log(1e-9, 1.0, 3)?.titled(r"tilt $\alpha$, rad");
     let error = Axis::log(1e-17, 10.0, 4)?.titled("relative error of the figure’s rate");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 246.0), tilt, error)?;
-    plot.series("naive", &naive, Marker::Disc, Hue::Orange);
-    plot.label((1e-5, 1e-4), Side::Right, r"by $\Omega\,(1 - \sin\theta)$", Hue::Orange)?;
+    plot.series("naive", &naive, Marker::Disc, Hue::Ink);
+    plot.label((1e-5, 1e-4), Side::Right, r"by $\Omega\,(1 - \sin\theta)$", Hue::Ink)?;
     Ok(drawing)
 }

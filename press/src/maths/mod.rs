@@ -1,6 +1,6 @@
 //! LaTeX to MathML: a converter's, mended where browsers print it badly.
 
-mod accents;
+pub(crate) mod accents;
 mod brackets;
 mod letters;
 mod tree;
@@ -14,8 +14,7 @@ use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use tree::Element;
 use ttf_parser::Face;
 
-/// The mathematics font of the site and of labels, cut by the script beside it down to the characters that
-/// the script lists.
+/// The mathematics font of labels, which has the measures of that of the pages.
 const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
