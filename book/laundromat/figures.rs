@@ -745,7 +745,7 @@ pub(crate) fn start(id: &str) -> Outcome {
         Ok(times.into_iter().zip(shafts.into_iter().map(|shaft| shaft.position * 100.0)).collect())
     };
     let plane = |way: Vec<(f64, Complex<f64>)>| way.into_iter().map(|(_, z)| (z.re, z.im)).collect::<Values>();
-    let widest = 4.6; // s: where the swing is largest
+    let widest = 5.0; // s: where the swing is largest
 
     let mut path = Drawing::new("", 330.0, 330.0).titled(
         "The path of the drum’s centre, from above",
@@ -770,7 +770,7 @@ pub(crate) fn start(id: &str) -> Outcome {
         "The swing of the drum as it speeds up",
         "The displacement of the drum in one direction, in centimetres, against the time in seconds, like the trace of a pen on moving paper, \
          while the drum speeds up evenly to 310 turns a minute in 13 seconds. It is small at first, swells to more than five centimetres \
-         at four and a half seconds, and shrinks to two centimetres, ever faster.",
+         at five seconds, and shrinks to two centimetres, ever faster.",
     );
     let time = Axis::linear(0.0, end, 5.0)?.minor(1.0).titled("time, s");
     let swing = Axis::linear(-6.0, 6.0, 2.0)?.minor(1.0).titled("displacement to one side, cm");
