@@ -34,15 +34,15 @@ const HEADS: [[[f64; 2]; 2]; 3] =
 const TAILS: [[[f64; 2]; 2]; 2] = [[[0.0, -0.3], [0.0, 0.3]], [[-0.26, -0.3], [0.26, -0.3]]];
 
 /// Adds a coin of radius 1 about the origin: the half of the face that was up in the hue of the body with an H, the
-/// other grey with a T.
-fn coin_in(stage: &mut Stage, attitude: &UnitQuaternion<f64>, pen: Stroke) -> Result<(), Cause> {
+/// other grey with a T. The letters stand a step aside from the middle along axis 2.
+fn coin_in(stage: &mut Stage, attitude: &UnitQuaternion<f64>, aside: f64, pen: Stroke) -> Result<(), Cause> {
     let normal = attitude * Vector3::z();
     for (side, hue) in [(0.5, Hue::Blue), (-0.5, Hue::Muted)] {
         stage.solid(Solid::disc(normal * (side * HALF), normal, 1.0, HALF)?, hue)?;
     }
     for (height, hue, letter) in [(HALF, Hue::Blue, &HEADS[..]), (-HALF, Hue::Ink, &TAILS[..])] {
         for stroke in letter {
-            let [from, to] = stroke.map(|[x, y]| attitude * Vector3::new(x, y, height));
+            let [from, to] = stroke.map(|[x, y]| attitude * Vector3::new(x, y + aside, height));
             stage.curve(Curve::segment(from, to)?.hiding(Hiding::Omitted), pen, hue)?;
         }
     }
@@ -72,7 +72,7 @@ pub(crate) fn toss(id: &str) -> Outcome {
             centre: at(150.0, 185.0),
             scale: 90.0,
         })?);
-        coin_in(&mut stage, &attitude, Stroke::Vector)?;
+        coin_in(&mut stage, &attitude, -0.5, Stroke::Vector)?;
         stage.named_vector([0.0; 3], momentum * 1.75, r"$\boldsymbol{L}$", Hue::Green)?;
         stage.named_vector([0.0; 3], normal * 1.55, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
         if time == 0.0 {
@@ -129,9 +129,9 @@ impl Film {
     fn draw(&self) -> Outcome {
         let mut drawing = Drawing::new("", self.size.0, self.size.1).titled(
             "Three tosses through one precession, seen from above",
-            "Three strips of nine pictures of the coin. Without twist it goes over: heads, edge, tails, edge, heads. Twisted a quarter as \
-             fast as it tumbles it shows tails from the third picture to the seventh no more, only from the fourth to the sixth. \
-             Twisted three fifths as fast it shows heads in every picture, and leans now to one side, now to the other.",
+            "Three strips of nine pictures of the coin. Without twist it goes over: heads, edge, three times tails, edge, heads. Twisted a \
+             quarter as fast as it tumbles it shows tails in the three pictures in the middle and heads in all others. Twisted three \
+             fifths as fast it shows heads in every picture, leans to all sides, and is nearly on edge in the middle.",
         );
         let strips = [(0.0, r"$\omega_3 = 0$"), (0.25, r"$\omega_3 = \tfrac14\,\omega_1$"), (0.6, r"$\omega_3 = \tfrac35\,\omega_1$")];
         for (strip, (ratio, name)) in strips.into_iter().enumerate() {
@@ -151,7 +151,7 @@ impl Film {
                     scale: 0.8 * radius,
                 })?);
                 let attitude = toss.at(period * f64::from(frame) / f64::from(FRAMES))?.world_from_body;
-                coin_in(&mut stage, &attitude, Stroke::Outline)?;
+                coin_in(&mut stage, &attitude, 0.0, Stroke::Outline)?;
                 stage.write(&mut drawing);
             }
             let share = format!("heads {:.0} %", 100.0 * toss.same_face_probability());
@@ -224,10 +224,15 @@ pub(crate) fn cones(id: &str) -> Outcome {
             }
         }
         stage.dot(momentum_of(&toss), 3.5, Hue::Green)?;
-        stage.label(momentum_of(&toss), Side::Left, &format!("${degrees}°$"), Hue::Green)?;
+        let step = at(if degrees > 60.0 { -9.0 } else { 0.0 }, 0.0);
+        stage.label_shifted(momentum_of(&toss), step, Side::Left, &format!("${degrees}°$"), Hue::Green)?;
     }
+    let wide = tossed(2.0 * 75_f64.to_radians().tan(), 1.0)?;
+    let edge = wide.first_edge().ok_or("it goes over")?;
+    stage.label(wide.normal(0.5 * edge)?, Side::Left, "heads up", Hue::Blue)?;
+    stage.label(wide.normal(1.15 * edge)?, Side::Right, "tails up", Hue::Muted)?;
     stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
-    stage.label([0.0, 0.0, 1.0], Side::Above, "start, flat", Hue::Ink)?;
+    stage.label_shifted([0.0, 0.0, 1.0], at(0.0, -7.0), Side::Above, "start, flat", Hue::Ink)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
@@ -253,8 +258,8 @@ pub(crate) fn threshold(id: &str) -> Outcome {
         plot.curve(&format!("whole-{ratio}"), values(ratio, 0.0, 2.0)?, Stroke::Curve, Hue::Blue);
     }
     plot.label((0.5, -0.73), Side::Below, "$0.20$", Hue::Blue)?;
-    plot.label((0.5, 0.42), Side::Over, "$0.49$", Hue::Blue)?;
-    plot.label((0.5, 0.24), Side::Over, "to $0.51$", Hue::Blue)?;
+    plot.label((0.5, 0.64), Side::Over, "$0.49$", Hue::Blue)?;
+    plot.label((0.5, 0.48), Side::Over, "to $0.51$", Hue::Blue)?;
     plot.label((1.0, -0.7), Side::Over, "tails up", Hue::Muted)?;
 
     let mut part = Drawing::new("", 300.0, 350.0).titled(
@@ -269,7 +274,7 @@ pub(crate) fn threshold(id: &str) -> Outcome {
     for ratio in [0.49, 0.50, 0.51] {
         plot.curve(&format!("part-{ratio}"), values(ratio, 0.4, 0.6)?, Stroke::Curve, Hue::Blue);
     }
-    for (height, name) in [(-0.03, "$0.49$: over"), (0.008, "$0.50$"), (0.031, "$0.51$: never")] {
+    for (height, name) in [(-0.03, "$0.49$: over"), (0.008, "$0.50$"), (0.044, "$0.51$: never")] {
         plot.label((0.5, height), Side::Over, name, Hue::Blue)?;
     }
     Ok(Drawing::panels(id, vec![whole, part]))

@@ -1,10 +1,11 @@
 //! The figures of the chapter "The pinned hoop".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::elliptic::quarter_period;
+use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::InvalidQuantity;
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
@@ -21,95 +22,139 @@ fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidQuantity> {
     pinned(shape, Pin::Angle(degrees.to_radians()))
 }
 
-/// The hoop in the plane of the page, with A, B, both axes of rotation and the angles.
+/// Where the drawn hoop lies on its panel: the centre, and the radius, px.
+const CENTRE: Point = at(132.0, 218.0);
+const RADIUS: f64 = 104.0;
+/// Where A is caught in the drawings, degrees.
+const CAUGHT: f64 = 62.0;
+
+/// A point on the rim of the drawn hoop, by the angle from the upright, clockwise, rad.
+fn on_rim(angle: f64) -> Point {
+    CENTRE + Point::polar(RADIUS, FRAC_PI_2 - angle)
+}
+
+/// The hoop in the plane of the page, with its old axis and the angle of A.
+fn drawn_hoop(drawing: &mut Drawing, theta: f64) -> Result<(), Cause> {
+    drawing.circle(CENTRE, RADIUS, Role::Line(Stroke::Vector, Hue::Blue));
+    drawing.circle(CENTRE, RADIUS - 7.0, Role::Line(Stroke::Outline, Hue::Blue));
+    let top = CENTRE - at(0.0, RADIUS + 12.0);
+    drawing.line(top, CENTRE + at(0.0, RADIUS + 16.0), Stroke::Reference, Hue::Muted);
+    drawing.line(CENTRE, on_rim(theta), Stroke::Outline, Hue::Muted);
+    kit::angle(drawing, CENTRE, 40.0, FRAC_PI_2, -theta, Heads::End, Hue::Ink);
+    let middle = CENTRE + Point::polar(40.0, FRAC_PI_2 - 0.5 * theta);
+    drawing.label(middle, Side::AboveRight, r"$\theta$", Hue::Ink)?;
+    kit::marker(drawing, CENTRE, Marker::Mass, Hue::Ink);
+    Ok(())
+}
+
+/// The angular momentum about the place where A is caught: the same arrow before and after.
+fn momentum_at(drawing: &mut Drawing, pin: Point) -> Result<(), Cause> {
+    let tip = pin - at(0.0, 98.0);
+    kit::arrow(drawing, pin, tip, Hue::Green);
+    drawing.label(tip, Side::Above, r"$\boldsymbol{L}_A$", Hue::Green)?;
+    Ok(())
+}
+
+/// The hoop in the plane of the page, before the snap and after it.
 pub(crate) fn pinned_hoop(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 500.0, 420.0).titled(
-        "The hoop in its plane",
-        "A circle with its centre. The old angular velocity omega zero points up along the vertical diameter. The pinned point A is on the circle, up \
-         and to the right, at the angle theta from the vertical. From A the axis 2 points to the centre and the axis 1 along the tangent, up \
-         and to the left. \
-         Through A runs the new axis of rotation, whose direction omega leans from the vertical towards A by phi, and makes the angle alpha with axis 1. \
-         The point B is a quarter of the circle further on, at the lower right.",
+    Ok(Drawing::panels(id, vec![before_the_snap("")?, after_the_snap("")?]))
+}
+
+fn before_the_snap(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 320.0, 380.0).titled(
+        "The hoop before the snap",
+        "A hoop in the plane of the page turns about its vertical diameter: its angular velocity omega zero points up. The point A, on the rim up and to the right at the angle \
+         theta from the axis, goes into the page. From A the angular momentum about the place of A points up.",
     );
-    let degrees = 62.0;
-    let hoop = pinning(Shape::Hoop, degrees)?;
+    let hoop = pinning(Shape::Hoop, CAUGHT)?;
+    drawn_hoop(&mut drawing, hoop.angle())?;
+    let (pin, top) = (on_rim(hoop.angle()), CENTRE - at(0.0, RADIUS));
+    kit::arrow(&mut drawing, top, top - at(0.0, 66.0), Hue::Orange);
+    drawing.label(top - at(0.0, 60.0), Side::Left, r"$\boldsymbol{\omega}_0$", Hue::Orange)?;
+    momentum_at(&mut drawing, pin)?;
+    drawing.dot(pin, 4.5, Hue::Pink);
+    drawing.label(pin + at(2.0, 12.0), Side::Right, "$A$", Hue::Pink)?;
+    // ω₀ × r at A.
+    let into = hoop.omega_before().cross(&-hoop.centre()).z < 0.0;
+    let mark = if into { Marker::Into } else { Marker::Out };
+    kit::marker(&mut drawing, pin + at(22.0, -14.0), mark, Hue::Ink);
+    drawing.label(pin + at(27.0, -14.0), Side::Right, r"$\boldsymbol{v}_A$", Hue::Ink)?;
+    drawing.label(at(CENTRE.x, 364.0), Side::Over, "just before", Hue::Muted)?;
+    Ok(drawing)
+}
+
+fn after_the_snap(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 320.0, 380.0).titled(
+        "The hoop after the snap",
+        "The same hoop, pinned at A. The angular momentum about A is the same arrow. From A the axis 2 points to the centre and the axis 1 along the tangent, up and to the left; axis 3, \
+         the impulse of the pin and the velocity of the centre come out of the page. The new angular velocity omega leans from the vertical away from the hoop by phi, and makes the angle \
+         alpha with axis 1; its line, through A, cuts the hoop. The point B is a quarter of the circle from A, at the lower right.",
+    );
+    let hoop = pinning(Shape::Hoop, CAUGHT)?;
     let theta = hoop.angle();
-    let (centre, radius) = (at(215.0, 232.0), 145.0);
-    let upright = FRAC_PI_2;
-    let on_rim = |polar: f64| centre + Point::polar(radius, upright - polar);
+    drawn_hoop(&mut drawing, theta)?;
     let pin = on_rim(theta);
-    drawing.circle(centre, radius, Role::Line(Stroke::Vector, Hue::Blue));
-    drawing.circle(centre, radius - 7.0, Role::Line(Stroke::Outline, Hue::Blue));
-    drawing.line(centre + at(0.0, 170.0), centre - at(0.0, 160.0), Stroke::Reference, Hue::Muted);
-    drawing.line(centre, pin, Stroke::Outline, Hue::Muted);
-
-    let up = centre - at(0.0, radius);
-    kit::arrow(&mut drawing, up, up - at(0.0, 66.0), Hue::Orange);
-    drawing.label(up - at(0.0, 66.0), Side::Right, r"$\boldsymbol{\omega}_0$", Hue::Orange)?;
-
     // The axes at A: 2 to the centre, 1 along the tangent on the side of ω₀.
-    let second = Point::polar(1.0, upright - theta + PI);
-    let first = Point::polar(1.0, upright - theta + FRAC_PI_2);
-    let plane = |v: Vector3<f64>| first * v.x + second * v.y;
-    kit::arrow(&mut drawing, pin, pin + first * 105.0, Hue::Ink);
-    drawing.label(pin + first * 105.0, Side::AboveLeft, r"$\hat{\mathbf{1}}$", Hue::Ink)?;
-    kit::arrow(&mut drawing, pin, pin + second * 88.0, Hue::Ink);
-    drawing.label(pin + second * 72.0, Side::BelowRight, r"$\hat{\mathbf{2}}$", Hue::Ink)?;
-    let direction = plane(hoop.omega_after()).unit();
-    drawing.line(pin - direction * 200.0, pin + direction * 40.0, Stroke::Dotted, Hue::Orange);
-    kit::arrow(&mut drawing, pin, pin + direction * 96.0, Hue::Orange);
-    drawing.label(pin + direction * 96.0, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-    drawing.line(pin, pin - at(0.0, 96.0), Stroke::Reference, Hue::Muted);
-
-    // Angles: θ at the centre; φ from the upright to ω, α from axis 1 to ω, at A.
+    let second = Point::polar(1.0, FRAC_PI_2 - theta + PI);
+    let first = Point::polar(1.0, FRAC_PI_2 - theta + FRAC_PI_2);
+    let direction = {
+        let omega = hoop.omega_after();
+        (first * omega.x + second * omega.y).unit()
+    };
+    drawing.line(pin - direction * 170.0, pin, Stroke::Dotted, Hue::Orange);
+    momentum_at(&mut drawing, pin)?;
+    kit::arrow(&mut drawing, pin, pin + first * 98.0, Hue::Ink);
+    drawing.label(pin + first * 96.0, Side::AboveLeft, r"$\hat{\mathbf{1}}$", Hue::Ink)?;
+    kit::arrow(&mut drawing, pin, pin + second * 66.0, Hue::Ink);
+    drawing.label(pin + second * 52.0, Side::BelowRight, r"$\hat{\mathbf{2}}$", Hue::Ink)?;
+    kit::arrow(&mut drawing, pin, pin + direction * 98.0, Hue::Orange);
+    drawing.label(pin + direction * 98.0, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    // Angles at A: φ from the upright to ω, α from ω to axis 1.
     let (alpha, phi) = (hoop.axis_angle(), hoop.axis_shift());
-    kit::angle(&mut drawing, centre, 46.0, upright, -theta, Heads::End, Hue::Ink);
+    kit::angle(&mut drawing, pin, 72.0, FRAC_PI_2, -phi, Heads::None, Hue::Ink);
+    drawing.label(pin + Point::polar(72.0, FRAC_PI_2 - 0.55 * phi), Side::Above, r"$\varphi$", Hue::Ink)?;
+    kit::angle(&mut drawing, pin, 36.0, direction.angle(), alpha, Heads::None, Hue::Ink);
     drawing.label(
-        centre + Point::polar(46.0, upright - 0.5 * theta),
-        Side::AboveRight,
-        r"$\theta$",
-        Hue::Ink,
-    )?;
-    kit::angle(&mut drawing, pin, 76.0, upright, -phi, Heads::None, Hue::Ink);
-    drawing.label(pin + Point::polar(76.0, upright - 0.5 * phi), Side::Above, r"$\varphi$", Hue::Ink)?;
-    kit::angle(&mut drawing, pin, 38.0, direction.angle(), alpha, Heads::None, Hue::Ink);
-    drawing.label(
-        pin + Point::polar(54.0, direction.angle() + 0.76 * alpha),
+        pin + Point::polar(52.0, direction.angle() + 0.77 * alpha),
         Side::Over,
         r"$\alpha$",
         Hue::Ink,
     )?;
-
     let b = on_rim(theta + FRAC_PI_2);
-    for (point, name, side) in [(pin, "$A$", Side::Right), (b, "$B$", Side::Right)] {
-        drawing.dot(point, 4.5, Hue::Pink);
-        drawing.label(point + at(6.0, 2.0), side, name, Hue::Pink)?;
-    }
-    drawing.line(centre, b, Stroke::Reference, Hue::Muted);
-    kit::marker(&mut drawing, centre, Marker::Mass, Hue::Ink);
-    drawing.label(centre.towards(b, 0.5), Side::BelowLeft, "$a$", Hue::Ink)?;
+    drawing.line(CENTRE, b, Stroke::Outline, Hue::Muted);
+    drawing.label(CENTRE.towards(b, 0.5), Side::BelowLeft, "$a$", Hue::Ink)?;
+    drawing.dot(b, 4.5, Hue::Pink);
+    drawing.label(b + at(2.0, 4.0), Side::Right, "$B$", Hue::Pink)?;
+    // What has no room in the plane of the page.
+    let out = hoop.impulse().z > 0.0 && hoop.centre_velocity().z > 0.0;
+    let mark = if out { Marker::Out } else { Marker::Into };
+    kit::marker(&mut drawing, pin, mark, Hue::Pink);
+    drawing.label(pin + at(4.0, 8.0), Side::Right, r"$A$, $\boldsymbol{P}$, $\hat{\mathbf{3}}$", Hue::Pink)?;
+    kit::marker(&mut drawing, CENTRE + at(-24.0, -14.0), mark, Hue::Ink);
+    drawing.label(CENTRE + at(-28.0, -14.0), Side::Left, r"$\boldsymbol{v}_\text{cm}$", Hue::Ink)?;
+    drawing.label(at(CENTRE.x, 364.0), Side::Over, "just after", Hue::Muted)?;
     Ok(drawing)
 }
 
 /// Speeds of the two points a quarter of the circle from A, and the stated answer.
 pub(crate) fn speed_of_b(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 320.0).titled(
         "Speeds of the two points a quarter of the circle from A",
         "Speeds in units of a omega zero against the angle theta from 0 to 90 degrees. The point at theta plus 90 degrees starts at one, falls to \
-         zero at 71.57 degrees and rises to one third. The point at theta minus 90 degrees starts at one, rises a little and falls to \
+         zero at 71.57 degrees, where a ring marks it, and rises to one third. The point at theta minus 90 degrees starts at one, rises a little and falls to \
          one third. A dashed curve, the stated answer, runs between the two and meets neither but at the ends.",
     );
     let angle = Axis::linear(0.0, 90.0, 15.0)?.minor(5.0).titled(r"angle $\theta$, degrees");
     let speed = Axis::linear(0.0, 1.2, 0.2)?.minor(0.05).titled(r"speed, in $a\omega_0$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 470.0, 262.0), angle, speed)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 236.0), angle, speed)?;
     type Velocity = fn(&Pinning) -> f64;
-    let curves: [(Velocity, &str, Hue); 2] =
-        [(Pinning::velocity_of_b, "plus", Hue::Blue), (Pinning::velocity_opposite_b, "minus", Hue::Green)];
-    for (velocity, name, hue) in curves {
+    let curves: [(Velocity, &str); 2] =
+        [(Pinning::velocity_of_b, "plus"), (Pinning::velocity_opposite_b, "minus")];
+    for (velocity, name) in curves {
         let values = linear_steps(0.0, 90.0, 720)
             .map(|degrees| Ok((degrees, velocity(&pinning(Shape::Hoop, degrees)?).abs())))
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(name, values, Stroke::Curve, hue);
+        plot.curve(name, values, Stroke::Curve, Hue::Blue);
     }
     let stated = linear_steps(0.0, 90.0, 180)
         .map(|degrees| {
@@ -118,50 +163,106 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
             Ok((degrees, (0.5 * (below * below + above * above)).sqrt()))
         })
         .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-    plot.curve("stated", stated, Stroke::DashedCurve, Hue::Pink);
-    plot.label((46.0, 0.98), Side::AboveRight, r"at $\theta - 90°$", Hue::Green)?;
-    plot.label((71.0, 0.27), Side::Over, "the stated answer", Hue::Pink)?;
+    plot.curve("stated", stated, Stroke::DashedCurve, Hue::Muted);
+    plot.markers(&[(3_f64.atan().to_degrees(), 0.0)], Marker::Ring, Hue::Blue);
+    plot.label((44.0, 0.99), Side::AboveRight, r"at $\theta - 90°$", Hue::Blue)?;
+    plot.label((60.0, 0.45), Side::Over, "the stated", Hue::Muted)?;
+    plot.label((61.0, 0.37), Side::Over, "answer", Hue::Muted)?;
     plot.label((37.0, 0.55), Side::BelowLeft, r"$B$, at $\theta + 90°$", Hue::Blue)?;
-    plot.label((59.0, 0.06), Side::Over, "71.57°", Hue::Blue)?;
+    plot.label((62.5, 0.07), Side::Left, "$71.57°$", Hue::Blue)?;
+    Ok(drawing)
+}
+
+/// The phase portrait of the pendulum in the hoop, with the pins from which it is let go.
+pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
+        "The phase portrait of the hoop’s pendulum",
+        "The rate of chi, in units of W, against chi from minus 30 to 210 degrees. Four closed curves about the rest at 90 degrees, for pins at 30, 60, 80 and 89 degrees; each begins at a dot on \
+         the axis, the nearer to zero the nearer theta is to 90 degrees. A separatrix, two arches from 0 to 180 degrees, encloses them. Outside two \
+         curves run on above and below without turning.",
+    );
+    let angle = Axis::linear(-30.0, 210.0, 30.0)?.titled(r"$\chi$, degrees");
+    let rate = Axis::linear(-1.0, 1.0, 0.5)?.minor(0.1).titled(r"$\dot\chi/W$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 325.0, 246.0), angle, rate)?;
+    plot.level(0.0, Stroke::Axis);
+    // The separatrix, where the energy is that of the balance at χ = 0: χ̇² = W² sin² χ/2.
+    for (sign, name) in [(1.0, "separatrix-above"), (-1.0, "separatrix-below")] {
+        let values = linear_steps(-30.0, 210.0, 480)
+            .map(|degrees| (degrees, sign * degrees.to_radians().sin() / SQRT_2));
+        plot.curve(name, values, Stroke::Border, Hue::Muted);
+    }
+    // χ and its rate, by eq:flat-rates: ω₁ = W cos χ, ω₂ = −W sin χ, ω₃ = −χ̇.
+    let place = |omega: Vector3<f64>| {
+        let along = omega.x.hypot(omega.y);
+        ((-omega.y).atan2(omega.x).to_degrees(), -omega.z / along)
+    };
+    for degrees in [30.0, 60.0, 80.0, 89.0] {
+        let hoop = pinning(Shape::Hoop, degrees)?;
+        let top = hoop.free_motion()?;
+        let period = top.period().ok_or("a pendulum swings back")?;
+        let values = linear_steps(0.0, period, 720)
+            .map(|time| Ok(place(top.at(time)?.omega_body)))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        let start = values[0];
+        plot.curve(&format!("pin-{degrees}"), values, Stroke::Curve, Hue::Orange);
+        plot.markers(&[start], Marker::Disc, Hue::Pink);
+        let place = match degrees {
+            30.0 => (110.0, 0.13),
+            60.0 => (90.0, 0.25),
+            80.0 => (90.0, 0.49),
+            _ => (153.0, 0.45),
+        };
+        plot.label(place, Side::Over, &format!("${degrees}°$"), Hue::Orange)?;
+    }
+    // One that turns over, about axis 3: a start that no snap gives.
+    let moments = pinning(Shape::Hoop, 45.0)?.moments_about_pin();
+    for (sign, name) in [(1.0, "over-above"), (-1.0, "over-below")] {
+        let omega_body = Vector3::new(1.0, 0.0, -0.45 * sign);
+        let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
+        let top = FreeTop::new(moments, start)?;
+        let values = linear_steps(-3.0, 9.0, 600)
+            .map(|time| {
+                let (angle, rate) = place(top.at(sign * time)?.omega_body);
+                // It turns over once on the way: past half a turn the angle goes on.
+                Ok((if time > 3.0 && angle < 0.0 { angle + 360.0 } else { angle }, rate))
+            })
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        plot.curve(name, values, Stroke::Orbit, Hue::Orange);
+    }
+    plot.label((90.0, 0.94), Side::Over, "about axis 3: no snap starts here", Hue::Ink)?;
     Ok(drawing)
 }
 
 /// ω in the body after the snap, on the ellipsoid of equal energy.
 pub(crate) fn polhodes(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 480.0, 400.0).titled(
+    let mut drawing = Drawing::new(id, 400.0, 330.0).titled(
         "Polhodes of the pinned hoop",
-        "An ellipsoid, longest along axis 2. Four closed curves on it, the paths of minus omega, circle axis 2: a small one for 30 degrees, larger ones for 60 and 80, and one for \
-         89 degrees that reaches almost to axis 1 and to its opposite, next to a dashed curve, the separatrix, that passes through axis 1.",
+        "An ellipsoid, longest along axis 2, seen from the side of the negative axis 2. Four closed curves on it, the paths of omega, circle that axis: a small one for 30 degrees, larger ones for \
+         60 and 80, and one for 89 degrees that reaches almost to axis 1 and to its opposite, next to a dashed curve, the separatrix, that passes through axis 1.",
     );
     let moments = pinning(Shape::Hoop, 45.0)?.moments_about_pin().to_array();
     let semi = moments.map(|moment| 1.0 / moment.sqrt());
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0; 3],
-        azimuth: 0.85,
-        elevation: 0.42,
+        azimuth: -1.05,
+        elevation: 0.40,
         distance: 9.0,
-        centre: at(235.0, 200.0),
-        scale: 122.0,
+        centre: at(195.0, 170.0),
+        scale: 118.0,
     })?);
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     stage.solid(Solid::ellipsoid([0.0; 3], axes, semi)?, Hue::Blue)?;
-    for (degrees, hue) in [(30.0, Hue::Green), (60.0, Hue::Green), (80.0, Hue::Orange), (89.0, Hue::Pink)] {
+    for degrees in [30.0, 60.0, 80.0, 89.0] {
         let hoop = pinning(Shape::Hoop, degrees)?;
         let top = hoop.free_motion()?;
         let period = top.period().ok_or("a polhode closes")?;
         let size = (2.0 * hoop.moments_about_pin().kinetic_energy(&hoop.omega_after())).sqrt();
         let path = linear_steps(0.0, period, 720)
-            .map(|time| Ok(-top.at(time)?.omega_body / size))
+            .map(|time| Ok(top.at(time)?.omega_body / size))
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        // Named where there is room: above its highest point, inside its turn, or on the way up.
-        let on_the_way = path.iter().position(|point| point.x > 0.4 * path[360].x).ok_or("it crosses")?;
-        let (place, step, side) = match degrees {
-            60.0 | 80.0 => (360, at(2.0, 0.0), Side::Right),
-            89.0 => (on_the_way, at(2.0, -5.0), Side::AboveLeft),
-            _ => (180, at(0.0, 0.0), Side::Above),
-        };
-        stage.label_shifted(path[place], step, side, &format!("{degrees}°"), hue)?;
-        stage.curve(Curve::smooth(path)?, Stroke::Curve, hue)?;
+        // Named inside the loop, where it begins: nearest to axis 1.
+        stage.label_shifted(path[0], at(2.0, 0.0), Side::Left, &format!("${degrees}°$"), Hue::Orange)?;
+        stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Orange)?;
     }
     // The separatrix: L² = 2T I₁ on the ellipsoid, two plane curves through axis 1.
     let [i1, i2, i3] = moments;
@@ -174,40 +275,89 @@ pub(crate) fn polhodes(id: &str) -> Outcome {
                 [semi[0] * cos, across * sin, sign * slope * across * sin]
             })
             .collect();
-        stage.curve(Curve::smooth(path)?, Stroke::Reference, Hue::Muted)?;
+        stage.curve(Curve::smooth(path)?.hiding(Hiding::Omitted), Stroke::Border, Hue::Ink)?;
     }
-    for (k, name) in
-        [r"$\hat{\mathbf{1}}$", r"$\hat{\mathbf{2}}$", r"$\hat{\mathbf{3}}$"].into_iter().enumerate()
+    for (k, sign, name) in
+        [(0, 1.0, r"$\hat{\mathbf{1}}$"), (1, -1.0, r"$-\hat{\mathbf{2}}$"), (2, 1.0, r"$\hat{\mathbf{3}}$")]
     {
-        let direction = Vector3::from(axes[k]);
+        let direction = Vector3::from(axes[k]) * sign;
         stage.named_vector(direction * semi[k], direction * (semi[k] + 0.42), name, Hue::Ink)?;
     }
     stage.write(&mut drawing);
     Ok(drawing)
 }
 
+/// When the stills of the tumble are taken, in 1/ω₀, of a hoop that is pinned at 89.9 degrees.
+const STILLS: [f64; 6] = [18.0, 22.0, 26.0, 30.0, 34.0, 38.0];
+const NEARLY: f64 = 89.9;
+
+/// Six stills of the hoop in the room while it tumbles.
+pub(crate) fn tumble(id: &str) -> Outcome {
+    let stills = STILLS.map(tumbling).into_iter().collect::<Result<Vec<_>, Cause>>()?;
+    Ok(Drawing::panels(id, stills).titled(
+        "Six stills of a tumbling hoop",
+        "The hoop in the room at six moments, pinned at A, with the fixed upright angular momentum. In the first it turns about its tangent at A, which points up, like a door about its hinge. \
+         In the middle ones the hoop swings out of the vertical, and in the last it turns about the tangent again, which now points down. All the time it goes round the angular momentum in the \
+         same sense.",
+    ))
+}
+
+/// The hoop in the room at a time.
+fn tumbling(time: f64) -> Outcome {
+    let mut drawing = Drawing::new("", 110.0, 190.0).titled(
+        &format!("The tumbling hoop at {time}"),
+        "The hoop, its pinned point, the upright angular momentum, the angular velocity, and the tangent at the pinned point.",
+    );
+    let hoop = pinning(Shape::Hoop, NEARLY)?;
+    let (top, upright) = along_momentum(&hoop)?;
+    let now = top.at(time)?;
+    let room = upright * now.world_from_body;
+    let mut stage = Stage::new(Camera::new(View {
+        target: [0.0; 3],
+        azimuth: -0.9,
+        elevation: 0.3,
+        distance: 12.0,
+        centre: at(55.0, 90.0),
+        scale: 26.0,
+    })?);
+    stage.solid(Solid::ring(room * hoop.centre(), room * Vector3::z(), 1.0, 0.88, 0.1)?, Hue::Blue)?;
+    let momentum = Curve::segment([0.0; 3], [0.0, 0.0, 2.5])?;
+    stage.arrow(momentum.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Green)?;
+    let tangent = Curve::segment([0.0; 3], room * Vector3::x() * 1.7)?;
+    stage.arrow(tangent.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Ink)?;
+    let omega = Curve::segment([0.0; 3], upright * now.omega_world() * 5.0)?;
+    stage.arrow(omega.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Orange)?;
+    stage.dot_in_front([0.0; 3], 4.0, Hue::Pink)?;
+    stage.write(&mut drawing);
+    drawing.label(at(55.0, 152.0), Side::Over, &format!("$t = {time}$"), Hue::Ink)?;
+    Ok(drawing)
+}
+
 /// The components of ω in the plane of the hoop for a pin near a right angle.
 pub(crate) fn flip(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 340.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 300.0).titled(
         "The flip of a hoop pinned at 89.9 degrees",
-        "Two components of omega against time in units of one over omega zero, from 0 to 150. The component along the tangent stays near one \
+        "Two components of omega against time in units of one over omega zero, from 0 to 120. The component along the tangent stays near one \
          third until about 20, falls through zero at 28 to minus one third, stays there till 78, and rises again. The component along the diameter through A is near zero but for \
-         short negative pulses, to minus one third, at each of these flips.",
+         short negative pulses, to minus one third, at each of these flips. Six dots on the first fall mark the stills.",
     );
-    let hoop = pinning(Shape::Hoop, 89.9)?;
+    let hoop = pinning(Shape::Hoop, NEARLY)?;
     let top = hoop.free_motion()?;
-    let time = Axis::linear(0.0, 150.0, 30.0)?.minor(10.0).titled(r"time, in $1/\omega_0$");
+    let time = Axis::linear(0.0, 120.0, 30.0)?.minor(10.0).titled(r"time, in $1/\omega_0$");
     let omega = Axis::linear(-0.4, 0.4, 0.2)?.minor(0.05).titled(r"angular velocity, in $\omega_0$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 500.0, 250.0), time, omega)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 320.0, 216.0), time, omega)?;
     plot.level(0.0, Stroke::Reference);
-    for (axis, name, hue) in [(0, "tangent", Hue::Orange), (1, "diameter", Hue::Blue)] {
-        let values = linear_steps(0.0, 150.0, 1500)
+    for (axis, name, stroke) in [(1, "diameter", Stroke::Orbit), (0, "tangent", Stroke::Curve)] {
+        let values = linear_steps(0.0, 120.0, 1200)
             .map(|time| Ok((time, top.at(time)?.omega_body[axis])))
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(name, values, Stroke::Curve, hue);
+        plot.curve(name, values, stroke, Hue::Orange);
     }
-    plot.label((150.0, 0.33), Side::Right, r"$\omega_1$, tangent", Hue::Orange)?;
-    plot.label((150.0, -0.03), Side::Right, r"$\omega_2$, diameter", Hue::Blue)?;
+    for time in STILLS {
+        plot.markers(&[(time, top.at(time)?.omega_body.x)], Marker::Disc, Hue::Orange);
+    }
+    plot.label((36.0, 0.26), Side::Right, r"$\omega_1$, tangent", Hue::Orange)?;
+    plot.label((38.0, -0.14), Side::Right, r"$\omega_2$, diameter", Hue::Orange)?;
     Ok(drawing)
 }
 
@@ -218,9 +368,46 @@ fn along_momentum(hoop: &Pinning) -> Result<(FreeTop, UnitQuaternion<f64>), Caus
     Ok((hoop.free_motion()?, upright))
 }
 
-/// The tip of ω in the room, seen along the angular momentum.
+/// The tips of ω and L from the hoop, and that of ω from the room.
 pub(crate) fn herpolhode(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 420.0, 400.0).titled(
+    Ok(Drawing::panels(id, vec![from_the_hoop("")?, from_the_room("")?]))
+}
+
+/// ω and L as the hoop sees them, along its diameter through A.
+fn from_the_hoop(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 330.0, 330.0).titled(
+        "ω and L as the hoop sees them",
+        "Seen along the diameter through A, with the hoop edge on along axis 1. The tip of omega goes round one oval, that of the angular momentum round a larger one.",
+    );
+    let hoop = pinning(Shape::Hoop, 60.0)?;
+    let top = hoop.free_motion()?;
+    let period = top.period().ok_or("it swings")?;
+    let side = || Axis::linear(-0.5, 0.5, 0.25).map(|axis| axis.minor(0.05));
+    let (x, y) = (side()?.titled(r"along $\hat{\mathbf{1}}$"), side()?.titled(r"along $\hat{\mathbf{3}}$"));
+    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 240.0, 240.0), x, y)?;
+    let moments = hoop.moments_about_pin();
+    let mut curve = |name: &str, hue: Hue, of: &dyn Fn(&Vector3<f64>) -> Vector3<f64>| {
+        let values = linear_steps(0.0, period, 720)
+            .map(|time| Ok(of(&top.at(time)?.omega_body)))
+            .map(|found| found.map(|vector: Vector3<f64>| (vector.x, vector.z)))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        plot.curve(name, values, Stroke::Curve, hue);
+        Ok::<(), InvalidQuantity>(())
+    };
+    curve("omega-in-hoop", Hue::Orange, &|omega| *omega)?;
+    curve("momentum-in-hoop", Hue::Green, &|omega| moments.angular_momentum(omega))?;
+    plot.label((0.0, 0.13), Side::Over, r"tip of $\boldsymbol{\omega}$", Hue::Orange)?;
+    plot.label((0.0, 0.47), Side::Over, r"tip of $\boldsymbol{L}_A$", Hue::Green)?;
+    let ends = [plot.at((-0.3, 0.0)), plot.at((0.3, 0.0))];
+    plot.drawing().line(ends[0], ends[1], Stroke::Vector, Hue::Blue);
+    plot.markers(&[(0.0, 0.0)], Marker::Disc, Hue::Pink);
+    plot.label((0.0, -0.02), Side::Below, "$A$", Hue::Pink)?;
+    Ok(drawing)
+}
+
+/// The tip of ω in the room, seen along the angular momentum.
+fn from_the_room(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 330.0, 330.0).titled(
         "The herpolhode of a hoop pinned at 60 degrees",
         "Seen along the angular momentum, the tip of omega traces a rosette of twelve loops between two dashed circles about the middle.",
     );
@@ -235,70 +422,85 @@ pub(crate) fn herpolhode(id: &str) -> Outcome {
         .collect::<Result<Vec<(f64, f64)>, InvalidQuantity>>()?;
     let reach = values.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     let least = values.iter().map(|(x, y)| x.hypot(*y)).fold(f64::INFINITY, f64::min);
-    let side = || Axis::linear(-0.4, 0.4, 0.2).map(|axis| axis.minor(0.05));
+    let side = || Axis::linear(-0.5, 0.5, 0.25).map(|axis| axis.minor(0.05));
     let (x, y) = (side()?.titled(r"$\omega_x/\omega_0$"), side()?.titled(r"$\omega_y/\omega_0$"));
-    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 320.0, 320.0), x, y)?;
-    for radius in [least, reach] {
+    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 240.0, 240.0), x, y)?;
+    for (radius, name) in [(least, "circle-inner"), (reach, "circle-outer")] {
         let circle =
             linear_steps(0.0, 2.0 * PI, 180).map(|angle| (radius * angle.cos(), radius * angle.sin()));
-        plot.curve(
-            &format!("circle-{}", if radius == reach { "outer" } else { "inner" }),
-            circle,
-            Stroke::Reference,
-            Hue::Muted,
-        );
+        plot.curve(name, circle, Stroke::Reference, Hue::Muted);
     }
-    plot.curve("rosette", values, Stroke::Orbit, Hue::Orange);
-    plot.label((0.39, 0.37), Side::Left, r"tip of $\boldsymbol{\omega}$", Hue::Orange)?;
+    let (first, second) = values.split_at(1001);
+    let first = first.to_vec();
+    plot.curve("rosette", second.to_vec(), Stroke::Orbit, Hue::Orange);
+    plot.curve("first-swings", first, Stroke::Vector, Hue::Orange);
+    plot.label((0.0, 0.45), Side::Over, r"tip of $\boldsymbol{\omega}$", Hue::Orange)?;
+    let middle = plot.at((0.0, 0.0));
+    kit::marker(plot.drawing(), middle, Marker::Out, Hue::Green);
+    plot.label((0.01, -0.02), Side::BelowRight, r"$\boldsymbol{L}_A$", Hue::Green)?;
     Ok(drawing)
 }
 
 /// Paths of the centres of a hoop and of a sphere, pinned at the same place.
 pub(crate) fn hoop_and_sphere(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 660.0, 285.0).titled(
-        "Paths of the centre of a hoop and of a sphere",
-        "Two pictures, each with the pinned point A, the upright direction of the angular momentum and the path of the centre at unit distance from A. Left, the hoop's centre \
-         goes round the upright and nods, so that its path fills a band of the sphere about A. Right, the sphere's centre goes round the upright on one circle.",
+    let hoop = path_of_centre(Shape::Hoop, "hoop", 60.0)?.titled(
+        "Path of the centre of a pinned hoop",
+        "A hoop hangs from the pinned point A. Its centre goes round the upright angular momentum and nods as it goes, so that its path is a rosette on the sphere about A.",
     );
-    for (x, shape, time, name) in
-        [(175.0, Shape::Hoop, 170.0, "hoop"), (490.0, Shape::Sphere, 40.0, "sphere")]
-    {
-        let body = pinning(shape, 89.0)?;
-        let (top, upright) = along_momentum(&body)?;
-        let path = linear_steps(0.0, time, 4000)
-            .map(|t| Ok(upright * (top.at(t)?.world_from_body * body.centre())))
-            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        let mut stage = Stage::new(Camera::new(View {
-            target: [0.0, 0.0, -0.1],
-            azimuth: -1.0,
-            elevation: 0.42,
-            distance: 9.0,
-            centre: at(x, 160.0),
-            scale: 98.0,
-        })?);
-        let (first, last) = (path[0], path[path.len() - 1]);
-        stage.curve(Curve::smooth(path)?.hiding(Hiding::Ignored), Stroke::Orbit, Hue::Blue)?;
-        stage.named_vector([0.0; 3], [0.0, 0.0, 1.15], r"$\boldsymbol{L}_A$", Hue::Green)?;
-        stage.curve(Curve::segment([0.0; 3], last)?.hiding(Hiding::Ignored), Stroke::Outline, Hue::Blue)?;
-        stage.dot([0.0; 3], 4.5, Hue::Pink)?;
-        stage.label_shifted([0.0; 3], at(3.0, 5.0), Side::BelowRight, "$A$", Hue::Pink)?;
-        stage.dot_in_front(first, 4.5, Hue::Muted)?;
-        stage.dot(last, 4.5, Hue::Blue)?;
-        stage.write(&mut drawing);
-        drawing.label(at(x, 267.0), Side::Over, name, Hue::Ink)?;
+    let sphere = path_of_centre(Shape::Sphere, "sphere", 60.0)?.titled(
+        "Path of the centre of a pinned sphere",
+        "A sphere hangs from the pinned point A. Its centre goes round the upright angular momentum on one level circle.",
+    );
+    Ok(Drawing::panels(id, vec![hoop, sphere]))
+}
+
+fn path_of_centre(shape: Shape, name: &str, degrees: f64) -> Outcome {
+    let mut drawing = Drawing::new("", 320.0, 330.0);
+    let body = pinning(shape, degrees)?;
+    let (top, upright) = along_momentum(&body)?;
+    let centre = |time: f64| Ok(upright * (top.at(time)?.world_from_body * body.centre()));
+    let path = |from: f64, to: f64| {
+        linear_steps(from, to, 2000).map(centre).collect::<Result<Vec<Vector3<f64>>, InvalidQuantity>>()
+    };
+    let (start, now) = if shape == Shape::Hoop { (0.0, 96.0) } else { (0.0, 32.0) };
+    let recent = now - 14.0;
+    let mut stage = Stage::new(Camera::new(View {
+        target: [0.0, 0.0, -0.1],
+        azimuth: -1.0,
+        elevation: 0.36,
+        distance: 9.0,
+        centre: at(160.0, 170.0),
+        scale: 72.0,
+    })?);
+    let room = upright * top.at(now)?.world_from_body;
+    let last = centre(now)?;
+    if shape == Shape::Hoop {
+        stage.solid(Solid::ring(last, room * Vector3::z(), 1.0, 0.9, 0.1)?, Hue::Blue)?;
+    } else {
+        stage.solid(Solid::sphere(last, 1.0)?, Hue::Blue)?;
     }
+    let early = Curve::smooth(path(start, recent)?)?;
+    stage.curve(early.hiding(Hiding::Dashed), Stroke::Orbit, Hue::Blue)?;
+    let late = Curve::smooth(path(recent, now)?)?;
+    stage.arrow(late.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Blue)?;
+    stage.named_vector([0.0; 3], [0.0, 0.0, 1.25], r"$\boldsymbol{L}_A$", Hue::Green)?;
+    stage.dot_in_front(last, 3.0, Hue::Blue)?;
+    stage.dot_in_front([0.0; 3], 4.5, Hue::Pink)?;
+    stage.label_shifted([0.0; 3], at(-3.0, -2.0), Side::AboveLeft, "$A$", Hue::Pink)?;
+    stage.write(&mut drawing);
+    drawing.label(at(160.0, 316.0), Side::Over, name, Hue::Muted)?;
     Ok(drawing)
 }
 
 /// Error of the period by the parameter and by the complement.
 pub(crate) fn period_error(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Error of the period near a right angle",
         "Both scales are logarithmic: along x the distance of the pin from a right angle, from 1e-12 to 0.1; along y the relative error of the period. Computed from the \
          parameter it rises from 1e-16 to a hundredth at 1e-8, where the curve ends. From the complement it stays at 1e-16.",
     );
     let (mut naive, mut better) = (Vec::new(), Vec::new());
-    for distance in log_steps(1e-12, 0.1, 66) {
+    for distance in log_steps(1e-12, 0.1, 44) {
         let (cos, sin) = distance.sin_cos();
         let hoop = pinned(Shape::Hoop, Pin::Point { from_axis: sin, height: cos })?;
         let found = hoop.free_motion()?.period().ok_or("it tumbles")?;
@@ -312,12 +514,12 @@ pub(crate) fn period_error(id: &str) -> Outcome {
         }
         better.push((distance, (found / exact - 1.0).abs().max(1e-17)));
     }
-    let distance = Axis::log(1e-12, 0.1, 2)?.titled(r"distance of the pin from a right angle, rad");
-    let error = Axis::log(1e-17, 1.0, 2)?.titled("relative error of the period");
-    let mut plot = Plot::new(&mut drawing, Rect::new(66.0, 34.0, 592.0, 262.0), distance, error)?;
-    plot.series("parameter", &naive, Marker::Disc, Hue::Orange);
-    plot.series("complement", &better, Marker::Square, Hue::Blue);
-    plot.label((1e-7, 1e-3), Side::Right, "from the parameter $k^2$", Hue::Orange)?;
-    plot.label((1e-11, 1e-14), Side::Right, r"from the complement $k'^2$", Hue::Blue)?;
+    let distance = Axis::log(1e-12, 0.1, 3)?.titled(r"distance of the pin from a right angle, rad");
+    let error = Axis::log(1e-17, 1.0, 4)?.titled("relative error of the period");
+    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 246.0), distance, error)?;
+    plot.series("parameter", &naive, Marker::Disc, Hue::Ink);
+    plot.series("complement", &better, Look::EXACT.marker, Look::EXACT.hue);
+    plot.label((3e-7, 1e-3), Side::Right, "from the parameter $k^2$", Hue::Ink)?;
+    plot.label((3e-12, 3e-14), Side::Right, r"from the complement $k'^2$", Look::EXACT.hue)?;
     Ok(drawing)
 }

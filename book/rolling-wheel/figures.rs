@@ -1,9 +1,9 @@
 //! The figures of the chapter "The rolling wheel".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
-use drawing::kit::Marker;
+use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
+use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at};
 use mechanics::integrate::{Dop853, Taylor, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
@@ -15,126 +15,307 @@ fn wheel(moments: MomentFactors) -> Result<Wheel, Cause> {
     Ok(Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments, gravity: 1.0 })?)
 }
 
+/// Axes 1, 2, 3 of a wheel that leans by an angle, with y outward and z up (`eq:wheel-axes`).
+fn axes(lean: f64) -> [Vector3<f64>; 3] {
+    let (sin, cos) = lean.sin_cos();
+    [Vector3::x(), Vector3::new(0.0, -sin, cos), Vector3::new(0.0, -cos, -sin)]
+}
+
 /// The wheel on its circle, with axes and lengths.
 pub(crate) fn wheel_circle(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 640.0, 470.0).titled(
+    let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
         "The wheel on its circle",
         "A table with a circle, and a wheel that stands on it and leans inward by theta. Above the table a smaller dashed circle is the path of the centre, of radius b; the \
-         upright axis through both carries Omega. At the centre of the wheel the axis 1 is level, along the path, 2 runs up the plane of the \
-         wheel, and 3, the axle, inward and down. A dot marks the contact.",
+         upright axis through both carries Omega. At the centre of the wheel the axis 1 is level, against the travel, 2 runs up the plane of the \
+         wheel, and 3, the axle, inward and down. The whole angular velocity omega points between 2 and 3. A dot marks the contact, which travels counter-clockwise as \
+         an arrow on the circle shows.",
     );
     let (lean, b) = (0.42_f64, 1.7);
-    let (sin, cos) = lean.sin_cos();
+    let steady = wheel(MomentFactors::HOOP)?.steady(lean, b)?;
     // Outward along y; the centre at b, one radius above the contact along axis 2.
+    let cos = lean.cos();
     let centre = Vector3::new(0.0, b, cos);
-    let axes = [Vector3::x(), Vector3::new(0.0, -sin, cos), Vector3::new(0.0, -cos, -sin)];
+    let axes = axes(lean);
     let contact = centre - axes[1];
     let mut stage = Stage::new(Camera::new(View {
-        target: [0.0, 0.35, 0.75],
-        azimuth: 0.45,
+        target: [0.0, 0.1, 0.6],
+        azimuth: -0.6,
         elevation: 0.36,
-        distance: 11.0,
-        centre: at(296.0, 245.0),
-        scale: 80.0,
+        distance: 12.0,
+        centre: at(190.0, 190.0),
+        scale: 66.0,
     })?);
-    stage.ground([-2.3, -2.4], [2.3, 3.1], 0.0, 8.0)?;
-    stage.curve(Curve::circle([0.0; 3], Vector3::z(), contact.y)?, Stroke::Outline, Hue::Ink)?;
+    stage.ground([-2.5, -2.5], [2.5, 2.5], 0.0, 0.5)?;
+    stage.curve(Curve::circle([0.0; 3], Vector3::z(), contact.y)?, Stroke::Outline, Hue::Pink)?;
+    // The contact goes with Ω: the travel, ahead of it on the circle.
+    let ahead = linear_steps(0.75, 1.25, 40).map(|angle| {
+        let turned = angle * steady.turn_rate().signum();
+        Vector3::new(-contact.y * turned.sin(), contact.y * turned.cos(), 0.0)
+    });
+    let travel = Curve::smooth(ahead)?.hiding(Hiding::Ignored);
+    stage.arrow(travel, Stroke::Vector, Heads::End, Hue::Pink)?;
     let path = Curve::circle([0.0, 0.0, cos], Vector3::z(), b)?;
     stage.curve(path.hiding(Hiding::Dashed), Stroke::Reference, Hue::Muted)?;
-    stage.curve(Curve::segment([0.0; 3], [0.0, 0.0, 2.05])?, Stroke::Dotted, Hue::Muted)?;
-    stage.vector([0.0, 0.0, 2.05], [0.0, 0.0, 2.55], Hue::Orange)?;
-    stage.label([0.0, 0.0, 2.55], Side::Right, r"$\boldsymbol{\Omega}$", Hue::Orange)?;
-    stage.turning([0.0, 0.0, 2.28], [0.0, 0.0, 1.0], 0.2, Hue::Orange)?;
+    stage.curve(Curve::segment([0.0; 3], [0.0, 0.0, 1.9])?, Stroke::Dotted, Hue::Muted)?;
+    stage.vector([0.0, 0.0, 1.9], [0.0, 0.0, 2.5], Hue::Orange)?;
+    stage.label([0.0, 0.0, 2.45], Side::Right, r"$\boldsymbol{\Omega}$", Hue::Orange)?;
+    stage.turning([0.0, 0.0, 2.12], [0.0, 0.0, steady.turn_rate()], 0.2, Hue::Orange)?;
     stage.solid(Solid::ring(centre, axes[2], 1.0, 0.9, 0.1)?, Hue::Blue)?;
     for (axis, length, name) in [
-        (axes[0], 1.15, r"$\hat{\mathbf{1}}$"),
-        (axes[1], 1.4, r"$\hat{\mathbf{2}}$"),
-        (axes[2], 0.78, r"$\hat{\mathbf{3}}$"),
+        (axes[0], 1.3, r"$\hat{\mathbf{1}}$"),
+        (axes[1], 1.45, r"$\hat{\mathbf{2}}$"),
+        (axes[2], 0.72, r"$\hat{\mathbf{3}}$"),
     ] {
         stage.named_vector(centre, centre + axis * length, name, Hue::Ink)?;
     }
+    let omega = steady.omega();
+    let whole = axes[0] * omega.x + axes[1] * omega.y + axes[2] * omega.z;
+    let tip = centre + whole.normalize() * 1.2;
+    let arrow = Curve::segment(centre, tip)?.hiding(Hiding::Ignored);
+    stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
+    stage.label_shifted(tip, at(2.0, 1.0), Side::Above, r"$\boldsymbol{\omega}_\text{tot}$", Hue::Orange)?;
     let upright = Curve::segment(contact, contact + Vector3::new(0.0, 0.0, 2.4))?;
-    stage.curve(upright, Stroke::Reference, Hue::Muted)?;
-    stage.angle(contact, Vector3::z(), axes[1], 2.2, r"$\theta$", Hue::Ink)?;
+    stage.curve(upright.hiding(Hiding::Omitted), Stroke::Reference, Hue::Muted)?;
+    stage.angle(contact, Vector3::z(), axes[1], 2.25, r"$\theta$", Hue::Ink)?;
     stage.curve(Curve::segment(centre, contact)?, Stroke::Outline, Hue::Muted)?;
-    stage.label_shifted(centre - axes[1] * 0.5, at(-2.0, 0.0), Side::Left, "$a$", Hue::Ink)?;
-    let radius = Curve::segment([0.0, 0.0, cos], centre)?;
-    stage.curve(radius, Stroke::Outline, Hue::Muted)?;
-    stage.label([0.0, 0.5, cos], Side::Above, "$b$", Hue::Ink)?;
+    stage.label_shifted(centre - axes[1] * 0.5, at(0.0, 0.0), Side::Right, "$a$", Hue::Ink)?;
+    stage.curve(Curve::segment([0.0, 0.0, cos], centre)?, Stroke::Outline, Hue::Muted)?;
+    stage.label([0.0, 0.35, cos], Side::Below, "$b$", Hue::Ink)?;
+    let radius = Curve::segment([0.0; 3], contact)?;
+    stage.curve(radius.hiding(Hiding::Ignored), Stroke::Outline, Hue::Muted)?;
+    stage.label([0.0, 0.7, 0.0], Side::Below, "$r$", Hue::Ink)?;
     stage.dot_in_front(contact, 4.5, Hue::Pink)?;
-    stage.label_shifted(contact, at(10.0, 0.0), Side::Right, "contact", Hue::Pink)?;
+    stage.label_shifted(contact, at(2.0, 6.0), Side::BelowRight, "contact", Hue::Pink)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
 
-/// The leans that the plots compare, degrees, each with its hue.
-const LEANS: [(f64, Hue); 3] = [(20.0, Hue::Blue), (45.0, Hue::Green), (70.0, Hue::Orange)];
+/// The lean, and the radius of the centre's circle in radii, of the disc whose forces are drawn.
+const PUSHED: (f64, f64) = (0.55, 1.2);
+
+/// The forces on the wheel, and what their torque does to the angular momentum.
+pub(crate) fn wheel_forces(id: &str) -> Outcome {
+    Ok(Drawing::panels(id, vec![forces("")?, momentum_turned("")?]))
+}
+
+/// The wheel seen from behind, with weight, support and friction.
+fn forces(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 320.0, 330.0).titled(
+        "The forces on the wheel",
+        "The wheel edge on, seen from behind, leans to the left by theta, towards the axis of its circle. At the centre the weight m g points down. At the contact the table pushes up with \
+         m g and to the left, towards the axis, with m Omega squared b. The torque about the centre comes out of the page.",
+    );
+    let (lean, b) = PUSHED;
+    let steady = wheel(MomentFactors::DISK)?.steady(lean, b)?;
+    let (sin, cos) = lean.sin_cos();
+    // The page holds y to the right and z up, so that axis 1 comes out of it: one travels into the page.
+    let (contact, radius) = (at(205.0, 262.0), 118.0);
+    let up = at(-sin, -cos);
+    let (centre, top) = (contact + up * radius, contact + up * (2.0 * radius));
+    drawing.line(at(40.0, contact.y), at(300.0, contact.y), Stroke::Axis, Hue::Ink);
+    let across = up.quarter_turned() * 4.0;
+    let corners = vec![contact + across, contact - across, top - across, top + across];
+    drawing.polygon(corners.clone(), Fill::Face, Hue::Blue);
+    drawing.push(Role::Line(Stroke::Outline, Hue::Blue), Shape::Polygon(corners));
+    drawing.line(contact, contact - at(0.0, 190.0), Stroke::Reference, Hue::Muted);
+    kit::angle(&mut drawing, contact, 172.0, FRAC_PI_2, lean, Heads::None, Hue::Ink);
+    let middle = contact + Point::polar(172.0, FRAC_PI_2 + 0.5 * lean);
+    drawing.label(middle, Side::Above, r"$\theta$", Hue::Ink)?;
+    let weight = 92.0;
+    let friction = weight * steady.friction_needed();
+    kit::arrow(&mut drawing, centre, centre + at(0.0, weight), Hue::Purple);
+    drawing.label(centre + at(0.0, weight - 6.0), Side::Left, "$mg$", Hue::Purple)?;
+    kit::arrow(&mut drawing, contact, contact - at(0.0, weight), Hue::Purple);
+    drawing.label(contact - at(-2.0, weight - 8.0), Side::Right, "$N = mg$", Hue::Purple)?;
+    kit::arrow(&mut drawing, contact, contact - at(friction, 0.0), Hue::Purple);
+    drawing.label(contact + at(-0.5 * friction, 4.0), Side::Below, r"$m\Omega^2b$", Hue::Purple)?;
+    let mark = if steady.torque() > 0.0 { Marker::Out } else { Marker::Into };
+    kit::marker(&mut drawing, centre, mark, Hue::Purple);
+    drawing.label(centre + at(-4.0, -4.0), Side::Left, r"$\boldsymbol{\tau}$, $\hat{\mathbf{1}}$", Hue::Purple)?;
+    drawing.dot(contact, 4.5, Hue::Pink);
+    let axis = at(36.0, contact.y);
+    drawing.label(axis + at(4.0, 14.0), Side::Right, "to the axis", Hue::Muted)?;
+    kit::head(&mut drawing, axis, at(-1.0, 0.0), 0.8, Hue::Muted);
+    drawing.label(centre.towards(top, 0.55), Side::Left, "$a$", Hue::Ink)?;
+    Ok(drawing)
+}
+
+/// The angular momentum of the wheel, and the torque that turns it about the upright.
+fn momentum_turned(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 320.0, 330.0).titled(
+        "What the torque does",
+        "The wheel in perspective. From its centre the angular momentum points inward and up, and its tip goes round the upright on a level circle. At the tip the torque points along that circle, \
+         in the sense of Omega.",
+    );
+    let (lean, b) = PUSHED;
+    let steady = wheel(MomentFactors::DISK)?.steady(lean, b)?;
+    let axes = axes(lean);
+    let momentum = {
+        let found = steady.angular_momentum();
+        axes[0] * found.x + axes[1] * found.y + axes[2] * found.z
+    };
+    let mut stage = Stage::new(Camera::new(View {
+        target: [0.0, 0.0, 0.2],
+        azimuth: 0.6,
+        elevation: 0.42,
+        distance: 10.0,
+        centre: at(205.0, 165.0),
+        scale: 80.0,
+    })?);
+    stage.solid(Solid::disc([0.0; 3], axes[2], 1.0, 0.07)?, Hue::Blue)?;
+    let long = 1.25 / momentum.norm();
+    let tip = momentum * long;
+    let level = Vector3::new(tip.x, tip.y, 0.0).norm();
+    let upright = Curve::segment([0.0; 3], [0.0, 0.0, 1.55])?.hiding(Hiding::Ignored);
+    stage.arrow(upright, Stroke::Vector, Heads::End, Hue::Orange)?;
+    stage.label([0.0, 0.0, 1.5], Side::Right, r"$\boldsymbol{\Omega}$", Hue::Orange)?;
+    stage.turning([0.0, 0.0, 1.25], Vector3::z() * steady.turn_rate(), 0.16, Hue::Orange)?;
+    let round = Curve::circle([0.0, 0.0, tip.z], Vector3::z(), level)?;
+    stage.curve(round.hiding(Hiding::Dashed), Stroke::Reference, Hue::Green)?;
+    let arrow = Curve::segment([0.0; 3], tip)?.hiding(Hiding::Ignored);
+    stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Green)?;
+    stage.label_shifted(tip, at(-2.0, 2.0), Side::BelowLeft, r"$\boldsymbol{L}$", Hue::Green)?;
+    // The torque is along axis 1; drawn at the tip of L, which it moves.
+    let push = axes[0] * (0.75 * steady.torque().signum());
+    let torque = Curve::segment(tip, tip + push)?.hiding(Hiding::Ignored);
+    stage.arrow(torque, Stroke::Vector, Heads::End, Hue::Purple)?;
+    let name = r"$\boldsymbol{\tau} = \dot{\boldsymbol{L}}$";
+    stage.label_shifted(tip + push, at(4.0, 4.0), Side::Left, name, Hue::Purple)?;
+    let contact = -axes[1];
+    stage.dot_in_front(contact, 4.5, Hue::Pink)?;
+    stage.write(&mut drawing);
+    Ok(drawing)
+}
+
+/// A wheel with marks of ink on its rim, and their prints on the table.
+pub(crate) fn rim_and_table(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 400.0, 320.0).titled(
+        "Along the table as along the rim",
+        "A wheel on its circle, with seven marks of ink at equal distances along its rim. The first is at the contact, the others follow up the side that has just rolled. Their prints \
+         on the table lie at the same distances along the circle, behind the contact. The stretch on the rim and the one on the table are drawn heavy.",
+    );
+    let (lean, b, marks, apart) = (0.42_f64, 1.7, 6, 0.45);
+    let steady = wheel(MomentFactors::HOOP)?.steady(lean, b)?;
+    let [first, second, third] = axes(lean);
+    let centre = Vector3::new(0.0, b, lean.cos());
+    let mut stage = Stage::new(Camera::new(View {
+        target: [0.6, 0.4, 0.4],
+        azimuth: 0.75,
+        elevation: 0.36,
+        distance: 12.0,
+        centre: at(200.0, 170.0),
+        scale: 74.0,
+    })?);
+    stage.ground([-1.5, -1.0], [2.75, 2.75], 0.0, 0.25)?;
+    let contact_radius = steady.contact_radius();
+    stage.solid(Solid::ring(centre, third, 1.0, 0.9, 0.1)?, Hue::Blue)?;
+    // What touched the table a time ago: on the table it lies back by Ωt, on the rim by ωt.
+    let printed = |ago: f64| {
+        let back = -steady.turn_rate() * ago;
+        Vector3::new(-back.sin(), back.cos(), 0.0) * contact_radius
+    };
+    let on_rim = |ago: f64| {
+        let back = steady.relative_spin() * ago;
+        centre - second * back.cos() + first * back.sin()
+    };
+    let ago = |length: f64| length / steady.relative_spin(); // in radii along the rim
+    let circle = Curve::smooth(linear_steps(ago(-2.0), ago(4.3), 120).map(printed))?;
+    stage.curve(circle, Stroke::Outline, Hue::Pink)?;
+    let far = ago(f64::from(marks) * apart);
+    for line in [
+        Curve::smooth(linear_steps(0.0, far, 120).map(printed))?,
+        Curve::smooth(linear_steps(0.0, far, 120).map(on_rim))?,
+    ] {
+        stage.curve(line.hiding(Hiding::Ignored), Stroke::Curve, Hue::Pink)?;
+    }
+    for mark in 0..=marks {
+        let time = ago(f64::from(mark) * apart);
+        for place in [printed(time), on_rim(time)] {
+            stage.dot_in_front(place, 3.4, Hue::Pink)?;
+        }
+        if mark > 0 {
+            let name = format!("${mark}$");
+            stage.label_shifted(printed(time), at(0.0, 1.0), Side::Below, &name, Hue::Pink)?;
+            let outward = (on_rim(time) - centre) * 1.2 + centre;
+            stage.label(outward, Side::Over, &name, Hue::Pink)?;
+        }
+    }
+    let ahead = linear_steps(-ago(0.3), -ago(1.4), 40).map(printed);
+    stage.arrow(Curve::smooth(ahead)?.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Pink)?;
+    stage.write(&mut drawing);
+    Ok(drawing)
+}
+
+/// The leans that the plots compare, degrees.
+const LEANS: [f64; 3] = [20.0, 45.0, 70.0];
 
 /// Turn rate against the radius of the centre's circle.
 pub(crate) fn turn_rate(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Rate of steady rolling against the radius of the circle",
-        "The square of the turn rate, in g over a, against b over a from minus 0.2 to 1, for a disc leaning by 20, 45 and 70 degrees. Each curve falls from infinity at its own \
-         bound, a small negative b marked by a dotted line, towards zero. Where b is positive the larger lean has the larger rate; left of zero the curves cross.",
+        "The square of the turn rate, in g over a, against b over a from minus 0.2 to 0.8, for a disc leaning by 20, 45 and 70 degrees. Each curve falls from infinity at its own \
+         bound, a small negative b marked by a dotted line of the same hue, towards zero. Where b is positive the larger lean has the larger rate; left of zero the curves cross.",
     );
-    let b = Axis::linear(-0.2, 1.0, 0.2)?.minor(0.05).titled("radius of the centre's circle $b/a$");
+    let b = Axis::linear(-0.2, 0.8, 0.2)?.minor(0.05).titled("radius of the centre’s circle $b/a$");
     let rate = Axis::linear(0.0, 20.0, 5.0)?.minor(1.0).titled(r"$\Omega^2$, in $g/a$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 540.0, 262.0), b, rate)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(36.0, 34.0, 330.0, 246.0), b, rate)?;
     let disc = wheel(MomentFactors::DISK)?;
-    for (degrees, hue) in LEANS {
+    for degrees in LEANS {
         let lean = f64::to_radians(degrees);
         let bound = -0.5 * lean.sin() / 3.0; // eq:existence
         let values = linear_steps(0.0, 1.0, 600)
-            .map(|part| bound + 1e-3 + (1.0 - bound - 1e-3) * part * part)
+            .map(|part| bound + 1e-3 + (0.8 - bound - 1e-3) * part * part)
             .map(|b| Ok((b, disc.steady(lean, b)?.turn_rate().powi(2))))
             .collect::<Result<Vec<_>, Cause>>()?;
-        plot.upright(bound, Stroke::Dotted);
-        plot.curve(&format!("lean-{degrees}"), values, Stroke::Curve, hue);
+        let ends = [plot.at((bound, 0.0)), plot.at((bound, 20.0))];
+        plot.drawing().line(ends[0], ends[1], Stroke::Dotted, Hue::Orange);
+        plot.curve(&format!("lean-{degrees}"), values, Stroke::Curve, Hue::Orange);
     }
-    plot.label((0.33, 4.6), Side::AboveRight, r"$\theta = 70°$", Hue::Orange)?;
-    plot.label((0.52, 1.15), Side::AboveRight, "45°", Hue::Green)?;
-    plot.label((0.01, 1.0), Side::Over, "20°", Hue::Blue)?;
+    plot.label((0.25, 6.2), Side::AboveRight, r"$\theta = 70°$", Hue::Orange)?;
+    plot.label((0.36, 1.75), Side::AboveRight, "$45°$", Hue::Orange)?;
+    plot.label((0.02, 0.9), Side::Over, "$20°$", Hue::Orange)?;
     Ok(drawing)
 }
 
 /// Friction needed against the radius of the circle.
 pub(crate) fn friction(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Least coefficient of friction against the radius of the circle",
-        "The least coefficient of friction against b over a from 0 to 3, for a disc leaning by 20, 45 and 60 degrees. Each curve starts at zero and rises towards a dashed level, two thirds \
+        "The least coefficient of friction against b over a from 0 to 3, for a disc leaning by 20, 45 and 70 degrees. Each curve starts at zero and rises towards a dashed level, two thirds \
          of the tangent of the lean.",
     );
-    let b = Axis::linear(0.0, 3.0, 0.5)?.minor(0.1).titled("radius of the centre's circle $b/a$");
-    let coefficient = Axis::linear(0.0, 1.25, 0.25)?.minor(0.05).titled("least coefficient of friction");
-    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 540.0, 262.0), b, coefficient)?;
+    let b = Axis::linear(0.0, 3.0, 1.0)?.minor(0.2).titled("radius of the centre’s circle $b/a$");
+    let coefficient = Axis::linear(0.0, 2.0, 0.5)?.minor(0.1).titled("least coefficient of friction");
+    let mut plot = Plot::new(&mut drawing, Rect::new(36.0, 34.0, 270.0, 246.0), b, coefficient)?;
     let disc = wheel(MomentFactors::DISK)?;
-    for (degrees, hue) in [(20.0, Hue::Blue), (45.0, Hue::Green), (60.0, Hue::Orange)] {
+    for degrees in LEANS {
         let lean = f64::to_radians(degrees);
         let values = linear_steps(0.0, 3.0, 300)
             .map(|b| Ok((b, disc.steady(lean, b)?.friction_needed())))
             .collect::<Result<Vec<_>, Cause>>()?;
         let end = values.last().copied().ok_or("a curve has an end")?;
         plot.level(lean.tan() / 1.5, Stroke::Reference);
-        plot.curve(&format!("lean-{degrees}"), values, Stroke::Curve, hue);
-        let name = format!(r"$\theta = {degrees}°$");
-        plot.label(end, Side::Right, &name, hue)?;
+        plot.curve(&format!("lean-{degrees}"), values, Stroke::Curve, Hue::Purple);
+        let name = if degrees > 60.0 { format!(r"$\theta = {degrees}°$") } else { format!("${degrees}°$") };
+        plot.label(end, Side::Right, &name, Hue::Purple)?;
     }
+    plot.label((2.0, 0.5 * (0.69 + 1.75)), Side::Over, r"two thirds of $\tan\theta$", Hue::Muted)?;
     Ok(drawing)
 }
 
 /// The boundary of instability in the plane of radius and lean.
 pub(crate) fn tongue(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Where steady rolling is unstable",
-        "The lean in degrees, from 0 to 25, against b over a from 0 to 4, with a curve for a hoop and one for a disc; below each the motion is unstable. Each rises from zero steeply to a tip near \
+        "The lean in degrees, from 0 to 25, against b over a from 0 to 4, with a curve for a hoop and one for a disc; below each the motion is unstable, and the region below the disc’s is shaded. Each rises from zero steeply to a tip near \
          19 degrees at small b, and comes down along a falling curve towards large b.",
     );
-    let b = Axis::linear(0.0, 4.0, 1.0)?.minor(0.2).titled("radius of the centre's circle $b/a$");
+    let b = Axis::linear(0.0, 4.0, 1.0)?.minor(0.2).titled("radius of the centre’s circle $b/a$");
     let lean = Axis::linear(0.0, 25.0, 5.0)?.minor(1.0).titled(r"lean $\theta$, degrees");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 540.0, 262.0), b, lean)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 246.0), b, lean)?;
     for (moments, name, hue, place) in [
-        (MomentFactors::HOOP, "hoop", Hue::Orange, (0.5, 20.8)),
-        (MomentFactors::DISK, "disc", Hue::Blue, (0.62, 16.6)),
+        (MomentFactors::DISK, "disc", Hue::Blue, (0.85, 15.2)),
+        (MomentFactors::HOOP, "hoop", Hue::Ink, (0.62, 20.9)),
     ] {
         let wheel = wheel(moments)?;
         // The largest unstable lean of each radius, found by halving between an unstable and a stable one.
@@ -157,11 +338,16 @@ pub(crate) fn tongue(id: &str) -> Outcome {
             }
             boundary.push((b, low));
         }
+        if name == "disc" {
+            let corners = [(0.0, 0.0)].iter().chain(&boundary).chain(&[(4.0, 0.0)]);
+            let corners = corners.map(|&corner| plot.at(corner)).collect();
+            plot.drawing().polygon(corners, Fill::Ground, hue);
+        }
         plot.curve(name, boundary, Stroke::Curve, hue);
         plot.label(place, Side::Over, name, hue)?;
     }
-    plot.label((2.2, 16.0), Side::Over, "stable", Hue::Ink)?;
-    plot.label((0.7, 3.0), Side::Over, "unstable", Hue::Ink)?;
+    plot.label((2.6, 17.0), Side::Over, "stable", Hue::Ink)?;
+    plot.label((1.5, 5.0), Side::Over, "unstable", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -170,7 +356,7 @@ const WOBBLING: Rolling = Rolling { tilt: FRAC_PI_2 - 0.3, omega_2: 0.45, omega_
 
 /// The effective potential with the energy of one motion.
 pub(crate) fn potential(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "The effective potential of a disc",
         "The potential, in m g a, against the lean from minus 30 to 40 degrees: a well with its bottom near 5 degrees. A level line at the energy 1.588 cuts it at minus 7.6 and at 17.2 degrees, \
          marked by dots.",
@@ -179,22 +365,26 @@ pub(crate) fn potential(id: &str) -> Outcome {
     let (constants, energy) = (disc.constants(&WOBBLING), disc.energy(&WOBBLING));
     let lean = Axis::linear(-30.0, 40.0, 10.0)?.minor(2.0).titled(r"lean $\theta$, degrees");
     let height = Axis::linear(1.54, 1.66, 0.02)?.titled(r"potential $V$, in $mga$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 540.0, 262.0), lean, height)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 320.0, 246.0), lean, height)?;
     plot.level(energy, Stroke::Reference);
     let values = linear_steps(-30.0, 40.0, 400)
         .map(|degrees| (degrees, disc.potential(&constants, FRAC_PI_2 - degrees.to_radians())));
-    plot.curve("potential", values, Stroke::Curve, Hue::Purple);
+    plot.curve("potential", values, Stroke::Curve, Hue::Blue);
     let wobble = disc.wobble(WOBBLING, &Taylor::new(1e-12)?)?;
     let other = wobble.at(0.5 * wobble.period())?;
     let marks = [WOBBLING, other].map(|state| (state.lean().to_degrees(), energy));
-    plot.markers(&marks, Marker::Disc, Hue::Orange);
-    plot.label((25.0, energy), Side::AboveRight, "energy", Hue::Muted)?;
+    let ends = marks.map(|(lean, energy)| plot.at((lean, energy + 0.006)));
+    kit::dimension(plot.drawing(), ends[0], ends[1], Heads::Both, Hue::Ink);
+    plot.label((4.8, energy + 0.006), Side::Above, "the lean swings", Hue::Ink)?;
+    plot.markers(&marks, Marker::Disc, Hue::Blue);
+    plot.label((24.0, energy), Side::AboveRight, "energy $E$", Hue::Muted)?;
+    plot.label((-15.0, 1.65), Side::Right, r"$V(\theta)$", Hue::Blue)?;
     Ok(drawing)
 }
 
 /// The track of the contact over eleven wobbles, half of the first of them heavy.
 pub(crate) fn contact_track(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 560.0, 330.0).titled(
+    let mut drawing = Drawing::new(id, 340.0, 340.0).titled(
         "Track of the contact of a wobbling disc",
         "Seen from above, a track that goes round a circle several times in eleven equal waves, so that its rounds cross one another. Half of a wave is drawn heavy, from a place farthest out to one farthest in.",
     );
@@ -214,9 +404,12 @@ pub(crate) fn contact_track(id: &str) -> Outcome {
         let middle = 0.5 * (before + turns);
         *(if wobble.at(middle)?.omega_1 > 0.0 { &mut before } else { &mut turns }) = middle;
     }
-    let mut plot = Plot::plane(&mut drawing, at(233.0, 160.0), 50.0, 4.0)?;
-    plot.curve("all", track(turns, turns + 11.0 * period, 4400)?, Stroke::Orbit, Hue::Blue);
-    plot.curve("half", track(turns, turns + 0.5 * period, 200)?, Stroke::Vector, Hue::Orange);
+    let mut plot = Plot::plane(&mut drawing, at(170.0, 170.0), 50.0, 4.0)?;
+    plot.curve("all", track(turns, turns + 11.0 * period, 4400)?, Stroke::Orbit, Hue::Pink);
+    let half = track(turns, turns + 0.5 * period, 200)?;
+    let ends = [half[0], half[200]];
+    plot.curve("half", half, Stroke::Curve, Hue::Pink);
+    plot.markers(&ends, Marker::Disc, Hue::Pink);
     plot.label((0.94, 0.0), Side::Over, "eleven wobbles", Hue::Ink)?;
     plot.label((0.94, -0.35), Side::Over, "from half of one", Hue::Ink)?;
     Ok(drawing)
@@ -224,14 +417,14 @@ pub(crate) fn contact_track(id: &str) -> Outcome {
 
 /// Error of the energy after a near-flat turn, by RK4 and DOP853.
 pub(crate) fn near_flat(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 680.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Error of the energy after a near-flat turn",
         "Both scales are logarithmic: along x the turn q that the disc is given, from 1e-4 to 0.3; along y the relative error of the energy after it has come up. By RK4 with steps of a \
          thousandth of the root of a over g the error grows from about 1e-12 to ten as q falls to 0.0011, and below that there is no value. By DOP853 it stays just below 1e-12.",
     );
     let disc = wheel(MomentFactors::DISK)?;
     let (mut naive, mut better) = (Vec::new(), Vec::new());
-    for q in log_steps(1e-4, 0.3, 40) {
+    for q in log_steps(1e-4, 0.3, 30) {
         let state = Rolling { tilt: 0.3, omega_2: q, ..Rolling::UPRIGHT };
         let rates = |t: f64, state: &[f64; 8]| disc.rates(t, state);
         let energy = disc.energy(&state);
@@ -250,11 +443,12 @@ pub(crate) fn near_flat(id: &str) -> Outcome {
         }
     }
     let turn = Axis::log(1e-4, 1.0, 1)?.titled(r"turn $q$ that the disc is given, in $\sqrt{g/a}$");
-    let relative = Axis::log(1e-16, 10.0, 2)?.titled("relative error of the energy");
-    let mut plot = Plot::new(&mut drawing, Rect::new(66.0, 34.0, 592.0, 262.0), turn, relative)?;
-    plot.series("rk4", &naive, Marker::Disc, Hue::Orange);
-    plot.series("dop853", &better, Marker::Square, Hue::Blue);
-    plot.label((2e-2, 1e-3), Side::Right, "RK4", Hue::Orange)?;
-    plot.label((2e-4, 1e-11), Side::Right, "DOP853", Hue::Blue)?;
+    let relative = Axis::log(1e-16, 10.0, 4)?.titled("relative error of the energy");
+    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 246.0), turn, relative)?;
+    let [one, other] = [Look::RK4, Look::DOP853];
+    plot.series("rk4", &naive, one.marker, one.hue);
+    plot.series("dop853", &better, other.marker, other.hue);
+    plot.label((2e-2, 1e-3), Side::Right, one.name, one.hue)?;
+    plot.label((2e-4, 1e-11), Side::Right, other.name, other.hue)?;
     Ok(drawing)
 }

@@ -1,22 +1,25 @@
 //! The figures of the chapter "The struck space station".
 
-use crate::{Axis, Outcome, Plot, linear_steps};
-use drawing::kit::{Heads, Marker};
-use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps};
+use drawing::kit::{Heads, Marker, head};
+use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
+use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::InvalidQuantity;
 use mechanics::euler::{self, Turning};
-use mechanics::inertia::Body;
+use mechanics::free_rotation::FreeSymmetricTop;
+use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::space_station::{Blow, Parameters, Station, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Mass, kg, radius, m, spin, rad/s, and impulse, N·s, of the chapter.
 const MASS: f64 = 4e5;
 const RADIUS: f64 = 50.0;
 const SPIN: f64 = 0.45;
 const IMPULSE: f64 = 1.8e6;
+/// Twice that, N·s, so that angles can be seen.
+const STRONG: f64 = 2.0 * IMPULSE;
 
 /// The station after a blow on the rim.
 fn struck(impulse: f64) -> Result<StruckStation, InvalidQuantity> {
@@ -24,137 +27,376 @@ fn struck(impulse: f64) -> Result<StruckStation, InvalidQuantity> {
     station.struck(Blow { radius: RADIUS, impulse })
 }
 
+/// Adds the station about the origin: a rim of radius 1, a hub and four spokes.
+fn station_in(stage: &mut Stage, attitude: &UnitQuaternion<f64>) -> Result<(), Cause> {
+    let axis = attitude * Vector3::z();
+    stage.solid(Solid::ring([0.0; 3], axis, 1.0, 0.86, 0.16)?, Hue::Blue)?;
+    stage.solid(Solid::sphere([0.0; 3], 0.15)?, Hue::Blue)?;
+    for quarter in 0..4 {
+        let (sin, cos) = (0.25 * TAU * (f64::from(quarter) + 0.5)).sin_cos();
+        let outwards = attitude * Vector3::new(cos, sin, 0.0);
+        stage.solid(Solid::rod(outwards * 0.1, outwards * 0.9, 0.03)?, Hue::Blue)?;
+    }
+    Ok(())
+}
+
 /// The station at the moment of the blow: impulse, old and new angular velocity, angular momentum.
 pub(crate) fn station(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 520.0, 400.0).titled(
+    let mut drawing = Drawing::new(id, 400.0, 400.0).titled(
         "The station at the moment of the blow",
-        "A ring seen from above at an angle, with axes 1 and 2 in its plane and 3 upright. At the rim, where axis 2 meets it, the impulse P \
-         points up. From the centre the new angular velocity omega leans from axis 3 towards axis 1 by the angle theta, and the \
-         angular momentum L lies between the two.",
+        "A wheel with hub and spokes, seen from above at an angle, with axes 1 and 2 in its plane and 3 upright. From below a meteor comes \
+         to the rim where axis 2 meets it, and the impulse P points up there. From the hub the new angular velocity omega leans from \
+         axis 3 towards axis 1 by the angle theta, and the angular momentum L by the smaller angle theta L.",
     );
-    // A stronger blow than in the text, so that the angles can be seen.
-    let struck = struck(3.6e6)?;
+    let struck = struck(STRONG)?;
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0, 0.0, 0.35],
-        azimuth: 0.62,
+        azimuth: 0.85,
         elevation: 0.42,
         distance: 8.0,
-        centre: at(235.0, 215.0),
-        scale: 118.0,
+        centre: at(190.0, 205.0),
+        scale: 112.0,
     })?);
-    stage.solid(Solid::ring([0.0; 3], Vector3::z(), 1.0, 0.86, 0.14)?, Hue::Blue)?;
-    let direction = |v: Vector3<f64>, length: f64| v.normalize() * length;
-    let omega = direction(struck.at(0.0)?.omega_body, 1.6);
-    let momentum = direction(struck.angular_momentum_world(), 1.75);
+    station_in(&mut stage, &struck.at(0.0)?.world_from_body)?;
+    let omega = struck.at(0.0)?.omega_body.normalize();
+    let momentum = struck.angular_momentum_world().normalize();
     stage.named_vector([0.0; 3], [1.75, 0.0, 0.0], r"$\hat{\mathbf{1}}$", Hue::Ink)?;
-    stage.named_vector([0.0; 3], [0.0, 1.6, 0.0], r"$\hat{\mathbf{2}}$", Hue::Ink)?;
-    stage.named_vector([0.0; 3], [0.0, 0.0, 1.75], r"$\hat{\mathbf{3}}$", Hue::Ink)?;
-    stage.named_vector([0.0; 3], omega, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-    stage.named_vector([0.0; 3], momentum, r"$\boldsymbol{L}$", Hue::Green)?;
-    stage.angle([0.0; 3], Vector3::z(), omega, 0.8, "", Hue::Ink)?;
-    let beside = (Vector3::z() + momentum.normalize() * 0.6).normalize() * 0.8;
-    stage.label(beside, Side::Above, r"$\theta$", Hue::Ink)?;
-    stage.named_vector([0.0, 0.93, 0.07], [0.0, 0.93, 0.8], r"$\boldsymbol{P}$", Hue::Pink)?;
-    stage.dot([0.0, 0.93, 0.07], 3.5, Hue::Pink)?;
-    stage.turning([0.0, 0.0, 1.35], [0.0, 0.0, 1.0], 0.16, Hue::Orange)?;
-    stage.label_shifted([0.0, 0.0, 1.35], at(20.0, 0.0), Side::Right, r"$\omega_0$", Hue::Orange)?;
+    stage.named_vector([0.0; 3], [0.0, 1.5, 0.0], r"$\hat{\mathbf{2}}$", Hue::Ink)?;
+    stage.named_vector([0.0; 3], [0.0, 0.0, 1.9], r"$\hat{\mathbf{3}}$", Hue::Ink)?;
+    stage.named_vector([0.0; 3], omega * 1.75, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    stage.named_vector([0.0; 3], momentum * 1.8, r"$\boldsymbol{L}$", Hue::Green)?;
+    for (to, radius, name) in [(momentum, 0.98, r"$\theta_L$"), (omega, 1.32, r"$\theta$")] {
+        stage.angle([0.0; 3], Vector3::z(), to, radius, "", Hue::Ink)?;
+        let between = if to == omega { omega + momentum } else { momentum + Vector3::z() };
+        let middle = between.normalize() * radius;
+        stage.label_shifted(middle, at(0.0, -1.0), Side::Above, name, Hue::Ink)?;
+    }
+    let rim = [0.0, 0.93, 0.08];
+    stage.solid(Solid::sphere([0.0, 0.93, -0.72], 0.045)?, Hue::Muted)?;
+    stage.curve(Curve::segment([0.0, 0.93, -0.67], [0.0, 0.93, -0.08])?, Stroke::Dotted, Hue::Muted)?;
+    stage.label([0.0, 0.93, -0.72], Side::Right, "meteor", Hue::Muted)?;
+    stage.named_vector(rim, [0.0, 0.93, 0.85], r"$\boldsymbol{P}$", Hue::Pink)?;
+    stage.dot(rim, 3.5, Hue::Pink)?;
+    stage.turning([0.0, 0.0, 1.6], [0.0, 0.0, 1.0], 0.17, Hue::Orange)?;
+    stage.label_shifted([0.0, 0.0, 1.6], at(20.0, 0.0), Side::Right, r"$\omega_0$", Hue::Orange)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
 
-/// The cone fixed in the station rolling on the cone fixed in space.
-pub(crate) fn cones_roll(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 480.0, 400.0).titled(
-        "Body cone and space cone",
-        "Two cones with a common tip that touch along the angular velocity omega. The narrow one stands upright about the angular \
-         momentum L; it is fixed in space. The wide one, about the axis 3 of the station, is fixed in the station; the narrow one lies inside \
-         it, and the wide one rolls round it.",
-    );
-    // ω₁/ω₃ = tan 40°.
-    let added = SPIN * 40_f64.to_radians().tan();
-    let struck = struck(added * MASS * RADIUS / 2.0)?;
-    let momentum_body = struck.angular_momentum_world().normalize();
+/// Half the field of view of the camera at the hub, rad; the middle of its picture and the radius, px.
+const FIELD: f64 = 50.0 * TAU / 360.0;
+const MIDDLE: Point = Point { x: 110.0, y: 112.0 };
+const RADIUS_OF_PICTURE: f64 = 98.0;
+
+/// Where the camera, which looks along axis 3, sees a direction of the body: axis 2 to the right and axis 1 up, circles
+/// on the sky as circles, the edge of the field at 1.
+fn in_picture(direction: &Vector3<f64>) -> (f64, f64) {
+    let scale = 1.0 / ((1.0 + direction.z) * (0.5 * FIELD).tan());
+    (direction.y * scale, direction.x * scale)
+}
+
+/// Stars all over the half of the sky about axis 3, spread evenly: steps of the golden angle, equal areas.
+fn stars(count: u32) -> impl Iterator<Item = Vector3<f64>> {
+    (0..count).map(move |k| {
+        let part = (f64::from(k) + 0.5) / f64::from(count);
+        let (z, turn) = (1.0 - part, 2.399_963 * f64::from(k));
+        let across = (1.0 - z * z).sqrt();
+        Vector3::new(across * turn.cos(), across * turn.sin(), z)
+    })
+}
+
+/// One picture of the sky from the hub: the trails of stars while the shutter is open, but about a place that is kept
+/// clear for a name, and the pole about which they turn.
+fn sky(
+    [name, below, description]: [&str; 3],
+    station: &StruckStation,
+    (open, exposure): (f64, f64),
+    count: u32,
+    clear: (f64, f64),
+) -> Result<(Drawing, Point), Cause> {
+    let mut drawing = Drawing::new("", 220.0, 260.0).titled(&format!("The sky from the hub {below}"), description);
+    let mut plot = Plot::plane(&mut drawing, MIDDLE, RADIUS_OF_PICTURE, 1.0)?;
+    let mut ends = Vec::new();
+    for (star, direction) in stars(count).enumerate() {
+        let trail = linear_steps(open, open + exposure, 400)
+            .map(|time| Ok(in_picture(&(station.at(time)?.world_from_body.inverse() * direction))))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        let shown = |&(x, y): &(f64, f64)| x.hypot(y) < 0.985 && (x - clear.0).hypot(y - clear.1) > 0.14;
+        if trail.iter().all(shown) {
+            plot.curve(&format!("{name}-{star}"), trail.iter().copied(), Stroke::Outline, Hue::Ink);
+            ends.extend(trail.last().copied());
+        }
+    }
+    let places: Vec<Point> = ends.into_iter().map(|end| plot.at(end)).collect();
+    let pole = plot.at(in_picture(&station.at(open)?.omega_body.normalize()));
+    for place in places {
+        drawing.dot(place, 1.6, Hue::Ink);
+    }
+    drawing.circle(MIDDLE, RADIUS_OF_PICTURE, Role::Line(Stroke::Outline, Hue::Muted));
+    for step in [at(5.0, 0.0), at(0.0, 5.0)] {
+        drawing.line(MIDDLE - step, MIDDLE + step, Stroke::Vector, Hue::Blue);
+    }
+    drawing.label(MIDDLE + at(0.0, RADIUS_OF_PICTURE + 22.0), Side::Over, below, Hue::Ink)?;
+    Ok((drawing, pole))
+}
+
+/// What a camera at the hub sees: star trails before the blow, just after it, and over a whole turn.
+pub(crate) fn crew_sky(id: &str) -> Outcome {
+    let (calm, struck) = (struck(0.0)?, struck(IMPULSE)?);
+    let turn = TAU / SPIN;
+    let (mut before, middle) = sky(
+        [
+            "before",
+            "before the blow",
+            "Short arcs of circles about the middle of the picture, where axis 3 points; stars go round it counter-clockwise.",
+        ],
+        &calm,
+        (0.0, turn / 9.0),
+        130,
+        (0.1, 0.09),
+    )?;
+    before.label(middle + at(1.0, -1.0), Side::AboveRight, r"$\hat{\mathbf{3}}$", Hue::Blue)?;
+    let exposure = turn / 18.0;
+    let (mut after, pole) = sky(
+        [
+            "after",
+            "just after it",
+            "Short arcs again, but about a pole above the middle, in the direction of the angular velocity omega. An arrow shows \
+             that this pole itself goes round the middle, clockwise.",
+        ],
+        &struck,
+        (0.0, exposure),
+        130,
+        (-0.14, 0.4),
+    )?;
+    after.label(pole, Side::Left, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    after.dot(pole, 3.5, Hue::Orange);
+    let mut plot = Plot::plane(&mut after, MIDDLE, RADIUS_OF_PICTURE, 1.0)?;
+    let poles = linear_steps(0.0, 0.2 * turn, 60)
+        .map(|time| Ok(in_picture(&struck.at(time)?.omega_body.normalize())))
+        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+    plot.curve("pole", poles.iter().copied(), Stroke::Outline, Hue::Orange);
+    let [from, to] = [poles.len() - 3, poles.len() - 1].map(|index| plot.at(poles[index]));
+    head(&mut after, to + (to - from).unit() * 6.0, to - from, 0.8, Hue::Orange);
+    let (later, _) = sky(
+        [
+            "turn",
+            "a whole turn, shutter open",
+            "Long trails that cross each other: each star draws nearly an ellipse about the middle, some round, some flat.",
+        ],
+        &struck,
+        (0.0, turn),
+        26,
+        (1.0, 1.0),
+    )?;
+    Ok(Drawing::panels(id, vec![before, after, later]))
+}
+
+/// The same motion in the room and on board.
+pub(crate) fn station_views(id: &str) -> Outcome {
+    let struck = struck(STRONG)?;
+    let momentum = struck.angular_momentum_world().normalize();
     let upright =
-        UnitQuaternion::rotation_between(&momentum_body, &Vector3::z()).ok_or("L is not opposite to z")?;
-    let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -0.5) * upright;
-    let axis = turned * Vector3::z();
-    let omega = turned * struck.at(0.0)?.omega_body.normalize();
+        UnitQuaternion::rotation_between(&momentum, &Vector3::z()).ok_or("L is not opposite to z")?;
+    let view = |title: &str, description: &str| -> Result<(Drawing, Stage), Cause> {
+        let drawing = Drawing::new("", 320.0, 360.0).titled(title, description);
+        let camera = Camera::new(View {
+            target: [0.0, 0.0, 0.4],
+            azimuth: -1.2,
+            elevation: 0.36,
+            distance: 9.0,
+            centre: at(160.0, 165.0),
+            scale: 96.0,
+        })?;
+        Ok((drawing, Stage::new(camera)))
+    };
+    // Where a direction goes in most of a period, so that an arrow shows its sense.
+    let path = |stage: &mut Stage, to: f64, place: &dyn Fn(f64) -> Result<Vector3<f64>, Cause>, hue: Hue| {
+        let path = linear_steps(0.0, 0.93 * to, 150)
+            .map(|time| Ok(place(time)? * 0.85))
+            .collect::<Result<Vec<_>, Cause>>()?;
+        stage.arrow(Curve::smooth(path)?.hiding(Hiding::Ignored), Stroke::Outline, Heads::End, hue)?;
+        Ok::<(), Cause>(())
+    };
+    // Begins where axis 3 leans to the left on the page.
+    let nod = TAU / struck.nodding_rate();
+    let (in_room, on_board) = (0.42 * nod, 0.1 * TAU / struck.body_rate());
+
+    let (mut room, mut stage) = view(
+        "The struck station in the room",
+        "The angular momentum L stands upright and still. The wheel leans; its axis 3 goes round L on a circle, counter-clockwise from above, \
+         and the angular velocity omega, on the other side of L, goes round with it.",
+    )?;
+    let start = struck.at(in_room)?;
+    station_in(&mut stage, &(upright * start.world_from_body))?;
+    let length = 1.65;
+    let axis = |time: f64| Ok(upright * struck.at(in_room + time)?.axis_3_world() * length);
+    let omega = |time: f64| Ok(upright * struck.at(in_room + time)?.omega_world().normalize() * length);
+    path(&mut stage, nod, &axis, Hue::Blue)?;
+    path(&mut stage, nod, &omega, Hue::Orange)?;
+    stage.named_vector([0.0; 3], [0.0, 0.0, 1.9], r"$\boldsymbol{L}$", Hue::Green)?;
+    stage.named_vector([0.0; 3], axis(0.0)?, r"$\hat{\mathbf{3}}$", Hue::Blue)?;
+    stage.named_vector([0.0; 3], omega(0.0)?, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    stage.write(&mut room);
+    room.label(at(160.0, 325.0), Side::Over, "in the room:", Hue::Ink)?;
+    let rate = struck.nodding_rate() / SPIN;
+    let name = format!(r"$\hat{{\mathbf{{3}}}}$ goes round $\boldsymbol{{L}}$ at ${rate:.1}\,\omega_0$");
+    room.label(at(160.0, 346.0), Side::Over, &name, Hue::Ink)?;
+
+    let (mut board, mut stage) = view(
+        "The struck station on board",
+        "The wheel lies level and its axis 3 stands upright. The angular velocity omega and, nearer to the axis, the angular momentum L \
+         go round it on circles, counter-clockwise from above.",
+    )?;
+    station_in(&mut stage, &UnitQuaternion::identity())?;
+    let omega = |time: f64| Ok(struck.at(on_board + time)?.omega_body.normalize() * length);
+    let momentum = |time: f64| {
+        let state = struck.at(on_board + time)?;
+        Ok(state.world_from_body.inverse() * struck.angular_momentum_world().normalize() * length)
+    };
+    let turn = TAU / struck.body_rate();
+    path(&mut stage, turn, &omega, Hue::Orange)?;
+    path(&mut stage, turn, &momentum, Hue::Green)?;
+    stage.named_vector([0.0; 3], [0.0, 0.0, 1.9], r"$\hat{\mathbf{3}}$", Hue::Blue)?;
+    stage.named_vector([0.0; 3], omega(0.0)?, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    stage.named_vector([0.0; 3], momentum(0.0)?, r"$\boldsymbol{L}$", Hue::Green)?;
+    stage.write(&mut board);
+    board.label(at(160.0, 325.0), Side::Over, "on board:", Hue::Ink)?;
+    board.label(
+        at(160.0, 346.0),
+        Side::Over,
+        r"$\boldsymbol{\omega}$ and $\boldsymbol{L}$ go round $\hat{\mathbf{3}}$ at $\omega_0$",
+        Hue::Ink,
+    )?;
+    Ok(Drawing::panels(id, vec![room, board]))
+}
+
+/// A body cone that rolls on a space cone, both seen across the plane of the three axes: the momentum upright, the
+/// axis of the body to the left.
+fn rolling_cones(
+    [title, description, name]: [&str; 3],
+    top: &FreeSymmetricTop,
+    target: [f64; 3],
+    cut: bool,
+) -> Outcome {
+    let mut drawing = Drawing::new("", 320.0, 350.0).titled(title, description);
     let mut stage = Stage::new(Camera::new(View {
-        target: [0.0, 0.0, 0.75],
-        azimuth: -1.2,
+        target,
+        azimuth: -FRAC_PI_2,
         elevation: 0.3,
         distance: 9.0,
-        centre: at(250.0, 215.0),
-        scale: 150.0,
+        centre: at(165.0, 170.0),
+        scale: 130.0,
     })?);
-    let space_angle = struck.axis_angle() - struck.momentum_angle();
-    stage.solid(Solid::cone([0.0; 3], axis, struck.axis_angle(), 1.3)?.finish(Finish::Glass), Hue::Blue)?;
-    stage.solid(Solid::cone([0.0; 3], Vector3::z(), space_angle, 1.3)?.finish(Finish::Glass), Hue::Green)?;
-    stage.named_vector([0.0; 3], [0.0, 0.0, 1.8], r"$\boldsymbol{L}$", Hue::Green)?;
-    stage.named_vector([0.0; 3], axis * 1.7, r"$\hat{\mathbf{3}}$", Hue::Blue)?;
-    let arrow = Curve::segment([0.0; 3], omega * 1.75)?.hiding(Hiding::Ignored);
+    let (body_angle, lean) = (top.omega_angle(), top.momentum_angle());
+    let towards = |angle: f64| Vector3::new(angle.sin(), 0.0, angle.cos());
+    let (axis, omega) = (towards(-lean), towards(body_angle - lean));
+    let length = 1.3;
+    let body_cone = if cut {
+        Solid::half_cone([0.0; 3], axis, body_angle, length, [0.0, -1.0, 0.0])?
+    } else {
+        Solid::cone([0.0; 3], axis, body_angle, length)?
+    };
+    stage.solid(body_cone, Hue::Blue)?;
+    stage.solid(Solid::cone([0.0; 3], Vector3::z(), (body_angle - lean).abs(), length)?, Hue::Green)?;
+    stage.named_vector([0.0; 3], [0.0, 0.0, 1.75], r"$\boldsymbol{L}$", Hue::Green)?;
+    stage.named_vector([0.0; 3], axis * 1.75, r"$\hat{\mathbf{3}}$", Hue::Blue)?;
+    let arrow = Curve::segment([0.0; 3], omega * 1.85)?.hiding(Hiding::Ignored);
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
-    stage.label(omega * 1.75, Side::AboveLeft, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    let contact = Curve::segment([0.0; 3], omega * length)?.hiding(Hiding::Ignored);
+    stage.curve(contact, Stroke::Curve, Hue::Orange)?;
+    stage.label(omega * 1.85, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.write(&mut drawing);
+    drawing.label(at(165.0, 336.0), Side::Over, name, Hue::Ink)?;
     Ok(drawing)
 }
 
-/// How many times the axis has gone round L, and the axis of rotation round axis 3 on board.
+/// The cone fixed in the body rolling on the cone fixed in space, for the station and for a long body.
+pub(crate) fn cones_roll(id: &str) -> Outcome {
+    let top = |ratio: f64, degrees: f64| -> Result<FreeSymmetricTop, InvalidQuantity> {
+        let omega_body = Vector3::new(degrees.to_radians().tan(), 0.0, 1.0);
+        let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
+        FreeSymmetricTop::new(PrincipalMoments::symmetric(1.0, ratio)?, start)
+    };
+    let flat = rolling_cones(
+        [
+            "The cones of the station",
+            "A narrow cone stands upright about the angular momentum L; it is fixed in space. A wide cone, about the axis 3 of the station, \
+             which leans to the left, is cut open; the narrow one stands inside it, and the two touch along the angular velocity omega, to \
+             the right of L.",
+            "flat: rolls round it like a hula hoop",
+        ],
+        &top(2.0, 40.0)?,
+        [0.0, 0.0, 0.75],
+        true,
+    )?;
+    let long = rolling_cones(
+        [
+            "The cones of a long body",
+            "The cone about the angular momentum L, fixed in space, stands upright; the cone about the axis 3 of the body lies beside it, to the \
+             left. They touch from outside along the angular velocity omega, between L and 3.",
+            "long: rolls on its outside",
+        ],
+        &top(0.4, 20.0)?,
+        [-0.3, 0.0, 0.75],
+        false,
+    )?;
+    Ok(Drawing::panels(id, vec![flat, long]))
+}
+
+/// How far the axis is to one side of L, in the room, and omega to one side of axis 3, on board.
 pub(crate) fn nodding(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 680.0, 372.0).titled(
-        "Turns of the axis in the room and of the rotation axis on board",
-        "Angles in turns against time in turns of the old spin, from 0 to 4. The axis of the station in the room rises to 8.2 \
-         turns, along \
-         dots from a simulation. The axis of rotation as seen on board rises to 4 turns, which is also the source's claim \
-         for the axis in the room.",
+    let mut drawing = Drawing::new(id, 400.0, 430.0).titled(
+        "Nods in the room and turns on board",
+        "Two curves against time in turns of the old spin, from 0 to 4, one above the other. Above, how far the axis of the station is to one side \
+         of the angular momentum: a wave that swings a little more than eight times, through dots from a simulation. A dashed wave, the \
+         source's claim, swings four times. Below, how far the angular velocity is to one side of the axis on board: a wave \
+         that swings four times.",
     );
     let struck = struck(IMPULSE)?;
     let period = TAU / SPIN;
-    let time = Axis::linear(0.0, 4.0, 1.0)?.minor(0.25).titled("time, turns of the old spin");
-    let turns = Axis::linear(0.0, 9.0, 1.0)?.titled("angle, turns");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 420.0, 286.0), time, turns)?;
-    let line = |rate: f64| linear_steps(0.0, 4.0, 1).map(move |t| (t, t * rate * period / TAU));
-    plot.curve("in-the-room", line(struck.nodding_rate()), Stroke::Curve, Hue::Blue);
-    plot.curve("on-board", line(struck.body_rate()), Stroke::Curve, Hue::Orange);
-
-    // The same two angles counted in a simulation that knows neither rate.
+    let momentum = struck.angular_momentum_world().normalize();
+    // To one side: across L in the plane in which the axis begins, in units of the farthest.
+    let aside = (Vector3::z() - momentum * momentum.z).normalize();
+    let in_room = |axis: &Vector3<f64>| axis.dot(&aside) / struck.momentum_angle().sin();
+    let on_board = |omega: &Vector3<f64>| omega.x / struck.added_rate();
+    // A simulation that knows neither rate.
     let moments = Body::hoop(MASS, RADIUS)?.moments();
     let free = euler::turning_rates(moments, |_, _| Vector3::zeros());
-    let times: Vec<f64> = linear_steps(0.0, 4.0 * period, 256).collect();
+    let times: Vec<f64> = linear_steps(0.0, 4.0 * period, 48).collect();
     let (states, _) = Dop853::new(1e-11)?.sample(free, 0.0, struck.at(0.0)?.to_array(), &times)?;
-    let turnings: Vec<Turning> = states.into_iter().map(Turning::from_array).collect();
-    let momentum = struck.angular_momentum_world().normalize();
-    let axes: Vec<Vector3<f64>> = turnings.iter().map(Turning::axis_3_world).collect();
-    let omegas: Vec<Vector3<f64>> = turnings.iter().map(|turning| turning.omega_body).collect();
-    for (about, vectors, form, hue) in
-        [(momentum, &axes, Marker::Disc, Hue::Blue), (Vector3::z(), &omegas, Marker::Square, Hue::Orange)]
-    {
-        let angles = turns_about(&about, vectors);
-        let counted: Vec<(f64, f64)> =
-            times.iter().zip(angles).map(|(t, angle)| (t / period, angle)).step_by(16).collect();
-        plot.markers(&counted, form, hue);
-    }
-    plot.label((4.0, 8.16), Side::Right, r"axis about $\boldsymbol{L}$, in the room", Hue::Blue)?;
-    plot.label(
-        (4.0, 4.3),
-        Side::Right,
-        r"$\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$, on board",
-        Hue::Orange,
-    )?;
-    plot.label((4.0, 3.5), Side::Right, "and the source's claim", Hue::Muted)?;
-    plot.label((4.0, 2.9), Side::Right, "for the axis in the room", Hue::Muted)?;
-    Ok(drawing)
-}
+    let simulated: Vec<Turning> = states.into_iter().map(Turning::from_array).collect();
 
-/// The angle, in turns, through which each of a list of vectors has gone round an axis since the first.
-fn turns_about(axis: &Vector3<f64>, vectors: &[Vector3<f64>]) -> Vec<f64> {
-    let across = |v: &Vector3<f64>| v - axis * axis.dot(v);
-    let mut sum = 0.0;
-    let mut angles = vec![0.0];
-    for pair in vectors.windows(2) {
-        let (a, b) = (across(&pair[0]), across(&pair[1]));
-        sum += axis.dot(&a.cross(&b)).atan2(a.dot(&b)) / TAU;
-        angles.push(sum);
-    }
-    angles
+    let turns = |title: &str| -> Result<Axis, Cause> {
+        let axis = Axis::linear(0.0, 4.0, 1.0)?.minor(0.25);
+        Ok(if title.is_empty() { axis.unlabelled() } else { axis.titled(title) })
+    };
+    let side = |title: &str| -> Result<Axis, Cause> {
+        Ok(Axis::linear(-1.0, 1.0, 1.0)?.marked(&[(-1.0, "−1"), (0.0, "0"), (1.0, "1")]).titled(title))
+    };
+    let nods = 4.0 * struck.nodding_rate() / SPIN;
+    let upper = side(&format!(r"in the room, $\hat{{\mathbf{{3}}}}$ about $\boldsymbol{{L}}$: ${nods:.1}$ nods"))?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 340.0, 130.0), turns("")?, upper)?;
+    let wave = |rate: f64| linear_steps(0.0, 4.0, 800).map(move |t| (t, (rate * t * period).cos()));
+    plot.curve("claimed", wave(SPIN), Stroke::DashedCurve, Hue::Muted);
+    let exact = linear_steps(0.0, 4.0, 800)
+        .map(|t| Ok((t, in_room(&struck.at(t * period)?.axis_3_world()))))
+        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+    plot.curve("in-the-room", exact, Stroke::Curve, Hue::Blue);
+    let dots: Vec<(f64, f64)> =
+        simulated.iter().zip(&times).map(|(state, t)| (t / period, in_room(&state.axis_3_world()))).collect();
+    plot.markers(&dots, Marker::Disc, Hue::Blue);
+    plot.label((4.06, 1.1), Side::AboveLeft, "dashed: the source", Hue::Muted)?;
+
+    let lower = side(r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$: $4$ turns")?;
+    let time = turns("time, turns of the old spin")?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 246.0, 340.0, 130.0), time, lower)?;
+    let exact = linear_steps(0.0, 4.0, 800)
+        .map(|t| Ok((t, on_board(&struck.at(t * period)?.omega_body))))
+        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+    plot.curve("on-board", exact, Stroke::Curve, Hue::Orange);
+    let dots: Vec<(f64, f64)> =
+        simulated.iter().zip(&times).map(|(state, t)| (t / period, on_board(&state.omega_body))).collect();
+    plot.markers(&dots, Marker::Square, Hue::Orange);
+    Ok(drawing)
 }

@@ -1,13 +1,14 @@
 //! The figures of the chapter "The spinning coin".
 
-use crate::{Axis, Outcome, Plot, log_steps};
-use drawing::kit::Marker;
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
+use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
+use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors};
-use mechanics::scenes::spinning_coin::SpinningCoin;
-use nalgebra::Vector3;
+use mechanics::scenes::spinning_coin::{EulersDisk, Loss, SpinDown, SpinningCoin};
+use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
 /// The disc of the text at a tilt.
@@ -16,137 +17,396 @@ fn disc(tilt: f64) -> Result<SpinningCoin, InvalidQuantity> {
     SpinningCoin::new(DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity }, tilt)
 }
 
+/// The profile of a head on the face of a coin of radius one: to the right and up.
+const HEAD: [(f64, f64); 19] = [
+    (0.12, -0.64),
+    (0.12, -0.44),
+    (0.24, -0.41),
+    (0.33, -0.36),
+    (0.34, -0.26),
+    (0.31, -0.20),
+    (0.35, -0.13),
+    (0.32, -0.06),
+    (0.45, -0.01),
+    (0.33, 0.20),
+    (0.32, 0.32),
+    (0.24, 0.48),
+    (0.04, 0.60),
+    (-0.20, 0.55),
+    (-0.37, 0.36),
+    (-0.41, 0.10),
+    (-0.30, -0.14),
+    (-0.26, -0.36),
+    (-0.36, -0.64),
+];
+
+/// Draws a head on the upper face of a coin that stands with this attitude, with its normal along the body's third
+/// axis and the head upright along its second; `thick` is the coin's thickness.
+fn draw_head(
+    stage: &mut Stage,
+    centre: Vector3<f64>,
+    attitude: UnitQuaternion<f64>,
+    thick: f64,
+) -> Result<(), Cause> {
+    let on_face = |(u, v): (f64, f64)| centre + attitude * Vector3::new(u, v, 0.5 * thick);
+    // A smooth line through the points of the profile, but straight across the neck.
+    let last = HEAD.len() - 1;
+    let mut profile = Vec::new();
+    for n in 0..last {
+        let [before, from, to, after] =
+            [n.saturating_sub(1), n, n + 1, (n + 2).min(last)].map(|n| Vector2::new(HEAD[n].0, HEAD[n].1));
+        for part in linear_steps(0.0, 1.0, 6) {
+            let (one, two) = ((to - before) * 0.5, (after - from) * 0.5);
+            let (square, cube) = (part * part, part * part * part);
+            let place = from * (2.0 * cube - 3.0 * square + 1.0)
+                + one * (cube - 2.0 * square + part)
+                + to * (3.0 * square - 2.0 * cube)
+                + two * (cube - square);
+            profile.push(on_face((place.x, place.y)));
+        }
+    }
+    stage.patch(profile.clone(), Fill::Side, Hue::Blue)?;
+    let outline = Curve::smooth(profile)?;
+    Ok(stage.curve(outline.hiding(Hiding::Omitted), Stroke::Outline, Hue::Blue)?)
+}
+
 /// The coin with the circle of its contact.
 pub(crate) fn coin_circle(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 500.0, 360.0).titled(
+    let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
         "The coin and the circle of its contact",
-        "A coin that leans on a table, its centre above the middle of a circle drawn on the table. Its lowest point touches the circle. The angular velocity points from the contact through the \
-         centre, along axis 2; axis 3 points down through the coin along its normal; Omega points straight up from the centre. The tilt alpha, drawn at the contact, is the angle between the coin and the table, the lean theta that between axis 2 and the upright.",
+        "A coin with a head on its face leans on a table, its centre above the middle of a circle drawn on the table. Its lowest point touches the circle and runs along it, as an arrow shows. \
+         The angular velocity points from the contact through the centre, along axis 2; Omega points straight up from the centre. The tilt alpha, drawn at the contact, is the angle between the \
+         coin and the table, the lean theta that between axis 2 and the upright.",
     );
-    let tilt = 0.5_f64;
-    let (sin, cos) = tilt.sin_cos();
+    let coin = disc(0.5)?;
+    let (sin, cos) = coin.tilt().sin_cos();
+    let attitude = coin.attitude(0.0);
+    let thick = 0.06;
     let centre = Vector3::new(0.0, 0.0, sin);
-    let second = Vector3::new(0.0, -cos, sin);
+    let normal = attitude * Vector3::z();
+    // From the contact, which lies lowest, to the centre.
+    let second = (Vector3::z() - normal * normal.z).normalize();
     let contact = centre - second;
-    let normal = Vector3::new(0.0, sin, cos);
     let mut stage = Stage::new(Camera::new(View {
-        target: [0.0, 0.0, 0.45],
-        azimuth: 0.35,
-        elevation: 0.34,
-        distance: 9.0,
-        centre: at(250.0, 195.0),
-        scale: 112.0,
+        target: [0.0, 0.0, 0.5],
+        azimuth: -2.55,
+        elevation: 0.42,
+        distance: 10.0,
+        centre: at(200.0, 180.0),
+        scale: 96.0,
     })?);
-    stage.ground([-1.5, -1.5], [1.5, 1.5], 0.0, 3.0)?;
+    stage.ground([-1.5, -1.5], [1.5, 1.5], 0.0, 0.25)?;
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos)?, Stroke::Outline, Hue::Pink)?;
-    stage.solid(Solid::disc(centre, normal, 1.0, 0.05)?, Hue::Blue)?;
-    let axis = Curve::segment(centre, centre + second * 1.6)?;
-    stage.arrow(axis.hiding(Hiding::Ignored), Stroke::Vector, drawing::kit::Heads::End, Hue::Orange)?;
-    stage.label(
-        centre + second * 1.6,
-        Side::Left,
-        r"$\boldsymbol{\omega}$, axis $\hat{\mathbf{2}}$",
-        Hue::Orange,
-    )?;
-    let third = Curve::segment(centre, centre - normal * 0.45)?;
-    stage.arrow(third.hiding(Hiding::Dashed), Stroke::Vector, drawing::kit::Heads::End, Hue::Ink)?;
-    stage.label_shifted(
-        centre - normal * 0.45,
-        at(4.0, 3.0),
-        Side::Right,
-        r"$\hat{\mathbf{3}}$",
-        Hue::Ink,
-    )?;
-    let upright = Curve::segment(centre, centre + Vector3::z() * 1.15)?;
-    stage.arrow(upright.hiding(Hiding::Ignored), Stroke::Vector, drawing::kit::Heads::End, Hue::Ink)?;
-    stage.label(centre + Vector3::z() * 1.15, Side::Right, r"$\boldsymbol{\Omega}$", Hue::Ink)?;
-    stage.angle(centre, Vector3::z(), second, 0.62, "", Hue::Ink)?;
-    stage.label_shifted(centre + Vector3::z() * 0.62, at(4.0, -2.0), Side::Right, r"$\theta$", Hue::Ink)?;
+    let ahead = linear_steps(0.12, 0.75, 40).map(|angle| {
+        let (sin, cos) = (angle * coin.turn_rate().signum()).sin_cos();
+        Vector3::new(contact.x * cos - contact.y * sin, contact.x * sin + contact.y * cos, 0.0)
+    });
+    let travel = Curve::smooth(ahead)?.hiding(Hiding::Ignored);
+    stage.arrow(travel, Stroke::Vector, Heads::End, Hue::Pink)?;
+    stage.solid(Solid::disc(centre, normal, 1.0, thick)?, Hue::Blue)?;
+    let upright = attitude * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -0.8);
+    draw_head(&mut stage, centre, upright, thick)?;
+    let top = centre + normal * (0.5 * thick);
+    let axis = Curve::segment(top, top + second * 1.6)?;
+    stage.arrow(axis.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Orange)?;
+    let name = r"$\boldsymbol{\omega}$, axis $\hat{\mathbf{2}}$";
+    stage.label_shifted(top + second * 1.6, at(14.0, 0.0), Side::Above, name, Hue::Orange)?;
+    let upright = Curve::segment(top, top + Vector3::z() * 1.15)?;
+    stage.arrow(upright.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Orange)?;
+    stage.label(top + Vector3::z() * 1.1, Side::Left, r"$\boldsymbol{\Omega}$", Hue::Orange)?;
+    stage.turning(top + Vector3::z() * 0.85, Vector3::z() * coin.turn_rate(), 0.14, Hue::Orange)?;
+    let lean = Curve::between(top, Vector3::z(), second, 0.55)?;
+    stage.curve(lean.hiding(Hiding::Ignored), Stroke::Outline, Hue::Ink)?;
+    let halfway = (Vector3::z() + second).normalize();
+    stage.label(top + halfway * 0.62, Side::Over, r"$\theta$", Hue::Ink)?;
     // The tilt, between the line across the table and the one up the coin.
-    let across = Curve::segment(contact, [0.0, 0.12, 0.0])?;
+    let level = Vector3::new(second.x, second.y, 0.0).normalize();
+    let across = Curve::segment(contact, contact + level * cos)?;
     stage.curve(across.hiding(Hiding::Ignored), Stroke::Reference, Hue::Muted)?;
     let up_the_coin = Curve::segment(contact, centre)?;
     stage.curve(up_the_coin.hiding(Hiding::Ignored), Stroke::Reference, Hue::Muted)?;
-    let tilted = Curve::between(contact, -Vector3::y(), second, 0.62)?;
+    let tilted = Curve::between(contact, level, second, 0.62)?;
     stage.curve(tilted.hiding(Hiding::Ignored), Stroke::Outline, Hue::Ink)?;
-    let middle = Vector3::new(0.0, -(0.5 * tilt).cos(), (0.5 * tilt).sin());
-    stage.label(contact + middle * 0.62, Side::Left, r"$\alpha$", Hue::Ink)?;
-    stage.dot(contact, 4.5, Hue::Pink)?;
-    stage.label_shifted(contact, at(4.0, 2.0), Side::Right, "contact", Hue::Pink)?;
+    let middle = (level + second).normalize();
+    stage.label(contact + middle * 0.78, Side::Over, r"$\alpha$", Hue::Ink)?;
+    stage.dot_in_front(contact, 4.5, Hue::Pink)?;
+    stage.label_shifted(contact, at(0.0, 10.0), Side::Right, "contact", Hue::Pink)?;
+    stage.write(&mut drawing);
+    Ok(drawing)
+}
+
+/// The tilt at which one round is shown, rad.
+const SHOWN: f64 = 0.5;
+
+/// The coin at the quarters of one round.
+pub(crate) fn one_round(id: &str) -> Outcome {
+    let stills = [0.0, 0.25, 0.5, 0.75, 1.0].map(quarter).into_iter().collect::<Result<Vec<_>, Cause>>()?;
+    Ok(Drawing::panels(id, stills).titled(
+        "The head during one round of the contact",
+        "Five stills of the coin from above, at a quarter of a round each. The contact runs once round its circle, counter-clockwise, and is back in the last still. The head, upright in the \
+         first, has turned by 44 degrees in the last, the same way.",
+    ))
+}
+
+fn quarter(turns: f64) -> Outcome {
+    let name = match turns {
+        0.0 => "start",
+        0.25 => "a quarter",
+        0.5 => "half",
+        0.75 => "three quarters",
+        _ => "one round",
+    };
+    let mut drawing = Drawing::new("", 130.0, 150.0).titled(
+        &format!("The coin after its contact has run: {name}"),
+        "The coin with its head, and its contact on the circle, seen from above at a slant.",
+    );
+    let coin = disc(SHOWN)?;
+    let (sin, cos) = coin.tilt().sin_cos();
+    let (centre, attitude) = (Vector3::new(0.0, 0.0, sin), coin.attitude(turns));
+    let (normal, thick) = (attitude * Vector3::z(), 0.06);
+    let contact = centre - (Vector3::z() - normal * normal.z).normalize();
+    let mut stage = Stage::new(Camera::new(View {
+        target: [0.0, 0.0, 0.3],
+        azimuth: -FRAC_PI_2,
+        elevation: 1.0,
+        distance: 9.0,
+        centre: at(65.0, 65.0),
+        scale: 41.0,
+    })?);
+    stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos)?, Stroke::Outline, Hue::Pink)?;
+    stage.solid(Solid::disc(centre, normal, 1.0, thick)?, Hue::Blue)?;
+    draw_head(&mut stage, centre, attitude, thick)?;
+    if turns == 1.0 {
+        // The way up of the head, then and now: the coin stands as at the start, but for this turn.
+        let face = centre + normal * (0.5 * thick);
+        let [then, now] = [coin.attitude(0.0), attitude].map(|attitude| attitude * Vector3::y());
+        for (way, stroke) in [(then, Stroke::Reference), (now, Stroke::Outline)] {
+            let line = Curve::segment(face, face + way * 0.98)?.hiding(Hiding::Ignored);
+            stage.curve(line, stroke, Hue::Ink)?;
+        }
+        let turned = Curve::between(face, then, now, 0.86)?.hiding(Hiding::Ignored);
+        stage.arrow(turned, Stroke::Outline, Heads::End, Hue::Ink)?;
+    }
+    stage.dot_in_front(contact, 4.0, Hue::Pink)?;
+    stage.write(&mut drawing);
+    drawing.label(at(65.0, 128.0), Side::Over, name, Hue::Ink)?;
+    Ok(drawing)
+}
+
+/// The cap of the unit sphere round which the normal of the coin goes, with the head's way up carried along.
+pub(crate) fn swept_cap(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 380.0, 340.0).titled(
+        "The area that the coin’s normal sweeps",
+        "A sphere with a shaded cap about its top, of half-angle alpha. Along the edge of the cap the normal of the coin goes once round. At eight places an arrow on the sphere shows which way \
+         the head points; nowhere does it turn about the normal. Back at the start it points another way, turned by the area of the cap.",
+    );
+    let coin = disc(0.72)?;
+    let mut stage = Stage::new(Camera::new(View {
+        target: [0.0, 0.0, 0.2],
+        azimuth: -FRAC_PI_2,
+        elevation: 0.82,
+        distance: 8.0,
+        centre: at(190.0, 175.0),
+        scale: 145.0,
+    })?);
+    stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Muted)?;
+    let normal = |turns: f64| coin.attitude(turns) * Vector3::z();
+    let edge: Vec<Vector3<f64>> = linear_steps(0.0, 1.0, 180).map(normal).collect();
+    stage.patch(edge.clone(), Fill::Face, Hue::Blue)?;
+    stage.curve(Curve::smooth(edge)?, Stroke::Curve, Hue::Blue)?;
+    let arrow = |turns: f64| {
+        let foot = normal(turns);
+        let way = coin.attitude(turns) * Vector3::y();
+        let path = linear_steps(0.0, 0.3, 12).map(|part| foot * part.cos() + way * part.sin());
+        Curve::smooth(path).map(|path| path.hiding(Hiding::Ignored))
+    };
+    for n in 1..8 {
+        stage.arrow(arrow(f64::from(n) / 8.0)?, Stroke::Outline, Heads::End, Hue::Ink)?;
+    }
+    stage.arrow(arrow(0.0)?, Stroke::Vector, Heads::End, Hue::Ink)?;
+    stage.arrow(arrow(1.0)?, Stroke::Vector, Heads::End, Hue::Pink)?;
+    stage.dot_in_front(normal(0.0), 4.0, Hue::Blue)?;
+    let top = Vector3::z();
+    stage.dot_in_front(top, 2.4, Hue::Muted)?;
+    let [then, now] = [0.0, 1.0].map(|turns| coin.attitude(turns) * Vector3::y());
+    let angle = Curve::between(normal(0.0), then, now, 0.17)?.hiding(Hiding::Ignored);
+    stage.arrow(angle, Stroke::Outline, Heads::End, Hue::Pink)?;
+    stage.label_shifted(top, at(0.0, 2.0), Side::Above, r"$2\pi(1 - \cos\alpha)$", Hue::Blue)?;
+    stage.label_shifted(normal(0.0), at(0.0, 2.0), Side::Below, r"$\hat{\mathbf{n}}$", Hue::Blue)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
 
 /// The three rates against the tilt.
 pub(crate) fn coin_rates(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 372.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 350.0).titled(
         "Three rates against the tilt",
         "Both scales are logarithmic: along x the tilt from 1e-4 to 1 rad, along y rates in rad/s. The contact's rate falls from three thousand to thirty with the power minus one half of the tilt. The \
          figure's rate rises from 1e-5 to ten with the power three halves, and the instantaneous vertical rate lies above it, by a factor of two at small tilts.",
     );
     let tilt = Axis::log(1e-4, 1.0, 1)?.titled(r"tilt $\alpha$, rad");
     let rate = Axis::log(1e-5, 1e4, 2)?.titled("rate, rad/s");
-    let mut plot = Plot::new(&mut drawing, Rect::new(60.0, 34.0, 470.0, 286.0), tilt, rate)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 320.0, 266.0), tilt, rate)?;
     type Rate = fn(&SpinningCoin) -> f64;
-    let rates: [(&str, Rate, Hue, Stroke); 3] = [
-        ("contact", SpinningCoin::turn_rate, Hue::Orange, Stroke::Curve),
-        ("figure", SpinningCoin::figure_rate, Hue::Blue, Stroke::Curve),
-        ("vertical", SpinningCoin::vertical_rate, Hue::Green, Stroke::Curve),
+    let rates: [(&str, Rate, Hue); 3] = [
+        ("contact", SpinningCoin::turn_rate, Hue::Pink),
+        ("figure", SpinningCoin::figure_rate, Hue::Blue),
+        ("vertical", SpinningCoin::vertical_rate, Hue::Orange),
     ];
-    for (name, of, hue, stroke) in rates {
+    for (name, of, hue) in rates {
         let values = log_steps(1e-4, 1.0, 200)
             .map(|tilt| Ok((tilt, of(&disc(tilt)?))))
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(name, values, stroke, hue);
+        plot.curve(name, values, Stroke::Curve, hue);
     }
-    plot.label((1e-3, 2e3), Side::Right, r"contact, $\Omega$", Hue::Orange)?;
-    plot.label((1e-2, 8e-3), Side::BelowRight, r"figure, $\Omega - \omega_\text{rel}$", Hue::Blue)?;
-    plot.label((6e-3, 4e-2), Side::AboveLeft, r"at an instant, $\omega_z$", Hue::Green)?;
+    plot.label((1e-3, 1.5e3), Side::AboveRight, r"of the contact, $\Omega$", Hue::Pink)?;
+    plot.label((5e-3, 2.5e-3), Side::BelowRight, r"of the figure, $\Omega - \omega_\text{rel}$", Hue::Blue)?;
+    plot.label((4e-3, 1.3e-2), Side::AboveLeft, r"at an instant, $\omega_z$", Hue::Orange)?;
+    Ok(drawing)
+}
+
+/// The laws of loss that the text compares: the power p, and its name in labels.
+const LAWS: [(f64, &str); 4] = [(2.0, "2"), (1.25, "5/4"), (1.0, "1"), (0.5, "1/2")];
+
+/// The toy on its way down from a tilt of 0.1 by a law of loss with which it lives for 100 s.
+fn going_down(power: f64) -> Result<SpinDown, InvalidQuantity> {
+    let start = disc(0.1)?;
+    let life = SpinDown::new(start, Loss::new(1.0, power)?)?.life();
+    SpinDown::new(start, Loss::new(life / 100.0, power)?)
+}
+
+/// The time left, s, and the coin where the fall that a law of loss asks for reaches g.
+fn law_ends(power: f64) -> Result<(f64, SpinningCoin), InvalidQuantity> {
+    let (down, s) = (going_down(power)?, 1.0 / (power + 1.0));
+    let DiskParameters { radius, gravity, .. } = down.start().parameters();
+    // α = c (t₀ − t)^s there, and the fall is s(1 − s) a c (t₀ − t)^(s − 2).
+    let c = down.with_time_left(1e-3)?.tilt() / 1e-3_f64.powf(s);
+    let left = (s * (1.0 - s) * radius * c / gravity).powf(1.0 / (2.0 - s));
+    Ok((left, down.with_time_left(left)?))
+}
+
+/// The tilt against time for each law, and against the time that is left.
+pub(crate) fn spin_down(id: &str) -> Outcome {
+    Ok(Drawing::panels(id, vec![spin_down_whole("")?, spin_down_end("")?]))
+}
+
+fn spin_down_whole(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 330.0, 330.0).titled(
+        "The tilt against time for four laws of loss",
+        "The tilt from 0.1 rad to zero over about a hundred seconds, for p of 2, 5/4, 1 and 1/2. All four end with an upright tangent, the later and the more suddenly the larger p.",
+    );
+    let time = Axis::linear(0.0, 100.0, 25.0)?.minor(5.0).titled("time, s");
+    let tilt = Axis::linear(0.0, 0.1, 0.02)?.minor(0.005).titled(r"tilt $\alpha$, rad");
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 250.0, 246.0), time, tilt)?;
+    for (power, _) in LAWS {
+        let down = going_down(power)?;
+        let mut values = linear_steps(0.0, 1.0, 400)
+            .map(|part| {
+                let left = down.life() * (1.0 - part).powi(3);
+                let tilt = if left > 0.0 { down.with_time_left(left)?.tilt() } else { 0.0 };
+                Ok((down.life() - left, tilt))
+            })
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        values.dedup();
+        plot.curve(&format!("law-{power}"), values, Stroke::Curve, Hue::Blue);
+    }
+    plot.label((54.0, 0.079), Side::AboveRight, "$p = 2$", Hue::Blue)?;
+    plot.label((64.0, 0.051), Side::BelowLeft, "$p = 1/2$", Hue::Blue)?;
+    Ok(drawing)
+}
+
+fn spin_down_end(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 330.0, 330.0).titled(
+        "The tilt against the time that is left",
+        "Both scales logarithmic: the tilt against the time left, from a microsecond to 100 s. Four straight lines with the slopes 1/3, 4/9, 1/2 and 2/3. A dot on each marks where the fall would \
+         outrun g: for p = 2 at a millisecond and a half, for p = 1/2 at twenty microseconds.",
+    );
+    let left = Axis::log(1e-5, 100.0, 2)?.titled("time left, s");
+    let tilt = Axis::log(1e-6, 0.1, 1)?.titled(r"tilt $\alpha$, rad");
+    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 226.0, 246.0), left, tilt)?;
+    for (power, name) in LAWS {
+        let down = going_down(power)?;
+        let values = log_steps(1e-5, down.life().min(100.0), 200)
+            .map(|left| Ok((left, down.with_time_left(left)?.tilt())))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        plot.curve(&format!("end-{power}"), values, Stroke::Curve, Hue::Blue);
+        let (left, coin) = law_ends(power)?;
+        plot.markers(&[(left, coin.tilt())], Marker::Disc, Hue::Pink);
+        let name = if power == 2.0 { format!("$p = {name}$") } else { format!("${name}$") };
+        let side = if power > 1.0 { Side::AboveLeft } else { Side::BelowRight };
+        plot.label((left, coin.tilt()), side, &name, Hue::Blue)?;
+    }
+    plot.label((5e-4, 4e-6), Side::Right, "dots: the fall reaches $g$", Hue::Pink)?;
+    Ok(drawing)
+}
+
+/// The radius of the centre's circle while the disk sinks.
+pub(crate) fn circle_opens(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
+        "The circle of the centre opens and closes",
+        "The radius of the centre's circle, in thousandths of the radius of the disk, against the tilt from 0 to 0.1. From zero at 0.1 it grows, as the tilt falls, to 2.1 at a tilt of 0.04, and \
+         goes back to zero with the tilt. The motion with its film of air and the law of slow sinking agree.",
+    );
+    let tilt = Axis::linear(0.0, 0.1, 0.02)?.minor(0.005).titled(r"tilt $\alpha$, rad");
+    let radius = Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled(r"radius of the centre’s circle, in $a/1000$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 246.0), tilt, radius)?;
+    let disk = EulersDisk::in_air(disc(0.1)?.parameters(), 1.78e-5)?;
+    let sinking = disk.sinking(disk.steady(0.1)?, &Taylor::new(1e-12)?)?;
+    let times: Vec<f64> = linear_steps(1.0, 0.0, 500).map(|left: f64| 95.36 * (1.0 - left.powi(3))).collect();
+    let states = sinking.sample(&times)?;
+    // eq:true-spin: b/a = n/Ω, with Ω = q/sin α.
+    let motion = states.iter().map(|at| (at.tilt, 1e3 * at.omega_3 * at.tilt.sin() / at.omega_2));
+    plot.curve("motion", motion, Stroke::Curve, Hue::Blue);
+    let law = linear_steps(0.0, 0.1, 200)
+        .map(|tilt: f64| (tilt, 4e3 / 9.0 * (0.1_f64.powf(1.5) * tilt.sqrt() - tilt * tilt))); // eq:film-circle
+    plot.curve("law", law, Stroke::DashedCurve, Hue::Ink);
+    plot.label((0.047, 1.35), Side::Over, "sinking", Hue::Muted)?;
+    let arrow = [plot.at((0.06, 1.2)), plot.at((0.034, 1.2))];
+    kit::dimension(plot.drawing(), arrow[0], arrow[1], Heads::End, Hue::Muted);
     Ok(drawing)
 }
 
 /// The Mach number of the contact against the tilt.
 pub(crate) fn mach(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 350.0).titled(
         "Mach number of the contact against the tilt",
         "Both scales are logarithmic: along x the tilt from 1e-6 to 1 rad, along y the speed of the contact over that of sound, a line falling with the power minus one half. It crosses one at \
-         1.25e-5. A dot at 0.0025 and 0.07 is where the steady motion ends by Moffatt's law.",
+         1.25e-5. Four dots on it mark where slow sinking ends: at 0.07 for p = 2, 0.16 for p = 5/4, 0.24 for p = 1, and 1.16, just beyond the crossing, for p = 1/2.",
     );
     let tilt = Axis::log(1e-6, 1.0, 1)?.titled(r"tilt $\alpha$, rad");
     let speed = Axis::log(1e-3, 10.0, 1)?.titled("speed of the contact over that of sound");
-    let mut plot = Plot::new(&mut drawing, Rect::new(60.0, 34.0, 560.0, 262.0), tilt, speed)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 320.0, 266.0), tilt, speed)?;
     plot.level(1.0, Stroke::Reference);
     let number = |tilt: f64| Ok((tilt, disc(tilt)?.contact_speed() / 343.0));
     let values = log_steps(1e-6, 1.0, 200).map(number).collect::<Result<Vec<_>, InvalidQuantity>>()?;
-    plot.curve("mach", values, Stroke::Curve, Hue::Orange);
-    // Moffatt's law for 0.4 kg, as in the text.
-    let rate: f64 = 2.0 * std::f64::consts::PI * 1.78e-5 * 0.0375 / 0.4;
-    let left = ((2.0 / 9.0) * 0.0375 / 9.81 * rate.powf(1.0 / 3.0)).powf(3.0 / 5.0);
-    plot.markers(&[number((rate * left).powf(1.0 / 3.0))?], Marker::Disc, Hue::Pink);
-    let crossing = disc(0.1)?.tilt_for_contact_speed(343.0)?;
-    plot.markers(&[(crossing, 1.0)], Marker::Ring, Hue::Orange);
-    plot.label((3e-3, 9e-2), Side::AboveRight, "the end, by Moffatt's law", Hue::Pink)?;
-    plot.label((3e-5, 1.0), Side::AboveRight, r"Mach 1 at $1.25\cdot10^{-5}$", Hue::Orange)?;
+    plot.curve("mach", values, Stroke::Curve, Hue::Pink);
+    for (power, name) in LAWS {
+        let place = number(law_ends(power)?.1.tilt())?;
+        plot.markers(&[place], Marker::Disc, Hue::Blue);
+        let name = if power == 2.0 { format!("$p = {name}$") } else { format!("${name}$") };
+        plot.label(place, Side::AboveRight, &name, Hue::Blue)?;
+    }
+    plot.label((1.0, 1.0), Side::AboveLeft, "Mach 1", Hue::Muted)?;
     Ok(drawing)
 }
 
 /// Relative error of the figure's rate by the obvious formula.
 pub(crate) fn figure_error(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 680.0, 340.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Error of the figure's rate by one minus the sine",
         "Both scales are logarithmic: along x the tilt from 1e-9 to 1, along y the relative error. By one minus the sine of the lean it rises from 1e-16 with the power minus two and reaches one at \
          1e-8.",
     );
     let mut naive = Vec::new();
-    for tilt in log_steps(1e-9, 1.0, 72) {
+    for tilt in log_steps(1e-9, 1.0, 45) {
         let coin = disc(tilt)?;
         let found = coin.turn_rate() * (1.0 - (FRAC_PI_2 - tilt).sin());
         naive.push((tilt, (found / coin.figure_rate() - 1.0).abs().max(1e-17)));
     }
-    let tilt = Axis::log(1e-9, 1.0, 1)?.titled(r"tilt $\alpha$, rad");
-    let error = Axis::log(1e-17, 10.0, 2)?.titled("relative error of the figure's rate");
-    let mut plot = Plot::new(&mut drawing, Rect::new(66.0, 34.0, 592.0, 252.0), tilt, error)?;
-    plot.series("naive", &naive, Marker::Disc, Hue::Orange);
-    plot.label((1e-5, 1e-4), Side::Right, r"by $\Omega\,(1 - \sin\theta)$", Hue::Orange)?;
+    let tilt = Axis::log(1e-9, 1.0, 3)?.titled(r"tilt $\alpha$, rad");
+    let error = Axis::log(1e-17, 10.0, 4)?.titled("relative error of the figure’s rate");
+    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 246.0), tilt, error)?;
+    plot.series("naive", &naive, Marker::Disc, Hue::Ink);
+    plot.label((1e-5, 1e-4), Side::Right, r"by $\Omega\,(1 - \sin\theta)$", Hue::Ink)?;
     Ok(drawing)
 }

@@ -1,4 +1,8 @@
-//! Writes a module for each page that `book/SUMMARY.md` names, with the page as its documentation.
+//! Writes a module for each page that `book/SUMMARY.md` names, with the page as its documentation, and puts a check in
+//! the place of each number that a page prints.
+
+#[path = "../src/printed.rs"]
+mod printed;
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -7,22 +11,29 @@ use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let package = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
+    let out = PathBuf::from(env::var("OUT_DIR")?);
     let root = package.ancestors().nth(2).ok_or("the workspace is two folders up")?;
     let summary = root.join("book/SUMMARY.md");
-    println!("cargo::rerun-if-changed=build.rs\ncargo::rerun-if-changed={}", summary.display());
+    for read in [Path::new("build.rs"), Path::new("../src/printed.rs"), &summary] {
+        println!("cargo::rerun-if-changed={}", read.display());
+    }
     let text = fs::read_to_string(summary)?;
     let pages = text.split("](").skip(1).filter_map(|rest| rest.split(')').next());
     let mut modules = String::new();
     for page in std::iter::once("README.md".to_owned()).chain(pages.map(|page| format!("book/{page}"))) {
         let name =
             page.trim_start_matches("book/").trim_end_matches(".md").to_lowercase().replace(['/', '-'], "_");
-        writeln!(
-            modules,
-            "#[doc = include_str!({:?})]\nmod {} {{}}",
-            root.join(&page),
-            name.trim_end_matches("_index")
-        )?;
+        let mut path = root.join(&page);
+        println!("cargo::rerun-if-changed={}", path.display());
+        let text = fs::read_to_string(&path)?;
+        let tested = printed::tested(&text, &page);
+        if tested != text {
+            path = out.join(&page);
+            fs::create_dir_all(path.parent().ok_or("a page has a folder")?)?;
+            fs::write(&path, tested)?;
+        }
+        writeln!(modules, "#[doc = include_str!({path:?})]\nmod {} {{}}", name.trim_end_matches("_index"))?;
     }
-    fs::write(Path::new(&env::var("OUT_DIR")?).join("pages.rs"), modules)?;
+    fs::write(out.join("pages.rs"), modules)?;
     Ok(())
 }

@@ -3,8 +3,9 @@
 use crate::fault::{Faults, Lines};
 use crate::preprocess::Failed;
 use crate::rendered::Rendered;
-use crate::{api, maths, outcome, site};
+use crate::{api, outcome, site};
 use mdbook_renderer::RenderContext;
+use mdbook_renderer::config::Config;
 use std::io::Read;
 use std::path::Path;
 use std::{fs, io};
@@ -40,8 +41,8 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
 
 /// Finishes the site; what is wrong with it.
 fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
+    remove_sources_of_theme(site, &context.config)?;
     add(site, &context.root, drawn)?;
-    add_font(site)?;
     let found = site::check(site)?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let mut faults = Faults::default();
@@ -52,12 +53,14 @@ fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Resul
     Ok(faults)
 }
 
-/// Adds the mathematics font, and its licence, which has to accompany it.
-fn add_font(site_folder: &Path) -> io::Result<()> {
-    let fonts = site_folder.join("fonts");
-    fs::create_dir_all(&fonts)?;
-    fs::write(fonts.join("math.otf"), maths::FONT)?;
-    fs::write(fonts.join("math-LICENCE.txt"), include_str!("../drawing/font/LICENCE.txt"))
+/// The theme lies among the pages, so that mdBook has copied it once more, as it is before it goes into the site.
+fn remove_sources_of_theme(site: &Path, config: &Config) -> io::Result<()> {
+    let theme = config.html_config().and_then(|html| html.theme);
+    let copied = theme.as_ref().and_then(|theme| theme.strip_prefix(&config.book.src).ok());
+    match copied.map(|below| fs::remove_dir_all(site.join(below))) {
+        Some(Err(error)) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
 }
 
 /// Adds figures, the library's documentation and licences.

@@ -7,14 +7,17 @@
 //!
 //! | write | get |
 //! |---|---|
-//! | `$r_0$`, `$$…$$` in a paragraph of its own | mathematics, as MathML; `\$` is a dollar |
+//! | `$r_0$`, `$$…$$` in a paragraph of its own | mathematics, as MathML, in the colours of its letters; `\$` is a dollar |
+//! | `[words]{.spin}` | words in the colour of a quantity: body, spin, momentum, contact, force |
 //! | `$$…$$ {#eq:steady-radius}` | an equation with a number, chapter first: (1.9) |
 //! | `… {#eq:steady-radius source=19}` | the same, with the source's number and the anchor `#source-19` |
 //! | `… {#eq:r source="12 13" corrected}` | two numbers of the source; the equation corrects it |
 //! | `![Caption.](fig:machine)` in a paragraph of its own | the figure, with number and caption |
 //! | `words[^name]`, and `[^name]: The note.` somewhere below | a note in the margin, with maths and references |
 //! | `![Caption.](fig:machine)[^name]` | the same, on a figure |
-//! | `![](table:methods)` in a paragraph of its own | a table that the library gives |
+//! | a Markdown table, and right below it a paragraph `Table: what it holds.` | a table with its caption |
+//! | `![Caption.](table:methods)` in a paragraph of its own | a table that the library gives |
+//! | `let r = wheel.rate(); // → 4.317 rad/s` in a snippet | a number that the test holds to every digit shown |
 //! | `## Title {#sec:motion}` | a section that can be referred to |
 //! | `## Title {#ex:peak}` | an exercise with a number; it holds a hint in `<details>` |
 //! | `## {#sol:peak}` | its solution, titled and linked both ways |
@@ -28,6 +31,24 @@
 //! only. Notes are numbered on each page and stand behind the outermost block that refers to them. In a
 //! numbered chapter the title of a page stands below `Chapter 4`, or `Chapter 4 · Exercises`.
 //!
+//! Two tables of `conventions.md` say which letters stand for which coloured quantity, in the whole book and in
+//! single chapters. A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its
+//! unit; the number of an equation within round brackets has none of its own.
+//!
+//! In a table a column of numbers is set with their points below one another. (At least two cells are numbers, the
+//! rest dashes or short words.) There and in captions and notes `1.6e-8` is printed as 1.6·10⁻⁸.
+//!
+//! # Snippets
+//!
+//! All of a snippet is tested; its page shows what a reader would type. Lines behind `# ` are hidden, and the
+//! assertions that a snippet ends with are folded below it, with the comments right above them, if they take up more
+//! than three lines and stand below something else.
+//!
+//! A number behind `// → ` is an output. The test rounds the value of the statement to as many digits and refuses
+//! any other: what a `let` at the beginning of the statement binds, or the statement itself if it has one line. The
+//! value is an `f64`, an integer, a pair or an array; several numbers stand with commas between, `// → 1.2, 3.4`,
+//! and any words may follow. Very large and small ones are written `1.2e-5`.
+//!
 //! # Faults
 //!
 //! All faults of a run are reported, each as `error: book/page.md:80: …`, and nothing is built.
@@ -37,16 +58,21 @@
 //! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an
 //!   id that stands on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry
 //!   that nothing cites;
-//! - mathematics: LaTeX that is not understood or nested too deeply, a character that the font lacks, a blank
-//!   line inside `$$`, a stray `$`, display mathematics that shares its paragraph, mathematics in a heading;
+//! - colours: words in a colour that there is not, or in a caption; a colour or letter of the tables of conventions
+//!   that is none;
+//! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`,
+//!   display mathematics that shares its paragraph, mathematics in a heading;
+//! - characters that the faces of text, code or mathematics lack: they hold what `font/characters.txt` lists;
 //! - links: a dead link or anchor, a link without words or target, a reference `[x][y]` that is
 //!   defined nowhere, a link or a figure that Markdown does not read as one;
 //! - notes: a footnote that is defined nowhere or twice, or referred to twice or never, that holds more than a
 //!   paragraph of words, or hangs on a heading or another note;
 //! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
 //! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
-//!   lines or with a line too long for the page, text indented into a code block;
-//! - exercises without hint or solution, table columns without a name;
+//!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, text
+//!   indented into a code block;
+//! - exercises without hint or solution;
+//! - tables without a caption, or with a column that has no name, or in a list; a caption of no table;
 //! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are
 //!   not closed where they were opened, end tags that close nothing, mathematics or references inside;
 //! - mdBook's directives `{{#…}}`, control characters, and characters that turn the direction of the text;
@@ -64,12 +90,15 @@ pub mod preprocess;
 pub mod rendered;
 
 mod api;
+mod checks;
+mod faces;
 mod labels;
 mod maths;
 mod notes;
 mod outcome;
 mod outline;
 mod page;
+mod printed;
 mod raw;
 mod references;
 mod render;
@@ -78,5 +107,6 @@ mod signs;
 mod site;
 mod snippets;
 mod summary;
+mod tables;
 mod ties;
 mod written;

@@ -1,5 +1,6 @@
 //! What stands on a page that the press has to replace or check.
 
+use crate::maths::Quantity;
 use pulldown_cmark::Event;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -70,6 +71,19 @@ pub(crate) enum Mention {
     Source(u32),
 }
 
+/// A table: its rows of cells, of which the first holds the names of the columns.
+#[derive(Debug, Default)]
+pub(crate) struct Table<'a> {
+    pub(crate) rows: Vec<Vec<Cell<'a>>>,
+}
+
+/// A cell of a table, and where it stands on the page.
+#[derive(Debug)]
+pub(crate) struct Cell<'a> {
+    pub(crate) words: Vec<Event<'a>>,
+    pub(crate) offset: usize,
+}
+
 /// A note in the margin: `[^name]` in the text and `[^name]: words` below it.
 #[derive(Debug, Clone)]
 pub(crate) struct Note<'a> {
@@ -93,9 +107,16 @@ pub(crate) enum Item<'a> {
         label: Label,
         caption: Vec<Event<'a>>,
     },
-    /// A table that the library gives.
     Table {
+        table: Table<'a>,
+        caption: Vec<Event<'a>>,
+        /// Where the caption stands.
+        below: usize,
+    },
+    /// A table that the library gives.
+    LibraryTable {
         name: String,
+        caption: Vec<Event<'a>>,
     },
     Heading {
         level: u8,
@@ -116,8 +137,6 @@ pub(crate) enum Item<'a> {
     Snippet {
         code: &'a str,
     },
-    /// A label in a comment of a snippet, where a reader sees the number.
-    CodeLabel(Label),
     Citation {
         label: Label,
         short: &'a str,
@@ -130,6 +149,8 @@ pub(crate) enum Item<'a> {
     Hint,
     /// A blank between a number and its unit.
     Blank,
+    /// Words in the colour of a quantity begin, `[`, or end, `]{.role}`.
+    Coloured(Option<Quantity>),
 }
 
 /// An item and the bytes of the page that it takes up.

@@ -5,11 +5,12 @@ use crate::book::{Page, relative, resolve};
 use crate::fault::Faults;
 use crate::labels::Registry;
 use crate::maths::Maths;
-use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed};
+use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table};
 use crate::rendered::Rendered;
-use crate::scan::scan;
+use crate::scan::{options, scan};
 use crate::ties::{self, BLANK};
-use pulldown_cmark::{CowStr, Event, html::push_html};
+use crate::{snippets, tables};
+use pulldown_cmark::{CowStr, Event, Parser, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -28,7 +29,7 @@ pub(crate) fn render(
     let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
     let registry = Registry::build(pages, &scans, &drawn.figures, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
-    let maths = Maths::new();
+    let maths = Maths::new(pages, &mut faults);
     let mut cited = BTreeSet::new();
     let mut rendered = Vec::with_capacity(pages.len());
     for (page, found) in pages.iter().zip(&scans) {
@@ -153,24 +154,20 @@ impl Printer<'_, '_> {
             Item::InlineMaths { tex } => self.inline(tex, offset + 1),
             Item::DisplayMaths { tex, label } => self.display(tex, label.as_ref(), offset),
             Item::Figure { label, caption } => self.figure(label, caption, offset),
-            Item::Table { name } => self.table(name, offset),
+            Item::Table { table, caption, below } => Some(self.table(table, caption, *below)),
+            Item::LibraryTable { name, caption } => self.library_table(name, caption, offset),
             Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
             Item::Mention(mention) => {
                 let before = &self.page.text[..offset];
                 self.mention(mention, before, offset).map(|(words, target)| format!("[{words}]({target})"))
             }
+            Item::Coloured(Some(quantity)) => Some(format!("<span class=\"{}\">", quantity.class())),
+            Item::Coloured(None) => Some("</span>".to_owned()),
             Item::Blank => Some(ties::BLANK.to_owned()),
             Item::NoteMark(name) => Some(self.note_mark(name)),
             Item::Note(note) => Some(self.note(note)),
             Item::NoteDefinition => Some(String::new()),
-            Item::Snippet { code } => self.uses(code),
-            Item::CodeLabel(label) => match self.words(label) {
-                Ok((words, _)) => Some(words),
-                Err(message) => {
-                    self.fault(offset, message);
-                    None
-                }
-            },
+            Item::Snippet { code } => Some(self.snippet(code, offset)),
             Item::Citation { label, short } => Some(format!(
                 "<span class=\"cite\" id=\"{}\">&#91;{}&#93;</span>",
                 label.id(),
@@ -182,6 +179,25 @@ impl Printer<'_, '_> {
             }
             Item::Heading { label: None, .. } | Item::Hint | Item::Id(_) => None,
         }
+    }
+
+    /// A snippet with numbers for the labels that it cites, its checks folded, and what it uses of the library.
+    fn snippet(&mut self, code: &str, offset: usize) -> String {
+        let mut shown = String::with_capacity(code.len());
+        let mut done = 0;
+        for (place, name) in snippets::cited_labels(code, &(0..code.len())) {
+            let label = Label { kind: Kind::Equation, name: name["eq:".len()..].to_owned() };
+            match self.words(&label) {
+                Ok((number, _)) => {
+                    shown.push_str(&code[done..place.start]);
+                    shown.push_str(&number);
+                    done = place.end;
+                }
+                Err(message) => self.fault(offset + place.start, message),
+            }
+        }
+        shown.push_str(&code[done..]);
+        snippets::with_folded_checks(&shown) + &self.uses(code).unwrap_or_default()
     }
 
     /// A line below a snippet that leads to the documentation of the library items that it imports.
@@ -198,11 +214,14 @@ impl Printer<'_, '_> {
     }
 
     fn inline(&mut self, tex: &str, offset: usize) -> Option<String> {
-        self.maths.inline(tex).map_err(|fault| self.fault(offset + fault.offset, fault.message)).ok()
+        self.maths
+            .inline(tex, self.maths.folder(&self.page.path, offset - 1))
+            .map_err(|fault| self.fault(offset + fault.offset, fault.message))
+            .ok()
     }
 
     fn display(&mut self, tex: &str, label: Option<&EquationLabel>, offset: usize) -> Option<String> {
-        let converted = self.maths.display(tex);
+        let converted = self.maths.display(tex, self.maths.folder(&self.page.path, offset));
         let mathml = converted.map_err(|fault| self.fault(offset + 2 + fault.offset, fault.message)).ok()?;
         let Some(EquationLabel { label, source, corrected }) = label else {
             return Some(format!("<div class=\"equation\"><div class=\"formula\">{mathml}</div></div>"));
@@ -242,12 +261,40 @@ impl Printer<'_, '_> {
     }
 
     /// A table that the library gives.
-    fn table(&mut self, name: &str, offset: usize) -> Option<String> {
-        let table = self.drawn.tables.iter().find(|(known, _)| known == name).map(|(_, table)| table.clone());
-        if table.is_none() {
+    fn library_table(&mut self, name: &str, caption: &[Event<'_>], offset: usize) -> Option<String> {
+        let Some((_, text)) = self.drawn.tables.iter().find(|(known, _)| known == name) else {
             self.fault(offset, format!("the library gives no table `{name}`"));
+            return None;
+        };
+        let events: Vec<_> = Parser::new_ext(text, options()).into_offset_iter().collect();
+        let mut table = tables::read(&events);
+        table.rows.iter_mut().flatten().for_each(|cell| cell.offset = offset);
+        Some(self.table(&table, caption, offset))
+    }
+
+    /// A table as HTML, on as many lines as it has rows: no blank one, or Markdown would read on.
+    fn table(&mut self, table: &Table<'_>, caption: &[Event<'_>], offset: usize) -> String {
+        let caption = self.words_of(caption, offset, "caption");
+        let mut out =
+            format!("<div class=\"table-wrapper\">\n<table>\n<caption>{caption}</caption>\n<thead>\n");
+        let columns = tables::decimals(table);
+        for (n, row) in table.rows.iter().enumerate() {
+            out.push_str("<tr>");
+            for (cell, decimals) in row.iter().zip(&columns) {
+                let (element, scope) = if n == 0 { ("th", " scope=\"col\"") } else { ("td", "") };
+                let class = if decimals.is_some() { " class=\"number\"" } else { "" };
+                let words = self.words_of(&cell.words, cell.offset, "table");
+                let padding =
+                    decimals.filter(|_| n > 0).map(|most| tables::padding(cell, most)).unwrap_or_default();
+                let padding = match &*padding {
+                    "" => String::new(),
+                    padding => format!("<span class=\"pad\" data-pad=\"{padding}\"></span>"),
+                };
+                let _ = write!(out, "<{element}{scope}{class}>{words}{padding}</{element}>");
+            }
+            out.push_str(if n == 0 { "</tr>\n</thead>\n<tbody>\n" } else { "</tr>\n" });
         }
-        table
+        out + "</tbody>\n</table>\n</div>\n"
     }
 
     /// The mark of a note; the note itself stands behind the block.
@@ -280,28 +327,30 @@ impl Printer<'_, '_> {
                 _ => "",
             };
             let html = match event {
-                Event::InlineMath(tex) => match self.maths.inline_html(tex) {
-                    Ok(mathml) => {
-                        let last = match printed.last_mut() {
-                            Some(Event::InlineHtml(html)) => html,
-                            _ => &mut CowStr::from(""),
-                        };
-                        let (head, tail) = ties::around(last, next);
-                        let (kept, head) = last.split_at(last.len() - head);
-                        let formula = ties::tied(head, &mathml, &next[..tail]);
-                        *last = CowStr::from(kept.to_owned());
-                        taken = tail;
-                        Event::InlineHtml(CowStr::from(formula))
+                Event::InlineMath(tex) => {
+                    match self.maths.inline_html(tex, self.maths.folder(&self.page.path, offset)) {
+                        Ok(mathml) => {
+                            let last = match printed.last_mut() {
+                                Some(Event::InlineHtml(html)) => html,
+                                _ => &mut CowStr::from(""),
+                            };
+                            let (head, tail) = ties::around(last, next);
+                            let (kept, head) = last.split_at(last.len() - head);
+                            let formula = ties::tied(head, &mathml, &next[..tail]);
+                            *last = CowStr::from(kept.to_owned());
+                            taken = tail;
+                            Event::InlineHtml(CowStr::from(formula))
+                        }
+                        Err(fault) => {
+                            self.fault(offset, format!("in the {what}, {}", fault.message));
+                            continue;
+                        }
                     }
-                    Err(fault) => {
-                        self.fault(offset, format!("in the {what}, {}", fault.message));
-                        continue;
-                    }
-                },
+                }
                 Event::Text(text) => {
                     let html = self.mentions_in(&text[std::mem::take(&mut taken)..], &before, offset);
                     before.push_str(text);
-                    Event::InlineHtml(CowStr::from(html))
+                    Event::InlineHtml(CowStr::from(tables::powers_of_ten(&html)))
                 }
                 Event::SoftBreak => Event::Text(CowStr::from(" ")),
                 Event::FootnoteReference(name) => Event::InlineHtml(CowStr::from(self.note_mark(name))),
@@ -499,6 +548,16 @@ mod tests {
     }
 
     #[test]
+    fn words_have_the_colour_of_their_quantity() {
+        let page = printed("# A\n\nThe [angular *momentum*]{.momentum}, [so] and [$x$]{.spin}.\n");
+        let [momentum, spin] = ["momentum", "spin"].map(|role| format!("<span class=\"q-{role}\">"));
+        let expected = format!(
+            "The {momentum}angular *momentum*</span>, [so] and {spin}<math><mi>x</mi></math></span>."
+        );
+        assert!(page.contains(&expected), "{page}");
+    }
+
+    #[test]
     fn brackets_around_the_number_of_an_equation_are_its_own() {
         let page = printed(
             "# A\n\n$$\na\n$$ {#eq:x}\n\nBy @eq:x (@eq:x, as in @eq:x) and (so)\n@eq:x.[^a]\n\n[^a]: By (@eq:x) @eq:x.\n",
@@ -512,18 +571,43 @@ mod tests {
     #[test]
     fn a_formula_is_tied_to_what_stands_beside_it_in_text_tables_and_notes() {
         let page = printed(
-            "# A\n\nSo ($x$), 5 kg, *$x$.*[^a]\n\n| a |\n|---|\n| ($x$) |\n\n[^a]: So ($x$), 5 kg.\n",
+            "# A\n\nSo ($x$), 5 kg, *$x$.*[^a]\n\n| a |\n|---|\n| ($x$) |\n\nTable: T.\n\n[^a]: So ($x$), 5 kg.\n",
         );
         let tied = |head: &str, tail: &str| {
             format!("<span class=\"tied\">{head}<math><mi>x</mi></math>{tail}</span>")
         };
         for expected in [
             format!("So {} 5\u{a0}kg, *{}*", tied("(", "),"), tied("", ".")),
-            format!("| {} |", tied("(", ")")),
+            format!("<td>{}</td>", tied("(", ")")),
             format!("So {} 5\u{a0}kg.</aside>", tied("(", "),")),
         ] {
             assert!(page.contains(&expected), "{page}");
         }
+    }
+
+    #[test]
+    fn a_table_has_a_caption_and_columns_of_numbers() {
+        let page = "# A\n\n| what[^a] | it's |\n|---|---|\n| `a` | 1.25 |\n| @sec:x | 1e-3 |\n| b | – |\n\n\
+                    Table: Words\nand *more*.[^b]\n\nEnd.\n\n[^a]: A.\n[^b]: B.\n\n## X {#sec:x}\n";
+        let mark = |n: u8, name: &str| {
+            format!(
+                "<a class=\"note-mark\" id=\"noteref-{name}\" href=\"#note-{name}\" role=\"doc-noteref\">{n}</a>"
+            )
+        };
+        let pad = |zeros: &str| format!("<span class=\"pad\" data-pad=\"{zeros}\"></span>");
+        let expected = format!(
+            "<div class=\"table-wrapper\">\n<table>\n<caption>Words and <em>more</em>.{}</caption>\n<thead>\n\
+             <tr><th scope=\"col\">what{}</th><th scope=\"col\" class=\"number\">it’s</th></tr>\n</thead>\n<tbody>\n\
+             <tr><td><code>a</code></td><td class=\"number\">1.25</td></tr>\n\
+             <tr><td><a href=\"a.md#sec-x\">“X”</a></td><td class=\"number\">10<sup>−3</sup>{}</td></tr>\n\
+             <tr><td>b</td><td class=\"number\">–{}</td></tr>\n</tbody>\n</table>\n</div>\n\n\n<aside ",
+            mark(1, "b"),
+            mark(2, "a"),
+            pad(".00"),
+            pad(".00")
+        );
+        let page = printed(page);
+        assert!(page.contains(&expected), "{page}");
     }
 
     #[test]
@@ -543,8 +627,13 @@ mod tests {
     #[test]
     fn a_note_of_a_caption_stands_below_the_figure() {
         let [svg, standalone] = [String::new(), String::new()];
-        let figure =
-            crate::rendered::Figure { id: "fig:x".to_owned(), chapter: "a".to_owned(), svg, standalone };
+        let figure = crate::rendered::Figure {
+            id: "fig:x".to_owned(),
+            chapter: "a".to_owned(),
+            svg,
+            standalone,
+            wide: false,
+        };
         let drawn = Rendered { figures: vec![figure], tables: Vec::new() };
         let text = "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n".to_owned();
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);

@@ -3,10 +3,12 @@
 mod mathematics;
 
 use crate::book::Page;
+use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
+use crate::maths::Quantity;
 use crate::page::{Item, Kind, Note, Placed};
 use crate::raw::{Find, RawHtml};
-use crate::{notes, outline, references, signs, snippets, ties, written};
+use crate::{notes, outline, references, signs, snippets, tables, ties, written};
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Tag, TagEnd};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -68,6 +70,8 @@ struct Surroundings {
     quotes: usize,
     in_table: bool,
     in_table_head: bool,
+    /// Where the last table ends, with its caption.
+    end_of_table: usize,
     in_link: bool,
     in_caption: bool,
     in_note: bool,
@@ -81,6 +85,13 @@ struct Surroundings {
 impl<'a> Scan<'a, '_> {
     fn fault(&mut self, offset: usize, message: impl Into<String>) {
         self.report.fault(offset, message);
+    }
+
+    /// Text that the page shows in this face.
+    fn shown(&mut self, face: Face, range: &Range<usize>) {
+        if let Err((at, message)) = face.check(&self.text[range.clone()]) {
+            self.fault(range.start + at, message);
+        }
     }
 
     fn place(&mut self, range: Range<usize>, item: Item<'a>) {
@@ -113,13 +124,15 @@ impl<'a> Scan<'a, '_> {
                     self.raw.leave(&mut self.report);
                     self.surroundings.depth -= 1;
                     if self.surroundings.depth == 0 {
-                        self.notes(range.end);
+                        self.notes(range.end.max(self.surroundings.end_of_table));
                     }
                 }
                 Event::FootnoteReference(name) => self.note_mark(name, range),
                 Event::InlineMath(_) => self.inline(range),
                 Event::DisplayMath(_) => self.display(range),
+                Event::Code(_) => self.shown(Face::Code, range),
                 Event::Text(_) => {
+                    self.shown(Face::Text, range);
                     let in_link = self.surroundings.in_link;
                     self.items.extend(written::mentions(self.text, range, in_link, &mut self.report));
                     self.stray_dollars(range.clone());
@@ -127,12 +140,40 @@ impl<'a> Scan<'a, '_> {
                     if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
                         self.lost_labels(range);
                         self.blanks(range);
+                        self.coloured(range);
                     }
                 }
                 _ => {}
             }
         }
         self.raw.end(&mut self.report);
+    }
+
+    /// `[words]{.role}`: words in the colour of a quantity.
+    fn coloured(&mut self, range: &Range<usize>) {
+        for (at, _) in self.text[range.clone()].match_indices("{.") {
+            let at = range.start + at;
+            let Some(words) = self.text[..at].strip_suffix(']') else {
+                continue;
+            };
+            let paragraph = self.text[..at].rfind("\n\n").map_or(0, |blank| blank + 2);
+            let role = &self.text[at + 2..];
+            let (Some(open), Some(end)) = (words[paragraph.min(words.len())..].rfind('['), role.find('}'))
+            else {
+                continue;
+            };
+            let open = paragraph + open;
+            if self.surroundings.in_caption || self.surroundings.in_note {
+                self.fault(open, "coloured words stand in the text of a page, not in a caption or a note");
+            }
+            match Quantity::of_role(&role[..end]) {
+                Ok(quantity) => {
+                    self.place(open..open + 1, Item::Coloured(Some(quantity)));
+                    self.place(at - 1..at + 2 + end + 1, Item::Coloured(None));
+                }
+                Err(message) => self.fault(at, message),
+            }
+        }
     }
 
     /// Numbers in a run of text are not parted from their units.
@@ -146,7 +187,10 @@ impl<'a> Scan<'a, '_> {
     fn start(&mut self, tag: &Tag<'a>, range: &Range<usize>, next: usize) {
         match tag {
             Tag::BlockQuote(_) => self.surroundings.quotes += 1,
-            Tag::Table(_) => self.surroundings.in_table = true,
+            Tag::Table(_) => {
+                self.surroundings.in_table = true;
+                self.table(range, next);
+            }
             Tag::TableHead => self.surroundings.in_table_head = true,
             Tag::TableCell => {
                 let empty = self.text[range.clone()].trim_matches(['|', ' ', '\t']).is_empty();
@@ -160,6 +204,10 @@ impl<'a> Scan<'a, '_> {
                         range.start,
                         "a row of no table: no blank line may stand above it, and a table begins with a line of names and one of dashes",
                     );
+                }
+                let caption = self.text[range.clone()].starts_with(tables::CAPTION);
+                if caption && range.end > self.surroundings.end_of_table {
+                    self.fault(range.start, "a caption of no table: it stands right below its table");
                 }
                 self.surroundings.paragraph = Some(range.clone());
             }
@@ -228,17 +276,13 @@ impl<'a> Scan<'a, '_> {
     }
 
     fn code(&mut self, kind: &CodeBlockKind<'a>, range: &Range<usize>) {
+        self.shown(Face::Code, range);
         snippets::check(self.text, kind, range, |offset, message| self.report.fault(offset, message));
         if matches!(kind, CodeBlockKind::Indented) {
             self.fault(range.start, "text indented by four spaces becomes code: unindent it, or fence it");
         }
         if matches!(kind, CodeBlockKind::Fenced(info) if info.starts_with("rust")) {
-            self.place(range.end..range.end, Item::Snippet { code: &self.text[range.clone()] });
-        }
-        for (place, written) in snippets::cited_labels(self.text, range) {
-            if let Some(label) = written::label(written, place.start, &mut self.report) {
-                self.place(place, Item::CodeLabel(label));
-            }
+            self.place(range.clone(), Item::Snippet { code: &self.text[range.clone()] });
         }
     }
 
@@ -253,7 +297,12 @@ impl<'a> Scan<'a, '_> {
             if !alone {
                 self.fault(range.start, format!("the table {name} must stand in a paragraph of its own"));
             }
-            self.place(range.clone(), Item::Table { name: name.to_owned() });
+            let caption = self.caption(next, marks);
+            if caption.is_empty() {
+                self.fault(range.start, format!("the table {name} has no caption that says what it holds"));
+            }
+            let name = name.to_owned();
+            self.place(range.start..range.end + marks.len(), Item::LibraryTable { name, caption });
             return;
         }
         let label = written::label(dest_url, range.start, &mut self.report);
@@ -267,17 +316,39 @@ impl<'a> Scan<'a, '_> {
         if !alone {
             self.fault(range.start, format!("the figure {dest_url} must stand in a paragraph of its own"));
         }
-        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Image));
-        let mut caption: Vec<Event<'a>> =
-            self.events[next..end - 1].iter().map(|(event, _)| event.clone()).collect();
+        let caption = self.caption(next, if alone { marks } else { "" });
         if caption.is_empty() {
             self.fault(range.start, format!("the figure {dest_url} has no caption that says what it shows"));
         }
-        if alone {
-            let behind = self.events[end..].iter().map(|(event, _)| event);
-            caption.extend(behind.take_while(|event| !matches!(event, Event::End(_))).cloned());
-        }
         self.place(range.start..range.end + marks.len(), Item::Figure { label, caption });
+    }
+
+    /// The words of a figure, or of a table of the library, and the `marks` of notes behind it.
+    fn caption(&self, next: usize, marks: &str) -> Vec<Event<'a>> {
+        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Image));
+        let behind = self.events[end..]
+            .iter()
+            .take_while(|(event, _)| !marks.is_empty() && !matches!(event, Event::End(_)));
+        self.events[next..end - 1].iter().chain(behind).map(|(event, _)| event.clone()).collect()
+    }
+
+    /// A table, with the caption below it.
+    fn table(&mut self, range: &Range<usize>, next: usize) {
+        if self.surroundings.depth > 1 {
+            self.fault(range.start, "a table cannot stand in a list or a quotation");
+        }
+        let table = tables::read(&self.events[next..]);
+        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Table));
+        let (caption, place) =
+            tables::caption(self.text, &self.events[end..]).unwrap_or((Vec::new(), range.clone()));
+        if caption.is_empty() {
+            self.fault(
+                range.start,
+                "the table has no caption: a paragraph right below it, `Table: what it holds.`",
+            );
+        }
+        self.surroundings.end_of_table = place.end;
+        self.place(range.start..place.end, Item::Table { table, caption, below: place.start });
     }
 
     fn link(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
@@ -301,6 +372,7 @@ impl<'a> Scan<'a, '_> {
         let mut places = Vec::new();
         for (event, range) in events {
             if let Event::Html(piece) | Event::InlineHtml(piece) = event {
+                self.shown(Face::Text, range);
                 places.push((html.len(), range.start));
                 html.push_str(piece);
             }

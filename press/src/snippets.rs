@@ -1,5 +1,7 @@
 //! The rules for code on pages.
 
+use crate::checks::{self, Folded};
+use crate::printed;
 use crate::scan::options;
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
@@ -54,14 +56,16 @@ pub(crate) fn check(
             );
         }
     }
+    let lines: Vec<&str> = text[range.clone()].lines().collect();
+    let code = code_lines(&lines);
+    let shown = checks::folded(&lines[code.clone()]).map_or(code.end, |folded| code.start + folded.from);
     let mut count = 0;
     let mut offset = range.start;
     for (n, line) in text[range.clone()].split_inclusive('\n').enumerate() {
-        let code = line.trim_end();
-        let is_fence = n == 0 || code.trim_start().starts_with("```");
-        if !is_fence && code.trim() != "#" && !code.trim_start().starts_with("# ") {
-            count += 1;
-            let width = width(code);
+        let here = line.trim_end();
+        if code.contains(&n) && !checks::is_hidden(line) {
+            count += usize::from(n < shown);
+            let width = width(here);
             if width > MAX_WIDTH {
                 fault(
                     offset,
@@ -70,6 +74,9 @@ pub(crate) fn check(
                     ),
                 );
             }
+        }
+        if let Some(Err(message)) = printed::read(&lines, n) {
+            fault(offset, message.to_owned());
         }
         offset += line.len();
     }
@@ -81,6 +88,34 @@ pub(crate) fn check(
             ),
         );
     }
+}
+
+/// Which lines of a fenced block are its code.
+fn code_lines(lines: &[&str]) -> Range<usize> {
+    let fenced = lines.last().is_some_and(|line| line.trim_start_matches([' ', '>']).starts_with(['`', '~']));
+    1..lines.len() - usize::from(fenced && lines.len() > 1)
+}
+
+/// A fenced block, with its last assertions in a block of their own that opens on demand if they are many.
+pub(crate) fn with_folded_checks(block: &str) -> String {
+    let lines: Vec<&str> = block.lines().collect();
+    let code = code_lines(&lines);
+    let Some(Folded { from, count }) = checks::folded(&lines[code.clone()]) else {
+        return block.to_owned();
+    };
+    let cut = code.start + from;
+    let words = lines[0].trim_start_matches(['`', '~']).len();
+    let fence = &lines[0][..lines[0].len() - words];
+    if lines[code.end..] != [fence] {
+        return block.to_owned(); // in a list or a quotation, where a block cannot be cut in two
+    }
+    let (shown, hidden) = (lines[..cut].join("\n"), lines[cut..code.end].join("\n"));
+    let noun = if count == 1 { "check" } else { "checks" };
+    format!(
+        "{}\n{fence}\n\n<details class=\"checks\">\n<summary>{count} {noun}</summary>\n\n{}\n{hidden}\n{fence}\n\n</details>\n",
+        shown.trim_end(),
+        lines[0],
+    )
 }
 
 /// Whether a fenced block ends with its fence, whatever quotation or list it stands in.
@@ -141,6 +176,20 @@ pub(crate) fn relabelled(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn many_checks_are_folded_into_a_block_of_their_own() {
+        let checks = "assert!(a);\nassert!(\n    a\n);\n# Ok(())";
+        assert_eq!(
+            with_folded_checks(&format!("```rust\n# use x;\nlet a = 1;\n\n{checks}\n```\n")),
+            format!(
+                "```rust\n# use x;\nlet a = 1;\n```\n\n<details class=\"checks\">\n<summary>2 checks</summary>\n\n\
+                 ```rust\n{checks}\n```\n\n</details>\n"
+            )
+        );
+        let few = "```rust\nlet a = 1;\nassert!(a);\n```\n";
+        assert_eq!(with_folded_checks(few), few);
+    }
 
     #[test]
     fn no_rust_is_left_wherever_its_fence_stands() {

@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 /// The only figure and the only table that these books can show.
 fn drawn() -> Rendered {
     let [svg, standalone] = [String::new(), String::new()];
-    let figure = Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone };
+    let figure =
+        Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone, wide: false };
     Rendered { figures: vec![figure], tables: vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())] }
 }
 
@@ -56,6 +57,13 @@ type Case = (&'static str, &'static str, &'static [(usize, &'static str)]);
 /// empty list means nothing.
 const CASES: &[Case] = &[
     ("good-maths", "# A\n\nSo $x = 1$ and\n\n$$\ny = \\frac{1}{2}\n$$ {#eq:half}\n\nby @eq:half.\n", &[]),
+    ("coloured", "# A\n\nThe [spin]{.spin} of $x$.\n", &[]),
+    (
+        "coloured-unknown",
+        "# A\n\nThe\n[spin]{.spins}.\n",
+        &[(4, "no words are coloured as `spins`, but as body, spin")],
+    ),
+    ("coloured-caption", "# A\n\n![The [spin]{.spin}.](fig:machine)\n", &[(3, "not in a caption or a note")]),
     ("dollar", "# A\n\nIt costs \\$5.\n", &[]),
     ("dollar-in-code", "# A\n\n`$x` and\n\n```sh\necho $HOME @eq:none\n```\n", &[]),
     ("unknown-command", "# A\n\n$$\na = \\fraction{1}{2}\n$$\n", &[(4, "fraction")]),
@@ -63,7 +71,7 @@ const CASES: &[Case] = &[
     ("stray-dollar", "# A\n\nIt costs $5.\n", &[(3, "a stray `$`")]),
     ("blank-line", "# A\n\n$$\na\n\n= b\n$$\n", &[(3, "a stray `$$`"), (7, "a stray `$$`")]),
     ("list-in-formula", "# A\n\n$$\na\n+ b\n$$\n", &[(3, "starts a list"), (6, "a stray `$$`")]),
-    ("lost-row", "# A\n\n| a | b |\n|---|---|\n\n| 1 | 2 |\n", &[(6, "a row of no table")]),
+    ("lost-row", "# A\n\n| a | b |\n|---|---|\n\nTable: T.\n\n| 1 | 2 |\n", &[(8, "a row of no table")]),
     ("not-alone", "# A\n\nHere $$a$$ stands.\n", &[(3, "paragraph of its own")]),
     ("empty-maths", "# A\n\n$$\n$$ {#eq:e}\n", &[(3, "the formula is empty")]),
     ("maths-in-heading", "# A\n\n## On $x$\n", &[(3, "mathematics in a heading")]),
@@ -117,9 +125,33 @@ const CASES: &[Case] = &[
         "# A\n\n<details>\n<summary>hint</summary>\n\nSo.\n\n</details>\n",
         &[(4, "the word `Hint`")],
     ),
-    ("table", "# A\n\n![](table:methods)\n", &[]),
-    ("no-table", "# A\n\n![](table:none)\n", &[(3, "the library gives no table `none`")]),
-    ("table-in-text", "# A\n\nA ![](table:methods)\n", &[(3, "the table methods must stand in a paragraph")]),
+    ("table", "# A\n\n![It's *so*.](table:methods)[^a]\n\n[^a]: A.\n", &[]),
+    ("mute-table", "# A\n\n![](table:methods)\n", &[(3, "the table methods has no caption")]),
+    (
+        "good-table",
+        "# A\n\n| a |\n|---|\n| $b$[^b] |\n\nTable: It's\n@ex:x.[^a]\n\n[^a]: A.\n[^b]: B.\n\n## X {#ex:x}\n\n\
+     <details>\n<summary>Hint</summary>\n\nSo.\n\n</details>\n\n## {#sol:x}\n",
+        &[],
+    ),
+    ("no-table-caption", "# A\n\n| a |\n|---|\n| b |\n\nWords.\n", &[(3, "the table has no caption")]),
+    ("empty-table-caption", "# A\n\n| a |\n|---|\n| b |\n\nTable:\n", &[(3, "the table has no caption")]),
+    ("lost-table-caption", "# A\n\nTable: Words.\n", &[(3, "a caption of no table")]),
+    (
+        "listed-table",
+        "# A\n\n- | a |\n  |---|\n  | b |\n\n  Table: Words.\n",
+        &[(3, "in a list or a quotation")],
+    ),
+    (
+        "maths-in-table",
+        "# A\n\n| a |\n|---|\n| b |\n| $\\unknown$ |\n\nTable: See @eq:none.\n",
+        &[(6, "in the table, "), (8, "no page defines the label eq:none")],
+    ),
+    ("no-table", "# A\n\n![Words.](table:none)\n", &[(3, "the library gives no table `none`")]),
+    (
+        "table-in-text",
+        "# A\n\nA ![Words.](table:methods)\n",
+        &[(3, "the table methods must stand in a paragraph")],
+    ),
     ("image", "# A\n\n![A cat](cat.png)\n", &[(3, "not a figure of the book")]),
     ("citation", "# A\n\nSee [@cite:nobody-1999].\n", &[(3, "no page defines the label cite:nobody-1999")]),
     ("bare-entry", "# A\n\nSomewhere {#cite:x \"X\"} in a line.\n", &[(3, "list item")]),
@@ -132,6 +164,12 @@ const CASES: &[Case] = &[
         &[(4, "do not fit on the page")],
     ),
     (
+        "printed",
+        "# A\n\n```rust\nlet x = 1; // → much\nlet y = 1 // → 4\n    .f(); // → 5 m\n\n// → 6\ny; // → -1.2e-5, 7 m\n```\n",
+        &[(4, "is written `// → 4.317 rad/s`"), (5, "end of a statement"), (8, "end of a statement")],
+    ),
+    ("not-printed", "# A\n\n```text\n// → much\n```\n", &[]),
+    (
         "code-label",
         "# A\n\n```rust\nlet x = 1; // eq:nowhere\n```\n",
         &[(4, "no page defines the label eq:nowhere")],
@@ -141,8 +179,12 @@ const CASES: &[Case] = &[
         "# A\n\n$$\na\n$$ {#eq:x}\n\n[see @eq:x](b.md)\n",
         &[(7, "cannot stand inside a link")],
     ),
-    ("bar-in-table", "# A\n\n| a |\n|---|\n| $\\|x\\|$ |\n", &[(5, "`|` in the mathematics of a table")]),
-    ("cut-in-table", "# A\n\n| a | b |\n|---|---|\n| $|x|$ | b |\n", &[(5, "write \\lvert")]),
+    (
+        "bar-in-table",
+        "# A\n\n| a |\n|---|\n| $\\|x\\|$ |\n\nTable: T.\n",
+        &[(5, "`|` in the mathematics of a table")],
+    ),
+    ("cut-in-table", "# A\n\n| a | b |\n|---|---|\n| $|x|$ | b |\n\nTable: T.\n", &[(5, "write \\lvert")]),
     ("dollar-in-html", "# A\n\n<p>So $x$ is</p>\n", &[(3, "raw HTML is not read")]),
     ("own-anchor", "# A\n\n## Two words {#mine}\n\nSee [there](#mine) and [that](#a).\n", &[]),
     ("quoted-fault", "# A\n\n> $$\n> a +\n> \\fraction{1}{2}\n> $$\n", &[(5, "fraction")]),
@@ -295,7 +337,7 @@ const CASES: &[Case] = &[
     ),
     (
         "good-footnotes",
-        "# A\n\n![Caption.](fig:machine)[^a]\n\n| a |\n|---|\n| b[^b] |\n\n1. So\n   it is.[^c]\n\n\
+        "# A\n\n![Caption.](fig:machine)[^a]\n\n| a |\n|---|\n| b[^b] |\n\nTable: T.\n\n1. So\n   it is.[^c]\n\n\
          [^a]: A [link](b.md).\n[^b]: B.\n[^c]: `C`.\n",
         &[],
     ),
@@ -315,11 +357,27 @@ const CASES: &[Case] = &[
     ("late-title", "\n## B\n\n# A\n", &[(2, "begins with a title"), (4, "a second title")]),
     ("jump", "# A\n\n### B\n\n#### C\n\n## D\n", &[(3, "jumps from `#` to `###`")]),
     ("empty-heading", "# A\n\n##\n\nWords.\n", &[(3, "the heading is empty")]),
-    ("empty-column", "# A\n\n| a | |\n|---|---|\n| 1 | 2 |\n", &[(3, "a column of the table has no name")]),
+    (
+        "empty-column",
+        "# A\n\n| a | |\n|---|---|\n| 1 | 2 |\n\nTable: T.\n",
+        &[(3, "a column of the table has no name")],
+    ),
     ("nul", "# A\n\nA\0B.\n", &[(3, "U+0000")]),
     ("override", "# A\n\nOne\ntwo\u{202e}three.\n", &[(4, "U+202E")]),
     ("isolate-in-code", "# A\n\n```text\na\u{2066}b\n```\n", &[(4, "U+2066")]),
-    ("good-characters", "\u{feff}# A\r\n\r\nשלום, \u{200f}emoji 🛞,\ttab.\r\n", &[]),
+    ("good-characters", "\u{feff}# A\r\n\r\n“Störmer”, \u{2060}10⁻⁴ − 1,\ttab; `ω₀²`.\r\n", &[]),
+    ("text-lacks", "# A\n\nOf course\nω is.\n", &[(4, "the face of the text has no `ω` (U+03C9)")]),
+    ("table-lacks", "# A\n\n| a | b |\n|---|---|\n| x | 🛞 |\n", &[(5, "the face of the text has no `🛞`")]),
+    ("caption-lacks", "# A\n\n![So ∇ is.](fig:machine)\n", &[(3, "the face of the text has no `∇`")]),
+    (
+        "html-lacks",
+        "# A\n\n<details>\n<summary>Hint</summary>\nω\n</details>\n",
+        &[(5, "the text has no `ω`")],
+    ),
+    ("code-lacks", "# A\n\n```rust\n//\n// a ∝ b\n```\n", &[(5, "the face of the code has no `∝`")]),
+    ("inline-code-lacks", "# A\n\nSo\n`Γᵢ`.\n", &[(4, "the face of the code has no `ᵢ`")]),
+    ("maths-lacks", "# A\n\nSo\n$\\mathfrak{g}$.\n", &[(4, "the face of mathematics has no `𝔤`")]),
+    ("words-in-maths-lack", "# A\n\n$$\na \\text{ ∇}\n$$\n", &[(3, "the face of the text has no `∇`")]),
     (
         "unused-citation",
         "# A\n\n- {#cite:x \"X 1999\"} Words.\n- {#cite:y \"Y 1999\"} Words; @cite:y.\n",
@@ -426,8 +484,11 @@ fn a_page_that_the_summary_does_not_name_is_a_fault() {
 fn every_number_of_the_source_has_a_row_in_the_ledger_and_every_row_an_equation() {
     let book = Book::new("ledger", "# A\n\n$$\na\n$$ {#eq:x source=\"1 3\"}\n", "# B\n", "# C\n");
     assert_eq!(book.faults(), [""; 0], "a book without a ledger");
-    fs::write(book.root.join("book/ledger.md"), "# Ledger\n\n| a |\n|---|\n| @source:1 |\n| @source:2 |\n")
-        .unwrap();
+    fs::write(
+        book.root.join("book/ledger.md"),
+        "# Ledger\n\n| a |\n|---|\n| @source:1 |\n| @source:2 |\n\nTable: T.\n",
+    )
+    .unwrap();
     fs::write(book.root.join("book/SUMMARY.md"), "- [A](a.md)\n- [B](b.md)\n- [C](c.md)\n- [L](ledger.md)\n")
         .unwrap();
     let expected = [

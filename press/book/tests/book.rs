@@ -2,6 +2,8 @@
 
 #[path = "book/contrast.rs"]
 mod contrast;
+#[path = "book/vision.rs"]
+mod vision;
 
 use press::rendered::Rendered;
 use std::collections::BTreeSet;
@@ -80,13 +82,51 @@ fn pages() -> Vec<(PathBuf, String)> {
     pages
 }
 
+/// The addresses that a style sheet loads, as paths.
+fn loads(sheet: &Path, css: &str) -> Vec<PathBuf> {
+    let quoted = css.split("url(").skip(1).filter_map(|rest| rest.split(')').next());
+    quoted.map(|address| sheet.parent().unwrap().join(address.trim_matches(['"', '\'']))).collect()
+}
+
 #[test]
-fn the_site_holds_the_font_and_the_licences() {
-    for file in ["fonts/math.otf", "fonts/math-LICENCE.txt", "LICENSE-CC-BY-4.0"] {
-        assert!(site().join(file).is_file(), "no {file}");
+fn the_site_holds_the_fonts_that_it_asks_for_and_their_licences() {
+    let mut asked = BTreeSet::new();
+    for (sheet, css) in files(site(), ".css") {
+        if !sheet.starts_with(site().join("api")) {
+            let found = loads(&sheet, &css).into_iter().filter(|path| path.extension().is_some());
+            asked.extend(
+                found.map(|path| fs::canonicalize(&path).unwrap_or_else(|_| panic!("no {}", path.display()))),
+            );
+        }
     }
-    let sheets: String = files(site(), ".css").into_iter().map(|(_, css)| css).collect();
-    assert!(sheets.contains("fonts/math.otf"));
+    let folder = fs::canonicalize(site().join("fonts")).unwrap();
+    let fonts = names(&folder).into_iter().map(|name| folder.join(name));
+    let (texts, fonts): (Vec<_>, BTreeSet<_>) = {
+        let (fonts, texts) = fonts.partition::<Vec<_>, _>(|path| path.extension().unwrap() == "woff2");
+        (texts, fonts.into_iter().collect())
+    };
+    assert_eq!(asked, fonts, "a style sheet asks for each font, and each is there");
+    let licences =
+        texts.iter().find(|path| path.to_string_lossy().contains("LICENCES")).expect("the licences");
+    let licences = fs::read_to_string(licences).unwrap();
+    for family in
+        ["Libertinus Serif", "Open Sans", "Book Code", "Book Math", "SIL OPEN FONT LICENSE", "Apache License"]
+    {
+        assert!(licences.contains(family), "{family}");
+    }
+    assert!(site().join("LICENSE-CC-BY-4.0").is_file());
+
+    // Whoever asks for all of them at once, on a first visit, is not kept waiting.
+    let weight: u64 = fonts.iter().map(|font| fs::metadata(font).unwrap().len()).sum();
+    assert!(weight < 120 * 1024, "{weight} bytes of fonts");
+}
+
+#[test]
+fn every_page_asks_early_for_the_face_of_its_text() {
+    for (path, html) in pages().iter().filter(|(_, html)| html.contains("<main")) {
+        let early = html.split("<link rel=\"preload\" ").nth(1).and_then(|rest| rest.split('>').next());
+        assert!(early.is_some_and(|link| link.contains("libertinus-serif-regular")), "{}", path.display());
+    }
 }
 
 /// A small book in the workspace, for the real press and the real mdBook; the page `a.md` is the one given.
@@ -136,7 +176,7 @@ fn a_small_book_builds_and_after_a_fault_leaves_no_site() {
     let site = folder.join("target/book/html");
     let built = mdbook(&folder, &["build"]);
     assert!(built.status.success(), "{}", said(&built));
-    assert!(site.join("a.html").is_file() && site.join("fonts/math.otf").is_file());
+    assert!(site.join("a.html").is_file() && site.join("fonts").is_dir());
 
     // A fault that the preprocessor finds, whether the book is built, tested or checked.
     fs::write(folder.join("book/a.md"), "# A\n\nSee @eq:nothing.\n").unwrap();
@@ -153,8 +193,9 @@ fn a_small_book_builds_and_after_a_fault_leaves_no_site() {
 #[test]
 fn a_fault_of_the_finished_site_leaves_none() {
     let folder = small_book("bad-theme", GOOD);
-    fs::create_dir_all(folder.join("theme")).unwrap();
-    fs::write(folder.join("theme/head.hbs"), "<script src=\"https://example.org/x.js\"></script>\n").unwrap();
+    fs::create_dir_all(folder.join("book/theme")).unwrap();
+    fs::write(folder.join("book/theme/head.hbs"), "<script src=\"https://example.org/x.js\"></script>\n")
+        .unwrap();
     let built = mdbook(&folder, &["build"]);
     let fault = "error: book/a.md: <script> loads https://example.org/x.js from a network";
     assert!(!built.status.success() && said(&built).contains(fault), "{}", said(&built));

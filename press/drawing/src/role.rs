@@ -19,7 +19,17 @@ pub enum Hue {
     Purple,
 }
 
-/// How a line is drawn.
+/// How a line is drawn. Each meaning of a broken line has a pattern of its own:
+///
+/// | pattern | stroke | meaning |
+/// |---|---|---|
+/// | even dashes, thin | [`Reference`](Self::Reference) | a line to compare with, a construction |
+/// | dots | [`Dotted`](Self::Dotted) | a quieter one; the way from a label to what it names |
+/// | even dashes, thick | [`DashedCurve`](Self::DashedCurve) | a curve that is wrong, or only near the truth |
+/// | short dashes, pale | [`Hidden`](Self::Hidden) | what lies behind a body |
+/// | dash and dot | [`Border`](Self::Border) | where one kind of motion ends and another begins: a separatrix |
+/// | long dashes, thick | [`Second`](Self::Second) | the second curve of a hue |
+/// | short dashes, thick | [`Third`](Self::Third) | the third curve of a hue |
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Stroke {
     /// An axis of a plot or a major tick, 1 px.
@@ -28,8 +38,14 @@ pub enum Stroke {
     Tick,
     /// A curve of a plot, 2 px.
     Curve,
-    /// A curve that is shown as wrong or as an approximation, 2 px, dashed.
+    /// A curve that is shown as wrong or as an approximation, 2 px, in even dashes.
     DashedCurve,
+    /// The second curve of a hue, right as the first, 2 px, in long dashes.
+    Second,
+    /// The third curve of a hue, 2 px, in short dashes.
+    Third,
+    /// A separatrix, or the border of a region, 1.25 px, in dashes and dots.
+    Border,
     /// A path of many turns, 1 px.
     Orbit,
     /// An arrow's shaft, 1.75 px.
@@ -42,6 +58,8 @@ pub enum Stroke {
     Dotted,
     /// An edge behind a body, dashed and pale.
     Hidden,
+    /// What stands further back: the outline of a ghost, the far side of a path, 1 px, pale.
+    Pale,
     /// Hatching, 0.75 px.
     Hatch,
     /// A line of a grid on the ground, a pale hairline.
@@ -59,6 +77,8 @@ pub enum Fill {
     Side,
     /// A body of glass: a tint through which others are seen.
     Glass,
+    /// A body at another time: barely a tint.
+    Ghost,
     /// A region of the plane that means something: the palest tint.
     Ground,
     /// The shading of a rounded body, given by its shape, [`Shape::Rounded`](crate::Shape::Rounded).
@@ -109,17 +129,21 @@ impl Hue {
 
 impl Stroke {
     /// All of them.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 16] = [
         Self::Axis,
         Self::Tick,
         Self::Curve,
         Self::DashedCurve,
+        Self::Second,
+        Self::Third,
+        Self::Border,
         Self::Orbit,
         Self::Vector,
         Self::Outline,
         Self::Reference,
         Self::Dotted,
         Self::Hidden,
+        Self::Pale,
         Self::Hatch,
         Self::Grid,
     ];
@@ -127,12 +151,13 @@ impl Stroke {
     /// How wide the style sheet draws it, px.
     pub const fn width(self) -> f64 {
         match self {
-            Self::Curve | Self::DashedCurve => 2.0,
+            Self::Curve | Self::DashedCurve | Self::Second | Self::Third => 2.0,
+            Self::Border => 1.25,
             Self::Vector => 1.75,
             Self::Dotted => 1.6,
             Self::Tick | Self::Hatch => 0.75,
             Self::Grid => 0.6,
-            Self::Axis | Self::Orbit | Self::Outline | Self::Reference | Self::Hidden => 1.0,
+            Self::Axis | Self::Orbit | Self::Outline | Self::Reference | Self::Hidden | Self::Pale => 1.0,
         }
     }
 
@@ -143,12 +168,16 @@ impl Stroke {
             Self::Tick => "f-tick",
             Self::Curve => "f-curve",
             Self::DashedCurve => "f-dashed-curve",
+            Self::Second => "f-second",
+            Self::Third => "f-third",
+            Self::Border => "f-border",
             Self::Orbit => "f-orbit",
             Self::Vector => "f-vector",
             Self::Outline => "f-outline",
             Self::Reference => "f-reference",
             Self::Dotted => "f-dotted",
             Self::Hidden => "f-hidden",
+            Self::Pale => "f-pale",
             Self::Hatch => "f-hatch",
             Self::Grid => "f-grid",
         }
@@ -157,11 +186,12 @@ impl Stroke {
 
 impl Fill {
     /// All of them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Solid,
         Self::Face,
         Self::Side,
         Self::Glass,
+        Self::Ghost,
         Self::Ground,
         Self::Round,
         Self::Floor,
@@ -175,6 +205,7 @@ impl Fill {
             Self::Face => "f-face",
             Self::Side => "f-side",
             Self::Glass => "f-glass",
+            Self::Ghost => "f-ghost",
             Self::Ground => "f-ground",
             Self::Round => "f-round",
             Self::Floor => "f-floor",

@@ -126,6 +126,17 @@ mod tests {
     }
 
     #[test]
+    fn each_meaning_of_a_broken_line_has_a_pattern_of_its_own() {
+        let rules = Stroke::ALL.map(|stroke| format!(".{} {{", stroke.class()));
+        let rules = rules.iter().filter_map(|rule| PAGE.lines().find(|line| line.starts_with(rule)));
+        let pattern =
+            |rule: &str| rule.split_once("stroke-dasharray: ")?.1.split(';').next().map(str::to_owned);
+        let patterns: Vec<String> = rules.filter_map(pattern).collect();
+        let thick: std::collections::BTreeSet<&String> = patterns.iter().collect();
+        assert_eq!((patterns.len(), thick.len()), (7, 7), "{patterns:?}");
+    }
+
+    #[test]
     fn the_standalone_style_sheet_is_plain_css() {
         let sheet = standalone();
         for word in ["var(", "light-dark(", "color-mix("] {
@@ -133,7 +144,7 @@ mod tests {
         }
         let (light, dark) = sheet.split_once("@media").expect("a part for dark");
         for (rule, in_light, in_dark) in [
-            (".f-blue { color: ", "#0072b2; }", "#56b4e9; }"),
+            (".f-blue { color: ", "#1772ba; }", "#8cc1f8; }"),
             (".f-ink { color: ", "#1a1a1a; }", "#c9cad6; }"),
             (".f-page { fill: ", "#ffffff; }", "#161923; }"),
             (".f-face { fill: currentColor; fill-opacity: ", "22%; }", "42%; }"),

@@ -10,6 +10,7 @@ mod canvas;
 mod failure;
 #[cfg(test)]
 mod list; // of the build script
+mod look;
 mod plot;
 mod room;
 mod sample;
@@ -21,6 +22,7 @@ include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 pub use axis::Axis;
 pub use drawing::Drawing;
 pub use failure::{Failure, InvalidAxis};
+pub use look::Look;
 pub use plot::Plot;
 pub use room::{Room, in_both};
 pub use sample::{linear_steps, log_steps};

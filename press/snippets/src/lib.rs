@@ -1,5 +1,117 @@
 //! The snippets of the README and of every page of the book, which `cargo test --doc -p snippets` runs: the
 //! build script reads the list of the pages from `book/SUMMARY.md`.
+//!
+//! A number that a page prints behind its code is a check here: the build script has put [`printed`] in the place
+//! of `// → 4.317 rad/s`.
 
 #[cfg(doctest)]
 include!(concat!(env!("OUT_DIR"), "/pages.rs"));
+
+/// What a page can print: a number, or several.
+pub trait Printable {
+    /// The numbers of the value, in their order.
+    fn numbers(&self) -> Vec<Number>;
+}
+
+/// A number of a value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Number {
+    /// One that a page rounds.
+    Real(f64),
+    /// One that a page prints as it is.
+    Whole(i128),
+}
+
+impl Number {
+    /// The number with as many digits as `shown` has, and in its form.
+    fn written_like(self, shown: &str) -> String {
+        let decimals = |text: &str| text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        match (self, shown.split_once('e')) {
+            (Self::Whole(value), _) => value.to_string(),
+            (Self::Real(value), Some((digits, _))) => format!("{value:.*e}", decimals(digits)),
+            (Self::Real(value), None) => format!("{value:.*}", decimals(shown)),
+        }
+    }
+}
+
+impl Printable for f64 {
+    fn numbers(&self) -> Vec<Number> {
+        vec![Number::Real(*self)]
+    }
+}
+
+macro_rules! whole {
+    ($($integer:ty),+) => {$(
+        impl Printable for $integer {
+            fn numbers(&self) -> Vec<Number> {
+                vec![Number::Whole(i128::try_from(*self).expect("a number that a page prints is small"))]
+            }
+        }
+    )+};
+}
+whole!(i32, i64, u8, u32, u64, usize);
+
+impl<T: Printable + ?Sized> Printable for &T {
+    fn numbers(&self) -> Vec<Number> {
+        (**self).numbers()
+    }
+}
+
+impl<T: Printable, const N: usize> Printable for [T; N] {
+    fn numbers(&self) -> Vec<Number> {
+        self.iter().flat_map(Printable::numbers).collect()
+    }
+}
+
+impl<A: Printable, B: Printable> Printable for (A, B) {
+    fn numbers(&self) -> Vec<Number> {
+        [self.0.numbers(), self.1.numbers()].concat()
+    }
+}
+
+/// Holds a value to the numbers that the page prints of it, to the last digit shown.
+///
+/// ```
+/// snippets::printed(&(0.0123456, 12), "1.23e-2, 12", "book/page.md:3");
+/// ```
+///
+/// # Panics
+/// If a number of the value, rounded to as many digits, is another; the message names page and line.
+pub fn printed(value: &impl Printable, shown: &str, place: &str) {
+    let numbers = value.numbers();
+    let count = shown.split(", ").count();
+    assert!(
+        count == numbers.len(),
+        "{place}: the page prints {count} numbers, and the value has {numbers:?}"
+    );
+    for (number, shown) in numbers.into_iter().zip(shown.split(", ")) {
+        let written = number.written_like(shown);
+        // A zero has no sign on paper.
+        let zero = |text: &str| !text.contains(|c: char| c.is_ascii_digit() && c != '0');
+        assert!(
+            written == shown || (zero(&written) && zero(shown) && written.trim_start_matches('-') == shown),
+            "{place}: the page prints {shown}, and the value is {written}, that is {number:?}"
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_is_held_to_every_digit_that_the_page_shows() {
+        printed(&4.316_6, "4.317", "");
+        printed(&-0.000_04, "0.000", "");
+        printed(&[1.0, 2.55], "1, 2.5", ""); // 2.55 lies below the tie
+        printed(&6.02e23, "6.0e23", "");
+        printed(&&7_usize, "7", "");
+        for (value, shown) in [(4.316_4, "4.317"), (4.316_6, "4.318"), (-4.317, "4.317"), (6.06e23, "6.0e23")]
+        {
+            let wrong = std::panic::catch_unwind(|| printed(&value, shown, "book/page.md:3"));
+            let said = *wrong.expect_err(shown).downcast::<String>().expect("a message");
+            assert!(said.starts_with(&format!("book/page.md:3: the page prints {shown}, and")), "{said}");
+        }
+        assert!(std::panic::catch_unwind(|| printed(&[1.0, 2.0], "1.0", "")).is_err());
+    }
+}

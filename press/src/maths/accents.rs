@@ -34,7 +34,7 @@ fn way(letter: &Element, font: &Face<'_>) -> Option<f32> {
 }
 
 /// The italic letter that a browser shows for a plain one.
-fn italic(c: char) -> char {
+pub(crate) fn italic(c: char) -> char {
     let from = |first: u32, base: char| char::from_u32(first + u32::from(c) - u32::from(base)).unwrap_or(c);
     match c {
         'h' => 'ℎ',
@@ -55,13 +55,13 @@ fn italic(c: char) -> char {
 
 #[cfg(test)]
 mod tests {
-    use crate::maths::Maths;
+    use crate::maths::tests::plain;
 
     #[test]
     fn a_dot_stands_over_the_top_of_an_italic_letter() {
-        let maths = Maths::new();
+        let maths = plain();
         let margin = |tex: &str| -> f32 {
-            let mathml = maths.display(tex).unwrap();
+            let mathml = maths.display(tex, "").unwrap();
             let (_, rest) = mathml.split_once("margin-left:").unwrap_or(("", "0em"));
             rest.split_once("em").unwrap().0.parse().unwrap()
         };

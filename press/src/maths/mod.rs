@@ -1,16 +1,21 @@
 //! LaTeX to MathML: a converter's, mended where browsers print it badly.
 
-mod accents;
+pub(crate) mod accents;
 mod brackets;
+mod letters;
 mod tree;
 
+use crate::book::Page;
+use crate::faces;
+use crate::fault::Faults;
+use letters::Letters;
+pub(crate) use letters::Quantity;
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use tree::Element;
 use ttf_parser::Face;
 
-/// The mathematics font of the site and of labels, cut by the script beside it down to the characters that
-/// the script lists.
-pub(crate) const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
+/// The mathematics font of labels, which has the measures of that of the pages.
+const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
 /// MathML later.
@@ -20,6 +25,7 @@ const DEEPEST: usize = 60;
 pub(crate) struct Maths {
     converter: LatexToMathML,
     font: Face<'static>,
+    letters: Letters,
 }
 
 /// LaTeX that is not understood: where in it, and why.
@@ -31,31 +37,52 @@ pub(crate) struct MathsFault {
 }
 
 impl Maths {
-    pub(crate) fn new() -> Self {
+    /// A converter that colours letters as the conventions among `pages` say.
+    pub(crate) fn new(pages: &[Page], faults: &mut Faults) -> Self {
         let config = MathCoreConfig { annotation: false, ..MathCoreConfig::default() };
         // Only a macro can make the converter fail, and there is none.
-        Self {
+        let mut maths = Self {
             converter: LatexToMathML::new(config).unwrap_or_else(|_| unreachable!("no macros to be wrong")),
             font: Face::parse(FONT, 0).unwrap_or_else(|_| unreachable!("the font is sound")),
-        }
+            letters: Letters::default(),
+        };
+        maths.letters = Letters::read(pages, |tex| maths.formula(tex, MathDisplay::Inline), faults);
+        maths
     }
 
-    /// Display mathematics, as one line of MathML.
-    pub(crate) fn display(&self, tex: &str) -> Result<String, MathsFault> {
-        self.convert(tex, MathDisplay::Block)
+    /// The folder of the chapter whose letters the page at `path` uses at this place.
+    pub(crate) fn folder<'a>(&'a self, path: &'a str, offset: usize) -> &'a str {
+        self.letters.folder(path, offset)
+    }
+
+    /// Display mathematics of the chapter in `folder`, as one line of MathML.
+    pub(crate) fn display(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
+        self.convert(tex, MathDisplay::Block, folder)
     }
 
     /// Inline mathematics, as MathML whose text no Markdown parser can misread.
-    pub(crate) fn inline(&self, tex: &str) -> Result<String, MathsFault> {
-        self.convert(tex, MathDisplay::Inline).map(|mathml| shielded(&mathml))
+    pub(crate) fn inline(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
+        self.inline_html(tex, folder).map(|mathml| shielded(&mathml))
     }
 
     /// Inline mathematics for a place that is HTML already.
-    pub(crate) fn inline_html(&self, tex: &str) -> Result<String, MathsFault> {
-        self.convert(tex, MathDisplay::Inline)
+    pub(crate) fn inline_html(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
+        self.convert(tex, MathDisplay::Inline, folder)
     }
 
-    fn convert(&self, tex: &str, display: MathDisplay) -> Result<String, MathsFault> {
+    /// The converter's MathML as browsers print it well, coloured.
+    fn convert(&self, tex: &str, display: MathDisplay, folder: &str) -> Result<String, MathsFault> {
+        let mut formula = self.formula(tex, display)?;
+        brackets::keep_their_height(&mut formula);
+        accents::centre(&mut formula, &self.font);
+        self.letters.colour(&mut formula, folder);
+        let mut out = String::with_capacity(tex.len() * 8);
+        formula.write(&mut out);
+        Ok(out)
+    }
+
+    /// What the converter makes of a formula.
+    fn formula(&self, tex: &str, display: MathDisplay) -> Result<Element, MathsFault> {
         if tex.trim().is_empty() {
             return Err(MathsFault { offset: 0, message: "the formula is empty".to_owned() });
         }
@@ -63,21 +90,8 @@ impl Maths {
             let message = format!("the formula is nested more than {DEEPEST} deep: give its parts names");
             return Err(MathsFault { offset, message });
         }
-        match self.converter.convert_with_local_state(tex, display) {
-            Ok(result) => {
-                let mathml = result.mathml.replace('\n', " ");
-                let lacks = |&c: &char| !c.is_ascii() && self.font.glyph_index(c).is_none();
-                match mathml.chars().find(lacks) {
-                    None => self.mended(&mathml).ok_or_else(|| MathsFault {
-                        offset: 0,
-                        message: "the formula becomes no sound XML".to_owned(),
-                    }),
-                    Some(c) => Err(MathsFault {
-                        offset: 0,
-                        message: format!("the font has no `{c}`: add it in press/drawing/font/subset.py"),
-                    }),
-                }
-            }
+        let mathml = match self.converter.convert_with_local_state(tex, display) {
+            Ok(result) => result.mathml.replace('\n', " "),
             Err(error) => {
                 let offset = error.0.start.min(tex.len());
                 let context: String = tex[error.0.clone()].chars().take(40).collect();
@@ -87,19 +101,15 @@ impl Maths {
                 } else {
                     format!(" (at `{}`)", context.trim())
                 };
-                Err(MathsFault { offset, message: format!("in the formula: {message}{near}") })
+                return Err(MathsFault { offset, message: format!("in the formula: {message}{near}") });
             }
-        }
-    }
-
-    /// The converter's MathML as browsers print it well.
-    fn mended(&self, mathml: &str) -> Option<String> {
-        let mut formula = Element::read(mathml).ok()?;
-        brackets::keep_their_height(&mut formula);
-        accents::centre(&mut formula, &self.font);
-        let mut out = String::with_capacity(mathml.len());
-        formula.write(&mut out);
-        Some(out)
+        };
+        let message = match (faces::check_mathml(&mathml), Element::read(&mathml)) {
+            (Ok(()), Ok(formula)) => return Ok(formula),
+            (Err(message), _) => message,
+            (Ok(()), Err(error)) => format!("the formula becomes no sound XML: {error}"),
+        };
+        Err(MathsFault { offset: 0, message })
     }
 }
 
@@ -163,26 +173,30 @@ fn shielded(mathml: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
+
+    /// A converter that knows no colours.
+    pub(super) fn plain() -> Maths {
+        Maths::new(&[], &mut Faults::default())
+    }
 
     #[test]
     fn mathml_survives_markdown() {
-        let maths = Maths::new();
-        let mathml = maths.inline("a_1*b_2 - [c]'").unwrap();
+        let mathml = plain().inline("a_1*b_2 - [c]'", "").unwrap();
         let text: String = mathml.split('<').map(|part| part.rsplit('>').next().unwrap_or("")).collect();
         assert!(!text.contains(['*', '_', '[', ']', '\'']), "{text}");
     }
 
     #[test]
     fn a_character_that_the_font_lacks_is_a_fault() {
-        let fault = Maths::new().display(r"x \in \mathfrak{g}").unwrap_err();
-        assert_eq!(fault.message, "the font has no `𝔤`: add it in press/drawing/font/subset.py");
+        let fault = plain().display(r"x \in \mathfrak{g}", "").unwrap_err();
+        assert!(fault.message.contains("has no `𝔤` (U+1D524)"), "{}", fault.message);
     }
 
     #[test]
     fn an_unknown_command_is_a_fault_where_it_stands() {
-        let fault = Maths::new().display("a + \\fraction{1}{2}").unwrap_err();
+        let fault = plain().display("a + \\fraction{1}{2}", "").unwrap_err();
         assert_eq!(fault.offset, 4);
         assert!(fault.message.contains("fraction"), "{}", fault.message);
     }

@@ -4,7 +4,7 @@
 use super::{files, site};
 use std::collections::BTreeMap;
 
-const THEMES: [&str; 5] = ["light", "rust", "coal", "navy", "ayu"];
+pub(super) const THEMES: [&str; 5] = ["light", "rust", "coal", "navy", "ayu"];
 /// The least contrast of text with what is behind it, and of the signs on buttons (WCAG 2.2, 1.4.3 and 1.4.11).
 const TEXT: f64 = 4.5;
 const SIGN: f64 = 3.0;
@@ -24,10 +24,15 @@ impl Colour {
         Self(mixed)
     }
 
-    fn luminance(self) -> f64 {
-        let linear = |c: f64| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) };
+    /// Red, green and blue as amounts of light.
+    fn linear(self) -> [f64; 3] {
         let [r, g, b, _] = self.0;
-        0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b)
+        [r, g, b].map(|c| if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) })
+    }
+
+    fn luminance(self) -> f64 {
+        let [r, g, b] = self.linear();
+        0.2126 * r + 0.7152 * g + 0.0722 * b
     }
 }
 
@@ -76,23 +81,17 @@ fn sheet(name: &str) -> Vec<Rule> {
 }
 
 /// The colours of one theme.
-struct Theme {
+pub(super) struct Theme {
     name: &'static str,
     /// The variables of the page and of its figures.
     variables: BTreeMap<String, String>,
-    /// The rules of mdBook and ours, then those of the colours of code and ours on them.
+    /// The rules of mdBook and ours.
     page: Vec<Rule>,
-    code: Vec<Rule>,
 }
 
 impl Theme {
-    fn new(name: &'static str) -> Self {
+    pub(super) fn new(name: &'static str) -> Self {
         let (own, figures) = ([sheet("page"), sheet("maths")].concat(), sheet("figures"));
-        let highlight = match name {
-            "ayu" => "ayu-highlight",
-            "coal" | "navy" => "tomorrow-night",
-            _ => "highlight",
-        };
         let mut variables = BTreeMap::new();
         // In the order of their weight: a class, then an element with it.
         let [class, element] = [format!(".{name}"), format!("html.{name}")];
@@ -107,17 +106,16 @@ impl Theme {
         let mut page = sheet("general");
         page.extend(sheet("chrome"));
         page.extend(own.clone());
-        let mut code = sheet(highlight);
-        let ours = own.iter().filter_map(|(selector, declarations)| {
-            let inside = selector.strip_prefix(&format!("{element} "))?;
-            inside.starts_with(".hljs").then(|| (inside.to_owned(), declarations.clone()))
-        });
-        code.extend(ours);
-        Self { name, variables, page, code }
+        Self { name, variables, page }
     }
 
     fn is_dark(&self) -> bool {
         self.variables.get("--color-scheme").is_some_and(|scheme| scheme == "dark")
+    }
+
+    /// What an expression of CSS gives in this theme, as amounts of red, green and blue light.
+    pub(super) fn linear(&self, expression: &str) -> [f64; 3] {
+        self.colour(expression).linear()
     }
 
     /// What an expression of CSS gives in this theme.
@@ -179,16 +177,15 @@ impl Theme {
         of_selector.rfind(|(_, d)| d.contains_key(property)).map(|(_, d)| d[property].as_str())
     }
 
-    /// What can be behind the text of a page.
+    /// What can be behind the text of a page. Quotations, tables and blocks of code have no ground of their own.
     fn grounds(&self) -> Vec<(&'static str, Colour)> {
+        for bare in [".content blockquote", ".content table thead", ".content table tbody tr", ".hljs"] {
+            assert_eq!(Self::declared(&self.page, bare, "background"), Some("none"), "{bare}");
+        }
         let page = self.colour("var(--bg)");
-        let hint = Self::declared(&self.page, ".content details", "background").expect("a tint");
-        vec![
-            ("the page", page),
-            ("a hint", self.colour(hint).over(page)),
-            ("a quotation", self.colour("var(--quote-bg)")),
-            ("a row of a table", self.colour("var(--table-alternate-bg)")),
-        ]
+        let tint =
+            |selector| self.colour(Self::declared(&self.page, selector, "background").expect("a tint"));
+        vec![("the page", page), ("a hint", tint(".content details").over(page))]
     }
 
     /// Every text with what can be behind it, and the least contrast that it needs.
@@ -197,19 +194,31 @@ impl Theme {
         let mut pair = |text: &str, colour: Colour, on: &str, ground: Colour, least: f64| {
             pairs.push((format!("{}: {text} on {on}", self.name), colour, ground, least));
         };
-        let code_ground = self.colour(Self::declared(&self.code, ".hljs", "background").expect("a ground"));
-        for (on, ground) in self.grounds().into_iter().chain([("code", code_ground)]) {
+        for (on, ground) in self.grounds() {
+            let within =
+                Self::declared(&self.page, ".content :not(pre) > code", "background").expect("a tint");
+            let within = self.colour(within).over(ground);
             for text in ["--fg", "--links", "--inline-code-color"] {
                 pair(text, self.colour(&format!("var({text})")), on, ground, TEXT);
+                pair(text, self.colour(&format!("var({text})")), &format!("code in {on}"), within, TEXT);
             }
-        }
-        for (on, ground) in self.grounds() {
             // These inherit the colour of the text, or that of links, unless they name their own.
             for (selector, inherited) in [
                 (".content .marks .source", "var(--fg)"),
                 (".content .marks .corrected", "var(--fg)"),
-                (".uses", "var(--links)"),
                 (".figure .save", "var(--links)"),
+                (".figure figcaption", "var(--fg)"),
+                (".note", "var(--fg)"),
+                (".note-number", "var(--links)"),
+                (".kicker", "var(--fg)"),
+                (".content main h2::before", "var(--fg)"),
+                (".content main h2:target::before", "var(--fg)"),
+                (".uses", "var(--fg)"),
+                (".content details.checks > summary", "var(--fg)"),
+                (".content main li::marker", "var(--fg)"),
+                (".menu-title", "var(--icons)"),
+                (".foot", "var(--fg)"),
+                (".foot nav span", "var(--links)"),
             ] {
                 let colour = self.colour(Self::declared(&self.page, selector, "color").unwrap_or(inherited));
                 let opacity =
@@ -222,20 +231,16 @@ impl Theme {
             let [text, ground] = [hue, "page"].map(|name| self.colour(&format!("var(--figure-{name})")));
             pair(&format!("{hue} of figures"), text, "the page", ground, TEXT);
         }
-        for (selector, declarations) in &self.code {
-            // No page shows a comparison of two versions, or a language that has colours of its own.
-            let foreign =
-                selector.contains(' ') || [".hljs-addition", ".hljs-deletion"].contains(&&**selector);
-            if let Some(colour) = declarations.get("color").filter(|_| !foreign) {
-                let last = Self::declared(&self.code, selector, "color").unwrap_or(colour);
-                pair(selector, self.colour(last), "code", code_ground, TEXT);
+        for (on, ground) in self.grounds() {
+            let of_code = self.page.iter().filter(|(selector, _)| selector.starts_with(".hljs"));
+            for (selector, colour) in of_code.filter_map(|(selector, d)| Some((selector, d.get("color")?))) {
+                pair(selector, self.colour(colour), on, ground, TEXT);
             }
+            let hidden = Self::declared(&self.page, ".boring", "opacity").expect("an opacity");
+            let [r, g, b, _] = self.colour(Self::declared(&self.page, ".hljs", "color").expect("a colour")).0;
+            pair("hidden lines", Colour([r, g, b, hidden.parse().unwrap()]), on, ground, TEXT);
         }
-        let hidden = Self::declared(&self.page, ".boring", "opacity").expect("an opacity");
-        let [r, g, b, _] = self.colour(Self::declared(&self.code, ".hljs", "color").expect("a colour")).0;
-        pair("hidden lines", Colour([r, g, b, hidden.parse().unwrap()]), "code", code_ground, TEXT);
         for (text, on, least) in [
-            ("--fg", "--table-header-bg", TEXT),
             ("--sidebar-fg", "--sidebar-bg", TEXT),
             ("--sidebar-active", "--sidebar-bg", TEXT),
             ("--searchresults-header-fg", "--bg", TEXT),
@@ -290,7 +295,9 @@ fn links_are_told_by_a_line_and_what_shows_under_a_pointer_shows_to_the_keyboard
         })
         .map(|(selector, _)| selector.as_str())
         .collect();
-    assert_eq!(without, [".content main a.header:any-link", ".content main .marks a:any-link"]);
+    // Headings, numbers of equations and of notes.
+    let numbers = ["a.header", ".marks a", "a.note-mark", "a.note-number"];
+    assert_eq!(without, numbers.map(|what| format!(".content main {what}:any-link")));
     assert_eq!(of("pre > .buttons", "visibility"), "visible");
     assert_eq!(of("pre:focus-within > .buttons", "opacity"), "1");
     for (path, html) in super::pages() {

@@ -3,7 +3,7 @@
 use crate::drawing::Drawing;
 use crate::point::{Point, at};
 use crate::role::{Fill, Hue, Role, Stroke};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 /// The form of a marker. Markers are about 7 px across and of about equal weight.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,6 +20,10 @@ pub enum Marker {
     Ring,
     /// The mark of a centre of mass: a ring with two opposite quarters filled.
     Mass,
+    /// The mark of an arrow that comes out of the page: a ring with a point, the tip.
+    Out,
+    /// The mark of an arrow that goes into the page: a ring with a cross, the feathers.
+    Into,
 }
 
 /// Marks a point.
@@ -53,6 +57,19 @@ pub fn marker(drawing: &mut Drawing, point: Point, marker: Marker, hue: Hue) {
                 drawing.polygon(quarter, Fill::Solid, hue);
             }
             drawing.circle(point, radius, Role::Line(Stroke::Outline, hue));
+        }
+        Marker::Out | Marker::Into => {
+            let radius = 6.0;
+            drawing.circle(point, radius, Role::Area(Fill::Page, hue));
+            drawing.circle(point, radius, Role::Line(Stroke::Axis, hue));
+            if marker == Marker::Out {
+                drawing.dot(point, 2.2, hue);
+            } else {
+                for way in [FRAC_PI_4, 3.0 * FRAC_PI_4] {
+                    let feather = Point::polar(radius, way);
+                    drawing.line(point - feather, point + feather, Stroke::Axis, hue);
+                }
+            }
         }
     }
 }

@@ -80,27 +80,6 @@ const NOT_YET: &[&[&str]] = &[
     &[
     ],
 
-    // coin-toss
-    &[
-        "fig:toss",
-        "fig:threshold",
-        "fig:bias",
-        "fig:gimbal",
-    ],
-
-    // space-station
-    &[
-        "fig:nodding",
-    ],
-
-    // air-drag
-    &[
-        "fig:two-bodies",
-        "fig:tangent",
-        "fig:spin-tangent",
-        "fig:drag-fault",
-    ],
-
     // pinned-hoop
     &[
         "fig:speed-of-b",

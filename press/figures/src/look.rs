@@ -1,0 +1,96 @@
+//! How methods look: one hue, marker and stroke for each, on every page.
+
+use drawing::kit::Marker;
+use drawing::{Hue, Stroke};
+
+/// How a method is drawn, wherever it is: its name beside a curve, its hue, its marker, and its stroke where it
+/// has no markers.
+///
+/// A hue stands for a family, a marker and a stroke for a method of it:
+///
+/// | hue | family | methods |
+/// |---|---|---|
+/// | blue | the exact motion | closed form ◆ |
+/// | orange | Runge–Kutta with equal steps | RK4 ●, midpoint ▲ short dashes, Euler ○ long dashes |
+/// | pink | Runge–Kutta with step control | DOP853 ■ |
+/// | purple | power series | Taylor ▲ |
+/// | green | turns of the body | Strang ●, Blanes–Moan ◆ long dashes, CF4 ▲ short dashes |
+///
+/// ```
+/// # use drawing::{Hue, kit::Marker};
+/// # use figures::Look;
+/// assert_eq!((Look::RK4.name, Look::RK4.hue, Look::RK4.marker), ("RK4", Hue::Orange, Marker::Disc));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Look {
+    /// The name of the method, as a label.
+    pub name: &'static str,
+    /// Its colour.
+    pub hue: Hue,
+    /// The form of its points.
+    pub marker: Marker,
+    /// Its curve.
+    pub stroke: Stroke,
+}
+
+impl Look {
+    /// A formula, or what comes from one.
+    pub const EXACT: Self = Self::new("closed form", Hue::Blue, Marker::Diamond, Stroke::Curve);
+    /// Euler's method.
+    pub const EULER: Self = Self::new("Euler", Hue::Orange, Marker::Ring, Stroke::Second);
+    /// The midpoint rule, a Runge–Kutta method of order two.
+    pub const MIDPOINT: Self = Self::new("midpoint", Hue::Orange, Marker::Triangle, Stroke::Third);
+    /// The classical Runge–Kutta method.
+    pub const RK4: Self = Self::new("RK4", Hue::Orange, Marker::Disc, Stroke::Curve);
+    /// The method of Dormand and Prince of order eight.
+    pub const DOP853: Self = Self::new("DOP853", Hue::Pink, Marker::Square, Stroke::Curve);
+    /// Power series.
+    pub const TAYLOR: Self = Self::new("Taylor", Hue::Purple, Marker::Triangle, Stroke::Curve);
+    /// Strang's splitting.
+    pub const STRANG: Self = Self::new("Strang", Hue::Green, Marker::Disc, Stroke::Curve);
+    /// The splitting of Blanes and Moan.
+    pub const BLANES_MOAN: Self = Self::new("Blanes–Moan", Hue::Green, Marker::Diamond, Stroke::Second);
+    /// The commutator-free method of order four.
+    pub const CF4: Self = Self::new("CF4", Hue::Green, Marker::Triangle, Stroke::Third);
+
+    /// All of them.
+    pub const ALL: [Self; 9] = [
+        Self::EXACT,
+        Self::EULER,
+        Self::MIDPOINT,
+        Self::RK4,
+        Self::DOP853,
+        Self::TAYLOR,
+        Self::STRANG,
+        Self::BLANES_MOAN,
+        Self::CF4,
+    ];
+
+    const fn new(name: &'static str, hue: Hue, marker: Marker, stroke: Stroke) -> Self {
+        Self { name, hue, marker, stroke }
+    }
+
+    /// The look of the method with this name, as the library's table of methods has it.
+    pub fn of(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|look| look.name == name)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Look;
+    use mechanics::integrate::METHODS;
+
+    #[test]
+    fn every_method_has_a_look_of_its_own() {
+        for method in METHODS {
+            assert!(Look::of(method.name).is_some(), "{} has no look", method.name);
+        }
+        for (n, one) in Look::ALL.iter().enumerate() {
+            for other in &Look::ALL[..n] {
+                assert_ne!((one.hue, one.marker), (other.hue, other.marker), "{one:?}");
+                assert_ne!((one.hue, one.stroke), (other.hue, other.stroke), "{one:?}");
+            }
+        }
+    }
+}
