@@ -53,7 +53,7 @@ fn suspension() -> Outcome {
          which stands a little to the right of the middle O and above it. In the tub turns the drum with its shaft; the load m sits on \
          the drum.",
     );
-    let (origin, half) = (at(165.0, 165.0), 142.0);
+    let (origin, half) = (at(165.0, 165.0), 138.0);
     let shaft = origin + at(22.0, -16.0);
     let (tub, drum) = (76.0, 64.0);
     for side in 0..4 {
@@ -159,7 +159,7 @@ pub(crate) fn phases(id: &str) -> Outcome {
         damping: 90.0,
         spin: 0.0,
     };
-    let scale = 64.0 / base.load_radius;
+    let scale = 59.0 / base.load_radius;
     let theta = 0.32; // one direction of the shaft in all three
     let mut panels = Vec::new();
     for (ratio, width, name, words) in [
@@ -504,7 +504,7 @@ pub(crate) fn eigenvalues(id: &str) -> Outcome {
         let mut drawing = Drawing::new("", 350.0, 440.0).titled("Eigenvalues as the spin grows", words);
         let real = Axis::linear(-0.4, 0.2, 0.2)?.minor(0.1).titled(r"$\text{Re}\,s/\omega_0$");
         let imaginary = Axis::linear(-4.2, 4.2, 2.0)?.minor(1.0).titled(r"$\text{Im}\,s/\omega_0$");
-        let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 54.0, 256.0, 334.0), real, imaginary)?;
+        let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 54.0, 246.0, 334.0), real, imaginary)?;
         plot.region((0.0, -4.2), (0.2, 4.2), Hue::Orange);
         plot.reference((0.0, -4.2), (0.0, 4.2), Stroke::Outline);
         plot.reference((-0.4, 0.0), (0.0, 0.0), Stroke::Dotted);
@@ -983,7 +983,7 @@ pub(crate) fn speed(id: &str) -> Outcome {
     let mut drawn = Vec::new();
     for (panel, words, axis, work) in panels {
         let mut drawing = Drawing::new("", 340.0, 372.0).titled("Error against work", words);
-        let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 262.0, 284.0), error()?, axis)?;
+        let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 256.0, 284.0), error()?, axis)?;
         for (method, marker, hue) in methods {
             let rows = all.iter().filter(|row| row.method == method);
             let values = front(rows.map(|row| (row.error, work(row))).filter(|value| value.1 > 0.0));

@@ -98,7 +98,7 @@ pub(crate) fn wobbles(id: &str) -> Outcome {
             elevation: 0.42,
             distance: 8.0,
             centre: at(62.0, 92.0),
-            scale: 50.0,
+            scale: 46.0,
         })?);
         stage.solid(Solid::disc([0.0; 3], axis, 1.0, 0.06)?, Hue::Blue)?;
         stage.vector([0.0; 3], [0.0, 0.0, 1.45], Hue::Green)?;
