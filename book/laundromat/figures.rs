@@ -5,7 +5,7 @@
 
 use crate::speed_and_accuracy::measured::{Measurement, front};
 use crate::speed_and_accuracy::measurements;
-use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps, log_steps};
+use crate::{Axis, Cause, Look, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::integrate::rk4;
@@ -869,7 +869,7 @@ pub(crate) fn ramp_map(id: &str) -> Outcome {
         };
         corner(Hue::Blue, (slowest, heaviest), &mut plot);
         corner(Hue::Orange, (quickest, lightest), &mut plot);
-        plot.reference((slowest, lightest), (quickest, heaviest), Stroke::Reference);
+        plot.reference((slowest, lightest), (quickest, heaviest), Stroke::Border);
 
         for (level, line) in levels.iter().zip(&lines) {
             plot.curve(&format!("swing-{level}"), line.iter().copied(), Stroke::Curve, Hue::Ink);
@@ -943,11 +943,11 @@ pub(crate) fn polar_fault(id: &str) -> Outcome {
         let error = Axis::log(1e-12, 1.0, 2)?.titled("error of the position after the pass, m");
         let mut plot = Plot::new(&mut drawing, Rect::new(62.0, 34.0, room.of(576.0, 312.0), 274.0), distance, error)?;
         plot.upright(speed * step, Stroke::Dotted);
-        plot.series("polar", &polar, Marker::Disc, Hue::Orange);
-        plot.series("cartesian", &cartesian, Marker::Square, Hue::Blue);
+        plot.series("polar", &polar, Look::RK4.marker, Look::RK4.hue);
+        plot.series("cartesian", &cartesian, Marker::Ring, Look::RK4.hue);
         plot.label((1e-3, 1e-1), Side::Right, room.of("distance covered in one step", "covered in one step"), Hue::Muted)?;
         plot.label((5e-3, 1e-6), Side::AboveRight, r"in $r$ and $\theta$", Hue::Orange)?;
-        plot.label((1e-4, 3e-11), Side::Above, r"in $x$ and $y$", Hue::Blue)?;
+        plot.label((1e-4, 3e-11), Side::Above, r"in $x$ and $y$", Look::RK4.hue)?;
         Ok(drawing)
     })
 }
@@ -956,11 +956,6 @@ pub(crate) fn polar_fault(id: &str) -> Outcome {
 pub(crate) fn speed(id: &str) -> Outcome {
     let mut all = measurements()?;
     all.retain(|row| row.problem == "washer" && row.contestant == "mechanics");
-    let methods = [
-        ("RK4", Marker::Square, Hue::Orange),
-        ("DOP853", Marker::Disc, Hue::Blue),
-        ("closed form", Marker::Diamond, Hue::Green),
-    ];
     let error = || Axis::log(1e-16, 1.0, 4).map(|axis| axis.titled("largest error, in units of $b$"));
     let evaluations = Axis::log(1e3, 1e7, 1)?.titled("evaluations of the rates");
     let time = Axis::log(1e-3, 1e3, 1)?.titled("time, ms");
@@ -984,7 +979,7 @@ pub(crate) fn speed(id: &str) -> Outcome {
     for (panel, words, axis, work) in panels {
         let mut drawing = Drawing::new("", 340.0, 372.0).titled("Error against work", words);
         let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 256.0, 284.0), error()?, axis)?;
-        for (method, marker, hue) in methods {
+        for Look { name: method, marker, hue, .. } in [Look::RK4, Look::DOP853, Look::EXACT] {
             let rows = all.iter().filter(|row| row.method == method);
             let values = front(rows.map(|row| (row.error, work(row))).filter(|value| value.1 > 0.0));
             plot.series(&format!("{panel}-{}", method.replace(' ', "-")), &values, marker, hue);
@@ -993,7 +988,7 @@ pub(crate) fn speed(id: &str) -> Outcome {
             plot.label(most_exact, side, method, hue)?;
         }
         if panel == "evaluations" {
-            plot.label((2e-16, 2e3), Side::Right, "closed form: none", Hue::Green)?;
+            plot.label((2e-16, 2e3), Side::Right, "closed form: none", Look::EXACT.hue)?;
         }
         drawn.push(drawing);
     }
