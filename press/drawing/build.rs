@@ -9,7 +9,7 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
 const FONT: &str = "font/math.otf";
 
 /// Everything that the TeX subset of the labels can ask for, beside the alphabets.
-const SYMBOLS: &str = "+−×·±∓=<>≤≥≪≫≈≃∼∝≠≡∞→←↔∂∇√()[]{}|‖,;:.!/°′″…⋯⟨⟩∠⊥∥";
+const SYMBOLS: &str = "+−×·±∓=<>≤≥≪≫≈≃∼∝≠≡∞→←↔∂∇√()[]{}|,;:.!/°′″…⋯⟨⟩∠⊥∥";
 /// Combining accents: hat, tilde, bar, dot, two dots, vector arrow.
 const ACCENTS: &str = "\u{302}\u{303}\u{304}\u{307}\u{308}\u{20d7}";
 /// First and last of: letters, digits, Greek, and the mathematical alphabets (italic, bold, bold italic;

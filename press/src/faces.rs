@@ -1,5 +1,6 @@
 //! What the faces of the book can show: the characters to which `press/drawing/font/cut.py` cuts them down.
 
+use crate::maths::accents::italic;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
@@ -65,9 +66,11 @@ fn listed(section: &str) -> BTreeSet<char> {
         .collect()
 }
 
-/// Whether a character needs no shape: ends of lines, places where a word may or may not break, a narrow space.
+/// Whether a character needs no shape: ends of lines, places where a word may or may not break, directions, a narrow
+/// space.
 fn is_unseen(c: char) -> bool {
-    c.is_control() || matches!(c, '\u{ad}' | '\u{200b}'..='\u{200d}' | '\u{202f}' | '\u{2060}'..='\u{2064}')
+    c.is_control()
+        || matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202f}' | '\u{2060}'..='\u{2069}')
 }
 
 /// What is wrong with MathML: the first character that its face lacks.
@@ -86,28 +89,6 @@ pub(crate) fn check_mathml(mathml: &str) -> Result<(), String> {
         face.check(&shown).map_err(|(_, message)| message)?;
     }
     Ok(())
-}
-
-/// The letter that browsers print for a variable of one letter.
-fn italic(c: char) -> char {
-    let shifted = |first: char, to: u32| char::from_u32(u32::from(c) - u32::from(first) + to);
-    match c {
-        'h' => Some('ℎ'),
-        'A'..='Z' => shifted('A', 0x1d434),
-        'a'..='z' => shifted('a', 0x1d44e),
-        'ı' => Some('𝚤'),
-        'Α'..='Ω' => shifted('Α', 0x1d6e2),
-        '∇' => Some('𝛻'),
-        'α'..='ω' => shifted('α', 0x1d6fc),
-        '∂' => Some('𝜕'),
-        'ϵ' => Some('𝜖'),
-        'ϑ' => Some('𝜗'),
-        'ϕ' => Some('𝜙'),
-        'ϱ' => Some('𝜚'),
-        'ϖ' => Some('𝜛'),
-        _ => None,
-    }
-    .unwrap_or(c)
 }
 
 #[cfg(test)]

@@ -15,7 +15,8 @@
 //! | `![Caption.](fig:machine)` in a paragraph of its own | the figure, with number and caption |
 //! | `words[^name]`, and `[^name]: The note.` somewhere below | a note in the margin, with maths and references |
 //! | `![Caption.](fig:machine)[^name]` | the same, on a figure |
-//! | `![](table:methods)` in a paragraph of its own | a table that the library gives |
+//! | a Markdown table, and right below it a paragraph `Table: what it holds.` | a table with its caption |
+//! | `![Caption.](table:methods)` in a paragraph of its own | a table that the library gives |
 //! | `let r = wheel.rate(); // → 4.317 rad/s` in a snippet | a number that the test holds to every digit shown |
 //! | `## Title {#sec:motion}` | a section that can be referred to |
 //! | `## Title {#ex:peak}` | an exercise with a number; it holds a hint in `<details>` |
@@ -33,6 +34,9 @@
 //! Two tables of `conventions.md` say which letters stand for which coloured quantity, in the whole book and in
 //! single chapters. A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its
 //! unit; the number of an equation within round brackets has none of its own.
+//!
+//! In a table a column of numbers is set with their points below one another. (At least two cells are numbers, the
+//! rest dashes or short words.) There and in captions and notes `1.6e-8` is printed as 1.6·10⁻⁸.
 //!
 //! # Snippets
 //!
@@ -67,7 +71,8 @@
 //! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
 //!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, text
 //!   indented into a code block;
-//! - exercises without hint or solution, table columns without a name;
+//! - exercises without hint or solution;
+//! - tables without a caption, or with a column that has no name, or in a list; a caption of no table;
 //! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are
 //!   not closed where they were opened, end tags that close nothing, mathematics or references inside;
 //! - mdBook's directives `{{#…}}`, control characters, and characters that turn the direction of the text;

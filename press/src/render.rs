@@ -215,13 +215,13 @@ impl Printer<'_, '_> {
 
     fn inline(&mut self, tex: &str, offset: usize) -> Option<String> {
         self.maths
-            .inline(tex, &self.page.path)
+            .inline(tex, self.maths.folder(&self.page.path, offset - 1))
             .map_err(|fault| self.fault(offset + fault.offset, fault.message))
             .ok()
     }
 
     fn display(&mut self, tex: &str, label: Option<&EquationLabel>, offset: usize) -> Option<String> {
-        let converted = self.maths.display(tex, &self.page.path);
+        let converted = self.maths.display(tex, self.maths.folder(&self.page.path, offset));
         let mathml = converted.map_err(|fault| self.fault(offset + 2 + fault.offset, fault.message)).ok()?;
         let Some(EquationLabel { label, source, corrected }) = label else {
             return Some(format!("<div class=\"equation\"><div class=\"formula\">{mathml}</div></div>"));
@@ -327,24 +327,26 @@ impl Printer<'_, '_> {
                 _ => "",
             };
             let html = match event {
-                Event::InlineMath(tex) => match self.maths.inline_html(tex, &self.page.path) {
-                    Ok(mathml) => {
-                        let last = match printed.last_mut() {
-                            Some(Event::InlineHtml(html)) => html,
-                            _ => &mut CowStr::from(""),
-                        };
-                        let (head, tail) = ties::around(last, next);
-                        let (kept, head) = last.split_at(last.len() - head);
-                        let formula = ties::tied(head, &mathml, &next[..tail]);
-                        *last = CowStr::from(kept.to_owned());
-                        taken = tail;
-                        Event::InlineHtml(CowStr::from(formula))
+                Event::InlineMath(tex) => {
+                    match self.maths.inline_html(tex, self.maths.folder(&self.page.path, offset)) {
+                        Ok(mathml) => {
+                            let last = match printed.last_mut() {
+                                Some(Event::InlineHtml(html)) => html,
+                                _ => &mut CowStr::from(""),
+                            };
+                            let (head, tail) = ties::around(last, next);
+                            let (kept, head) = last.split_at(last.len() - head);
+                            let formula = ties::tied(head, &mathml, &next[..tail]);
+                            *last = CowStr::from(kept.to_owned());
+                            taken = tail;
+                            Event::InlineHtml(CowStr::from(formula))
+                        }
+                        Err(fault) => {
+                            self.fault(offset, format!("in the {what}, {}", fault.message));
+                            continue;
+                        }
                     }
-                    Err(fault) => {
-                        self.fault(offset, format!("in the {what}, {}", fault.message));
-                        continue;
-                    }
-                },
+                }
                 Event::Text(text) => {
                     let html = self.mentions_in(&text[std::mem::take(&mut taken)..], &before, offset);
                     before.push_str(text);

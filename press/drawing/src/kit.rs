@@ -6,7 +6,7 @@ mod arrow;
 mod device;
 mod marker;
 
-pub(crate) use arrow::{HEAD, SMALL};
-pub use arrow::{Heads, angle, arrow, dimension, head};
+pub(crate) use arrow::{HEAD, size};
+pub use arrow::{Heads, angle, arrow, dimension, head, way};
 pub use device::{damper, ground, spring};
 pub use marker::{Marker, marker};

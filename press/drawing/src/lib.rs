@@ -22,6 +22,9 @@
 //! | `flaw` | why a drawing is refused: a coordinate that is no number, a curve that nobody sees |
 //! | `svg`, `style` | the writer, and the style sheet of figures that stand alone |
 //!
+//! A figure of panels is [`Drawing::panels`], one that needs another layout on a phone has [`Drawing::with_narrow`].
+//! What dashes mean is said at [`Stroke`], what hues mean at [`Hue`].
+//!
 //! Solids, a camera and hidden lines live in a module of their own, [`space`], on top of the same display list.
 //!
 //! ```

@@ -58,6 +58,8 @@ pub enum Stroke {
     Dotted,
     /// An edge behind a body, dashed and pale.
     Hidden,
+    /// What stands further back: the outline of a ghost, the far side of a path, 1 px, pale.
+    Pale,
     /// Hatching, 0.75 px.
     Hatch,
     /// A line of a grid on the ground, a pale hairline.
@@ -75,6 +77,8 @@ pub enum Fill {
     Side,
     /// A body of glass: a tint through which others are seen.
     Glass,
+    /// A body at another time: barely a tint.
+    Ghost,
     /// A region of the plane that means something: the palest tint.
     Ground,
     /// The shading of a rounded body, given by its shape, [`Shape::Rounded`](crate::Shape::Rounded).
@@ -125,7 +129,7 @@ impl Hue {
 
 impl Stroke {
     /// All of them.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Axis,
         Self::Tick,
         Self::Curve,
@@ -139,6 +143,7 @@ impl Stroke {
         Self::Reference,
         Self::Dotted,
         Self::Hidden,
+        Self::Pale,
         Self::Hatch,
         Self::Grid,
     ];
@@ -152,7 +157,7 @@ impl Stroke {
             Self::Dotted => 1.6,
             Self::Tick | Self::Hatch => 0.75,
             Self::Grid => 0.6,
-            Self::Axis | Self::Orbit | Self::Outline | Self::Reference | Self::Hidden => 1.0,
+            Self::Axis | Self::Orbit | Self::Outline | Self::Reference | Self::Hidden | Self::Pale => 1.0,
         }
     }
 
@@ -172,6 +177,7 @@ impl Stroke {
             Self::Reference => "f-reference",
             Self::Dotted => "f-dotted",
             Self::Hidden => "f-hidden",
+            Self::Pale => "f-pale",
             Self::Hatch => "f-hatch",
             Self::Grid => "f-grid",
         }
@@ -180,11 +186,12 @@ impl Stroke {
 
 impl Fill {
     /// All of them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Solid,
         Self::Face,
         Self::Side,
         Self::Glass,
+        Self::Ghost,
         Self::Ground,
         Self::Round,
         Self::Floor,
@@ -198,6 +205,7 @@ impl Fill {
             Self::Face => "f-face",
             Self::Side => "f-side",
             Self::Glass => "f-glass",
+            Self::Ghost => "f-ghost",
             Self::Ground => "f-ground",
             Self::Round => "f-round",
             Self::Floor => "f-floor",

@@ -2,6 +2,8 @@
 
 #[path = "space/judge.rs"]
 mod judge;
+#[path = "space/motion.rs"]
+mod motion;
 
 use drawing::kit::Heads;
 use drawing::space::{Camera, Curve, Edges, Finish, Hiding, Solid, SpaceError, Stage, View};

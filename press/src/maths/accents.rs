@@ -34,7 +34,7 @@ fn way(letter: &Element, font: &Face<'_>) -> Option<f32> {
 }
 
 /// The italic letter that a browser shows for a plain one.
-fn italic(c: char) -> char {
+pub(crate) fn italic(c: char) -> char {
     let from = |first: u32, base: char| char::from_u32(first + u32::from(c) - u32::from(base)).unwrap_or(c);
     match c {
         'h' => 'ℎ',

@@ -51,6 +51,8 @@ impl Quantity {
 pub(super) struct Letters {
     /// A chapter's folder, or nothing for all of them; a letter, perhaps with its subscript → its quantity, or none.
     meanings: HashMap<(String, String), Option<Quantity>>,
+    /// Where on the page of conventions formulas show what a chapter means, and its folder.
+    shown: HashMap<usize, String>,
 }
 
 /// A row of a table: for each cell its place, its words, its formulas with their places, the targets of its links.
@@ -116,6 +118,9 @@ impl Letters {
                         );
                         continue;
                     };
+                    if let Some(folder) = folders.first().filter(|folder| !folder.is_empty()) {
+                        letters.shown.insert(range.start, folder.clone());
+                    }
                     for folder in &folders {
                         letters.meanings.insert((folder.clone(), key.clone()), quantity);
                     }
@@ -123,6 +128,12 @@ impl Letters {
             }
         }
         letters
+    }
+
+    /// The folder of the chapter whose letters a page uses at a place.
+    pub(super) fn folder<'a>(&'a self, path: &'a str, offset: usize) -> &'a str {
+        let shown = self.shown.get(&offset).filter(|_| path == CONVENTIONS);
+        shown.map_or_else(|| path.split('/').next().unwrap_or(path), String::as_str)
     }
 
     /// Gives each letter of a formula its colour. A letter has it together with its hat, dot, prime and subscript,

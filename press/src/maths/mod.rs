@@ -1,6 +1,6 @@
 //! LaTeX to MathML: a converter's, mended where browsers print it badly.
 
-mod accents;
+pub(crate) mod accents;
 mod brackets;
 mod letters;
 mod tree;
@@ -14,8 +14,7 @@ use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use tree::Element;
 use ttf_parser::Face;
 
-/// The mathematics font of the site and of labels, cut by the script beside it down to the characters that
-/// the script lists.
+/// The mathematics font of labels, which has the measures of that of the pages.
 const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
 
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
@@ -51,27 +50,32 @@ impl Maths {
         maths
     }
 
-    /// Display mathematics on the page at `path`, as one line of MathML.
-    pub(crate) fn display(&self, tex: &str, path: &str) -> Result<String, MathsFault> {
-        self.convert(tex, MathDisplay::Block, path)
+    /// The folder of the chapter whose letters the page at `path` uses at this place.
+    pub(crate) fn folder<'a>(&'a self, path: &'a str, offset: usize) -> &'a str {
+        self.letters.folder(path, offset)
+    }
+
+    /// Display mathematics of the chapter in `folder`, as one line of MathML.
+    pub(crate) fn display(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
+        self.convert(tex, MathDisplay::Block, folder)
     }
 
     /// Inline mathematics, as MathML whose text no Markdown parser can misread.
-    pub(crate) fn inline(&self, tex: &str, path: &str) -> Result<String, MathsFault> {
-        self.inline_html(tex, path).map(|mathml| shielded(&mathml))
+    pub(crate) fn inline(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
+        self.inline_html(tex, folder).map(|mathml| shielded(&mathml))
     }
 
     /// Inline mathematics for a place that is HTML already.
-    pub(crate) fn inline_html(&self, tex: &str, path: &str) -> Result<String, MathsFault> {
-        self.convert(tex, MathDisplay::Inline, path)
+    pub(crate) fn inline_html(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
+        self.convert(tex, MathDisplay::Inline, folder)
     }
 
     /// The converter's MathML as browsers print it well, coloured.
-    fn convert(&self, tex: &str, display: MathDisplay, path: &str) -> Result<String, MathsFault> {
+    fn convert(&self, tex: &str, display: MathDisplay, folder: &str) -> Result<String, MathsFault> {
         let mut formula = self.formula(tex, display)?;
         brackets::keep_their_height(&mut formula);
         accents::centre(&mut formula, &self.font);
-        self.letters.colour(&mut formula, path.split('/').next().unwrap_or(path));
+        self.letters.colour(&mut formula, folder);
         let mut out = String::with_capacity(tex.len() * 8);
         formula.write(&mut out);
         Ok(out)

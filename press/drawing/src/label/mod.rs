@@ -62,6 +62,19 @@ pub enum Segment {
     Close,
 }
 
+impl Segment {
+    /// The step with every point moved.
+    fn mapped(self, place: &mut impl FnMut(Point) -> Point) -> Self {
+        match self {
+            Self::Move(end) => Self::Move(place(end)),
+            Self::Line(end) => Self::Line(place(end)),
+            Self::Quadratic(control, end) => Self::Quadratic(place(control), place(end)),
+            Self::Cubic(first, second, end) => Self::Cubic(place(first), place(second), place(end)),
+            Self::Close => Self::Close,
+        }
+    }
+}
+
 /// A part of a label.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Piece {
@@ -168,6 +181,26 @@ impl Label {
         self
     }
 
+    /// The label with every point of its outlines moved; its words stay.
+    pub(crate) fn mapped(&self, place: impl Fn(Point) -> Point) -> Self {
+        let mut label = self.clone();
+        let mut bounds: Option<Rect> = None;
+        let mut moved = |point: Point| {
+            let point = place(point);
+            let here = Rect { left: point.x, top: point.y, right: point.x, bottom: point.y };
+            bounds = Some(bounds.map_or(here, |all| all.union(&here)));
+            point
+        };
+        for piece in &mut label.pieces {
+            let Piece::Outline(segments) = piece else { continue };
+            for segment in segments {
+                *segment = segment.mapped(&mut moved);
+            }
+        }
+        label.bounds = bounds.unwrap_or(label.bounds);
+        label
+    }
+
     fn shift(&mut self, step: Point) {
         self.bounds = self.bounds.moved(step);
         for piece in &mut self.pieces {
@@ -175,17 +208,7 @@ impl Label {
                 Piece::Words { start, .. } => *start = *start + step,
                 Piece::Outline(segments) => {
                     for segment in segments {
-                        *segment = match *segment {
-                            Segment::Move(end) => Segment::Move(end + step),
-                            Segment::Line(end) => Segment::Line(end + step),
-                            Segment::Quadratic(control, end) => {
-                                Segment::Quadratic(control + step, end + step)
-                            }
-                            Segment::Cubic(first, second, end) => {
-                                Segment::Cubic(first + step, second + step, end + step)
-                            }
-                            Segment::Close => Segment::Close,
-                        };
+                        *segment = segment.mapped(&mut |point| point + step);
                     }
                 }
             }

@@ -10,6 +10,8 @@ pub enum Hiding {
     /// All of it, dashed and pale.
     #[default]
     Dashed,
+    /// All of it, thin and pale: for a path of many turns, whose dashes would be a scribble.
+    Pale,
     /// Nothing.
     Omitted,
     /// All of it, as if no solid were there: for what begins inside a body but is to be read in front of it.

@@ -34,7 +34,7 @@ pub(super) struct Run {
     pub(super) from: f64,
     pub(super) to: f64,
     /// Parameters inside, near the two ends, at which the sight was decided.
-    probes: (f64, f64),
+    pub(super) probes: (f64, f64),
 }
 
 /// Whether a solid stands between a point and the eye. A point on its surface, or just below, is not hidden

@@ -9,7 +9,7 @@ use super::solid::{Edges, Solid};
 use super::track::Track;
 use super::vector::Vec3;
 use crate::drawing::{Drawing, Shape};
-use crate::kit::{self, HEAD, Heads, SMALL};
+use crate::kit::{self, HEAD, Heads, size};
 use crate::point::Point;
 use crate::role::{Hue, Role, Stroke};
 use crate::simplify::{TOLERANCE, simplify};
@@ -26,7 +26,8 @@ pub(super) struct Stroked {
 /// All lines, the hidden ones apart: they are painted first.
 pub(super) struct Ink<'a> {
     camera: &'a Camera,
-    forms: Vec<&'a dyn Form>,
+    /// All solids, and whether each hides lines.
+    forms: Vec<(&'a dyn Form, bool)>,
     hidden: Vec<(Role, Shape)>,
     seen: Vec<(Role, Shape)>,
     heads: Vec<(Point, Point, f64, Hue)>,
@@ -39,22 +40,23 @@ struct Piece {
 }
 
 impl<'a> Ink<'a> {
-    pub(super) fn new(camera: &'a Camera, forms: Vec<&'a dyn Form>) -> Self {
+    pub(super) fn new(camera: &'a Camera, forms: Vec<(&'a dyn Form, bool)>) -> Self {
         Self { camera, forms, hidden: Vec::new(), seen: Vec::new(), heads: Vec::new() }
     }
 
     /// Whether any solid stands before a point.
     pub(super) fn hidden(&self, point: Vec3) -> bool {
-        self.forms.iter().any(|&form| hides(form, self.camera, point))
+        self.forms.iter().any(|&(form, solid)| solid && hides(form, self.camera, point))
     }
 
     /// The edges and the outline of a solid, and the lines where it passes through others.
     pub(super) fn solid(&mut self, index: usize, solid: &Solid, junctions: &[Vec<Junction>], hue: Hue) {
         let others = |point: Vec3| {
             let mut others = self.forms.iter().enumerate().filter(|&(other, _)| other != index);
-            others.any(|(_, &form)| hides(form, self.camera, point))
+            others.any(|(_, &(form, solid))| solid && hides(form, self.camera, point))
         };
-        let own = self.forms[index];
+        let (own, is_solid) = self.forms[index];
+        let all: Vec<&dyn Form> = self.forms.iter().map(|&(form, _)| form).collect();
         let mut found: Vec<(Track, Vec<Run>)> = Vec::new();
         for edge in own.edges(self.camera) {
             let judge = |point: Vec3| {
@@ -66,12 +68,12 @@ impl<'a> Ink<'a> {
                     Sight::Seen
                 }
             };
-            let runs = runs(&edge.track, self.camera, &self.forms, judge);
+            let runs = runs(&edge.track, self.camera, &all, judge);
             found.push((edge.track, runs));
         }
         for junction in junctions.iter().flatten() {
             let judge = |point: Vec3| if self.hidden(point) { Sight::BehindSelf } else { Sight::Seen };
-            let runs = runs(&junction.track, self.camera, &self.forms, judge);
+            let runs = runs(&junction.track, self.camera, &all, judge);
             found.push((junction.track.clone(), runs));
         }
         for (track, runs) in found {
@@ -79,7 +81,8 @@ impl<'a> Ink<'a> {
             let kept: Vec<Run> =
                 runs.into_iter().filter(|run| run.sight == Sight::Seen || dashed(run.sight)).collect();
             let pieces = self.pieces(&track, &kept);
-            self.put(pieces, Stroke::Outline, hue);
+            let stroke = if is_solid { Stroke::Outline } else { Stroke::Pale };
+            self.put(pieces, stroke, Stroke::Hidden, hue);
         }
     }
 
@@ -89,15 +92,15 @@ impl<'a> Ink<'a> {
         let judge = |point: Vec3| {
             if *hiding != Hiding::Ignored && self.hidden(point) { Sight::BehindOther } else { Sight::Seen }
         };
-        let mut pieces = self.pieces(track, &runs(track, self.camera, &self.forms, judge));
+        let all: Vec<&dyn Form> = self.forms.iter().map(|&(form, _)| form).collect();
+        let mut pieces = self.pieces(track, &runs(track, self.camera, &all, judge));
         let whole: f64 = pieces.iter().map(|piece| length(&piece.points)).sum();
         let ends = match heads {
             Heads::None => 0,
             Heads::End => 1,
             Heads::Both => 2,
         };
-        let size = if *stroke == Stroke::Vector { 1.0 } else { SMALL };
-        let scale = size.min(0.5 * whole / (HEAD.0 * f64::from(ends.max(1))));
+        let scale = size(*stroke).min(0.5 * whole / (HEAD.0 * f64::from(ends.max(1))));
         for _ in 0..ends {
             self.head(&mut pieces, scale, *hiding, *hue);
             // The other end comes last in turn; after two turns the line runs as before.
@@ -111,7 +114,21 @@ impl<'a> Ink<'a> {
         if *hiding == Hiding::Omitted {
             pieces.retain(|piece| piece.seen);
         }
-        self.put(pieces, *stroke, *hue);
+        let hidden = if *hiding == Hiding::Pale { Stroke::Pale } else { Stroke::Hidden };
+        self.put(pieces, *stroke, hidden, *hue);
+    }
+
+    /// Heads along a curve, at parts of its length on the page; none where it is hidden.
+    pub(super) fn heads_along(&mut self, curve: &Curve, parts: &[f64], stroke: Stroke, hue: Hue) {
+        let track = &curve.track;
+        let whole = Run { sight: Sight::Seen, from: 0.0, to: track.chords() as f64, probes: (0.0, 0.0) };
+        let points = landed(track, self.camera, &whole);
+        for part in parts {
+            let Some((tip, direction, chord)) = along(&points, part * length(&points)) else { continue };
+            if curve.hiding == Hiding::Ignored || !self.hidden(track.at(chord)) {
+                self.heads.push((tip, direction, size(stroke), hue));
+            }
+        }
     }
 
     /// Shortens the line at its end by what the head covers, and puts the head there.
@@ -158,7 +175,7 @@ impl<'a> Ink<'a> {
         pieces
     }
 
-    fn put(&mut self, pieces: Vec<Piece>, stroke: Stroke, hue: Hue) {
+    fn put(&mut self, pieces: Vec<Piece>, stroke: Stroke, hidden: Stroke, hue: Hue) {
         for piece in pieces {
             let mut points = simplify(&piece.points, TOLERANCE);
             let closed = points.len() > 3 && points.first() == points.last();
@@ -171,7 +188,7 @@ impl<'a> Ink<'a> {
             if piece.seen {
                 self.seen.push((Role::Line(stroke, hue), shape));
             } else {
-                self.hidden.push((Role::Line(Stroke::Hidden, hue), shape));
+                self.hidden.push((Role::Line(hidden, hue), shape));
             }
         }
     }
@@ -185,6 +202,19 @@ impl<'a> Ink<'a> {
             kit::head(drawing, tip, direction, scale, hue);
         }
     }
+}
+
+/// The point at a length along a polyline, the way it goes there, and the chord, counted from 0.
+fn along(points: &[Point], mut by: f64) -> Option<(Point, Point, f64)> {
+    for (index, pair) in points.windows(2).enumerate() {
+        let step = pair[1] - pair[0];
+        if step.length() > 0.0 && step.length() >= by {
+            let part = by / step.length();
+            return Some((pair[0].towards(pair[1], part), step, index as f64 + part));
+        }
+        by -= step.length();
+    }
+    None
 }
 
 /// Takes a length off the end of a polyline that is longer.

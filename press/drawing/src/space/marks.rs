@@ -1,11 +1,12 @@
 //! Points, labels, named vectors and angles of a scene.
 
+use super::camera::Camera;
 use super::curve::Curve;
 use super::error::{SpaceError, direction, finite, positive};
 use super::stage::Stage;
 use super::track::Track;
 use super::vector::Vec3;
-use crate::drawing::Drawing;
+use crate::drawing::{Drawing, Shape};
 use crate::kit::Heads;
 use crate::label::{Label, Side};
 use crate::point::{Point, at};
@@ -18,6 +19,8 @@ const GAP: f64 = 6.0;
 const TIP_GAP: f64 = 5.0;
 /// Where an arrow that turns begins and ends, rad behind and before the direction to the right.
 const OPENING: (f64, f64) = (0.45, 0.25);
+/// Where on the shaft of a spin its turning arrow stands, as a part of it, and that arrow's radius, px.
+const SPIN: (f64, f64) = (0.62, 11.0);
 
 /// A point that is marked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,6 +35,29 @@ pub(super) enum Dot {
 pub(super) struct Caption {
     pub(super) label: Label,
     pub(super) hue: Hue,
+}
+
+/// Letters that lie in a plane in space.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Letters {
+    label: Label,
+    /// The middle of the letters, and the steps to the right and up that are a pixel of the label.
+    middle: Vec3,
+    right: Vec3,
+    up: Vec3,
+    hue: Hue,
+}
+
+impl Letters {
+    /// Draws the letters if their plane is seen from the side on which they can be read.
+    pub(super) fn write(&self, camera: &Camera, drawing: &mut Drawing) {
+        if self.right.cross(self.up).dot(camera.sight(self.middle)) <= 0.0 {
+            return;
+        }
+        let land = |point: Point| camera.land(self.middle + self.right * point.x - self.up * point.y);
+        let label = self.label.mapped(land);
+        drawing.push(Role::PlainText(self.hue), Shape::Label(label));
+    }
 }
 
 impl Dot {
@@ -60,6 +86,64 @@ impl Stage {
         self.arrow(curve, Stroke::Vector, Heads::End, hue)?;
         let along = self.camera.land(tip) - self.camera.land(tail);
         self.caption_beyond(tip, along, name, hue)
+    }
+
+    /// Adds an angular velocity: a vector with its name, and around its shaft an arrow that turns right-handed.
+    ///
+    /// # Errors
+    /// [`SpaceError`] as for [`Stage::named_vector`].
+    pub fn spin(
+        &mut self,
+        from: impl Into<[f64; 3]>,
+        to: impl Into<[f64; 3]>,
+        name: &str,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        let (from, to) = (finite("foot of the arrow", from)?, finite("tip of the arrow", to)?);
+        self.named_vector(from.0, to.0, name, hue)?;
+        let middle = from.towards(to, SPIN.0);
+        let pixel = self.camera.right * (1.0 / self.camera.scale_at(middle));
+        self.turning(middle.0, (to - from).0, SPIN.1 * pixel.length(), hue)
+    }
+
+    /// Adds a curve with arrowheads along it, at these parts of its length on the page, that show which way it is gone.
+    ///
+    /// # Errors
+    /// [`SpaceError`] as for [`Stage::curve`].
+    pub fn way(&mut self, curve: Curve, stroke: Stroke, parts: &[f64], hue: Hue) -> Result<(), SpaceError> {
+        self.curve(curve.clone(), stroke, hue)?;
+        self.ways.push((curve, parts.to_vec(), stroke, hue));
+        Ok(())
+    }
+
+    /// Adds letters that lie on a face, as on a coin, `height` high in units of the world, about a middle, with the line
+    /// along one direction and their tops towards another, perpendicular to it. They are seen from the side on which
+    /// they can be read, before all solids.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite, directions without length, a height that is not positive, what is
+    /// behind the eye, and letters that cannot be set.
+    pub fn inscription(
+        &mut self,
+        middle: impl Into<[f64; 3]>,
+        along: impl Into<[f64; 3]>,
+        up: impl Into<[f64; 3]>,
+        height: f64,
+        letters: &str,
+        hue: Hue,
+    ) -> Result<(), SpaceError> {
+        let middle = finite("middle of the letters", middle)?;
+        let [along, up] = [direction("line of letters", along)?, direction("top of letters", up)?];
+        self.camera.check(middle)?;
+        let size = positive("height of letters", height)? * self.camera.scale_at(middle);
+        let label = Label::new(&format!(r"$\mathbf{{{letters}}}$"), size)?;
+        let label = label.placed(at(0.0, 0.0), Side::Over, 0.0);
+        let centre = label.bounds.centre();
+        let label = label.from_baseline(-centre);
+        let pixel = 1.0 / self.camera.scale_at(middle);
+        let letters = Letters { label, middle, right: along * pixel, up: up * pixel, hue };
+        self.letters.push(letters);
+        Ok(())
     }
 
     /// Adds an arrow that turns about an axis, right-handed: most of a circle seen in perspective, open

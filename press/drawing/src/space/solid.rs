@@ -25,6 +25,9 @@ pub enum Finish {
     Opaque,
     /// It tints it. Lines behind it are dashed all the same.
     Glass,
+    /// A body at another time, for stills of a motion: pale, with pale edges. It covers what is painted behind it and hides
+    /// no line.
+    Ghost,
 }
 
 /// A solid: it hides what lies behind it.
@@ -184,6 +187,15 @@ impl Solid {
     #[must_use]
     pub fn edges(self, edges: Edges) -> Self {
         Self { edges, ..self }
+    }
+
+    /// A disc, rod or ring whose face at the back of its axis is darker than the one in front: heads and tails.
+    #[must_use]
+    pub fn two_faced(mut self) -> Self {
+        if let Body::Tube(tube) = &mut self.body {
+            tube.two_faced = true;
+        }
+        self
     }
 
     /// The solid with another finish.

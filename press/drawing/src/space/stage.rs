@@ -5,7 +5,7 @@ use super::curve::Curve;
 use super::error::SpaceError;
 use super::ground::Ground;
 use super::ink::{Ink, Stroked};
-use super::marks::{Caption, Dot};
+use super::marks::{Caption, Dot, Letters};
 use super::order::{Body, coats};
 use super::pierce::{self, Junction};
 use super::solid::{Finish, Solid};
@@ -44,13 +44,17 @@ pub struct Stage {
     pub(super) patches: Vec<(Vec<Vec3>, Fill, Hue)>,
     pub(super) points: Vec<(Vec3, Dot, Hue)>,
     pub(super) captions: Vec<Caption>,
+    pub(super) letters: Vec<Letters>,
+    /// Heads along a curve, at parts of its length on the page.
+    pub(super) ways: Vec<(Curve, Vec<f64>, Stroke, Hue)>,
 }
 
 impl Stage {
     /// An empty scene.
     pub fn new(camera: Camera) -> Self {
         let (grounds, solids, lines, patches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { camera, grounds, solids, lines, patches, points: Vec::new(), captions: Vec::new() }
+        let (points, captions, letters, ways) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { camera, grounds, solids, lines, patches, points, captions, letters, ways }
     }
 
     /// The camera.
@@ -80,8 +84,7 @@ impl Stage {
         self.arrow(curve, stroke, Heads::None, hue)
     }
 
-    /// Adds a curve with arrowheads of constant size on the page: in full for [`Stroke::Vector`], smaller for
-    /// other lines. A head whose tip is hidden is drawn as a pale outline. On an arrow that is short on the
+    /// Adds a curve with arrowheads of constant size on the page: smaller on thin lines than on thick ones. A head whose tip is hidden is drawn as a pale outline. On an arrow that is short on the
     /// page, as one that points at the eye, heads shrink with it.
     ///
     /// # Errors
@@ -117,12 +120,20 @@ impl Stage {
             let corners = corners.iter().map(|&corner| self.camera.land(corner)).collect();
             drawing.polygon(corners, *fill, *hue);
         }
-        let mut ink = Ink::new(&self.camera, self.solids.iter().map(|(solid, _)| solid.form()).collect());
+        for letters in &self.letters {
+            letters.write(&self.camera, drawing);
+        }
+        let hides = |solid: &Solid| solid.finish != Finish::Ghost;
+        let forms = self.solids.iter().map(|(solid, _)| (solid.form(), hides(solid))).collect();
+        let mut ink = Ink::new(&self.camera, forms);
         for (index, ((solid, hue), junctions)) in self.solids.iter().zip(&junctions).enumerate() {
             ink.solid(index, solid, junctions, *hue);
         }
         for line in &self.lines {
             ink.line(line);
+        }
+        for (curve, parts, stroke, hue) in &self.ways {
+            ink.heads_along(curve, parts, *stroke, *hue);
         }
         let dots: Vec<_> =
             self.points.iter().map(|&(point, dot, hue)| (point, ink.hidden(point), dot, hue)).collect();
@@ -133,7 +144,7 @@ impl Stage {
         for Caption { label, hue } in &self.captions {
             let ray = self.camera.ray(label.bounds.centre());
             let covers = |(solid, _): &(Solid, Hue)| {
-                solid.finish == Finish::Opaque && !solid.form().spans(&ray).is_empty()
+                solid.finish != Finish::Glass && !solid.form().spans(&ray).is_empty()
             };
             let on_solid = self.solids.iter().any(covers);
             let role = if on_solid { Role::PlainText(*hue) } else { Role::Text(*hue) };
@@ -163,12 +174,16 @@ impl Stage {
         for coat in coats(&bodies, &self.camera) {
             let (solid, hue) = &self.solids[coat.body];
             for patch in coat.patches {
-                if solid.finish == Finish::Opaque {
+                if solid.finish != Finish::Glass {
                     drawing.push(Role::Area(Fill::Page, *hue), unshaded(&patch.shape));
                 }
                 let flat = matches!(patch.fill, Fill::Face | Fill::Side);
-                let fill = if flat && solid.finish == Finish::Glass { Fill::Glass } else { patch.fill };
-                drawing.push(Role::Area(fill, *hue), patch.shape);
+                let (fill, shape) = match solid.finish {
+                    Finish::Glass if flat => (Fill::Glass, patch.shape),
+                    Finish::Ghost => (Fill::Ghost, unshaded(&patch.shape)),
+                    Finish::Opaque | Finish::Glass => (patch.fill, patch.shape),
+                };
+                drawing.push(Role::Area(fill, *hue), shape);
             }
         }
     }
