@@ -4,7 +4,7 @@ use crate::api::{self, Items};
 use crate::book::{Page, relative, resolve};
 use crate::fault::Faults;
 use crate::labels::Registry;
-use crate::maths::Maths;
+use crate::maths::{Maths, Quantity};
 use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table};
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
@@ -363,7 +363,7 @@ impl Printer<'_, '_> {
             printed.push(html);
         }
         push_html(&mut out, printed.into_iter());
-        out.trim().to_owned()
+        coloured(out.trim())
     }
 
     /// Text as HTML, with its mentions as links; `before` is what stands before it.
@@ -502,6 +502,29 @@ fn prose(text: &str) -> String {
 /// Text as HTML.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// HTML with its words `[words]{.role}` in the colours of their quantities.
+fn coloured(html: &str) -> String {
+    let mut out = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some((words, behind)) = rest.split_once("]{.") {
+        let role = behind.split_once('}');
+        let quantity = role.and_then(|(role, behind)| Some((Quantity::of_role(role).ok()?, behind)));
+        match (words.rfind('['), quantity) {
+            (Some(open), Some((quantity, behind))) => {
+                let (before, words) = (&words[..open], &words[open + 1..]);
+                out.push_str(&format!("{before}<span class=\"{}\">{words}</span>", quantity.class()));
+                rest = behind;
+            }
+            _ => {
+                out.push_str(words);
+                out.push_str("]{.");
+                rest = behind;
+            }
+        }
+    }
+    out + rest
 }
 
 #[cfg(test)]
