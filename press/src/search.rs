@@ -195,12 +195,12 @@ fn upright(c: char) -> char {
     let code = u32::from(c);
     let typed = match code {
         0x1d400..=0x1d6a3 => match (code - 0x1d400) % 52 {
-            n @ 0..26 => 0x41 + n,
+            n @ 0..=25 => 0x41 + n,
             n => 0x61 + n - 26,
         },
         0x1d6a8..=0x1d7c9 => match (code - 0x1d6a8) % 58 {
-            n @ 0..25 => 0x391 + n,
-            n @ 26..51 => 0x3b1 + n - 26,
+            n @ 0..=24 => 0x391 + n,
+            n @ 26..=50 => 0x3b1 + n - 26,
             _ => code,
         },
         0x1d7ce..=0x1d7ff => 0x30 + (code - 0x1d7ce) % 10,
