@@ -14,7 +14,7 @@ pub(crate) fn colours(id: &str) -> Outcome {
         "What the colours stand for",
         "A wheel, blue, leans inward on a table and rolls round. From its centre come its axes 1, 2 and 3 in the colour of the text, \
          its angular velocity omega in orange, and its angular momentum L in green, which lies nearer to the axle. A pink dot marks \
-         the contact with the table, and from it the force F of the table points up and inward, in purple.",
+         the contact with the table, and from it the force of the table points up and inward, in purple.",
     );
     let (lean, b) = (0.5_f64, 1.0);
     let wheel = Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments: MomentFactors::DISK, gravity: 1.0 })?;
@@ -27,7 +27,7 @@ pub(crate) fn colours(id: &str) -> Outcome {
     let in_room = |body: Vector3<f64>| axes[0] * body.x + axes[1] * body.y + axes[2] * body.z;
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0, 0.9, 0.7],
-        azimuth: -0.75,
+        azimuth: -1.1,
         elevation: 0.32,
         distance: 12.0,
         centre: at(190.0, 170.0),
@@ -52,12 +52,13 @@ pub(crate) fn colours(id: &str) -> Outcome {
         stage.label(tip, side, name, hue)?;
         Ok::<(), Cause>(())
     };
-    named(centre, omega, 1.35, Side::Left, r"angular velocity $\boldsymbol{\omega}$", Hue::Orange)?;
-    named(centre, momentum, 1.2, Side::Left, r"angular momentum $\boldsymbol{L}$", Hue::Green)?;
-    named(contact, force, 0.75, Side::Right, r"force $\boldsymbol{F}$", Hue::Purple)?;
+    named(centre, omega, 2.1, Side::Left, r"angular velocity $\boldsymbol{\omega}$", Hue::Orange)?;
+    named(centre, momentum, 1.8, Side::Left, r"angular momentum $\boldsymbol{L}$", Hue::Green)?;
+    named(contact, force, 0.55, Side::Right, "force", Hue::Purple)?;
     stage.dot_in_front(contact, 4.5, Hue::Pink)?;
     stage.label_shifted(contact, at(2.0, 6.0), Side::BelowRight, "contact", Hue::Pink)?;
-    stage.label_shifted(centre + axes[0] * 0.93, at(4.0, 8.0), Side::Right, "body", Hue::Blue)?;
+    let rim = centre + axes[0] * 0.6 + axes[1] * 0.8;
+    stage.label_shifted(rim, at(0.0, 0.0), Side::AboveRight, "body", Hue::Blue)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
