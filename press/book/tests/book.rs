@@ -2,6 +2,8 @@
 
 #[path = "book/contrast.rs"]
 mod contrast;
+#[path = "book/key.rs"]
+mod key;
 #[path = "book/vision.rs"]
 mod vision;
 
