@@ -58,8 +58,7 @@
 //! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an
 //!   id that stands on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry
 //!   that nothing cites;
-//! - colours: words in a colour that there is not, or in a caption; a colour or letter of the tables of conventions
-//!   that is none;
+//! - colours: words in a colour that there is not; a colour or letter of the tables of conventions that is none;
 //! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`,
 //!   display mathematics that shares its paragraph, mathematics in a heading;
 //! - characters that the faces of text, code or mathematics lack: they hold what `font/characters.txt` lists;
@@ -103,6 +102,7 @@ mod raw;
 mod references;
 mod render;
 mod scan;
+mod search;
 mod signs;
 mod site;
 mod snippets;

@@ -4,7 +4,7 @@ use crate::api::{self, Items};
 use crate::book::{Page, relative, resolve};
 use crate::fault::Faults;
 use crate::labels::Registry;
-use crate::maths::Maths;
+use crate::maths::{Maths, Quantity};
 use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table};
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
@@ -248,11 +248,15 @@ impl Printer<'_, '_> {
     fn figure(&mut self, label: &Label, caption: &[Event<'_>], offset: usize) -> Option<String> {
         let figure = self.drawn.figures.iter().find(|figure| figure.id == label.written())?;
         let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
+        let number = match number.as_str() {
+            "" => String::new(), // on a page that belongs to no chapter
+            number => format!("<span class=\"number\">Figure {number}.</span> "),
+        };
         let caption = self.words_of(caption, offset, "caption");
         let up = "../".repeat(self.page.path.matches('/').count());
         let class = if figure.wide { "figure wide" } else { "figure" };
         Some(format!(
-            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption><span class=\"number\">Figure {number}.</span> {caption} \
+            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption>{number}{caption} \
              <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
             label.id(),
             figure.svg.trim(),
@@ -359,7 +363,7 @@ impl Printer<'_, '_> {
             printed.push(html);
         }
         push_html(&mut out, printed.into_iter());
-        out.trim().to_owned()
+        coloured(out.trim())
     }
 
     /// Text as HTML, with its mentions as links; `before` is what stands before it.
@@ -426,6 +430,9 @@ impl Printer<'_, '_> {
         let entry = self.registry.find(label)?;
         let words = match label.kind {
             Kind::Equation => format!("({})", entry.number),
+            Kind::Figure if entry.number.is_empty() => {
+                return Err(format!("{} has no number by which to refer to it", label.written()));
+            }
             Kind::Figure => format!("Figure{BLANK}{}", entry.number),
             Kind::Exercise => format!("Exercise{BLANK}{}", entry.number),
             Kind::Solution => {
@@ -495,6 +502,29 @@ fn prose(text: &str) -> String {
 /// Text as HTML.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// HTML with its words `[words]{.role}` in the colours of their quantities.
+fn coloured(html: &str) -> String {
+    let mut out = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some((words, behind)) = rest.split_once("]{.") {
+        let role = behind.split_once('}');
+        let quantity = role.and_then(|(role, behind)| Some((Quantity::of_role(role).ok()?, behind)));
+        match (words.rfind('['), quantity) {
+            (Some(open), Some((quantity, behind))) => {
+                let (before, words) = (&words[..open], &words[open + 1..]);
+                out.push_str(&format!("{before}<span class=\"{}\">{words}</span>", quantity.class()));
+                rest = behind;
+            }
+            _ => {
+                out.push_str(words);
+                out.push_str("]{.");
+                rest = behind;
+            }
+        }
+    }
+    out + rest
 }
 
 #[cfg(test)]

@@ -163,9 +163,6 @@ impl<'a> Scan<'a, '_> {
                 continue;
             };
             let open = paragraph + open;
-            if self.surroundings.in_caption || self.surroundings.in_note {
-                self.fault(open, "coloured words stand in the text of a page, not in a caption or a note");
-            }
             match Quantity::of_role(&role[..end]) {
                 Ok(quantity) => {
                     self.place(open..open + 1, Item::Coloured(Some(quantity)));

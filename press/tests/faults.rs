@@ -63,7 +63,7 @@ const CASES: &[Case] = &[
         "# A\n\nThe\n[spin]{.spins}.\n",
         &[(4, "no words are coloured as `spins`, but as body, spin")],
     ),
-    ("coloured-caption", "# A\n\n![The [spin]{.spin}.](fig:machine)\n", &[(3, "not in a caption or a note")]),
+    ("coloured-caption", "# A\n\n![The [spin]{.spin}.](fig:machine)[^a]\n\n[^a]: [L]{.momentum}\n", &[]),
     ("dollar", "# A\n\nIt costs \\$5.\n", &[]),
     ("dollar-in-code", "# A\n\n`$x` and\n\n```sh\necho $HOME @eq:none\n```\n", &[]),
     ("unknown-command", "# A\n\n$$\na = \\fraction{1}{2}\n$$\n", &[(4, "fraction")]),
@@ -367,7 +367,7 @@ const CASES: &[Case] = &[
     ("isolate-in-code", "# A\n\n```text\na\u{2066}b\n```\n", &[(4, "U+2066")]),
     ("good-characters", "\u{feff}# A\r\n\r\n“Störmer”, \u{2060}10⁻⁴ − 1,\ttab; `ω₀²`.\r\n", &[]),
     ("text-lacks", "# A\n\nOf course\nω is.\n", &[(4, "the face of the text has no `ω` (U+03C9)")]),
-    ("table-lacks", "# A\n\n| a | b |\n|---|---|\n| x | 🛞 |\n", &[(5, "the face of the text has no `🛞`")]),
+    ("table-lacks", "# A\n\n| a | b |\n|---|---|\n| x | 🛞 |\n\nTable: T.\n", &[(5, "the face of the text has no `🛞`")]),
     ("caption-lacks", "# A\n\n![So ∇ is.](fig:machine)\n", &[(3, "the face of the text has no `∇`")]),
     (
         "html-lacks",
