@@ -172,20 +172,20 @@ impl Film {
             };
             drawing.label(place, Side::Over, name, Hue::Ink)?;
         }
-        let last = self.frame(2, FRAMES);
-        let (place, side) = if self.down {
-            (at(self.frame(1, 0).x, last.y + 0.5 * self.cell.1 + 12.0), Side::Over)
+        let below = self.frame(2, FRAMES).y + 0.5 * self.cell.1 + 12.0;
+        let (place, side, name) = if self.down {
+            (at(self.frame(1, 0).x, below), Side::Over, "time, precessions")
         } else {
-            (at(self.first.0 - 0.5 * self.cell.0, last.y + 0.5 * self.cell.1 + 12.0), Side::Left)
+            (at(self.first.0 - 0.5 * self.cell.0, below), Side::Left, "precessions")
         };
-        drawing.label(place, side, "time, precessions", Hue::Ink)?;
+        drawing.label(place, side, name, Hue::Ink)?;
         Ok(drawing)
     }
 }
 
 /// A film of three tosses.
 pub(crate) fn toss_film(id: &str) -> Outcome {
-    let across = Film { size: (660.0, 260.0), cell: (60.0, 66.0), first: (150.0, 50.0), down: false };
+    let across = Film { size: (590.0, 240.0), cell: (52.0, 60.0), first: (128.0, 44.0), down: false };
     let down = Film { size: (330.0, 660.0), cell: (94.0, 60.0), first: (80.0, 90.0), down: true };
     let (mut wide, narrow) = (across.draw()?, down.draw()?);
     wide = Drawing::panels(id, vec![wide]);
@@ -244,7 +244,7 @@ pub(crate) fn threshold(id: &str) -> Outcome {
         let period = TAU / toss.precession_rate();
         linear_steps(from, to, 300).map(|turns| Ok((turns, toss.normal_height(turns * period)?))).collect()
     };
-    let mut whole = Drawing::new("", 340.0, 350.0).titled(
+    let mut whole = Drawing::new("", 310.0, 330.0).titled(
         "Height of the normal for a small twist and near the threshold",
         "The height of the coin's normal against time in precessions, from 0 to 2. The curves for the ratios of twist to tumble 0.49, 0.50 \
          and 0.51 lie so close together that they look like one, which begins at one and falls to about zero after half a \
@@ -252,29 +252,29 @@ pub(crate) fn threshold(id: &str) -> Outcome {
     );
     let time = Axis::linear(0.0, 2.0, 0.5)?.minor(0.1).titled("time, precessions");
     let height = Axis::linear(-1.0, 1.0, 0.5)?.minor(0.1).titled(r"height of the normal $n_z$");
-    let mut plot = Plot::new(&mut whole, Rect::new(48.0, 34.0, 270.0, 262.0), time, height)?;
+    let mut plot = Plot::new(&mut whole, Rect::new(48.0, 34.0, 244.0, 240.0), time, height)?;
     plot.region((0.0, -1.0), (2.0, 0.0), Hue::Muted);
     for ratio in [0.20, 0.49, 0.50, 0.51] {
         plot.curve(&format!("whole-{ratio}"), values(ratio, 0.0, 2.0)?, Stroke::Curve, Hue::Blue);
     }
     plot.label((0.5, -0.73), Side::Below, "$0.20$", Hue::Blue)?;
-    plot.label((0.5, 0.64), Side::Over, "$0.49$", Hue::Blue)?;
-    plot.label((0.5, 0.48), Side::Over, "to $0.51$", Hue::Blue)?;
+    plot.label((0.5, 0.68), Side::Over, "$0.49$", Hue::Blue)?;
+    plot.label((0.5, 0.51), Side::Over, "to $0.51$", Hue::Blue)?;
     plot.label((1.0, -0.7), Side::Over, "tails up", Hue::Muted)?;
 
-    let mut part = Drawing::new("", 300.0, 350.0).titled(
+    let mut part = Drawing::new("", 250.0, 330.0).titled(
         "The lowest point of the normal, enlarged",
         "The neighbourhood of the lowest point enlarged: the curve for the ratio 0.49 dips below zero, that for 0.50 touches it, that \
          for 0.51 stays above.",
     );
     let time = Axis::linear(0.4, 0.6, 0.1)?.minor(0.02).titled("time, precessions");
     let height = Axis::linear(-0.04, 0.1, 0.02)?.titled(r"$n_z$, enlarged");
-    let mut plot = Plot::new(&mut part, Rect::new(48.0, 34.0, 220.0, 262.0), time, height)?;
+    let mut plot = Plot::new(&mut part, Rect::new(48.0, 34.0, 176.0, 240.0), time, height)?;
     plot.region((0.4, -0.04), (0.6, 0.0), Hue::Muted);
     for ratio in [0.49, 0.50, 0.51] {
         plot.curve(&format!("part-{ratio}"), values(ratio, 0.4, 0.6)?, Stroke::Curve, Hue::Blue);
     }
-    for (height, name) in [(-0.03, "$0.49$: over"), (0.008, "$0.50$"), (0.044, "$0.51$: never")] {
+    for (height, name) in [(-0.03, "$0.49$: over"), (0.008, "$0.50$"), (0.05, "$0.51$: never")] {
         plot.label((0.5, height), Side::Over, name, Hue::Blue)?;
     }
     Ok(Drawing::panels(id, vec![whole, part]))

@@ -305,7 +305,8 @@ fn rolling_cones(
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
     let contact = Curve::segment([0.0; 3], omega * length)?.hiding(Hiding::Ignored);
     stage.curve(contact, Stroke::Curve, Hue::Orange)?;
-    stage.label(omega * 1.85, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    let side = if cut { Side::Right } else { Side::Above };
+    stage.label(omega * 1.85, side, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.write(&mut drawing);
     drawing.label(at(165.0, 318.0), Side::Over, name, Hue::Ink)?;
     Ok(drawing)
