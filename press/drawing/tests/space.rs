@@ -654,6 +654,6 @@ fn a_patch_lies_over_every_solid_and_under_every_line() {
     assert!(patch < place(Role::Line(Stroke::Vector, Hue::Orange)));
     let Shape::Polygon(drawn) = &drawing.items()[patch].shape else { panic!("a patch is a polygon") };
     assert_eq!(drawn.len(), 3);
-    assert_eq!(stage.patch(corners[..2].to_vec(), Fill::Side, Hue::Green), Err(SpaceError::NoPlane));
+    assert_eq!(stage.patch(corners[..2].to_vec(), Fill::Side, Hue::Green), Err(SpaceError::NoPatch));
     assert!(stage.patch([[f64::NAN; 3]; 3], Fill::Side, Hue::Green).is_err());
 }

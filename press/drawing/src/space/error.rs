@@ -50,8 +50,10 @@ pub enum SpaceError {
     },
     /// A curve of fewer than two points, or one whose points all coincide.
     NoCurve,
-    /// Two directions that fix no plane: parallel, or opposite; or a patch of fewer than three corners.
+    /// Two directions that fix no plane: parallel, or opposite.
     NoPlane,
+    /// A patch of fewer than three corners.
+    NoPatch,
     /// A point that lies behind the eye or too close to it to be seen in perspective.
     BehindTheEye {
         /// The point, in the world.
@@ -90,10 +92,8 @@ impl fmt::Display for SpaceError {
                 write!(out, "axes are not perpendicular: the cosine of an angle between two is {cosine}")
             }
             Self::NoCurve => write!(out, "a curve needs two points that differ"),
-            Self::NoPlane => write!(
-                out,
-                "directions that are parallel or opposite, or fewer than three corners, fix no plane"
-            ),
+            Self::NoPlane => write!(out, "directions that are parallel or opposite fix no plane"),
+            Self::NoPatch => write!(out, "a patch needs at least three corners"),
             Self::BehindTheEye { point: [x, y, z] } => {
                 write!(out, "the point ({x}, {y}, {z}) lies behind the eye or too close to it")
             }
