@@ -230,7 +230,7 @@ pub(crate) fn cones(id: &str) -> Outcome {
     let wide = tossed(2.0 * 75_f64.to_radians().tan(), 1.0)?;
     let edge = wide.first_edge().ok_or("it goes over")?;
     stage.label(wide.normal(0.5 * edge)?, Side::Left, "heads up", Hue::Blue)?;
-    stage.label(wide.normal(1.15 * edge)?, Side::Right, "tails up", Hue::Muted)?;
+    stage.label_shifted(wide.normal(1.15 * edge)?, at(7.0, -2.0), Side::Right, "tails up", Hue::Muted)?;
     stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
     stage.label_shifted([0.0, 0.0, 1.0], at(0.0, -7.0), Side::Above, "start, flat", Hue::Ink)?;
     stage.write(&mut drawing);

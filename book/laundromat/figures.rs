@@ -5,7 +5,7 @@
 
 use crate::speed_and_accuracy::measured::{Measurement, front};
 use crate::speed_and_accuracy::measurements;
-use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps, log_steps};
+use crate::{Axis, Cause, Look, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::integrate::rk4;
@@ -53,7 +53,7 @@ fn suspension() -> Outcome {
          which stands a little to the right of the middle O and above it. In the tub turns the drum with its shaft; the load m sits on \
          the drum.",
     );
-    let (origin, half) = (at(165.0, 165.0), 142.0);
+    let (origin, half) = (at(165.0, 165.0), 138.0);
     let shaft = origin + at(22.0, -16.0);
     let (tub, drum) = (76.0, 64.0);
     for side in 0..4 {
@@ -159,7 +159,7 @@ pub(crate) fn phases(id: &str) -> Outcome {
         damping: 90.0,
         spin: 0.0,
     };
-    let scale = 64.0 / base.load_radius;
+    let scale = 59.0 / base.load_radius;
     let theta = 0.32; // one direction of the shaft in all three
     let mut panels = Vec::new();
     for (ratio, width, name, words) in [
@@ -504,7 +504,7 @@ pub(crate) fn eigenvalues(id: &str) -> Outcome {
         let mut drawing = Drawing::new("", 350.0, 440.0).titled("Eigenvalues as the spin grows", words);
         let real = Axis::linear(-0.4, 0.2, 0.2)?.minor(0.1).titled(r"$\text{Re}\,s/\omega_0$");
         let imaginary = Axis::linear(-4.2, 4.2, 2.0)?.minor(1.0).titled(r"$\text{Im}\,s/\omega_0$");
-        let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 54.0, 256.0, 334.0), real, imaginary)?;
+        let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 54.0, 246.0, 334.0), real, imaginary)?;
         plot.region((0.0, -4.2), (0.2, 4.2), Hue::Orange);
         plot.reference((0.0, -4.2), (0.0, 4.2), Stroke::Outline);
         plot.reference((-0.4, 0.0), (0.0, 0.0), Stroke::Dotted);
@@ -745,7 +745,7 @@ pub(crate) fn start(id: &str) -> Outcome {
         Ok(times.into_iter().zip(shafts.into_iter().map(|shaft| shaft.position * 100.0)).collect())
     };
     let plane = |way: Vec<(f64, Complex<f64>)>| way.into_iter().map(|(_, z)| (z.re, z.im)).collect::<Values>();
-    let widest = 4.6; // s: where the swing is largest
+    let widest = 5.0; // s: where the swing is largest
 
     let mut path = Drawing::new("", 330.0, 330.0).titled(
         "The path of the drum’s centre, from above",
@@ -770,7 +770,7 @@ pub(crate) fn start(id: &str) -> Outcome {
         "The swing of the drum as it speeds up",
         "The displacement of the drum in one direction, in centimetres, against the time in seconds, like the trace of a pen on moving paper, \
          while the drum speeds up evenly to 310 turns a minute in 13 seconds. It is small at first, swells to more than five centimetres \
-         at four and a half seconds, and shrinks to two centimetres, ever faster.",
+         at five seconds, and shrinks to two centimetres, ever faster.",
     );
     let time = Axis::linear(0.0, end, 5.0)?.minor(1.0).titled("time, s");
     let swing = Axis::linear(-6.0, 6.0, 2.0)?.minor(1.0).titled("displacement to one side, cm");
@@ -869,7 +869,7 @@ pub(crate) fn ramp_map(id: &str) -> Outcome {
         };
         corner(Hue::Blue, (slowest, heaviest), &mut plot);
         corner(Hue::Orange, (quickest, lightest), &mut plot);
-        plot.reference((slowest, lightest), (quickest, heaviest), Stroke::Reference);
+        plot.reference((slowest, lightest), (quickest, heaviest), Stroke::Border);
 
         for (level, line) in levels.iter().zip(&lines) {
             plot.curve(&format!("swing-{level}"), line.iter().copied(), Stroke::Curve, Hue::Ink);
@@ -943,11 +943,11 @@ pub(crate) fn polar_fault(id: &str) -> Outcome {
         let error = Axis::log(1e-12, 1.0, 2)?.titled("error of the position after the pass, m");
         let mut plot = Plot::new(&mut drawing, Rect::new(62.0, 34.0, room.of(576.0, 312.0), 274.0), distance, error)?;
         plot.upright(speed * step, Stroke::Dotted);
-        plot.series("polar", &polar, Marker::Disc, Hue::Orange);
-        plot.series("cartesian", &cartesian, Marker::Square, Hue::Blue);
+        plot.series("polar", &polar, Look::RK4.marker, Look::RK4.hue);
+        plot.series("cartesian", &cartesian, Marker::Ring, Look::RK4.hue);
         plot.label((1e-3, 1e-1), Side::Right, room.of("distance covered in one step", "covered in one step"), Hue::Muted)?;
         plot.label((5e-3, 1e-6), Side::AboveRight, r"in $r$ and $\theta$", Hue::Orange)?;
-        plot.label((1e-4, 3e-11), Side::Above, r"in $x$ and $y$", Hue::Blue)?;
+        plot.label((1e-4, 3e-11), Side::Above, r"in $x$ and $y$", Look::RK4.hue)?;
         Ok(drawing)
     })
 }
@@ -956,11 +956,6 @@ pub(crate) fn polar_fault(id: &str) -> Outcome {
 pub(crate) fn speed(id: &str) -> Outcome {
     let mut all = measurements()?;
     all.retain(|row| row.problem == "washer" && row.contestant == "mechanics");
-    let methods = [
-        ("RK4", Marker::Square, Hue::Orange),
-        ("DOP853", Marker::Disc, Hue::Blue),
-        ("closed form", Marker::Diamond, Hue::Green),
-    ];
     let error = || Axis::log(1e-16, 1.0, 4).map(|axis| axis.titled("largest error, in units of $b$"));
     let evaluations = Axis::log(1e3, 1e7, 1)?.titled("evaluations of the rates");
     let time = Axis::log(1e-3, 1e3, 1)?.titled("time, ms");
@@ -983,8 +978,8 @@ pub(crate) fn speed(id: &str) -> Outcome {
     let mut drawn = Vec::new();
     for (panel, words, axis, work) in panels {
         let mut drawing = Drawing::new("", 340.0, 372.0).titled("Error against work", words);
-        let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 262.0, 284.0), error()?, axis)?;
-        for (method, marker, hue) in methods {
+        let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 256.0, 284.0), error()?, axis)?;
+        for Look { name: method, marker, hue, .. } in [Look::RK4, Look::DOP853, Look::EXACT] {
             let rows = all.iter().filter(|row| row.method == method);
             let values = front(rows.map(|row| (row.error, work(row))).filter(|value| value.1 > 0.0));
             plot.series(&format!("{panel}-{}", method.replace(' ', "-")), &values, marker, hue);
@@ -993,7 +988,7 @@ pub(crate) fn speed(id: &str) -> Outcome {
             plot.label(most_exact, side, method, hue)?;
         }
         if panel == "evaluations" {
-            plot.label((2e-16, 2e3), Side::Right, "closed form: none", Hue::Green)?;
+            plot.label((2e-16, 2e3), Side::Right, "closed form: none", Look::EXACT.hue)?;
         }
         drawn.push(drawing);
     }

@@ -430,10 +430,10 @@ fn from_the_room(id: &str) -> Outcome {
             linear_steps(0.0, 2.0 * PI, 180).map(|angle| (radius * angle.cos(), radius * angle.sin()));
         plot.curve(name, circle, Stroke::Reference, Hue::Muted);
     }
-    let (first, second) = values.split_at(1001);
-    let first = first.to_vec();
-    plot.curve("rosette", second.to_vec(), Stroke::Orbit, Hue::Orange);
-    plot.curve("first-swings", first, Stroke::Vector, Hue::Orange);
+    plot.curve("rosette", values[1000..].to_vec(), Stroke::Orbit, Hue::Orange);
+    plot.curve("first-period", values[..=1000].to_vec(), Stroke::Curve, Hue::Orange);
+    let start = values[0];
+    plot.markers(&[start, values[1000]], Marker::Disc, Hue::Orange);
     plot.label((0.0, 0.45), Side::Over, r"tip of $\boldsymbol{\omega}$", Hue::Orange)?;
     let middle = plot.at((0.0, 0.0));
     kit::marker(plot.drawing(), middle, Marker::Out, Hue::Green);

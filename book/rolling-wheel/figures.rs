@@ -404,7 +404,7 @@ pub(crate) fn contact_track(id: &str) -> Outcome {
         let middle = 0.5 * (before + turns);
         *(if wobble.at(middle)?.omega_1 > 0.0 { &mut before } else { &mut turns }) = middle;
     }
-    let mut plot = Plot::plane(&mut drawing, at(170.0, 170.0), 50.0, 4.0)?;
+    let mut plot = Plot::plane(&mut drawing, at(125.0, 165.0), 50.0, 4.0)?;
     plot.curve("all", track(turns, turns + 11.0 * period, 4400)?, Stroke::Orbit, Hue::Pink);
     let half = track(turns, turns + 0.5 * period, 200)?;
     let ends = [half[0], half[200]];

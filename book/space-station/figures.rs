@@ -74,7 +74,7 @@ pub(crate) fn station(id: &str) -> Outcome {
     let rim = [0.0, 0.93, 0.08];
     stage.solid(Solid::sphere([0.0, 0.93, -0.72], 0.045)?, Hue::Muted)?;
     stage.curve(Curve::segment([0.0, 0.93, -0.67], [0.0, 0.93, -0.08])?, Stroke::Dotted, Hue::Muted)?;
-    stage.label([0.0, 0.93, -0.72], Side::Right, "meteor", Hue::Muted)?;
+    stage.label_shifted([0.0, 0.93, -0.72], at(4.0, 0.0), Side::Right, "meteor", Hue::Muted)?;
     stage.named_vector(rim, [0.0, 0.93, 0.85], r"$\boldsymbol{P}$", Hue::Pink)?;
     stage.dot(rim, 3.5, Hue::Pink)?;
     stage.turning([0.0, 0.0, 1.6], [0.0, 0.0, 1.0], 0.17, Hue::Orange)?;
@@ -238,10 +238,10 @@ pub(crate) fn station_views(id: &str) -> Outcome {
     stage.named_vector([0.0; 3], axis(0.0)?, r"$\hat{\mathbf{3}}$", Hue::Blue)?;
     stage.named_vector([0.0; 3], omega(0.0)?, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.write(&mut room);
-    room.label(at(160.0, 325.0), Side::Over, "in the room:", Hue::Ink)?;
+    room.label(at(160.0, 306.0), Side::Over, "in the room:", Hue::Ink)?;
     let rate = struck.nodding_rate() / SPIN;
     let name = format!(r"$\hat{{\mathbf{{3}}}}$ goes round $\boldsymbol{{L}}$ at ${rate:.1}\,\omega_0$");
-    room.label(at(160.0, 346.0), Side::Over, &name, Hue::Ink)?;
+    room.label(at(160.0, 327.0), Side::Over, &name, Hue::Ink)?;
 
     let (mut board, mut stage) = view(
         "The struck station on board",
@@ -261,9 +261,9 @@ pub(crate) fn station_views(id: &str) -> Outcome {
     stage.named_vector([0.0; 3], omega(0.0)?, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.named_vector([0.0; 3], momentum(0.0)?, r"$\boldsymbol{L}$", Hue::Green)?;
     stage.write(&mut board);
-    board.label(at(160.0, 325.0), Side::Over, "on board:", Hue::Ink)?;
+    board.label(at(160.0, 306.0), Side::Over, "on board:", Hue::Ink)?;
     board.label(
-        at(160.0, 346.0),
+        at(160.0, 327.0),
         Side::Over,
         r"$\boldsymbol{\omega}$ and $\boldsymbol{L}$ go round $\hat{\mathbf{3}}$ at $\omega_0$",
         Hue::Ink,
@@ -307,7 +307,7 @@ fn rolling_cones(
     stage.curve(contact, Stroke::Curve, Hue::Orange)?;
     stage.label(omega * 1.85, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.write(&mut drawing);
-    drawing.label(at(165.0, 336.0), Side::Over, name, Hue::Ink)?;
+    drawing.label(at(165.0, 318.0), Side::Over, name, Hue::Ink)?;
     Ok(drawing)
 }
 

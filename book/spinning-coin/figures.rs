@@ -357,7 +357,8 @@ pub(crate) fn circle_opens(id: &str) -> Outcome {
     // eq:true-spin: b/a = n/Ω, with Ω = q/sin α.
     let motion = states.iter().map(|at| (at.tilt, 1e3 * at.omega_3 * at.tilt.sin() / at.omega_2));
     plot.curve("motion", motion, Stroke::Curve, Hue::Blue);
-    let law = linear_steps(0.0, 0.1, 200)
+    let law = linear_steps(0.0, 1.0, 200)
+        .map(|part| 0.1 * part * part)
         .map(|tilt: f64| (tilt, 4e3 / 9.0 * (0.1_f64.powf(1.5) * tilt.sqrt() - tilt * tilt))); // eq:film-circle
     plot.curve("law", law, Stroke::DashedCurve, Hue::Ink);
     plot.label((0.047, 1.35), Side::Over, "sinking", Hue::Muted)?;

@@ -1,6 +1,6 @@
 //! The figures of the chapter "How a body turns".
 
-use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
+use crate::{Axis, Cause, Look, Outcome, Plot, Room, in_both, linear_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
@@ -98,7 +98,7 @@ pub(crate) fn wobbles(id: &str) -> Outcome {
             elevation: 0.42,
             distance: 8.0,
             centre: at(62.0, 92.0),
-            scale: 50.0,
+            scale: 46.0,
         })?);
         stage.solid(Solid::disc([0.0; 3], axis, 1.0, 0.06)?, Hue::Blue)?;
         stage.vector([0.0; 3], [0.0, 0.0, 1.45], Hue::Green)?;
@@ -440,12 +440,12 @@ pub(crate) fn drift(id: &str) -> Outcome {
         let frame = Rect::new(60.0, 34.0, room.of(570.0, 316.0), 286.0);
         let mut plot = Plot::new(&mut drawing, frame, steps, error)?;
         plot.level(closed, Stroke::Reference);
-        plot.series("attitude", &attitudes, Marker::Disc, Hue::Orange);
-        plot.series("length", &lengths, Marker::Square, Hue::Blue);
+        plot.series("attitude", &attitudes, Look::RK4.marker, Look::RK4.hue);
+        plot.series("length", &lengths, Marker::Ring, Look::RK4.hue);
         let labelled = nearest(&attitudes, 45.0)?;
-        plot.label(labelled, Side::AboveRight, "attitude, rad", Hue::Orange)?;
+        plot.label(labelled, Side::AboveRight, "attitude, rad", Look::RK4.hue)?;
         let labelled = nearest(&lengths, room.of(30.0, 45.0))?;
-        plot.label(labelled, Side::BelowLeft, "length", Hue::Blue)?;
+        plot.label(labelled, Side::BelowLeft, "length", Look::RK4.hue)?;
         plot.label((5.0, closed), Side::AboveRight, "closed form, against DOP853", Hue::Muted)?;
         Ok(drawing)
     })

@@ -282,7 +282,7 @@ fn heights() -> Outcome {
 /// The two parts of the momentum across the shaft, at four moments, seen along it.
 pub(crate) fn antiphase(id: &str) -> Outcome {
     let engine = with_pistons(plate(TILT)?, 4, 0.75)?;
-    let scale = 58.0 / engine.plate().angular_momentum_rotating(SPIN).x.abs();
+    let scale = 54.0 / engine.plate().angular_momentum_rotating(SPIN).x.abs();
     let mut panels = Vec::new();
     for (name, eighths) in [("0", 0.0), ("45°", 1.0), ("90°", 2.0), ("135°", 3.0)] {
         let mut drawing = Drawing::new("", 148.0, 180.0).titled(
@@ -292,7 +292,7 @@ pub(crate) fn antiphase(id: &str) -> Outcome {
         );
         let phase = TAU * eighths / 8.0;
         let centre = at(74.0, 76.0);
-        drawing.circle(centre, 66.0, Role::Line(Stroke::Grid, Hue::Ink));
+        drawing.circle(centre, 61.0, Role::Line(Stroke::Grid, Hue::Ink));
         let pistons = engine.piston_momentum(phase, SPIN);
         let plate = engine.angular_momentum(phase, SPIN) - pistons;
         let tip = |momentum: Vector3<f64>| centre + at(momentum.x, -momentum.y) * scale;
@@ -305,7 +305,7 @@ pub(crate) fn antiphase(id: &str) -> Outcome {
         }
         drawing.dot(centre, 3.0, Hue::Ink);
         let from = (tip(pistons) - centre).angle();
-        kit::angle(&mut drawing, centre, 66.0, from - 0.35, 0.7, kit::Heads::End, Hue::Orange);
+        kit::angle(&mut drawing, centre, 61.0, from - 0.35, 0.7, kit::Heads::End, Hue::Orange);
         drawing.label(at(74.0, 164.0), Side::Over, &format!(r"$\omega t = {name}$"), Hue::Ink)?;
         panels.push(drawing);
     }
@@ -391,7 +391,7 @@ pub(crate) fn beta_error(id: &str) -> Outcome {
         let mut drawing = Drawing::new("", 350.0, 350.0).titled("Relative errors of three programs for the lean", description);
         let x = Axis::log(1e-9, 1.0, 3)?.titled(title);
         let y = Axis::log(1e-17, 10.0, 4)?.titled(r"relative error of $\beta$");
-        let mut plot = Plot::new(&mut drawing, Rect::new(54.0, 34.0, 264.0, 262.0), x, y)?;
+        let mut plot = Plot::new(&mut drawing, Rect::new(54.0, 34.0, 252.0, 262.0), x, y)?;
         for (name, program, hue, form) in programs {
             let mut values = Vec::new();
             for small in log_steps(1e-9, 1.0, 36) {

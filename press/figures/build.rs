@@ -1,5 +1,5 @@
-//! Lists the chapters and their figures, so that nobody has to: a module for each `book/*/figures.rs` in the order of
-//! SUMMARY.md, and an entry for each function in it that draws a figure.
+//! Lists the chapters and their figures, so that nobody has to: a module for `book/figures.rs` and for each
+//! `book/*/figures.rs` in the order of SUMMARY.md, and an entry for each function in it that draws a figure.
 
 #[path = "src/list.rs"]
 mod list;
@@ -17,29 +17,31 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut modules, mut entries) = (String::new(), String::new());
     let mut places = BTreeMap::new();
     let fault = |place: &str, what: &str| println!("cargo::error={place}: {what}");
-    for folder in list::chapters(&fs::read_to_string(summary)?) {
-        let path = root.join("book").join(folder).join("figures.rs");
+    let summary = fs::read_to_string(summary)?;
+    for folder in std::iter::once(list::FRONT).chain(list::chapters(&summary)) {
+        let file = list::file(folder);
+        let path = root.join("book").join(&file);
         let Ok(source) = fs::read_to_string(&path) else {
             // A chapter without figures, until it has some.
-            println!("cargo::rerun-if-changed={}", root.join("book").join(folder).display());
+            println!("cargo::rerun-if-changed={}", path.parent().unwrap_or(&root).display());
             continue;
         };
         println!("cargo::rerun-if-changed={}", path.display());
-        let module = folder.replace('-', "_");
+        let module = if folder == list::FRONT { "front".into() } else { folder.replace('-', "_") };
         writeln!(modules, "#[path = {path:?}]\nmod {module};")?;
         let found = list::figures(&source).unwrap_or_else(|faults| {
-            faults.iter().for_each(|(line, what)| fault(&format!("book/{folder}/figures.rs:{line}"), what));
+            faults.iter().for_each(|(line, what)| fault(&format!("book/{file}:{line}"), what));
             Vec::new()
         });
         for list::Found { id, function, line } in found {
-            let place = format!("book/{folder}/figures.rs:{line}");
+            let place = format!("book/{file}:{line}");
             if let Some(other) = places.insert(id.clone(), place.clone()) {
                 fault(&place, &format!("{id}: {other} has a figure of this name too"));
             }
             let draw = format!("{module}::{function}");
             writeln!(
                 entries,
-                "    Entry {{ id: {id:?}, chapter: {folder:?}, line: {line}, draw: {draw} }},"
+                "    Entry {{ id: {id:?}, chapter: {folder:?}, file: \"book/{file}\", line: {line}, draw: {draw} }},"
             )?;
         }
     }

@@ -3,7 +3,7 @@
 use crate::fault::{Faults, Lines};
 use crate::preprocess::Failed;
 use crate::rendered::Rendered;
-use crate::{api, outcome, site};
+use crate::{api, outcome, search, site};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::config::Config;
 use std::io::Read;
@@ -43,6 +43,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
 fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
     remove_sources_of_theme(site, &context.config)?;
     add(site, &context.root, drawn)?;
+    search::write(site, context)?;
     let found = site::check(site)?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let mut faults = Faults::default();

@@ -161,6 +161,9 @@ impl Registry {
             return String::new();
         }
         let Some(chapter) = page.chapter else {
+            if label.kind == Kind::Figure {
+                return String::new(); // it stands there without a number
+            }
             faults.add(
                 &page.file,
                 line,
@@ -200,7 +203,7 @@ impl Registry {
             let name = figure.id.trim_start_matches("fig:").to_owned();
             if !self.entries.contains_key(&Label { kind: Kind::Figure, name }) {
                 faults.add(
-                    &format!("book/{}/figures.rs", figure.chapter),
+                    &figure.source(),
                     0,
                     format!("the figure {} is drawn, but no page shows it", figure.id),
                 );

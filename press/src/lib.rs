@@ -102,6 +102,7 @@ mod raw;
 mod references;
 mod render;
 mod scan;
+mod search;
 mod signs;
 mod site;
 mod snippets;

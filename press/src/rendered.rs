@@ -17,7 +17,7 @@ pub struct Rendered {
 pub struct Figure {
     /// Its label: `fig:machine`.
     pub id: String,
-    /// The folder of the chapter that draws it: `laundromat`.
+    /// The folder of the chapter that draws it: `laundromat`; `figures` for pages without a number.
     pub chapter: String,
     /// Its SVGs for a page in their box, coloured by the page's style sheet.
     pub svg: String,
@@ -78,6 +78,15 @@ impl Figure {
     /// The ids in its SVG.
     pub(crate) fn ids(&self) -> impl Iterator<Item = &str> {
         self.svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next())
+    }
+
+    /// The file that draws it: `book/laundromat/figures.rs`, or `book/figures.rs` for one on a page without a number.
+    pub(crate) fn source(&self) -> String {
+        if self.chapter == "figures" {
+            "book/figures.rs".into()
+        } else {
+            format!("book/{}/figures.rs", self.chapter)
+        }
     }
 
     /// The name of its file: `machine.svg`.

@@ -143,11 +143,25 @@ def code(sections):
     save(font, PAGES / "book-code.woff2", "Book Code")
 
 
+def for_browsers(font):
+    """Makes up for what browsers do not do."""
+    prune(font)
+    # They lower a subscript by a measure of its letter's foot and raise an exponent by one of its head, as TeX does only for
+    # what is larger than a letter. These are the measures of Computer Modern, and the first so small that no letter feels it.
+    constants = font["MATH"].table.MathConstants
+    constants.SubscriptBaselineDropMin.Value = 25
+    constants.SuperscriptBaselineDropMax.Value = 386
+    # A prime is an exponent. Its own shape is raised and small already; there is one to be raised and made small.
+    small = {prime: f"{font.getBestCmap()[prime]}.st" for prime in range(0x2032, 0x2035)}
+    for table in font["cmap"].tables:
+        table.cmap.update({prime: glyph for prime, glyph in small.items() if prime in table.cmap})
+
+
 def maths(sections):
     # Pages go without the shapes that the font has for small sizes, two for each letter: of the browsers only Firefox asks for
     # them. Each is cut twice, as the table MATH keeps its measures of such glyphs only as are asked for by name.
-    plain = cut("NewCMMath-Book.otf", sections["maths"], [], mend=prune).getGlyphOrder()
-    font = cut("NewCMMath-Book.otf", sections["maths"], [], glyphs=plain, mend=prune)
+    plain = cut("NewCMMath-Book.otf", sections["maths"], [], mend=for_browsers).getGlyphOrder()
+    font = cut("NewCMMath-Book.otf", sections["maths"], [], glyphs=plain, mend=for_browsers)
     save(font, PAGES / "book-math.woff2", "Book Math")
     every = cut("NewCMMath-Book.otf", sections["maths"], ["ssty"], mend=prune).getGlyphOrder()
     font = cut("NewCMMath-Book.otf", sections["maths"], ["ssty"], flavor=None, glyphs=every, mend=prune)

@@ -107,6 +107,7 @@ pub struct Drawing {
     flaw: Option<Flaw>,
     pub(crate) panels: Vec<Drawing>,
     pub(crate) narrow: Option<Box<Drawing>>,
+    pub(crate) link: Option<String>,
 }
 
 impl Drawing {
@@ -124,6 +125,7 @@ impl Drawing {
             flaw: None,
             panels: Vec::new(),
             narrow: None,
+            link: None,
         }
     }
 

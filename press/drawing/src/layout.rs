@@ -24,7 +24,8 @@ impl Drawing {
     ///
     /// Each SVG is cut to its ink; panels of equal height are cut alike above and below, so that axes drawn at
     /// the same height stay level. The first panel of `fig:pair` gets the id `fig:pair-a`. The words of the
-    /// whole are those of [`titled`](Self::titled), or else those of its panels one after another.
+    /// whole are those of [`titled`](Self::titled), or else those of its panels one after another. Where panels have none
+    /// of their own, the first has those of the whole, and the others are not announced to those who cannot see.
     ///
     /// ```
     /// use drawing::{Drawing, Hue, at};
@@ -51,12 +52,20 @@ impl Drawing {
         whole
     }
 
-    /// The figure with a second layout, which shows the same, for pages with less than [`NARROW`] px of room: phones.
+    /// The figure with a second layout, which shows the same, for pages with less than [`NARROW`] px of room: phones. It
+    /// needs no words of its own.
     #[must_use]
     pub fn with_narrow(mut self, other: Self) -> Self {
         self.narrow = Some(Box::new(other));
         let id = self.id.clone();
         self.name(&id);
+        self
+    }
+
+    /// The panel as a link to a page, on pages; its title says where to.
+    #[must_use]
+    pub fn linked(mut self, target: &str) -> Self {
+        self.link = Some(target.to_owned());
         self
     }
 

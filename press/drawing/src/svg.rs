@@ -22,16 +22,32 @@ impl Drawing {
     /// [`Flaw`] if a coordinate is no number, or something could not be added.
     pub fn to_svg(&self) -> Result<String, Flaw> {
         self.flaw().map_or(Ok(()), Err)?;
+        let mut said = (false, false); // on a wide page, on a narrow one
         let svg = |(part, seen, pages): (&Self, Rect, Pages)| {
+            // Parts without words of their own: the first speaks for the whole.
+            let here = (pages != Pages::Narrow, pages != Pages::Wide);
+            let words = if part.title().is_empty() { self } else { part };
+            let speaks = !part.title().is_empty() || here.0 && !said.0 || here.1 && !said.1;
+            if part.title().is_empty() {
+                said = (said.0 || here.0, said.1 || here.1);
+            }
             let class = match pages {
                 Pages::All => "drawn",
                 Pages::Wide => "drawn wide-only",
                 Pages::Narrow => "drawn narrow",
             };
             let size = format!("{} style=\"max-width:{}px\"", view_box(seen), number(seen.width()));
-            let mut out = opening(&part.id, class, &size, part.title(), part.description());
+            let mut out = if speaks {
+                opening(&part.id, class, &size, words.title(), words.description())
+            } else {
+                format!("<svg class=\"{class}\" {size} aria-hidden=\"true\">\n")
+            };
             part.write_items(&mut out);
-            out + "</svg>"
+            out += "</svg>";
+            match &part.link {
+                Some(target) => format!("<a class=\"panel\" href=\"{}\">{out}</a>", escaped(target)),
+                None => out,
+            }
         };
         Ok(self.leaves().into_iter().map(svg).collect::<Vec<_>>().join("\n"))
     }

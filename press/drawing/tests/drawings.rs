@@ -189,6 +189,15 @@ fn a_narrow_layout_has_an_svg_of_its_own_for_narrow_pages_only() {
 }
 
 #[test]
+fn panels_without_words_leave_them_to_the_first() {
+    let mute = || dotted(100.0, 5.0, 5.0).titled("", "");
+    let whole = Drawing::panels("fig:mute", vec![mute(), mute()]).titled("Two dots", "A dot and a dot.");
+    let svg = whole.with_narrow(mute()).to_svg().expect("no flaw");
+    assert_eq!(attributes(&svg, "aria-hidden"), ["", "true", ""]); // the first of each layout speaks
+    assert_eq!(svg.matches(">Two dots</title>").count(), 2);
+}
+
+#[test]
 fn what_lies_in_no_panel_is_refused() {
     let mut whole = Drawing::panels("fig:dots", vec![dotted(100.0, 50.0, 20.0)]);
     whole.line(at(0.0, 0.0), at(1.0, 0.0), Stroke::Outline, Hue::Ink);

@@ -7,7 +7,7 @@ use std::fmt;
 /// A figure that could not be drawn.
 #[derive(Debug)]
 pub struct Failure {
-    pub(crate) chapter: &'static str,
+    pub(crate) file: &'static str,
     pub(crate) line: usize,
     pub(crate) figure: &'static str,
     pub(crate) cause: Cause,
@@ -15,7 +15,7 @@ pub struct Failure {
 
 impl fmt::Display for Failure {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "book/{}/figures.rs:{}: {}: {}", self.chapter, self.line, self.figure, self.cause)
+        write!(out, "{}:{}: {}: {}", self.file, self.line, self.figure, self.cause)
     }
 }
 

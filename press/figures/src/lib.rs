@@ -40,10 +40,11 @@ pub type Cause = Box<dyn Error + Send + Sync>;
 /// What a figure function returns: a drawing, or why there is none.
 pub type Outcome = Result<Drawing, Cause>;
 
-/// A figure to be drawn: its id on the page, its chapter, the line that names it there, and the function that draws it.
+/// A figure to be drawn: its id on the page, its chapter, the file and the line that name it, the function that draws it.
 struct Entry {
     id: &'static str,
     chapter: &'static str,
+    file: &'static str,
     line: usize,
     draw: fn(&str) -> Outcome,
 }
@@ -53,7 +54,7 @@ struct Entry {
 pub struct Figure {
     /// Its label on the page, as in `fig:machine`.
     pub id: String,
-    /// The folder of the chapter that draws it, as in `laundromat`.
+    /// The folder of the chapter that draws it, as in `laundromat`; `figures` for pages without a number.
     pub chapter: String,
     /// A short title, for readers who cannot see it.
     pub title: String,
@@ -105,13 +106,15 @@ pub fn of(wanted: impl Fn(&str) -> bool) -> Result<Vec<Figure>, Vec<Failure>> {
 }
 
 fn failed(entry: &Entry, cause: Cause) -> Failure {
-    Failure { chapter: entry.chapter, line: entry.line, figure: entry.id, cause }
+    Failure { file: entry.file, line: entry.line, figure: entry.id, cause }
 }
 
 fn render(entry: &Entry) -> Result<Figure, Cause> {
     let drawing = (entry.draw)(entry.id)?;
-    let is_mute = |part: &Drawing| part.title().trim().is_empty() || part.description().trim().is_empty();
-    if is_mute(&drawing) || drawing.all_parts().into_iter().any(is_mute) {
+    let [title, description] = [drawing.title(), drawing.description()].map(|words| words.trim().is_empty());
+    // A panel may leave the words to the whole, but not half of them.
+    let mut parts = drawing.all_parts().into_iter();
+    if title || description || parts.any(|part| part.title().is_empty() != part.description().is_empty()) {
         return Err("the figure lacks a title or a description for those who cannot see it".into());
     }
     Ok(Figure {
@@ -139,7 +142,8 @@ mod tests {
 
     /// What is said of a figure that is drawn by `draw`, in the third line of its file.
     fn said(draw: fn(&str) -> Outcome) -> String {
-        let entry = Entry { id: "fig:typo", chapter: "nowhere", line: 3, draw };
+        let entry =
+            Entry { id: "fig:typo", chapter: "nowhere", file: "book/nowhere/figures.rs", line: 3, draw };
         failed(&entry, render(&entry).expect_err("it is wrong")).to_string()
     }
 

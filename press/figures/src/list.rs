@@ -11,6 +11,14 @@ pub(crate) struct Found {
     pub(crate) line: usize,
 }
 
+/// The name under which the figures of pages without a number stand, those of `book/figures.rs`.
+pub(crate) const FRONT: &str = "figures";
+
+/// The file that draws the figures of a chapter, as seen from the folder `book`.
+pub(crate) fn file(chapter: &str) -> String {
+    if chapter == FRONT { "figures.rs".into() } else { format!("{chapter}/figures.rs") }
+}
+
 /// The folders of the chapters, in the order of SUMMARY.md.
 pub(crate) fn chapters(summary: &str) -> impl Iterator<Item = &str> {
     summary.lines().filter_map(|line| Some(line.split_once("](")?.1.split_once("/index.md)")?.0))

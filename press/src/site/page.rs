@@ -41,6 +41,9 @@ pub(super) fn examine(html: &str) -> Built {
                     }
                     "figure" => in_figure = true,
                     "svg" if in_figure || attribute(&tag, "role").as_deref() == Some("img") => {
+                        if attribute(&tag, "aria-hidden").as_deref() == Some("true") {
+                            continue; // a panel for which another speaks
+                        }
                         if attribute(&tag, "role").as_deref() != Some("img") {
                             built.mute_figures += 1;
                         }

@@ -64,7 +64,7 @@ pub enum Segment {
 
 impl Segment {
     /// The step with every point moved.
-    fn mapped(self, place: &mut impl FnMut(Point) -> Point) -> Self {
+    fn mapped(self, place: impl Fn(Point) -> Point) -> Self {
         match self {
             Self::Move(end) => Self::Move(place(end)),
             Self::Line(end) => Self::Line(place(end)),
@@ -181,26 +181,6 @@ impl Label {
         self
     }
 
-    /// The label with every point of its outlines moved; its words stay.
-    pub(crate) fn mapped(&self, place: impl Fn(Point) -> Point) -> Self {
-        let mut label = self.clone();
-        let mut bounds: Option<Rect> = None;
-        let mut moved = |point: Point| {
-            let point = place(point);
-            let here = Rect { left: point.x, top: point.y, right: point.x, bottom: point.y };
-            bounds = Some(bounds.map_or(here, |all| all.union(&here)));
-            point
-        };
-        for piece in &mut label.pieces {
-            let Piece::Outline(segments) = piece else { continue };
-            for segment in segments {
-                *segment = segment.mapped(&mut moved);
-            }
-        }
-        label.bounds = bounds.unwrap_or(label.bounds);
-        label
-    }
-
     fn shift(&mut self, step: Point) {
         self.bounds = self.bounds.moved(step);
         for piece in &mut self.pieces {
@@ -208,7 +188,7 @@ impl Label {
                 Piece::Words { start, .. } => *start = *start + step,
                 Piece::Outline(segments) => {
                     for segment in segments {
-                        *segment = segment.mapped(&mut |point| point + step);
+                        *segment = segment.mapped(|point| point + step);
                     }
                 }
             }

@@ -1,12 +1,11 @@
 //! Points, labels, named vectors and angles of a scene.
 
-use super::camera::Camera;
 use super::curve::Curve;
 use super::error::{SpaceError, direction, finite, positive};
 use super::stage::Stage;
 use super::track::Track;
 use super::vector::Vec3;
-use crate::drawing::{Drawing, Shape};
+use crate::drawing::Drawing;
 use crate::kit::Heads;
 use crate::label::{Label, Side};
 use crate::point::{Point, at};
@@ -35,29 +34,6 @@ pub(super) enum Dot {
 pub(super) struct Caption {
     pub(super) label: Label,
     pub(super) hue: Hue,
-}
-
-/// Letters that lie in a plane in space.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Letters {
-    label: Label,
-    /// The middle of the letters, and the steps to the right and up that are a pixel of the label.
-    middle: Vec3,
-    right: Vec3,
-    up: Vec3,
-    hue: Hue,
-}
-
-impl Letters {
-    /// Draws the letters if their plane is seen from the side on which they can be read.
-    pub(super) fn write(&self, camera: &Camera, drawing: &mut Drawing) {
-        if self.right.cross(self.up).dot(camera.sight(self.middle)) <= 0.0 {
-            return;
-        }
-        let land = |point: Point| camera.land(self.middle + self.right * point.x - self.up * point.y);
-        let label = self.label.mapped(land);
-        drawing.push(Role::PlainText(self.hue), Shape::Label(label));
-    }
 }
 
 impl Dot {
@@ -113,36 +89,6 @@ impl Stage {
     pub fn way(&mut self, curve: Curve, stroke: Stroke, parts: &[f64], hue: Hue) -> Result<(), SpaceError> {
         self.curve(curve.clone(), stroke, hue)?;
         self.ways.push((curve, parts.to_vec(), stroke, hue));
-        Ok(())
-    }
-
-    /// Adds letters that lie on a face, as on a coin, `height` high in units of the world, about a middle, with the line
-    /// along one direction and their tops towards another, perpendicular to it. They are seen from the side on which
-    /// they can be read, before all solids.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, directions without length, a height that is not positive, what is
-    /// behind the eye, and letters that cannot be set.
-    pub fn inscription(
-        &mut self,
-        middle: impl Into<[f64; 3]>,
-        along: impl Into<[f64; 3]>,
-        up: impl Into<[f64; 3]>,
-        height: f64,
-        letters: &str,
-        hue: Hue,
-    ) -> Result<(), SpaceError> {
-        let middle = finite("middle of the letters", middle)?;
-        let [along, up] = [direction("line of letters", along)?, direction("top of letters", up)?];
-        self.camera.check(middle)?;
-        let size = positive("height of letters", height)? * self.camera.scale_at(middle);
-        let label = Label::new(&format!(r"$\mathbf{{{letters}}}$"), size)?;
-        let label = label.placed(at(0.0, 0.0), Side::Over, 0.0);
-        let centre = label.bounds.centre();
-        let label = label.from_baseline(-centre);
-        let pixel = 1.0 / self.camera.scale_at(middle);
-        let letters = Letters { label, middle, right: along * pixel, up: up * pixel, hue };
-        self.letters.push(letters);
         Ok(())
     }
 

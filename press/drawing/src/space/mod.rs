@@ -17,8 +17,8 @@
 //! do not.
 //!
 //! **What shows motion.** [`Stage::spin`] is a vector with an arrow that turns about it, [`Stage::way`] a path with heads
-//! that show which way it is gone, [`Finish::Ghost`] a body at another time, for stills; [`Solid::two_faced`] and
-//! [`Stage::inscription`] tell heads from tails; [`Stage::ground`] is a floor with its grid. A path of many turns about a
+//! that show which way it is gone, [`Finish::Ghost`] a body at another time, for stills; [`Stage::ground`] is a floor
+//! with its grid, [`Stage::patch`] a picture on a face. A path of many turns about a
 //! sphere is heavy in front and pale behind with [`Stroke::Curve`](crate::Stroke::Curve) and [`Hiding::Pale`].
 //!
 //! | module | holds |

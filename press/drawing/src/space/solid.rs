@@ -189,15 +189,6 @@ impl Solid {
         Self { edges, ..self }
     }
 
-    /// A disc, rod or ring whose face at the back of its axis is darker than the one in front: heads and tails.
-    #[must_use]
-    pub fn two_faced(mut self) -> Self {
-        if let Body::Tube(tube) = &mut self.body {
-            tube.two_faced = true;
-        }
-        self
-    }
-
     /// The solid with another finish.
     #[must_use]
     pub fn finish(self, finish: Finish) -> Self {

@@ -5,7 +5,7 @@ use super::curve::Curve;
 use super::error::SpaceError;
 use super::ground::Ground;
 use super::ink::{Ink, Stroked};
-use super::marks::{Caption, Dot, Letters};
+use super::marks::{Caption, Dot};
 use super::order::{Body, coats};
 use super::pierce::{self, Junction};
 use super::solid::{Finish, Solid};
@@ -44,7 +44,6 @@ pub struct Stage {
     pub(super) patches: Vec<(Vec<Vec3>, Fill, Hue)>,
     pub(super) points: Vec<(Vec3, Dot, Hue)>,
     pub(super) captions: Vec<Caption>,
-    pub(super) letters: Vec<Letters>,
     /// Heads along a curve, at parts of its length on the page.
     pub(super) ways: Vec<(Curve, Vec<f64>, Stroke, Hue)>,
 }
@@ -53,8 +52,8 @@ impl Stage {
     /// An empty scene.
     pub fn new(camera: Camera) -> Self {
         let (grounds, solids, lines, patches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (points, captions, letters, ways) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { camera, grounds, solids, lines, patches, points, captions, letters, ways }
+        let (points, captions, ways) = (Vec::new(), Vec::new(), Vec::new());
+        Self { camera, grounds, solids, lines, patches, points, captions, ways }
     }
 
     /// The camera.
@@ -119,9 +118,6 @@ impl Stage {
         for (corners, fill, hue) in &self.patches {
             let corners = corners.iter().map(|&corner| self.camera.land(corner)).collect();
             drawing.polygon(corners, *fill, *hue);
-        }
-        for letters in &self.letters {
-            letters.write(&self.camera, drawing);
         }
         let hides = |solid: &Solid| solid.finish != Finish::Ghost;
         let forms = self.solids.iter().map(|(solid, _)| (solid.form(), hides(solid))).collect();

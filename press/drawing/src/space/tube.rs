@@ -26,8 +26,6 @@ pub(super) struct Tube {
     pub(super) outer: f64,
     pub(super) inner: f64,
     pub(super) half: f64,
-    /// Whether its lower face is as dark as its side.
-    pub(super) two_faced: bool,
 }
 
 impl Tube {
@@ -38,7 +36,7 @@ impl Tube {
         [outer, inner]: [f64; 2],
         half: f64,
     ) -> Self {
-        Self { name, centre, axis, across: axis.companions(), outer, inner, half, two_faced: false }
+        Self { name, centre, axis, across: axis.companions(), outer, inner, half }
     }
 
     /// The radial unit vector at an angle.
@@ -130,8 +128,7 @@ impl Tube {
                 Shape::Polygon([rim(self.outer, from, sweep), rim(self.inner, from + sweep, -sweep)].concat())
             }
         };
-        let fill = if self.two_faced && height < 0.0 { Fill::Side } else { Fill::Face };
-        Patch { fill, shape }
+        Patch { fill: Fill::Face, shape }
     }
 }
 

@@ -1,33 +1,9 @@
-//! The curves of the wobble plate and of the free tops, read back from the SVG, lie on formulas that are
+//! The curves of the free tops, read back from the SVG, lie on formulas that are
 //! written out here.
 
-use crate::{PIXELS, curve, figures, lies_on, place};
+use crate::{PIXELS, curve, figures, lies_on};
 use drawing::{Drawing, Fill, Hue, Piece, Point, Role, Shape, Stroke};
 use std::f64::consts::{PI, TAU};
-
-#[test]
-fn the_lean_of_the_momentum_follows_its_tangent() {
-    for thickness in [0.0, 0.5, 1.0, 2.0] {
-        let lean = |degrees: f64| {
-            let u = degrees.to_radians().tan();
-            // I₃/I₁ of a disc of that thickness, and tan β = (I₃ − I₁)u/(I₃ + I₁u²).
-            let across = 0.25 + thickness * thickness / 12.0;
-            ((0.5 - across) * u / (0.5 + across * u * u)).atan().to_degrees()
-        };
-        lies_on("beta", &format!("thickness-{thickness}"), lean);
-    }
-}
-
-#[test]
-fn the_residual_torque_is_a_v_and_the_pair_swings() {
-    lies_on("residual", "torque", |mass| (1.0 - mass).abs());
-    lies_on("number", "pistons-2", |degrees| degrees.to_radians().cos().abs());
-    for count in [3, 5, 7] {
-        let flat = curve("number", &format!("pistons-{count}"));
-        let (_, zero) = place(&flat.axes, (0.0, 0.0));
-        assert!(flat.points.iter().all(|point| (point.1 - zero).abs() < PIXELS), "{count} pistons");
-    }
-}
 
 #[test]
 fn the_height_of_the_normal_is_a_cosine() {

@@ -10,6 +10,7 @@ mod hard_cases;
 mod laundromat;
 mod methods;
 mod report;
+mod turning_plates;
 
 use drawing::{Axes, Piece, Point, Role, Scale, Shape};
 use figures::{Figure, all};

@@ -34,8 +34,10 @@ fn child<'a>(root: Node<'a, 'a>, name: &str) -> Option<Node<'a, 'a>> {
 fn every_figure_is_xml_with_title_and_description() {
     for figure in every_figure() {
         let document = parsed(figure);
-        let drawn: Vec<_> = document.descendants().filter(|node| node.has_tag_name("svg")).collect();
+        let mut drawn: Vec<_> = document.descendants().filter(|node| node.has_tag_name("svg")).collect();
         assert_eq!(drawn.len(), figure.drawing.all_parts().len(), "{}", figure.id);
+        drawn.retain(|svg| svg.attribute("aria-hidden").is_none());
+        assert!(!drawn.is_empty(), "{}", figure.id);
         assert!(figure.title.len() >= 10 && figure.description.len() >= 80, "{}: more words", figure.id);
         for root in drawn {
             assert_eq!(root.attribute("role"), Some("img"), "{}", figure.id);

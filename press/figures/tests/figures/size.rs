@@ -12,10 +12,10 @@ const SCRIPT: f64 = 8.0;
 
 /// What the SVG of a drawing shows.
 fn view_box(figure: &Figure, part: &Drawing) -> Rect {
-    let title = format!("{}-title", part.id().replace(':', "-"));
+    let place = figure.drawing.all_parts().iter().position(|other| other.id() == part.id());
     let document = parsed(figure);
-    let node = document.descendants().find(|node| node.attribute("id") == Some(&title)).expect("its title");
-    let numbers = node.parent_element().and_then(|svg| svg.attribute("viewBox")).expect("a viewBox");
+    let mut drawn = document.descendants().filter(|node| node.has_tag_name("svg"));
+    let numbers = place.and_then(|place| drawn.nth(place)?.attribute("viewBox")).expect("a viewBox");
     let numbers: Vec<f64> = numbers.split(' ').map(|number| number.parse().expect("a number")).collect();
     Rect::new(numbers[0], numbers[1], numbers[2], numbers[3])
 }

@@ -1,0 +1,191 @@
+//! The figures of the chapters on turning and on the wobble plate: curves lie on formulas that are written out here, and arrows
+//! point and turn as they should.
+
+use crate::{figures, lies_on};
+use drawing::{Drawing, Hue, Point, Role, Shape, Stroke};
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+/// The drawings of a figure.
+fn parts(figure: &str) -> Vec<&'static Drawing> {
+    let id = format!("fig:{figure}");
+    figures().iter().find(|other| other.id == id).expect("the figure").drawing.parts()
+}
+
+/// The polylines of a drawing with this role, in the order in which they were painted.
+fn lines(part: &Drawing, stroke: Stroke, hue: Hue) -> Vec<&[Point]> {
+    let items = part.items().iter().filter(|item| item.role == Role::Line(stroke, hue));
+    let points = items.filter_map(|item| match &item.shape {
+        Shape::Polyline(points) => Some(&points[..]),
+        _ => None,
+    });
+    points.collect()
+}
+
+/// From the first point of a line to its last, to the right and upwards, px.
+fn step(line: &[Point]) -> (f64, f64) {
+    let [first, last] = [line[0], line[line.len() - 1]];
+    (last.x - first.x, first.y - last.y)
+}
+
+#[test]
+fn the_lean_of_the_momentum_follows_its_tangent() {
+    for thickness in [0.0, 0.5, 1.0, 2.0] {
+        let lean = |degrees: f64| {
+            let u = degrees.to_radians().tan();
+            // I₃/I₁ of a disc of that thickness, and tan β = (I₃ − I₁)u/(I₃ + I₁u²).
+            let across = 0.25 + thickness * thickness / 12.0;
+            ((0.5 - across) * u / (0.5 + across * u * u)).atan().to_degrees()
+        };
+        lies_on("beta", &format!("thickness-{thickness}"), lean);
+    }
+}
+
+/// What the bearings give the chapter's plate alone, N m, eq:bearing-torque.
+fn alone() -> f64 {
+    let (mass, radius, spin, tilt) = (2.0, 0.1, 100.0, 25_f64.to_radians());
+    mass * radius * radius * spin * spin * (2.0 * tilt).sin() / 8.0
+}
+
+#[test]
+fn many_pistons_leave_a_v_and_one_or_two_a_band() {
+    let whole = alone();
+    lies_on("residual", "torque", |mass| whole * (1.0 - mass).abs());
+    // Of a pair half goes round with the plate and half backwards: they add up at two phases and oppose at two others.
+    lies_on("residual", "pair-most", |mass| whole * ((1.0 - mass).abs() + mass));
+    lies_on("residual", "pair-least", |mass| whole * ((1.0 - mass).abs() - mass).abs());
+}
+
+#[test]
+fn the_heights_are_four_sines() {
+    for n in [1.0, 2.0, 3.0, 4.0] {
+        lies_on("engine", &format!("height-{n}"), |degrees| (n * TAU / 4.0 - degrees.to_radians()).sin());
+    }
+}
+
+#[test]
+fn bearings_hold_against_the_centrifugal_forces() {
+    // The torque of the centrifugal forces on specks of the plate, in its own frame: x′, y′, z.
+    let (spin, mass, radius, tilt) = (100.0, 2.0, 0.1, 25_f64.to_radians());
+    let (rings, around) = (100, 500);
+    let mut couple = Vector3::zeros();
+    for k in 0..rings * around {
+        let r = radius * ((f64::from(k / around) + 0.5) / f64::from(rings)).sqrt();
+        let (y, x) = (TAU * f64::from(k % around) / f64::from(around)).sin_cos();
+        let place = Vector3::new(x * tilt.cos(), y, x * tilt.sin()) * r;
+        let force = Vector3::new(place.x, place.y, 0.0) * (spin * spin * mass / f64::from(rings * around));
+        couple += place.cross(&force);
+    }
+    // Clockwise as it is seen, along y′, away from the reader; and the bearings 40 cm apart.
+    assert!((couple - Vector3::y() * alone()).norm() < 1e-3 * alone(), "{couple}");
+    assert!((alone() / 0.4 - 48.0).abs() < 0.2);
+    let [part] = parts("bearings")[..] else { panic!("one drawing") };
+    let forces = lines(part, Stroke::Vector, Hue::Purple);
+    let [upper, lower] = forces[..] else { panic!("two forces") };
+    assert!(upper[0].y < lower[0].y && step(upper).0 < -50.0 && step(lower).0 > 50.0, "against it");
+    let centrifugal = lines(part, Stroke::Outline, Hue::Purple);
+    assert_eq!(centrifugal.len(), 4);
+    let outwards =
+        centrifugal.iter().filter(|arrow| (step(arrow).0 > 0.0) == (arrow[0].x > upper[0].x - 120.0));
+    assert_eq!(outwards.count(), 4, "every speck is pulled away from the shaft");
+}
+
+#[test]
+fn plate_and_pistons_are_opposite_at_every_phase() {
+    let parts = parts("antiphase");
+    assert_eq!(parts.len(), 4);
+    for (part, eighths) in parts.into_iter().zip([0.0, 1.0, 2.0, 3.0]) {
+        let plate = step(lines(part, Stroke::Vector, Hue::Green)[0]);
+        let pistons = step(lines(part, Stroke::Outline, Hue::Green)[0]);
+        let phase = TAU * eighths / 8.0;
+        // The pistons' momentum lies along x′, the plate's against it.
+        let along = |(x, y): (f64, f64)| (y.atan2(x) - phase).cos();
+        assert!(along(pistons) > 0.9999 && along(plate) < -0.9999, "{eighths} eighths of a turn");
+    }
+}
+
+#[test]
+fn everything_goes_round_counter_clockwise() {
+    let mut checked = 0;
+    for (figure, hues) in
+        [("plate", [Hue::Ink, Hue::Orange]), ("views", [Hue::Ink, Hue::Orange]), ("views", [Hue::Green; 2])]
+    {
+        for part in parts(figure) {
+            for hue in hues {
+                // In front, low on the page, what turns counter-clockwise as seen from above runs to the right.
+                let ways: Vec<_> =
+                    lines(part, Stroke::Outline, hue).into_iter().filter(|way| way.len() > 4).collect();
+                let pairs = ways.iter().flat_map(|way| way.windows(2)).filter(|pair| pair[0].x != pair[1].x);
+                let Some(front) = pairs.max_by(|a, b| a[0].y.total_cmp(&b[0].y)) else { continue };
+                assert!(front[1].x > front[0].x, "{figure}, {hue:?}");
+                checked += 1;
+            }
+        }
+    }
+    assert!(checked >= 6, "{checked} ways");
+}
+
+#[test]
+fn the_plate_wobbles_twice_while_its_mark_goes_round_once() {
+    let parts = parts("wobbles");
+    let mut leans = Vec::new();
+    let mut marks = Vec::new();
+    for part in &parts {
+        let axis = lines(part, Stroke::Vector, Hue::Ink)[0];
+        leans.push(step(axis).0 > 0.0);
+        let mark = part.items().iter().find_map(|item| match item.shape {
+            Shape::Circle { centre, .. } if item.role == Role::Area(drawing::Fill::Solid, Hue::Pink) => {
+                Some(centre)
+            }
+            _ => None,
+        });
+        let mark = mark.expect("a mark");
+        marks.push((mark.x - axis[0].x, axis[0].y - mark.y));
+    }
+    assert_eq!(leans, [false, true, false, true, false]);
+    let [left, front, right, behind, again] = marks[..] else { panic!("five stills") };
+    assert!(
+        left.0 < -30.0 && front.1 < -8.0 && right.0 > 30.0 && behind.1 > 0.0 && again.0 < -30.0,
+        "{marks:?}"
+    );
+}
+
+#[test]
+fn bodies_stand_at_their_ratios() {
+    let [part] = parts("bodies")[..] else { panic!("one drawing") };
+    // The axis is the longest level line, from 0 to 2.
+    let axis = lines(part, Stroke::Axis, Hue::Ink).into_iter().max_by(|a, b| step(a).0.total_cmp(&step(b).0));
+    let axis = axis.expect("an axis");
+    let places: Vec<f64> = lines(part, Stroke::Dotted, Hue::Muted)
+        .iter()
+        .map(|line| 2.0 * (line[0].x - axis[0].x) / step(axis).0)
+        .collect();
+    let cylinder = |h: f64| 0.5 / (0.25 + h * h / 12.0);
+    let spheroid = |c: f64| 2.0 / (1.0 + c * c);
+    let expected = [20.0, 3.0, 3_f64.sqrt(), 1.0, 0.12].map(cylinder).into_iter();
+    let expected: Vec<f64> =
+        expected.chain([3.0, 3_f64.sqrt(), 1.0, 0.5].map(spheroid)).chain([2.0]).collect();
+    assert_eq!(places.len(), expected.len());
+    for (place, ratio) in places.iter().zip(expected) {
+        assert!((place - ratio).abs() < 1e-9, "{place} for {ratio}");
+    }
+}
+
+#[test]
+fn the_brick_stands_where_its_program_has_it() {
+    let [part] = parts("possible-moments")[..] else { panic!("one drawing") };
+    let axes = &part.axes()[0];
+    let square = |a: f64, b: f64| a * a + b * b;
+    let [small, middle, large] = [square(0.1, 0.06), square(0.2, 0.06), square(0.2, 0.1)];
+    let wanted = crate::place(axes, (small / large, middle / large));
+    let discs = part.items().iter().filter_map(|item| match item.shape {
+        Shape::Circle { centre, .. } if item.role == Role::Area(drawing::Fill::Solid, Hue::Blue) => {
+            Some(centre)
+        }
+        _ => None,
+    });
+    let nearest =
+        discs.map(|centre| (centre.x - wanted.0).hypot(centre.y - wanted.1)).fold(f64::MAX, f64::min);
+    assert!(nearest < 0.01, "{nearest} px off");
+    lies_on("possible-moments", "flat", |first| 1.0 - first);
+}

@@ -1,0 +1,329 @@
+//! The index of the site's search, made anew from the finished pages.
+//!
+//! mdBook's own holds every number of every drawing, all code, and formulas with a space between any two of their letters, and
+//! each word of it twice. This one holds what is read: headings, text, captions, and formulas within a text as words (`ω0`).
+//! The form is elasticlunr's, so that mdBook's scripts search it; only what they cut off at both ends of a word, anything but
+//! Latin letters, is kept, so that `ω` is a word.
+
+use elasticlunr::lang::{English, Language};
+use elasticlunr::{IndexBuilder, Pipeline};
+use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
+use mdbook_renderer::RenderContext;
+use mdbook_renderer::book::BookItem;
+use serde_json::{Value, json};
+use std::path::Path;
+use std::{fs, io};
+
+const BEGINNING: &str = "window.search = Object.assign(window.search, JSON.parse('";
+const END: &str = "'));";
+
+/// How much longer than it is a section counts whose page has no number, as the bibliography: it comes after the chapters.
+const LOOKED_UP: u64 = 16;
+
+/// A part of a page under one heading.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Section {
+    id: String,
+    title: String,
+    text: String,
+    /// Numbers that its equations have in the source.
+    sources: Vec<String>,
+}
+
+/// Writes the index of the site; nothing if the book has none.
+///
+/// # Errors
+/// If a page cannot be read, or the index be read or written.
+pub(crate) fn write(site: &Path, context: &RenderContext) -> io::Result<()> {
+    for entry in fs::read_dir(site)? {
+        let path = entry?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if name.starts_with("searchindex") && name.ends_with(".js") {
+            let script = fs::read_to_string(&path)?;
+            let settings =
+                unpacked(&script).ok_or_else(|| io::Error::other(format!("{name} is not mdBook's")))?;
+            fs::write(&path, packed(&index(site, context, settings)?))?;
+        }
+    }
+    Ok(())
+}
+
+/// The JSON in the script that mdBook writes.
+fn unpacked(script: &str) -> Option<Value> {
+    let json = script.strip_prefix(BEGINNING)?.strip_suffix(END)?;
+    serde_json::from_str(&json.replace("\\'", "'").replace("\\\\", "\\")).ok()
+}
+
+fn packed(json: &Value) -> String {
+    let json = json.to_string().replace('\\', "\\\\").replace('\'', "\\'");
+    format!("{BEGINNING}{json}{END}")
+}
+
+/// The index in place of the one in `search`, whose other settings stay.
+fn index(site: &Path, context: &RenderContext, mut search: Value) -> io::Result<Value> {
+    // Of the way to a section no word is asked for, as its title is a field; it is shown.
+    let mut index = IndexBuilder::with_language(Box::new(Words(English::new())))
+        .add_field_with_tokenizer("breadcrumbs", Box::new(|_| Vec::new()))
+        .add_field("title")
+        .add_field("body")
+        .build();
+    let mut addresses = Vec::new();
+    let mut looked_up = Vec::new();
+    for item in context.book.iter() {
+        let BookItem::Chapter(chapter) = item else {
+            continue;
+        };
+        let Some(path) = &chapter.path else {
+            continue;
+        };
+        let path = path.with_extension("html").to_string_lossy().replace('\\', "/");
+        let mut way = chapter.parent_names.clone();
+        way.push(chapter.name.clone());
+        for (n, section) in sections(&fs::read_to_string(site.join(&path))?).into_iter().enumerate() {
+            let way = if n == 0 { way.clone() } else { [way.clone(), vec![section.title.clone()]].concat() };
+            let sources = section.sources.iter().map(|number| format!(" source {number}"));
+            let title = section.title + &sources.collect::<String>();
+            let number = addresses.len().to_string();
+            index.add_doc(&number, [way.join(" » "), title, section.text]);
+            if chapter.number.is_none() {
+                looked_up.push(number);
+            }
+            addresses.push(format!("{path}#{}", section.id));
+        }
+    }
+    let mut index = serde_json::to_value(&index)?;
+    for number in looked_up {
+        for field in ["title", "body"] {
+            let length = &mut index["documentStore"]["docInfo"][&number][field];
+            *length = json!(length.as_u64().unwrap_or_default() * LOOKED_UP);
+        }
+    }
+    for field in ["breadcrumbs", "title", "body"] {
+        shorten(&mut index["index"][field]["root"]);
+    }
+    search["doc_urls"] = json!(addresses);
+    search["index"] = index;
+    Ok(search)
+}
+
+/// Leaves out of the tree of words what nobody asks for: that no word ends at a letter, and digits of weights.
+fn shorten(node: &mut Value) {
+    let Some(node) = node.as_object_mut() else {
+        return;
+    };
+    let ends = node.get("df").and_then(Value::as_u64).unwrap_or_default() > 0;
+    if !ends {
+        node.remove("df");
+        node.remove("docs");
+    }
+    for (letter, below) in node {
+        match letter.as_str() {
+            "df" => {}
+            "docs" => {
+                for weight in below.as_object_mut().into_iter().flat_map(|all| all.values_mut()) {
+                    let tf = weight["tf"].as_f64().unwrap_or_default();
+                    weight["tf"] = json!((tf * 100.0).round() / 100.0);
+                }
+            }
+            _ => shorten(below),
+        }
+    }
+}
+
+/// English as mdBook's scripts take it apart, but for their trimmer, the first filter, which leaves nothing of `ω`.
+struct Words(English);
+
+impl Language for Words {
+    fn name(&self) -> String {
+        self.0.name()
+    }
+
+    fn code(&self) -> String {
+        self.0.code()
+    }
+
+    fn tokenize(&self, text: &str) -> Vec<String> {
+        words(text)
+    }
+
+    fn make_pipeline(&self) -> Pipeline {
+        let mut pipeline = self.0.make_pipeline();
+        pipeline.queue.remove(0);
+        pipeline
+    }
+}
+
+/// The words of a text, in small letters: `störmer` also as `stormer`, `euler’s` also as `euler`.
+fn words(text: &str) -> Vec<String> {
+    let text = text.to_lowercase().replace('’', "'");
+    let mut found = Vec::new();
+    for word in text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '.' | '_' | '\''))) {
+        let word = word.trim_matches(['.', '_', '\'']);
+        let is_number = word.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
+        if word.is_empty() || word.len() > 40 || is_number && word.len() > 5 {
+            continue; // a number of a table
+        }
+        for word in [Some(word), word.strip_suffix("'s")].into_iter().flatten() {
+            let plain: String = word.chars().map(plain).collect();
+            found.extend((plain != word).then_some(plain));
+            found.push(word.to_owned());
+        }
+    }
+    found
+}
+
+/// A letter without its accent.
+fn plain(c: char) -> char {
+    match c {
+        'à'..='å' => 'a',
+        'ç' | 'ć' | 'č' => 'c',
+        'è'..='ë' | 'ě' => 'e',
+        'ì'..='ï' => 'i',
+        'ñ' | 'ń' => 'n',
+        'ò'..='ö' | 'ø' | 'ő' => 'o',
+        'ù'..='ü' | 'ű' => 'u',
+        'š' | 'ś' => 's',
+        'ž' | 'ż' => 'z',
+        'ł' => 'l',
+        'ř' => 'r',
+        _ => c,
+    }
+}
+
+/// What is no text, or none of its place.
+const LEFT_OUT: [&str; 7] = ["svg", "pre", "script", "style", "button", "template", "nav"];
+const LEFT_OUT_CLASSES: [&str; 4] = ["save", "note-mark", "note-number", "turn"];
+/// Elements within a line: there is no space where they begin and end.
+const IN_LINE: [&str; 12] =
+    ["a", "abbr", "b", "code", "del", "em", "i", "span", "strong", "sub", "sup", "math"];
+
+/// The sections of a built page.
+fn sections(html: &str) -> Vec<Section> {
+    let main =
+        html.split_once("<main").map_or(html, |(_, rest)| rest.split("</main>").next().unwrap_or(rest));
+    let mut reader = Reader::default();
+    let mut emitter = DefaultEmitter::<()>::default();
+    emitter.naively_switch_states(true);
+    for token in Tokenizer::new_with_emitter(main.split_once('>').map_or(main, |(_, rest)| rest), emitter) {
+        let Ok(token) = token;
+        match token {
+            Token::StartTag(tag) => reader.start(&tag),
+            Token::EndTag(tag) => reader.end(&String::from_utf8_lossy(&tag.name)),
+            Token::String(text) => reader.text(&String::from_utf8_lossy(&text)),
+            _ => {}
+        }
+    }
+    for section in &mut reader.sections {
+        for text in [&mut section.title, &mut section.text] {
+            *text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        }
+    }
+    reader.sections
+}
+
+#[derive(Debug, Default)]
+struct Reader {
+    sections: Vec<Section>,
+    in_heading: bool,
+    in_maths: bool,
+    /// The element that is left out, and how often it is open.
+    left_out: Option<(String, u32)>,
+}
+
+impl Reader {
+    fn start(&mut self, tag: &StartTag<()>) {
+        let name = String::from_utf8_lossy(&tag.name).into_owned();
+        let attribute = |key: &str| {
+            tag.attributes.get(key.as_bytes()).map(|value| String::from_utf8_lossy(value).into_owned())
+        };
+        if let Some((open, depth)) = &mut self.left_out {
+            *depth += u32::from(*open == name && !tag.self_closing);
+            return;
+        }
+        if let Some(number) = attribute("id").as_deref().and_then(|id| id.strip_prefix("source-")) {
+            self.sections.last_mut().into_iter().for_each(|section| section.sources.push(number.to_owned()));
+        }
+        let class = attribute("class").unwrap_or_default();
+        let is_displayed = name == "math" && attribute("display").as_deref() == Some("block");
+        if LEFT_OUT.contains(&&*name)
+            || is_displayed
+            || class.split(' ').any(|class| LEFT_OUT_CLASSES.contains(&class))
+        {
+            self.left_out = (!tag.self_closing).then_some((name, 1));
+            self.text(" ");
+        } else if matches!(&*name, "h1" | "h2" | "h3")
+            && let Some(id) = attribute("id")
+        {
+            self.in_heading = true;
+            self.sections.push(Section { id, ..Section::default() });
+        } else {
+            self.in_maths |= name == "math";
+            self.space(&name);
+        }
+    }
+
+    fn end(&mut self, name: &str) {
+        if let Some((open, depth)) = &mut self.left_out {
+            *depth -= u32::from(open == name);
+            if *depth == 0 {
+                self.left_out = None;
+            }
+            return;
+        }
+        self.in_heading &= !matches!(name, "h1" | "h2" | "h3");
+        self.in_maths &= name != "math";
+        self.space(name);
+    }
+
+    /// Between blocks.
+    fn space(&mut self, name: &str) {
+        if !self.in_maths && !IN_LINE.contains(&name) {
+            self.text(" ");
+        }
+    }
+
+    fn text(&mut self, text: &str) {
+        if let (None, Some(section)) = (&self.left_out, self.sections.last_mut()) {
+            let into = if self.in_heading { &mut section.title } else { &mut section.text };
+            if self.in_maths {
+                let is_accent = |c: &char| "ˆ˜˙¨¯→\u{302}\u{303}\u{304}\u{307}\u{308}\u{20d7}".contains(*c);
+                into.extend(text.chars().filter(|c| !is_accent(c)));
+            } else {
+                into.push_str(text);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_read_is_found_and_nothing_else() {
+        let html = "<p>Menu</p><main><p class=\"kicker\">Chapter 1</p><h1 id=\"a\"><a href=\"#a\">A top</a></h1>\
+            <p>So <math><msub><mi>ω</mi><mn>0</mn></msub></math>, <em>Stör</em>mer’s<a class=\"note-mark\">1</a>.</p>\
+            <figure><svg><svg><text>12</text></svg><text>13</text></svg><figcaption>It turns.</figcaption></figure>\
+            <h2 id=\"b\">B</h2><pre>let x;</pre><div><math display=\"block\"><mi>q</mi></math><a id=\"source-19\">source 19</a></div>\
+            <ul><li>one<li>two</ul></main><p>Foot</p>";
+        let [a, b] = sections(html).try_into().unwrap();
+        assert_eq!((a.id.as_str(), a.title.as_str()), ("a", "A top"));
+        assert_eq!(a.text, "So ω0, Störmer’s. It turns.");
+        assert_eq!((b.text.as_str(), b.sources), ("source 19 one two", vec!["19".to_owned()]));
+    }
+
+    #[test]
+    fn a_word_is_found_as_people_write_it() {
+        assert_eq!(
+            words("Störmer’s ω0-axis"),
+            ["stormer's", "störmer's", "stormer", "störmer", "ω0", "axis"]
+        );
+        assert_eq!(words("of 1869: (1.24), 0.001523 e.g. ‘spin’"), ["of", "1869", "1.24", "e.g", "spin"]);
+    }
+
+    #[test]
+    fn the_script_is_read_and_written() {
+        let json = json!({"a": "it's \\ \"so\""});
+        assert_eq!(unpacked(&packed(&json)), Some(json));
+    }
+}
