@@ -43,7 +43,8 @@ impl Face {
     fn fault(self, c: char) -> String {
         let (_, name) = self.names();
         format!(
-            "{name} has no `{c}` (U+{:04X}): write it otherwise, or add it to characters.txt in press/drawing/font and run cut.py there",
+            "{name} has no `{c}` (U+{:04X}): write it otherwise, or add it to characters.txt in \
+             press/drawing/font and run cut.py there",
             u32::from(c)
         )
     }
@@ -105,7 +106,7 @@ mod tests {
         held
     }
 
-    /// The table `cmap` out of a font of the pages. WOFF2 names its tables, with their lengths, and packs them all in one.
+    /// The table `cmap` out of a font of the pages. WOFF2 names its tables, with their lengths, and packs all in one.
     fn packed_cmap(woff2: &[u8]) -> Vec<u8> {
         fn number(bytes: &mut impl Iterator<Item = u8>) -> usize {
             let mut value = 0;
@@ -128,7 +129,7 @@ mod tests {
             }
             let mut length = number(&mut bytes);
             if matches!(tag, 10 | 11) != (version != 0) {
-                length = number(&mut bytes); // of a table in another form: `glyf` and `loca` as a rule, others rarely
+                length = number(&mut bytes); // of a table in another form, as `glyf` and `loca` are
             }
             if tag == 0 {
                 place = Some(before..before + length);

@@ -1,8 +1,8 @@
 //! The index of the site's search, made anew from the finished pages.
 //!
-//! mdBook's own holds every number of every drawing, all code, and formulas with a space between any two of their letters, and
-//! each word of it twice. This one holds what is read: headings, text, captions, and formulas within a text as words (`ω0`).
-//! The form is elasticlunr's, so that mdBook's scripts search it; only what they cut off at both ends of a word, anything but
+//! mdBook's own holds every number of every drawing, all code, and formulas with a space between any two of their
+//! letters. This one holds what is read: headings, text, captions, and formulas within a text as words (`ω0`). The form
+//! is elasticlunr's, so that mdBook's scripts search it; only what they cut off at both ends of a word, anything but
 //! Latin letters, is kept, so that `ω` is a word.
 
 use elasticlunr::lang::{English, Language};
@@ -17,7 +17,7 @@ use std::{fs, io};
 const BEGINNING: &str = "window.search = Object.assign(window.search, JSON.parse('";
 const END: &str = "'));";
 
-/// How much longer than it is a section counts whose page has no number, as the bibliography: it comes after the chapters.
+/// How much longer than it is a section counts whose page has no number: the bibliography comes after the chapters.
 const LOOKED_UP: u64 = 16;
 
 /// A part of a page under one heading.
@@ -320,10 +320,14 @@ mod tests {
 
     #[test]
     fn what_is_read_is_found_and_nothing_else() {
-        let html = "<p>Menu</p><main><p class=\"kicker\">Chapter 1</p><h1 id=\"a\"><a href=\"#a\">A top</a></h1>\
-            <p>So <math><msub><mi>ω</mi><mn>0</mn></msub></math>, <em>Stör</em>mer’s<a class=\"note-mark\">1</a>.</p>\
-            <figure><svg><svg><text>12</text></svg><text>13</text></svg><figcaption>It turns.</figcaption></figure>\
-            <h2 id=\"b\">B</h2><pre>let x;</pre><div><math display=\"block\"><mi>q</mi></math><a id=\"source-19\">source 19</a></div>\
+        let html = "<p>Menu</p>\
+            <main><p class=\"kicker\">Chapter 1</p><h1 id=\"a\"><a href=\"#a\">A top</a></h1>\
+            <p>So <math><msub><mi>ω</mi><mn>0</mn></msub></math>, <em>Stör</em>mer’s\
+            <a class=\"note-mark\">1</a>.</p>\
+            <figure><svg><svg><text>12</text></svg><text>13</text></svg>\
+            <figcaption>It turns.</figcaption></figure>\
+            <h2 id=\"b\">B</h2><pre>let x;</pre>\
+            <div><math display=\"block\"><mi>q</mi></math><a id=\"source-19\">source 19</a></div>\
             <ul><li>one<li>two</ul></main><p>Foot</p>";
         let [a, b] = sections(html).try_into().unwrap();
         assert_eq!((a.id.as_str(), a.title.as_str()), ("a", "A top"));

@@ -1,4 +1,4 @@
-//! The math font's glyphs and measures, as the build script took them out of New Computer Modern Math.
+//! The math font's glyphs and measures, as the build script took them out of New Computer Modern Math, cut Book.
 
 /// One glyph, in font units, y upwards.
 #[derive(Debug)]
