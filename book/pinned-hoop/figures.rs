@@ -293,43 +293,46 @@ const NEARLY: f64 = 89.9;
 
 /// Six stills of the hoop in the room while it tumbles.
 pub(crate) fn tumble(id: &str) -> Outcome {
-    let stills = STILLS.map(tumbling).into_iter().collect::<Result<Vec<_>, Cause>>()?;
-    Ok(Drawing::panels(id, stills).titled(
+    Ok(stills(id, 6)?.with_narrow(stills("", 3)?))
+}
+
+/// The stills in rows of so many.
+fn stills(id: &str, in_a_row: usize) -> Outcome {
+    let (wide, high) = (95.0, 170.0);
+    let rows = STILLS.len().div_ceil(in_a_row);
+    let mut drawing = Drawing::new(id, wide * in_a_row as f64 + 20.0, high * rows as f64 + 10.0).titled(
         "Six stills of a tumbling hoop",
         "The hoop in the room at six moments, pinned at A, with the fixed upright angular momentum. In the first it turns about its tangent at A, which points up, like a door about its hinge. \
          In the middle ones the hoop swings out of the vertical, and in the last it turns about the tangent again, which now points down. All the time it goes round the angular momentum in the \
          same sense.",
-    ))
-}
-
-/// The hoop in the room at a time.
-fn tumbling(time: f64) -> Outcome {
-    let mut drawing = Drawing::new("", 110.0, 190.0).titled(
-        &format!("The tumbling hoop at {time}"),
-        "The hoop, its pinned point, the upright angular momentum, the angular velocity, and the tangent at the pinned point.",
     );
     let hoop = pinning(Shape::Hoop, NEARLY)?;
     let (top, upright) = along_momentum(&hoop)?;
-    let now = top.at(time)?;
-    let room = upright * now.world_from_body;
-    let mut stage = Stage::new(Camera::new(View {
-        target: [0.0; 3],
-        azimuth: -0.9,
-        elevation: 0.3,
-        distance: 12.0,
-        centre: at(55.0, 90.0),
-        scale: 26.0,
-    })?);
-    stage.solid(Solid::ring(room * hoop.centre(), room * Vector3::z(), 1.0, 0.88, 0.1)?, Hue::Blue)?;
-    let momentum = Curve::segment([0.0; 3], [0.0, 0.0, 2.5])?;
-    stage.arrow(momentum.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Green)?;
-    let tangent = Curve::segment([0.0; 3], room * Vector3::x() * 1.7)?;
-    stage.arrow(tangent.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Ink)?;
-    let omega = Curve::segment([0.0; 3], upright * now.omega_world() * 5.0)?;
-    stage.arrow(omega.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Orange)?;
-    stage.dot_in_front([0.0; 3], 4.0, Hue::Pink)?;
-    stage.write(&mut drawing);
-    drawing.label(at(55.0, 152.0), Side::Over, &format!("$t = {time}$"), Hue::Ink)?;
+    for (n, time) in STILLS.into_iter().enumerate() {
+        let pin = at(wide * ((n % in_a_row) as f64 + 0.5) + 10.0, high * (n / in_a_row) as f64 + 82.0);
+        let now = top.at(time)?;
+        let room = upright * now.world_from_body;
+        let mut stage = Stage::new(Camera::new(View {
+            target: [0.0; 3],
+            azimuth: -0.9,
+            elevation: 0.3,
+            distance: 12.0,
+            centre: pin,
+            scale: 27.0,
+        })?);
+        stage.solid(Solid::ring(room * hoop.centre(), room * Vector3::z(), 1.0, 0.88, 0.1)?, Hue::Blue)?;
+        for (tip, hue) in [
+            (Vector3::z() * 2.5, Hue::Green),
+            (room * Vector3::x() * 1.7, Hue::Ink),
+            (upright * now.omega_world() * 5.0, Hue::Orange),
+        ] {
+            let arrow = Curve::segment([0.0; 3], tip)?.hiding(Hiding::Ignored);
+            stage.arrow(arrow, Stroke::Vector, Heads::End, hue)?;
+        }
+        stage.dot_in_front([0.0; 3], 4.0, Hue::Pink)?;
+        stage.write(&mut drawing);
+        drawing.label(pin + at(0.0, 70.0), Side::Over, &format!("$t = {time}$"), Hue::Ink)?;
+    }
     Ok(drawing)
 }
 
@@ -375,16 +378,16 @@ pub(crate) fn herpolhode(id: &str) -> Outcome {
 
 /// ω and L as the hoop sees them, along its diameter through A.
 fn from_the_hoop(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 330.0, 330.0).titled(
+    let mut drawing = Drawing::new(id, 290.0, 280.0).titled(
         "ω and L as the hoop sees them",
         "Seen along the diameter through A, with the hoop edge on along axis 1. The tip of omega goes round one oval, that of the angular momentum round a larger one.",
     );
     let hoop = pinning(Shape::Hoop, 60.0)?;
     let top = hoop.free_motion()?;
     let period = top.period().ok_or("it swings")?;
-    let side = || Axis::linear(-0.5, 0.5, 0.25).map(|axis| axis.minor(0.05));
+    let side = || Axis::linear(-0.5, 0.5, 0.5).map(|axis| axis.minor(0.1));
     let (x, y) = (side()?.titled(r"along $\hat{\mathbf{1}}$"), side()?.titled(r"along $\hat{\mathbf{3}}$"));
-    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 240.0, 240.0), x, y)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 196.0, 196.0), x, y)?;
     let moments = hoop.moments_about_pin();
     let mut curve = |name: &str, hue: Hue, of: &dyn Fn(&Vector3<f64>) -> Vector3<f64>| {
         let values = linear_steps(0.0, period, 720)
@@ -396,7 +399,7 @@ fn from_the_hoop(id: &str) -> Outcome {
     };
     curve("omega-in-hoop", Hue::Orange, &|omega| *omega)?;
     curve("momentum-in-hoop", Hue::Green, &|omega| moments.angular_momentum(omega))?;
-    plot.label((0.0, 0.13), Side::Over, r"tip of $\boldsymbol{\omega}$", Hue::Orange)?;
+    plot.label((0.0, 0.12), Side::Over, r"tip of $\boldsymbol{\omega}$", Hue::Orange)?;
     plot.label((0.0, 0.47), Side::Over, r"tip of $\boldsymbol{L}_A$", Hue::Green)?;
     let ends = [plot.at((-0.3, 0.0)), plot.at((0.3, 0.0))];
     plot.drawing().line(ends[0], ends[1], Stroke::Vector, Hue::Blue);
@@ -407,7 +410,7 @@ fn from_the_hoop(id: &str) -> Outcome {
 
 /// The tip of ω in the room, seen along the angular momentum.
 fn from_the_room(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 330.0, 330.0).titled(
+    let mut drawing = Drawing::new(id, 290.0, 280.0).titled(
         "The herpolhode of a hoop pinned at 60 degrees",
         "Seen along the angular momentum, the tip of omega traces a rosette of twelve loops between two dashed circles about the middle.",
     );
@@ -422,9 +425,9 @@ fn from_the_room(id: &str) -> Outcome {
         .collect::<Result<Vec<(f64, f64)>, InvalidQuantity>>()?;
     let reach = values.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     let least = values.iter().map(|(x, y)| x.hypot(*y)).fold(f64::INFINITY, f64::min);
-    let side = || Axis::linear(-0.5, 0.5, 0.25).map(|axis| axis.minor(0.05));
+    let side = || Axis::linear(-0.5, 0.5, 0.5).map(|axis| axis.minor(0.1));
     let (x, y) = (side()?.titled(r"$\omega_x/\omega_0$"), side()?.titled(r"$\omega_y/\omega_0$"));
-    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 240.0, 240.0), x, y)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 196.0, 196.0), x, y)?;
     for (radius, name) in [(least, "circle-inner"), (reach, "circle-outer")] {
         let circle =
             linear_steps(0.0, 2.0 * PI, 180).map(|angle| (radius * angle.cos(), radius * angle.sin()));

@@ -140,56 +140,54 @@ const SHOWN: f64 = 0.5;
 
 /// The coin at the quarters of one round.
 pub(crate) fn one_round(id: &str) -> Outcome {
-    let stills = [0.0, 0.25, 0.5, 0.75, 1.0].map(quarter).into_iter().collect::<Result<Vec<_>, Cause>>()?;
-    Ok(Drawing::panels(id, stills).titled(
+    Ok(quarters(id, 5)?.with_narrow(quarters("", 3)?))
+}
+
+/// Five stills, a quarter of a round apart, in rows of so many.
+fn quarters(id: &str, in_a_row: usize) -> Outcome {
+    let (wide, high) = (112.0, 132.0);
+    let names = ["start", "a quarter", "half", "three quarters", "one round"];
+    let rows = names.len().div_ceil(in_a_row);
+    let mut drawing = Drawing::new(id, wide * in_a_row as f64 + 10.0, high * rows as f64 + 10.0).titled(
         "The head during one round of the contact",
         "Five stills of the coin from above, at a quarter of a round each. The contact runs once round its circle, counter-clockwise, and is back in the last still. The head, upright in the \
          first, has turned by 44 degrees in the last, the same way.",
-    ))
-}
-
-fn quarter(turns: f64) -> Outcome {
-    let name = match turns {
-        0.0 => "start",
-        0.25 => "a quarter",
-        0.5 => "half",
-        0.75 => "three quarters",
-        _ => "one round",
-    };
-    let mut drawing = Drawing::new("", 130.0, 150.0).titled(
-        &format!("The coin after its contact has run: {name}"),
-        "The coin with its head, and its contact on the circle, seen from above at a slant.",
     );
     let coin = disc(SHOWN)?;
     let (sin, cos) = coin.tilt().sin_cos();
-    let (centre, attitude) = (Vector3::new(0.0, 0.0, sin), coin.attitude(turns));
-    let (normal, thick) = (attitude * Vector3::z(), 0.06);
-    let contact = centre - (Vector3::z() - normal * normal.z).normalize();
-    let mut stage = Stage::new(Camera::new(View {
-        target: [0.0, 0.0, 0.3],
-        azimuth: -FRAC_PI_2,
-        elevation: 1.0,
-        distance: 9.0,
-        centre: at(65.0, 65.0),
-        scale: 41.0,
-    })?);
-    stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos)?, Stroke::Outline, Hue::Pink)?;
-    stage.solid(Solid::disc(centre, normal, 1.0, thick)?, Hue::Blue)?;
-    draw_head(&mut stage, centre, attitude, thick)?;
-    if turns == 1.0 {
-        // The way up of the head, then and now: the coin stands as at the start, but for this turn.
-        let face = centre + normal * (0.5 * thick);
-        let [then, now] = [coin.attitude(0.0), attitude].map(|attitude| attitude * Vector3::y());
-        for (way, stroke) in [(then, Stroke::Reference), (now, Stroke::Outline)] {
-            let line = Curve::segment(face, face + way * 0.98)?.hiding(Hiding::Ignored);
-            stage.curve(line, stroke, Hue::Ink)?;
+    let (centre, thick) = (Vector3::new(0.0, 0.0, sin), 0.06);
+    for (n, name) in names.into_iter().enumerate() {
+        let turns = 0.25 * n as f64;
+        let attitude = coin.attitude(turns);
+        let normal = attitude * Vector3::z();
+        let contact = centre - (Vector3::z() - normal * normal.z).normalize();
+        let place = at(wide * ((n % in_a_row) as f64 + 0.5) + 5.0, high * (n / in_a_row) as f64 + 54.0);
+        let mut stage = Stage::new(Camera::new(View {
+            target: [0.0, 0.0, 0.3],
+            azimuth: -FRAC_PI_2,
+            elevation: 1.0,
+            distance: 9.0,
+            centre: place,
+            scale: 44.0,
+        })?);
+        stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos)?, Stroke::Outline, Hue::Pink)?;
+        stage.solid(Solid::disc(centre, normal, 1.0, thick)?, Hue::Blue)?;
+        draw_head(&mut stage, centre, attitude, thick)?;
+        if n == 4 {
+            // The way up of the head, then and now: the coin stands as at the start, but for this turn.
+            let face = centre + normal * (0.5 * thick);
+            let [then, now] = [coin.attitude(0.0), attitude].map(|attitude| attitude * Vector3::y());
+            for (way, stroke) in [(then, Stroke::Reference), (now, Stroke::Outline)] {
+                let line = Curve::segment(face, face + way * 0.98)?.hiding(Hiding::Ignored);
+                stage.curve(line, stroke, Hue::Ink)?;
+            }
+            let turned = Curve::between(face, then, now, 0.86)?.hiding(Hiding::Ignored);
+            stage.arrow(turned, Stroke::Outline, Heads::End, Hue::Ink)?;
         }
-        let turned = Curve::between(face, then, now, 0.86)?.hiding(Hiding::Ignored);
-        stage.arrow(turned, Stroke::Outline, Heads::End, Hue::Ink)?;
+        stage.dot_in_front(contact, 4.0, Hue::Pink)?;
+        stage.write(&mut drawing);
+        drawing.label(place + at(0.0, 62.0), Side::Over, name, Hue::Ink)?;
     }
-    stage.dot_in_front(contact, 4.0, Hue::Pink)?;
-    stage.write(&mut drawing);
-    drawing.label(at(65.0, 128.0), Side::Over, name, Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -291,13 +289,13 @@ pub(crate) fn spin_down(id: &str) -> Outcome {
 }
 
 fn spin_down_whole(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 330.0, 330.0).titled(
+    let mut drawing = Drawing::new(id, 290.0, 310.0).titled(
         "The tilt against time for four laws of loss",
         "The tilt from 0.1 rad to zero over about a hundred seconds, for p of 2, 5/4, 1 and 1/2. All four end with an upright tangent, the later and the more suddenly the larger p.",
     );
     let time = Axis::linear(0.0, 100.0, 25.0)?.minor(5.0).titled("time, s");
     let tilt = Axis::linear(0.0, 0.1, 0.02)?.minor(0.005).titled(r"tilt $\alpha$, rad");
-    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 250.0, 246.0), time, tilt)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 200.0, 226.0), time, tilt)?;
     for (power, _) in LAWS {
         let down = going_down(power)?;
         let mut values = linear_steps(0.0, 1.0, 400)
@@ -316,14 +314,14 @@ fn spin_down_whole(id: &str) -> Outcome {
 }
 
 fn spin_down_end(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 330.0, 330.0).titled(
+    let mut drawing = Drawing::new(id, 290.0, 310.0).titled(
         "The tilt against the time that is left",
         "Both scales logarithmic: the tilt against the time left, from a microsecond to 100 s. Four straight lines with the slopes 1/3, 4/9, 1/2 and 2/3. A dot on each marks where the fall would \
          outrun g: for p = 2 at a millisecond and a half, for p = 1/2 at twenty microseconds.",
     );
     let left = Axis::log(1e-5, 100.0, 2)?.titled("time left, s");
     let tilt = Axis::log(1e-6, 0.1, 1)?.titled(r"tilt $\alpha$, rad");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 226.0, 246.0), left, tilt)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 196.0, 226.0), left, tilt)?;
     for (power, name) in LAWS {
         let down = going_down(power)?;
         let values = log_steps(1e-5, down.life().min(100.0), 200)
@@ -334,9 +332,11 @@ fn spin_down_end(id: &str) -> Outcome {
         plot.markers(&[(left, coin.tilt())], Marker::Disc, Hue::Pink);
         let name = if power == 2.0 { format!("$p = {name}$") } else { format!("${name}$") };
         let side = if power > 1.0 { Side::AboveLeft } else { Side::BelowRight };
-        plot.label((left, coin.tilt()), side, &name, Hue::Blue)?;
+        // Of the two lines that lie close, the upper has more room to its left.
+        let (place, side) = if power == 1.25 { ((2.6e-5, 2.8e-4), Side::Over) } else { ((left, coin.tilt()), side) };
+        plot.label(place, side, &name, Hue::Blue)?;
     }
-    plot.label((5e-4, 4e-6), Side::Right, "dots: the fall reaches $g$", Hue::Pink)?;
+    plot.label((1.0, 4e-6), Side::Over, "dots: it falls with $g$", Hue::Pink)?;
     Ok(drawing)
 }
 

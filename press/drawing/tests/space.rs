@@ -639,3 +639,21 @@ fn what_cannot_be_drawn_is_refused_with_its_reason() {
     assert!(matches!(stage.ground([0.0, 0.0], [0.0, 1.0], 0.0, 0.1), Err(SpaceError::NotPositive { .. })));
     assert!(drawn(&stage).items().is_empty(), "what is refused leaves nothing behind");
 }
+
+#[test]
+fn a_patch_lies_over_every_solid_and_under_every_line() {
+    let mut stage = Stage::new(Camera::new(usual_view()).expect("a view"));
+    let corners = [[0.5, -0.5, 1.0], [0.5, 0.5, 1.0], [-0.5, 0.0, 1.0]];
+    stage.patch(corners, Fill::Side, Hue::Green).expect("a patch");
+    stage.vector([0.0, 0.0, 1.0], [0.0, 0.0, 2.0], Hue::Orange).expect("a vector");
+    stage.solid(Solid::disc(ORIGIN, UP, 1.0, 2.0).expect("a disc"), Hue::Blue).expect("it is seen");
+    let drawing = drawn(&stage);
+    let place = |role: Role| drawing.items().iter().rposition(|item| item.role == role).expect("it is drawn");
+    let patch = place(Role::Area(Fill::Side, Hue::Green));
+    assert!(place(Role::Area(Fill::Face, Hue::Blue)) < patch);
+    assert!(patch < place(Role::Line(Stroke::Vector, Hue::Orange)));
+    let Shape::Polygon(drawn) = &drawing.items()[patch].shape else { panic!("a patch is a polygon") };
+    assert_eq!(drawn.len(), 3);
+    assert_eq!(stage.patch(corners[..2].to_vec(), Fill::Side, Hue::Green), Err(SpaceError::NoPatch));
+    assert!(stage.patch([[f64::NAN; 3]; 3], Fill::Side, Hue::Green).is_err());
+}

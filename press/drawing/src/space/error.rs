@@ -52,6 +52,8 @@ pub enum SpaceError {
     NoCurve,
     /// Two directions that fix no plane: parallel, or opposite.
     NoPlane,
+    /// A patch of fewer than three corners.
+    NoPatch,
     /// A point that lies behind the eye or too close to it to be seen in perspective.
     BehindTheEye {
         /// The point, in the world.
@@ -91,6 +93,7 @@ impl fmt::Display for SpaceError {
             }
             Self::NoCurve => write!(out, "a curve needs two points that differ"),
             Self::NoPlane => write!(out, "directions that are parallel or opposite fix no plane"),
+            Self::NoPatch => write!(out, "a patch needs at least three corners"),
             Self::BehindTheEye { point: [x, y, z] } => {
                 write!(out, "the point ({x}, {y}, {z}) lies behind the eye or too close to it")
             }

@@ -155,7 +155,7 @@ impl Stage {
         let corners = corners.into_iter().map(|corner| finite("corner of the patch", corner));
         let corners = corners.collect::<Result<Vec<Vec3>, SpaceError>>()?;
         if corners.len() < 3 {
-            return Err(SpaceError::NoPlane);
+            return Err(SpaceError::NoPatch);
         }
         corners.iter().try_for_each(|&corner| self.camera.check(corner))?;
         self.patches.push((corners, fill, hue));
