@@ -367,7 +367,11 @@ const CASES: &[Case] = &[
     ("isolate-in-code", "# A\n\n```text\na\u{2066}b\n```\n", &[(4, "U+2066")]),
     ("good-characters", "\u{feff}# A\r\n\r\n“Störmer”, \u{2060}10⁻⁴ − 1,\ttab; `ω₀²`.\r\n", &[]),
     ("text-lacks", "# A\n\nOf course\nω is.\n", &[(4, "the face of the text has no `ω` (U+03C9)")]),
-    ("table-lacks", "# A\n\n| a | b |\n|---|---|\n| x | 🛞 |\n\nTable: T.\n", &[(5, "the face of the text has no `🛞`")]),
+    (
+        "table-lacks",
+        "# A\n\n| a | b |\n|---|---|\n| x | 🛞 |\n\nTable: T.\n",
+        &[(5, "the face of the text has no `🛞`")],
+    ),
     ("caption-lacks", "# A\n\n![So ∇ is.](fig:machine)\n", &[(3, "the face of the text has no `∇`")]),
     (
         "html-lacks",
