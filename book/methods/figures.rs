@@ -42,11 +42,11 @@ enum Fixed {
 impl Fixed {
     /// Each with its name in the figure, its look, and its label.
     const ALL: [(Self, &'static str, Look, Name); 5] = [
-        (Self::Rk4, "rk4", Look::RK4, (1e-8, Side::Left, "RK4, 4")),
-        (Self::Dop853, "dop853", Look::DOP853, (1e-8, Side::BelowRight, "DOP853, 8")),
-        (Self::CommutatorFree, "cf4", Look::CF4, (1e-9, Side::BelowRight, "CF4, 4")),
-        (Self::Split(Splitting::Strang), "strang", Look::STRANG, (1e-4, Side::AboveLeft, "Strang, order 2")),
-        (Self::Split(Splitting::BlanesMoan), "blanes-moan", Look::BLANES_MOAN, (1e-10, Side::BelowRight, "Blanes–Moan, 4")),
+        (Self::Rk4, "rk4", Look::RK4, (1e-8, Side::AboveLeft, "RK4")),
+        (Self::Dop853, "dop853", Look::DOP853, (1e-8, Side::BelowRight, "DOP853")),
+        (Self::CommutatorFree, "cf4", Look::CF4, (1e-9, Side::Right, "CF4")),
+        (Self::Split(Splitting::Strang), "strang", Look::STRANG, (1e-4, Side::AboveLeft, "Strang")),
+        (Self::Split(Splitting::BlanesMoan), "blanes-moan", Look::BLANES_MOAN, (1e-10, Side::Right, "BM")),
     ];
 
     /// Evaluations, or turns, of one step.
@@ -212,7 +212,8 @@ pub(crate) fn method_order(id: &str) -> Outcome {
         // Beside the curve where it comes down to a level.
         let Some(pair) = values.windows(2).find(|pair| pair[1].1 <= level) else { continue };
         let part = (pair[0].1 / level).ln() / (pair[0].1 / pair[1].1).ln();
-        plot.label((pair[0].0 * (pair[1].0 / pair[0].0).powf(part), level), side, words, look.hue)?;
+        let clear = if side == Side::Right { 1.15 } else { 1.0 }; // of the curve, which goes up to the right
+        plot.label((clear * pair[0].0 * (pair[1].0 / pair[0].0).powf(part), level), side, words, look.hue)?;
     }
     Ok(drawing)
 }

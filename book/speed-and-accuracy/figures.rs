@@ -181,7 +181,7 @@ pub(crate) fn speed_problems(id: &str) -> Outcome {
         panels.push(drawing);
     }
     let mut key = Drawing::new("", 390.0, 140.0).titled(
-        "Key",
+        "The markers of all programs",
         "The markers: the library’s closed form a blue diamond, DOP853 a pink square, RK4 an orange disc, Taylor a purple triangle; the other programs, all grey: heyoka triangles, ivp discs, differential-equations squares, ode_solvers diamonds, diffsol rings, scipy crosses, mujoco plus signs.",
     );
     draw_key(&mut key, at(20.0, 20.0))?;

@@ -2,7 +2,7 @@
 
 mod size;
 
-use drawing::{Drawing, Fill, Point, Rect, Role, Shape};
+use drawing::{Drawing, Fill, Point, Rect, Role, Shape, Stroke};
 use figures::{Figure, all};
 use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
@@ -109,7 +109,9 @@ fn crosses(rect: &Rect, start: Point, end: Point) -> bool {
 
 /// Whether a shape with this role paints ink that a label must keep clear of.
 fn is_ink(role: Role) -> bool {
-    matches!(role, Role::Line(..) | Role::Area(Fill::Solid, _))
+    // The rim of a label parts it from the grid of a floor.
+    matches!(role, Role::Line(stroke, _) if stroke != Stroke::Grid)
+        || matches!(role, Role::Area(Fill::Solid, _))
 }
 
 #[test]
