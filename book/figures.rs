@@ -243,7 +243,7 @@ fn spinning_coin(stage: &mut Stage) -> Result<(), Cause> {
 pub(crate) fn colours(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 320.0).titled(
         "What the colours stand for",
-        "A wheel, blue, leans inward on a table and rolls round. From its centre come its axes 1, 2 and 3 in the colour of the text, \
+        "A wheel, blue, leans inward as it rolls round. From its centre come its axes 1, 2 and 3 in the colour of the text, \
          its angular velocity omega in orange, and its angular momentum L in green, which lies nearer to the axle. A pink dot marks \
          the contact with the table, and from it the force of the table points up and inward, in purple.",
     );
@@ -264,7 +264,6 @@ pub(crate) fn colours(id: &str) -> Outcome {
         centre: at(190.0, 170.0),
         scale: 88.0,
     })?);
-    stage.ground([-1.5, -0.5], [1.5, 2.5], 0.0, 0.5)?;
     stage.solid(Solid::ring(centre, axes[2], 1.0, 0.86, 0.12)?, Hue::Blue)?;
     for (axis, length, name) in [
         (axes[0], 1.3, r"$\hat{\mathbf{1}}$"),

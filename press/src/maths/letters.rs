@@ -177,9 +177,8 @@ impl Letters {
         }
         let full = key(sign)?;
         let letter = full.split('_').next().unwrap_or(&full).to_owned();
-        let keys = [&full, &letter].into_iter().flat_map(|key| [(folder, key), ("", key)]);
-        keys.map(|(folder, key)| self.meanings.get(&(folder.to_owned(), key.clone())))
-            .find_map(|known| known.copied())
+        let mut keys = [&full, &letter].into_iter().flat_map(|key| [(folder, key), ("", key)]);
+        keys.find_map(|(folder, key)| self.meanings.get(&(folder.to_owned(), key.clone()))).copied()
     }
 }
 
