@@ -2,7 +2,7 @@
 
 mod size;
 
-use drawing::{Drawing, Fill, Point, Rect, Role, Shape};
+use drawing::{Drawing, Fill, Point, Rect, Role, Shape, Stroke};
 use figures::{Figure, all};
 use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
@@ -109,7 +109,9 @@ fn crosses(rect: &Rect, start: Point, end: Point) -> bool {
 
 /// Whether a shape with this role paints ink that a label must keep clear of.
 fn is_ink(role: Role) -> bool {
-    matches!(role, Role::Line(..) | Role::Area(Fill::Solid, _))
+    // The grid of a floor is a pale hairline: the rim of a label parts it.
+    let is_grid = matches!(role, Role::Line(Stroke::Grid, _));
+    !is_grid && matches!(role, Role::Line(..) | Role::Area(Fill::Solid, _))
 }
 
 #[test]
