@@ -43,9 +43,9 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
         elevation: 0.36,
         distance: 12.0,
         centre: at(190.0, 190.0),
-        scale: 66.0,
+        scale: 58.0,
     })?);
-    stage.ground([-2.5, -2.5], [2.5, 2.5], 0.0, 0.5)?;
+    stage.ground([-2.3, -2.3], [2.3, 2.3], 0.0, 0.46)?;
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), contact.y)?, Stroke::Outline, Hue::Pink)?;
     // The contact goes with Ω: the travel, ahead of it on the circle.
     let ahead = linear_steps(0.75, 1.25, 40).map(|angle| {
@@ -74,13 +74,15 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     let arrow = Curve::segment(centre, tip)?.hiding(Hiding::Ignored);
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
     stage.label_shifted(tip, at(2.0, 1.0), Side::Above, r"$\boldsymbol{\omega}_\text{tot}$", Hue::Orange)?;
-    let upright = Curve::segment(contact, contact + Vector3::new(0.0, 0.0, 2.4))?;
+    let upright = Curve::segment(contact + Vector3::z() * 1.3, contact + Vector3::z() * 2.4)?;
     stage.curve(upright.hiding(Hiding::Omitted), Stroke::Reference, Hue::Muted)?;
     stage.angle(contact, Vector3::z(), axes[1], 2.25, r"$\theta$", Hue::Ink)?;
     stage.curve(Curve::segment(centre, contact)?, Stroke::Outline, Hue::Muted)?;
-    stage.label_shifted(centre - axes[1] * 0.6, at(1.0, 0.0), Side::Left, "$a$", Hue::Ink)?;
-    stage.curve(Curve::segment([0.0, 0.0, cos], centre)?, Stroke::Outline, Hue::Muted)?;
-    stage.label_shifted([0.0, 0.2, cos], at(3.0, 2.0), Side::Above, "$b$", Hue::Ink)?;
+    stage.label_shifted(centre - axes[1] * 0.5, at(-2.0, 0.0), Side::Right, "$a$", Hue::Ink)?;
+    // To the left on the page, where it is clear of the wheel.
+    let end = Vector3::new(-0.565 * b, -0.825 * b, cos);
+    stage.curve(Curve::segment([0.0, 0.0, cos], end)?, Stroke::Outline, Hue::Muted)?;
+    stage.label([0.5 * end.x, 0.5 * end.y, cos], Side::Above, "$b$", Hue::Ink)?;
     let radius = Curve::segment([0.0; 3], contact)?;
     stage.curve(radius.hiding(Hiding::Ignored), Stroke::Outline, Hue::Muted)?;
     stage.label([0.0, 0.7, 0.0], Side::Below, "$r$", Hue::Ink)?;
@@ -174,7 +176,7 @@ fn momentum_turned(id: &str) -> Outcome {
     stage.curve(round.hiding(Hiding::Dashed), Stroke::Reference, Hue::Green)?;
     let arrow = Curve::segment([0.0; 3], tip)?.hiding(Hiding::Ignored);
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Green)?;
-    stage.label(tip * 0.45, Side::Above, r"$\boldsymbol{L}$", Hue::Green)?;
+    stage.label(tip * 0.5, Side::Below, r"$\boldsymbol{L}$", Hue::Green)?;
     // The torque is along axis 1; drawn at the tip of L, which it moves.
     let push = axes[0] * (0.75 * steady.torque().signum());
     let torque = Curve::segment(tip, tip + push)?.hiding(Hiding::Ignored);
