@@ -56,8 +56,8 @@ pub(crate) fn two_bodies(id: &str) -> Outcome {
     let flat = panel(
         [
             "Where drag sends the angular velocity of a disc",
-            "A flat disc with its axis 3 upright and an angular velocity omega at an angle theta to it. A heavy arrow from the tip of \
-             omega bends towards the axis.",
+            "A flat disc with its axis 3 upright and an angular velocity omega at an angle theta to it. A \
+             heavy arrow from the tip of omega bends towards the axis.",
             r"flat: $\theta \to 0$",
         ],
         2.0,
@@ -66,8 +66,8 @@ pub(crate) fn two_bodies(id: &str) -> Outcome {
     let long = panel(
         [
             "Where drag sends the angular velocity of a pencil",
-            "An upright pencil with an angular velocity omega at an angle theta to its axis. A heavy arrow from the tip of omega bends \
-             away from the axis, down to the horizontal.",
+            "An upright pencil with an angular velocity omega at an angle theta to its axis. A heavy arrow \
+             from the tip of omega bends away from the axis, down to the horizontal.",
             r"long: $\theta \to 90°$",
         ],
         0.4,
@@ -132,9 +132,10 @@ impl Thrown {
 fn stills(size: (f64, f64), cell: (f64, f64), down: bool) -> Outcome {
     let mut drawing = Drawing::new("", size.0, size.1).titled(
         "A Frisbee calms down, a pencil tumbles",
-        "Four pictures of each. The Frisbee begins with its axis thirty degrees off the upright angular momentum; in each next picture, with \
-         half the spin, the circle of its axis is smaller, until it lies flat. The pencil begins nearly upright, with a small \
-         circle; in each next picture, with a quarter of the spin, it leans more, until it turns end over end.",
+        "Four pictures of each. The Frisbee begins with its axis thirty degrees off the upright angular \
+         momentum; in each next picture, with half the spin, the circle of its axis is smaller, until it \
+         lies flat. The pencil begins nearly upright, with a small circle; in each next picture, with a \
+         quarter of the spin, it leans more, until it turns end over end.",
     );
     for (row, body) in Thrown::both()?.into_iter().enumerate() {
         for (still, (states, left)) in body.stills()?.into_iter().enumerate() {
@@ -164,8 +165,9 @@ fn stills(size: (f64, f64), cell: (f64, f64), down: bool) -> Outcome {
                 stage.vector([0.0; 3], axis * reach, Hue::Blue)?;
             }
             stage.write(&mut drawing);
-            let percent = if left < 0.1 { format!("{:.1}", 100.0 * left) } else { format!("{:.0}", 100.0 * left) };
-            let name = if still == 0 { format!("{}, spin {percent} %", body.name) } else { format!("{percent} %") };
+            let decimals = usize::from(left < 0.1);
+            let percent = format!("{:.decimals$} %", 100.0 * left);
+            let name = if still == 0 { format!("{}, spin {percent}", body.name) } else { percent };
             drawing.label(middle + at(0.0, 0.5 * cell.1 - 4.0), Side::Over, &name, Hue::Ink)?;
             if still == 0 {
                 drawing.label(middle + at(4.0, -70.0), Side::Right, r"$\boldsymbol{L}$", Hue::Green)?;
@@ -184,32 +186,35 @@ pub(crate) fn drag_stills(id: &str) -> Outcome {
 
 /// The spin and the wobble part of the angular velocity, shrinking.
 pub(crate) fn two_clocks(id: &str) -> Outcome {
-    let panel = |name: &str, [title, description, says]: [&str; 3], ratio: f64, wobble: f64, step: f64| -> Outcome {
-        let mut drawing = Drawing::new("", 240.0, 372.0).titled(title, description);
-        let top = body(ratio, 1.0, Vector3::new(wobble, 0.0, 1.0))?;
-        let parts = |time: f64| -> Result<(f64, f64), InvalidQuantity> {
-            let omega = top.at(time)?;
-            Ok((omega.x.hypot(omega.y), omega.z))
+    let panel =
+        |name: &str, [title, description, says]: [&str; 3], ratio: f64, wobble: f64, step: f64| -> Outcome {
+            let mut drawing = Drawing::new("", 240.0, 372.0).titled(title, description);
+            let top = body(ratio, 1.0, Vector3::new(wobble, 0.0, 1.0))?;
+            let parts = |time: f64| -> Result<(f64, f64), InvalidQuantity> {
+                let omega = top.at(time)?;
+                Ok((omega.x.hypot(omega.y), omega.z))
+            };
+            let across = Axis::linear(0.0, 0.6, 0.2)?.titled(r"wobble part $\omega_\perp/\omega_{3,0}$");
+            let along = Axis::linear(0.0, 1.0, 0.2)?.titled(r"spin part $\omega_3/\omega_{3,0}$");
+            let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 156.0, 260.0), across, along)?;
+            let tips =
+                linear_steps(0.0, 12.0, 1200).map(parts).collect::<Result<Vec<_>, InvalidQuantity>>()?;
+            plot.curve(name, tips, Stroke::Curve, Hue::Orange);
+            for count in 0..5 {
+                let [from, to] = [plot.at((0.0, 0.0)), plot.at(parts(step * f64::from(count))?)];
+                arrow(plot.drawing(), from, to, Hue::Orange);
+            }
+            plot.label(parts(0.0)?, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+            drawing.label(at(130.0, 360.0), Side::Over, says, Hue::Ink)?;
+            Ok(drawing)
         };
-        let across = Axis::linear(0.0, 0.6, 0.2)?.titled(r"wobble part $\omega_\perp/\omega_{3,0}$");
-        let along = Axis::linear(0.0, 1.0, 0.2)?.titled(r"spin part $\omega_3/\omega_{3,0}$");
-        let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 156.0, 260.0), across, along)?;
-        let tips = linear_steps(0.0, 12.0, 1200).map(parts).collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(name, tips, Stroke::Curve, Hue::Orange);
-        for count in 0..5 {
-            let [from, to] = [plot.at((0.0, 0.0)), plot.at(parts(step * f64::from(count))?)];
-            arrow(plot.drawing(), from, to, Hue::Orange);
-        }
-        plot.label(parts(0.0)?, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        drawing.label(at(130.0, 360.0), Side::Over, says, Hue::Ink)?;
-        Ok(drawing)
-    };
     let flat = panel(
         "flat",
         [
             "The two parts of the angular velocity of a disc",
-            "Arrows from the origin show the angular velocity at five equal steps of time, its wobble part to the right and its spin part \
-             upwards. They shrink and turn towards the upright; their tips lie on a curve that reaches the origin upright.",
+            "Arrows from the origin show the angular velocity at five equal steps of time, its wobble part \
+             to the right and its spin part upwards. They shrink and turn towards the upright; their tips \
+             lie on a curve that reaches the origin upright.",
             "flat: the wobble dies first",
         ],
         2.0,
@@ -220,7 +225,8 @@ pub(crate) fn two_clocks(id: &str) -> Outcome {
         "long",
         [
             "The two parts of the angular velocity of a thick rod",
-            "The same arrows for a rod: they shrink and turn away from the upright; their tips lie on a curve that reaches the origin level.",
+            "The same arrows for a rod: they shrink and turn away from the upright; their tips lie on a \
+             curve that reaches the origin level.",
             "long: the spin dies first",
         ],
         0.5,
@@ -234,9 +240,9 @@ pub(crate) fn two_clocks(id: &str) -> Outcome {
 pub(crate) fn tangent(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
         "Tangent of the angle against time",
-        "The tangent of the angle between the angular velocity and the body's axis on a logarithmic scale, against time times C over \
-         I1, from 0 to 6. Three straight lines from 0.3: for a thin disc falling by a factor of twenty, for a ball level, \
-         for a thick rod rising by a factor of four hundred.",
+        "The tangent of the angle between the angular velocity and the body's axis on a logarithmic scale, \
+         against time times C over I1, from 0 to 6. Three straight lines from 0.3: for a thin disc falling \
+         by a factor of twenty, for a ball level, for a thick rod rising by a factor of four hundred.",
     );
     let time = Axis::linear(0.0, 6.0, 1.0)?.minor(0.2).titled(r"time $Ct/I_1$");
     let value = Axis::log(1e-3, 1e3, 1)?.titled(r"$\tan\theta$");
@@ -262,9 +268,9 @@ pub(crate) fn tangent(id: &str) -> Outcome {
 pub(crate) fn spin_tangent(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
         "Tangent of the angle against the spin that is left",
-        "The tangent of the angle, divided by that at the start, against the spin divided by that at the start, from 0 to 1. All curves \
-         end at one, one. For a thin disc it is the straight line through the origin; for a ratio of the moments of one and \
-         a half a square root; for a ball level at one; \
+        "The tangent of the angle, divided by that at the start, against the spin divided by that at the \
+         start, from 0 to 1. All curves end at one, one. For a thin disc it is the straight line through \
+         the origin; for a ratio of the moments of one and a half a square root; for a ball level at one; \
          for a ratio of a half it rises without limit as the spin goes to zero.",
     );
     let spin = Axis::linear(0.0, 1.0, 0.2)?.minor(0.05).titled(r"spin that is left $\omega_3/\omega_{3,0}$");
@@ -295,9 +301,9 @@ const TURNS: f64 = 3.3;
 pub(crate) fn wobble_turns(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 400.0).titled(
         "The angular velocity spirals in with a finite number of turns",
-        "The component omega 2 against omega 1 in the body, both divided by omega 1 at the start. The curve begins at one on the axis of \
-         omega 1, winds inwards counter-clockwise, as an arrowhead shows, and reaches the origin along a dashed line after 3.3 turns \
-         in all.",
+        "The component omega 2 against omega 1 in the body, both divided by omega 1 at the start. The \
+         curve begins at one on the axis of omega 1, winds inwards counter-clockwise, as an arrowhead \
+         shows, and reaches the origin along a dashed line after 3.3 turns in all.",
     );
     // As many turns in all: (I₃ − I₁) I₃ ω₃ / (2π I₁ C) with I₃ = 2 I₁.
     let drag = 2.0 / (TURNS * TAU);
@@ -306,8 +312,7 @@ pub(crate) fn wobble_turns(id: &str) -> Outcome {
     let (x, y) = (across()?.titled(r"$\omega_1/\omega_{1,0}$"), across()?.titled(r"$\omega_2/\omega_{1,0}$"));
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 310.0, 310.0), x, y)?;
     let times: Vec<f64> = linear_steps(0.0, 12.0 / drag, 4000).collect();
-    let values: Vec<(f64, f64)> =
-        top.sample(&times)?.into_iter().map(|omega| (omega.x, omega.y)).collect();
+    let values: Vec<(f64, f64)> = top.sample(&times)?.into_iter().map(|omega| (omega.x, omega.y)).collect();
     // The direction of arrival, from the number of turns.
     let (sin, cos) = (TAU * top.total_body_turns()).sin_cos();
     plot.reference((0.0, 0.0), (cos, sin), Stroke::Reference);
@@ -319,6 +324,9 @@ pub(crate) fn wobble_turns(id: &str) -> Outcome {
     head(&mut drawing, here, here - before, 1.0, Hue::Orange);
     Ok(drawing)
 }
+
+/// A curve with its name and its hue.
+type Named<'a> = (&'a str, &'a [(f64, f64)], Hue);
 
 /// The same Frisbee on board and in the room, and the small dance of its angular momentum.
 pub(crate) fn axis_path(id: &str) -> Outcome {
@@ -332,17 +340,22 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
     let times: Vec<f64> = linear_steps(0.0, 6.0, 6000).collect();
     let states = top.thrown(upright, &Dop853::new(1e-10)?)?.sample(&times)?;
     let pairs = |place: &dyn Fn(&Turning) -> (f64, f64)| states.iter().map(place).collect::<Vec<_>>();
-    let omega = pairs(&|state| (state.omega_body.x / state.omega_body.z, state.omega_body.y / state.omega_body.z));
+    let omega =
+        pairs(&|state| (state.omega_body.x / state.omega_body.z, state.omega_body.y / state.omega_body.z));
     let axis = pairs(&|state| (state.axis_3_world().x, state.axis_3_world().y));
     let momenta = pairs(&|state| {
         let direction = state.angular_momentum_world(&moments).normalize();
         (direction.x, direction.y)
     });
     let enlarged: Vec<(f64, f64)> = momenta.iter().map(|(x, y)| (1e3 * x, 1e3 * y)).collect();
-    let panel = |[title, description, axis, name]: [&str; 4], reach: f64, minor: f64, curves: &[(&str, &[(f64, f64)], Hue)]| {
+    let panel = |[title, description, axis, name]: [&str; 4],
+                 reach: f64,
+                 minor: f64,
+                 curves: &[Named<'_>]| {
         let mut drawing = Drawing::new("", 212.0, 250.0).titled(title, description);
         let across = || Axis::linear(-reach, reach, reach).map(|axis| axis.minor(minor));
-        let mut plot = Plot::new(&mut drawing, Rect::new(42.0, 34.0, 156.0, 156.0), across()?, across()?.titled(axis))?;
+        let mut plot =
+            Plot::new(&mut drawing, Rect::new(42.0, 34.0, 156.0, 156.0), across()?, across()?.titled(axis))?;
         for &(curve, values, hue) in curves {
             plot.curve(curve, values.iter().copied(), Stroke::Orbit, hue);
             plot.markers(&values[..1], Marker::Disc, hue);
@@ -353,8 +366,8 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
     let board = panel(
         [
             "The angular velocity on board",
-            "Seen along the Frisbee's axis. The angular velocity, divided by its spin part, begins at the right, 0.3 from the middle, and \
-             spirals in about five times, counter-clockwise.",
+            "Seen along the Frisbee's axis. The angular velocity, divided by its spin part, begins at the \
+             right, 0.3 from the middle, and spirals in about five times, counter-clockwise.",
             r"$\omega_2/\omega_3$ against $\omega_1/\omega_3$",
             r"on board: $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$",
         ],
@@ -365,8 +378,9 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
     let room = panel(
         [
             "The axis in the room",
-            "Seen along the angular momentum at the start. The tip of the axis begins at the left, 0.15 from the middle, and spirals in \
-             about ten times, twice as often; the angular momentum is a dot in the middle.",
+            "Seen along the angular momentum at the start. The tip of the axis begins at the left, 0.15 \
+             from the middle, and spirals in about ten times, twice as often; the angular momentum is a \
+             dot in the middle.",
             "$y$ against $x$",
             r"in the room: $\hat{\mathbf{3}}$ about $\boldsymbol{L}$",
         ],
@@ -377,8 +391,8 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
     let close = panel(
         [
             "The middle of the room's picture, enlarged",
-            "The direction of the angular momentum, in thousandths of a radian. It begins in the middle and goes round a circle of a \
-             radius of 2.2, again and again.",
+            "The direction of the angular momentum, in thousandths of a radian. It begins in the middle \
+             and goes round a circle of a radius of 2.2, again and again.",
             "$y$ against $x$, thousandths",
             r"its middle, enlarged: $\boldsymbol{L}$",
         ],
@@ -394,9 +408,10 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
 pub(crate) fn drag_fault(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
         "Error of the angle by the inverse cosine",
-        "The relative error on a logarithmic scale against the angle, also logarithmic, from one radian down to 1e-12. By the inverse \
-         cosine it rises from 1e-16 as the inverse square of the angle and reaches one near 1e-8, where the curve ends. \
-         By the arctangent of the two parts it stays below 1e-15.",
+        "The relative error on a logarithmic scale against the angle, also logarithmic, from one radian \
+         down to 1e-12. By the inverse cosine it rises from 1e-16 as the inverse square of the angle and \
+         reaches one near 1e-8, where the curve ends. By the arctangent of the two parts it stays below \
+         1e-15.",
     );
     let top = body(2.0, 1.0, Vector3::new(1.0, 0.0, 1.0))?;
     let (mut naive, mut better) = (Vec::new(), Vec::new());

@@ -4,10 +4,10 @@ use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::Marker;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Side, Stroke, at};
+use mechanics::InvalidQuantity;
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeSymmetricTop;
-use mechanics::InvalidQuantity;
 use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::rk4;
 use mechanics::scenes::coin_toss::{Toss, TossParameters, angle_for_probability};
@@ -83,7 +83,12 @@ pub(crate) fn toss(id: &str) -> Outcome {
             stage.curve(Curve::segment([0.0; 3], start * 1.5)?, Stroke::Reference, Hue::Muted)?;
             stage.label(start * 1.5, Side::Above, "the normal at the start", Hue::Muted)?;
             stage.angle([0.0; 3], start, normal, 1.15, "", Hue::Ink)?;
-            stage.label((start * 2.0 + momentum).normalize() * 1.13, Side::AboveRight, r"$2\psi$", Hue::Ink)?;
+            stage.label(
+                (start * 2.0 + momentum).normalize() * 1.13,
+                Side::AboveRight,
+                r"$2\psi$",
+                Hue::Ink,
+            )?;
             stage.angle([0.0; 3], normal, momentum, 0.7, r"$\psi$", Hue::Ink)?;
         }
         stage.write(&mut drawing);
@@ -93,14 +98,14 @@ pub(crate) fn toss(id: &str) -> Outcome {
     };
     let start = panel(
         "The coin at the start",
-        "The coin lies flat, heads up: its normal 3 points straight up, the axis 1 to the right, and the angular momentum L leans to \
-         the right at the angle psi to the normal.",
+        "The coin lies flat, heads up: its normal 3 points straight up, the axis 1 to the right, and the \
+         angular momentum L leans to the right at the angle psi to the normal.",
         0.0,
     )?;
     let later = panel(
         "The coin half a precession later",
-        "L is where it was. The normal has gone to its other side, at the angle psi again, so that it has turned by two psi in \
-         all and points below the horizon: tails is seen from above.",
+        "L is where it was. The normal has gone to its other side, at the angle psi again, so that it has \
+         turned by two psi in all and points below the horizon: tails is seen from above.",
         half,
     )?;
     Ok(Drawing::panels(id, vec![start, later]))
@@ -129,18 +134,24 @@ impl Film {
     fn draw(&self) -> Outcome {
         let mut drawing = Drawing::new("", self.size.0, self.size.1).titled(
             "Three tosses through one precession, seen from above",
-            "Three strips of nine pictures of the coin. Without twist it goes over: heads, edge, three times tails, edge, heads. Twisted a \
-             quarter as fast as it tumbles it shows tails in the three pictures in the middle and heads in all others. Twisted three \
-             fifths as fast it shows heads in every picture, leans to all sides, and is nearly on edge in the middle.",
+            "Three strips of nine pictures of the coin. Without twist it goes over: heads, edge, three \
+             times tails, edge, heads. Twisted a quarter as fast as it tumbles it shows tails in the three \
+             pictures in the middle and heads in all others. Twisted three fifths as fast it shows heads \
+             in every picture, leans to all sides, and is nearly on edge in the middle.",
         );
-        let strips = [(0.0, r"$\omega_3 = 0$"), (0.25, r"$\omega_3 = \tfrac14\,\omega_1$"), (0.6, r"$\omega_3 = \tfrac35\,\omega_1$")];
+        let strips = [
+            (0.0, r"$\omega_3 = 0$"),
+            (0.25, r"$\omega_3 = \tfrac14\,\omega_1$"),
+            (0.6, r"$\omega_3 = \tfrac35\,\omega_1$"),
+        ];
         for (strip, (ratio, name)) in strips.into_iter().enumerate() {
             let toss = tossed(1.0, ratio)?;
             let period = TAU / toss.precession_rate();
             for frame in 0..=FRAMES {
                 let (middle, radius) = (self.frame(strip, frame), 0.46 * self.cell.0.min(self.cell.1));
                 let corner = |x: f64, y: f64| middle + at(radius * x, radius * y);
-                let corners = vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+                let corners =
+                    vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
                 drawing.polygon(corners, Fill::Floor, Hue::Ink);
                 let mut stage = Stage::new(Camera::new(View {
                     target: [0.0; 3],
@@ -164,7 +175,8 @@ impl Film {
             drawing.label(above, Side::Over, name, Hue::Ink)?;
             drawing.label(below, Side::Over, &share, Hue::Blue)?;
         }
-        for (frame, name) in [(0, "$0$"), (2, r"$\tfrac14$"), (4, r"$\tfrac12$"), (6, r"$\tfrac34$"), (8, "$1$")] {
+        let quarters = ["$0$", r"$\tfrac14$", r"$\tfrac12$", r"$\tfrac34$", "$1$"];
+        for (frame, name) in (0..=FRAMES).step_by(2).zip(quarters) {
             let place = if self.down {
                 self.frame(0, frame) - at(0.5 * self.cell.0 + 8.0, 0.0)
             } else {
@@ -172,20 +184,20 @@ impl Film {
             };
             drawing.label(place, Side::Over, name, Hue::Ink)?;
         }
-        let last = self.frame(2, FRAMES);
-        let (place, side) = if self.down {
-            (at(self.frame(1, 0).x, last.y + 0.5 * self.cell.1 + 12.0), Side::Over)
+        let below = self.frame(2, FRAMES).y + 0.5 * self.cell.1 + 12.0;
+        let (place, side, name) = if self.down {
+            (at(self.frame(1, 0).x, below), Side::Over, "time, precessions")
         } else {
-            (at(self.first.0 - 0.5 * self.cell.0, last.y + 0.5 * self.cell.1 + 12.0), Side::Left)
+            (at(self.first.0 - 0.5 * self.cell.0, below), Side::Left, "precessions")
         };
-        drawing.label(place, side, "time, precessions", Hue::Ink)?;
+        drawing.label(place, side, name, Hue::Ink)?;
         Ok(drawing)
     }
 }
 
 /// A film of three tosses.
 pub(crate) fn toss_film(id: &str) -> Outcome {
-    let across = Film { size: (660.0, 260.0), cell: (60.0, 66.0), first: (150.0, 50.0), down: false };
+    let across = Film { size: (590.0, 240.0), cell: (52.0, 60.0), first: (128.0, 44.0), down: false };
     let down = Film { size: (330.0, 660.0), cell: (94.0, 60.0), first: (80.0, 90.0), down: true };
     let (mut wide, narrow) = (across.draw()?, down.draw()?);
     wide = Drawing::panels(id, vec![wide]);
@@ -196,9 +208,10 @@ pub(crate) fn toss_film(id: &str) -> Outcome {
 pub(crate) fn cones(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 440.0, 380.0).titled(
         "Paths of the tip of the normal on a sphere",
-        "A unit sphere with its equator. Three circles on it pass through the north pole, where the normal starts. The smallest, for psi 30 \
-         degrees, stays in the upper half; the middle one, for 45 degrees, touches the equator; the largest, for 75 degrees, goes \
-         far below it, and is grey there. Dots mark the directions of the angular momentum at the centres of the circles.",
+        "A unit sphere with its equator. Three circles on it pass through the north pole, where the normal \
+         starts. The smallest, for psi 30 degrees, stays in the upper half; the middle one, for 45 \
+         degrees, touches the equator; the largest, for 75 degrees, goes far below it, and is grey there. \
+         Dots mark the directions of the angular momentum at the centres of the circles.",
     );
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0; 3],
@@ -244,37 +257,38 @@ pub(crate) fn threshold(id: &str) -> Outcome {
         let period = TAU / toss.precession_rate();
         linear_steps(from, to, 300).map(|turns| Ok((turns, toss.normal_height(turns * period)?))).collect()
     };
-    let mut whole = Drawing::new("", 340.0, 350.0).titled(
+    let mut whole = Drawing::new("", 310.0, 330.0).titled(
         "Height of the normal for a small twist and near the threshold",
-        "The height of the coin's normal against time in precessions, from 0 to 2. The curves for the ratios of twist to tumble 0.49, 0.50 \
-         and 0.51 lie so close together that they look like one, which begins at one and falls to about zero after half a \
-         precession; a fourth, for the ratio 0.2, falls to minus 0.7, where tails is up.",
+        "The height of the coin's normal against time in precessions, from 0 to 2. The curves for the \
+         ratios of twist to tumble 0.49, 0.50 and 0.51 lie so close together that they look like one, \
+         which begins at one and falls to about zero after half a precession; a fourth, for the ratio 0.2, \
+         falls to minus 0.7, where tails is up.",
     );
     let time = Axis::linear(0.0, 2.0, 0.5)?.minor(0.1).titled("time, precessions");
     let height = Axis::linear(-1.0, 1.0, 0.5)?.minor(0.1).titled(r"height of the normal $n_z$");
-    let mut plot = Plot::new(&mut whole, Rect::new(48.0, 34.0, 270.0, 262.0), time, height)?;
+    let mut plot = Plot::new(&mut whole, Rect::new(48.0, 34.0, 244.0, 240.0), time, height)?;
     plot.region((0.0, -1.0), (2.0, 0.0), Hue::Muted);
     for ratio in [0.20, 0.49, 0.50, 0.51] {
         plot.curve(&format!("whole-{ratio}"), values(ratio, 0.0, 2.0)?, Stroke::Curve, Hue::Blue);
     }
     plot.label((0.5, -0.73), Side::Below, "$0.20$", Hue::Blue)?;
-    plot.label((0.5, 0.64), Side::Over, "$0.49$", Hue::Blue)?;
-    plot.label((0.5, 0.48), Side::Over, "to $0.51$", Hue::Blue)?;
+    plot.label((0.5, 0.68), Side::Over, "$0.49$", Hue::Blue)?;
+    plot.label((0.5, 0.51), Side::Over, "to $0.51$", Hue::Blue)?;
     plot.label((1.0, -0.7), Side::Over, "tails up", Hue::Muted)?;
 
-    let mut part = Drawing::new("", 300.0, 350.0).titled(
+    let mut part = Drawing::new("", 250.0, 330.0).titled(
         "The lowest point of the normal, enlarged",
-        "The neighbourhood of the lowest point enlarged: the curve for the ratio 0.49 dips below zero, that for 0.50 touches it, that \
-         for 0.51 stays above.",
+        "The neighbourhood of the lowest point enlarged: the curve for the ratio 0.49 dips below zero, \
+         that for 0.50 touches it, that for 0.51 stays above.",
     );
     let time = Axis::linear(0.4, 0.6, 0.1)?.minor(0.02).titled("time, precessions");
     let height = Axis::linear(-0.04, 0.1, 0.02)?.titled(r"$n_z$, enlarged");
-    let mut plot = Plot::new(&mut part, Rect::new(48.0, 34.0, 220.0, 262.0), time, height)?;
+    let mut plot = Plot::new(&mut part, Rect::new(48.0, 34.0, 176.0, 240.0), time, height)?;
     plot.region((0.4, -0.04), (0.6, 0.0), Hue::Muted);
     for ratio in [0.49, 0.50, 0.51] {
         plot.curve(&format!("part-{ratio}"), values(ratio, 0.4, 0.6)?, Stroke::Curve, Hue::Blue);
     }
-    for (height, name) in [(-0.03, "$0.49$: over"), (0.008, "$0.50$"), (0.044, "$0.51$: never")] {
+    for (height, name) in [(-0.03, "$0.49$: over"), (0.008, "$0.50$"), (0.05, "$0.51$: never")] {
         plot.label((0.5, height), Side::Over, name, Hue::Blue)?;
     }
     Ok(Drawing::panels(id, vec![whole, part]))
@@ -284,9 +298,9 @@ pub(crate) fn threshold(id: &str) -> Outcome {
 pub(crate) fn bias(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
         "Probability of the same face",
-        "The probability that a coin shows the same face, against the angle psi between its normal and its angular momentum in \
-         degrees. Up to 45 degrees it is one. From there it falls, steeply at first, to one half at 90 degrees. The measured \
-         0.508 lies on the curve at 81 degrees.",
+        "The probability that a coin shows the same face, against the angle psi between its normal and its \
+         angular momentum in degrees. Up to 45 degrees it is one. From there it falls, steeply at first, \
+         to one half at 90 degrees. The measured 0.508 lies on the curve at 81 degrees.",
     );
     let angle = Axis::linear(0.0, 90.0, 15.0)?
         .minor(5.0)
@@ -313,9 +327,10 @@ pub(crate) fn bias(id: &str) -> Outcome {
 pub(crate) fn gimbal(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 350.0).titled(
         "Euler's angles against the quaternion",
-        "Both scales are logarithmic: along x the tilt of the coin in the hand, from a millionth of a radian to a tenth; along y the \
-         error in the direction of the normal after 0.45 seconds, with the same Runge-Kutta method and step. The quaternion's \
-         error is about 1e-6 at every tilt. With Euler's angles the error is between a hundredth and two radians for every tilt below a hundredth.",
+        "Both scales are logarithmic: along x the tilt of the coin in the hand, from a millionth of a \
+         radian to a tenth; along y the error in the direction of the normal after 0.45 seconds, with the \
+         same Runge-Kutta method and step. The quaternion's error is about 1e-6 at every tilt. With \
+         Euler's angles the error is between a hundredth and two radians for every tilt below a hundredth.",
     );
     let (tumble, twist, seconds, steps) = (38.0 * TAU, 4.0 * TAU, 0.45, 4500);
     let moments = coin()?;

@@ -750,7 +750,7 @@ pub(crate) fn start(id: &str) -> Outcome {
     let mut path = Drawing::new("", 330.0, 330.0).titled(
         "The path of the drum’s centre, from above",
         "The centre of the drum starts at rest in the middle and spirals outwards, counter-clockwise, to more than five centimetres. Then it \
-         spirals inwards again, and in the end goes round on a small circle with a radius of two centimetres, drawn heavily.",
+         spirals inwards again, and in the end goes round on a small circle with a radius of nearly two centimetres, drawn heavily.",
     );
     let (origin, scale) = (at(165.0, 150.0), 24.0);
     let mut plot = Plot::plane(&mut path, origin, scale, 6.0)?;
@@ -770,7 +770,7 @@ pub(crate) fn start(id: &str) -> Outcome {
         "The swing of the drum as it speeds up",
         "The displacement of the drum in one direction, in centimetres, against the time in seconds, like the trace of a pen on moving paper, \
          while the drum speeds up evenly to 310 turns a minute in 13 seconds. It is small at first, swells to more than five centimetres \
-         at five seconds, and shrinks to two centimetres, ever faster.",
+         at five seconds, and shrinks to nearly two centimetres, ever faster.",
     );
     let time = Axis::linear(0.0, end, 5.0)?.minor(1.0).titled("time, s");
     let swing = Axis::linear(-6.0, 6.0, 2.0)?.minor(1.0).titled("displacement to one side, cm");

@@ -1,8 +1,7 @@
 //! The figures of the chapter "Methods".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
-use drawing::kit::Marker;
-use drawing::space::{Camera, Curve, Solid, Stage, View};
+use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
+use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
@@ -26,6 +25,11 @@ fn book() -> Result<(PrincipalMoments, Turning), InvalidQuantity> {
     Ok((PrincipalMoments::new(1.0, 1.6, 2.1)?, start))
 }
 
+/// Where a label stands beside a curve, and what it says: an error, a side, the words.
+type Name = (f64, Side, &'static str);
+/// Two places of a label, one in each of two plots.
+type Places = [(f64, f64); 2];
+
 /// A method with a fixed step for the free book.
 #[derive(Clone, Copy, PartialEq)]
 enum Fixed {
@@ -36,12 +40,13 @@ enum Fixed {
 }
 
 impl Fixed {
-    const ALL: [(Self, &'static str, Hue, Marker); 5] = [
-        (Self::Rk4, "rk4", Hue::Orange, Marker::Disc),
-        (Self::Dop853, "dop853", Hue::Pink, Marker::Square),
-        (Self::CommutatorFree, "cf4", Hue::Purple, Marker::Triangle),
-        (Self::Split(Splitting::Strang), "strang", Hue::Green, Marker::Disc),
-        (Self::Split(Splitting::BlanesMoan), "blanes-moan", Hue::Blue, Marker::Square),
+    /// Each with its name in the figure, its look, and its label.
+    const ALL: [(Self, &'static str, Look, Name); 5] = [
+        (Self::Rk4, "rk4", Look::RK4, (1e-8, Side::Left, "RK4, 4")),
+        (Self::Dop853, "dop853", Look::DOP853, (1e-8, Side::BelowRight, "DOP853, 8")),
+        (Self::CommutatorFree, "cf4", Look::CF4, (1e-9, Side::BelowRight, "CF4, 4")),
+        (Self::Split(Splitting::Strang), "strang", Look::STRANG, (1e-4, Side::AboveLeft, "Strang, order 2")),
+        (Self::Split(Splitting::BlanesMoan), "blanes-moan", Look::BLANES_MOAN, (1e-10, Side::BelowRight, "Blanes–Moan, 4")),
     ];
 
     /// Evaluations, or turns, of one step.
@@ -81,11 +86,6 @@ impl Fixed {
 
 /// The direction of the angular momentum, seen from the book, by Euler's method and by a splitting.
 pub(crate) fn method_polhodes(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 330.0).titled(
-        "The direction of the angular momentum in the book, by Euler's method and by turns",
-        "Two spheres with the axes 1, 2 and 3 of the book. On the left a curve begins near axis 1 and spirals outwards towards the dashed separatrix, which passes through axis 2 and which it does not reach. \
-         On the right one closed curve about axis 1 that passes through the same starting point.",
-    );
     let (moments, _) = book()?;
     let start = Vector3::new(1.0, 0.12, 0.0);
     let direction = |omega: &Vector3<f64>| moments.angular_momentum(omega).normalize();
@@ -102,16 +102,18 @@ pub(crate) fn method_polhodes(id: &str) -> Outcome {
         body = Splitting::Strang.solve(&moments, body, 0.4, 1)?;
         round.push(direction(&body.omega_body));
     }
-    for (x, path, hue, name) in [
-        (175.0, outwards, Hue::Orange, "Euler’s method, 2000 steps"),
-        (510.0, round, Hue::Green, "Strang splitting, 500 steps"),
+    let mut spheres = Vec::new();
+    for (path, look, name) in [
+        (outwards, Look::EULER, "Euler’s method, 2000 steps"),
+        (round, Look::STRANG, "Strang’s splitting, 500 steps"),
     ] {
+        let mut drawing = Drawing::new("", 330.0, 330.0);
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0; 3],
             azimuth: 0.62,
             elevation: 0.3,
             distance: 9.0,
-            centre: at(x, 158.0),
+            centre: at(165.0, 158.0),
             scale: 104.0,
         })?);
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
@@ -123,9 +125,9 @@ pub(crate) fn method_polhodes(id: &str) -> Outcome {
             let circle: Vec<Vector3<f64>> = linear_steps(0.0, 2.0 * PI, 240)
                 .map(|angle| Vector3::y() * angle.cos() + side * angle.sin())
                 .collect();
-            stage.curve(Curve::smooth(circle)?, Stroke::Reference, Hue::Muted)?;
+            stage.curve(Curve::smooth(circle)?.hiding(Hiding::Pale), Stroke::Border, Hue::Ink)?;
         }
-        stage.curve(Curve::smooth(path)?, Stroke::Orbit, hue)?;
+        stage.curve(Curve::smooth(path)?.hiding(Hiding::Pale), Stroke::Outline, look.hue)?;
         for (axis, tip, name) in [
             (Vector3::x(), 2.1, r"$\hat{\mathbf{1}}$"),
             (Vector3::y(), 1.32, r"$\hat{\mathbf{2}}$"),
@@ -134,14 +136,19 @@ pub(crate) fn method_polhodes(id: &str) -> Outcome {
             stage.named_vector(axis, axis * tip, name, Hue::Ink)?;
         }
         stage.write(&mut drawing);
-        drawing.label(at(x, 308.0), Side::Over, name, hue)?;
+        drawing.label(at(165.0, 312.0), Side::Over, name, look.hue)?;
+        spheres.push(drawing);
     }
-    Ok(drawing)
+    Ok(Drawing::panels(id, spheres).titled(
+        "The direction of the angular momentum in the book, by Euler’s method and by turns",
+        "Two spheres with the axes 1, 2 and 3 of the book. On the left a curve begins near axis 1 and spirals outwards towards the separatrix of dashes and dots, which passes through axis 2 and which it does not reach. \
+         On the right one closed curve about axis 1 that passes through the same starting point.",
+    ))
 }
 
 /// By which factor one step changes the amplitude of an oscillator.
 pub(crate) fn method_amplitude(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 310.0).titled(
         "Factor by which one step changes the amplitude of an oscillator",
         "The factor from 0.4 to 1.6 against omega h from 0 to 7. Euler's method rises from one at once. RK4 stays near one up to 0.8, falls to one half at 2.45, and rises through one at \
          2.83. DOP853 stays near one up to 4, falls to 0.7 at 5.5 and rises through one just before 6.",
@@ -149,21 +156,21 @@ pub(crate) fn method_amplitude(id: &str) -> Outcome {
     let swing = |_: f64, &[x, v]: &[f64; 2]| [v, -x];
     let product = Axis::linear(0.0, 7.0, 1.0)?.minor(0.2).titled(r"$z = \omega h$");
     let factor = Axis::linear(0.4, 1.6, 0.2)?.minor(0.05).titled("factor of the amplitude in one step");
-    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 560.0, 262.0), product, factor)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 330.0, 230.0), product, factor)?;
     plot.level(1.0, Stroke::Reference);
     plot.upright(2.0 * SQRT_2, Stroke::Dotted);
     let euler = linear_steps(0.0, 2.0, 200).map(|z| {
         let [x, v] = swing(0.0, &[1.0, 0.0]);
         (z, (1.0 + z * x).hypot(z * v))
     });
-    plot.curve("euler", euler, Stroke::Curve, Hue::Green);
+    plot.curve("euler", euler, Look::EULER.stroke, Look::EULER.hue);
     let by_rk4 = linear_steps(0.001, 3.6, 720)
         .map(|z| {
             let [x, v] = rk4(swing, 0.0, [1.0, 0.0], z, 1)?;
             Ok((z, x.hypot(v)))
         })
         .collect::<Result<Vec<_>, Cause>>()?;
-    plot.curve("rk4", by_rk4, Stroke::Curve, Hue::Orange);
+    plot.curve("rk4", by_rk4, Look::RK4.stroke, Look::RK4.hue);
     let by_dop853 = linear_steps(0.001, 7.0, 1400)
         .map(|z| {
             let solver = Dop853::new(LOOSE)?.with_first_step(z).with_max_step(z);
@@ -171,17 +178,17 @@ pub(crate) fn method_amplitude(id: &str) -> Outcome {
             Ok((z, x.hypot(v)))
         })
         .collect::<Result<Vec<_>, Cause>>()?;
-    plot.curve("dop853", by_dop853, Stroke::Curve, Hue::Pink);
-    plot.label((1.02, 1.3), Side::Right, "Euler", Hue::Green)?;
-    plot.label((1.82, 0.72), Side::Left, "RK4", Hue::Orange)?;
-    plot.label((4.55, 0.85), Side::BelowLeft, "DOP853", Hue::Pink)?;
+    plot.curve("dop853", by_dop853, Look::DOP853.stroke, Look::DOP853.hue);
+    plot.label((1.06, 1.3), Side::Right, "Euler", Look::EULER.hue)?;
+    plot.label((1.82, 0.72), Side::Left, "RK4", Look::RK4.hue)?;
+    plot.label((4.5, 0.85), Side::BelowLeft, "DOP853", Look::DOP853.hue)?;
     plot.label((2.0 * SQRT_2, 1.53), Side::Left, r"$2\sqrt{2}$", Hue::Muted)?;
     Ok(drawing)
 }
 
 /// Error after a fixed time against the step.
 pub(crate) fn method_order(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 430.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 380.0).titled(
         "Error against step for five methods",
         "Both scales are logarithmic: the step from 1e-3 to 3 seconds, and the error after 30 seconds from 1e-15 to 1. Strang's points lie on a line of slope two, RK4's, CF4's and Blanes and Moan's \
          on parallel lines of slope four, the last hundreds of times below the others, and DOP853's on a steep line of slope eight. Below 1e-12 all end in a scattered plateau, which rises to the left.",
@@ -190,9 +197,9 @@ pub(crate) fn method_order(id: &str) -> Outcome {
     let duration = 30.0;
     let exact = FreeTop::new(moments, start)?.at(duration)?;
     let step = Axis::log(1e-3, 10.0, 1)?.titled(r"step $h$, s");
-    let error = Axis::log(1e-15, 1.0, 3)?.titled("error of the attitude after 30 s, rad");
-    let mut plot = Plot::new(&mut drawing, Rect::new(64.0, 34.0, 500.0, 340.0), step, error)?;
-    for (method, name, hue, marker) in Fixed::ALL {
+    let error = Axis::log(1e-15, 10.0, 3)?.titled("error of the attitude after 30 s, rad");
+    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 300.0), step, error)?;
+    for (method, name, look, (level, side, words)) in Fixed::ALL {
         let mut values = Vec::new();
         for steps in log_steps(10.0, 30_000.0, 24) {
             let steps = steps.round();
@@ -201,19 +208,18 @@ pub(crate) fn method_order(id: &str) -> Outcome {
                 rotation_between(&Turning::from_array(end).world_from_body, &exact.world_from_body);
             values.push((duration / steps, error.max(1e-16)));
         }
-        plot.series(name, &values, marker, hue);
+        plot.series(name, &values, look.marker, look.hue);
+        // Beside the curve where it comes down to a level.
+        let Some(pair) = values.windows(2).find(|pair| pair[1].1 <= level) else { continue };
+        let part = (pair[0].1 / level).ln() / (pair[0].1 / pair[1].1).ln();
+        plot.label((pair[0].0 * (pair[1].0 / pair[0].0).powf(part), level), side, words, look.hue)?;
     }
-    plot.label((3.2, 0.3), Side::Right, "Strang", Hue::Green)?;
-    plot.label((3.2, 0.03), Side::Right, "RK4", Hue::Orange)?;
-    plot.label((3.2, 0.003), Side::Right, "CF4", Hue::Purple)?;
-    plot.label((3.2, 3e-4), Side::Right, "Blanes–Moan", Hue::Blue)?;
-    plot.label((3.2, 3e-5), Side::Right, "DOP853", Hue::Pink)?;
     Ok(drawing)
 }
 
 /// The steps of DOP853 along the motion of a hoop that waits and flips.
 pub(crate) fn method_steps(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 430.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 380.0).titled(
         "The steps that DOP853 chooses for the hoop pinned at 89.9 degrees",
         "Two panels against the time from 0 to 150. Above, the component of omega along the tangent: a third, then minus a third from 28 to 84, then a third again. Below, the length of the steps on a logarithmic \
          scale from 0.1 to 10: about 1 during each flip, and up to four times as long while the hoop waits.",
@@ -224,7 +230,7 @@ pub(crate) fn method_steps(id: &str) -> Outcome {
     let span = 150.0;
     let time = || Axis::linear(0.0, span, 30.0).map(|axis| axis.minor(10.0));
     let omega = Axis::linear(-0.4, 0.4, 0.4)?.minor(0.1).titled(r"$\omega_1$, in $\omega_0$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, 560.0, 110.0), time()?.unlabelled(), omega)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 320.0, 100.0), time()?.unlabelled(), omega)?;
     plot.level(0.0, Stroke::Reference);
     let values = linear_steps(0.0, span, 1500)
         .map(|time| Ok((time, top.at(time)?.omega_body.x)))
@@ -243,8 +249,8 @@ pub(crate) fn method_steps(id: &str) -> Outcome {
     lengths.pop(); // cut short by the end
     let length = Axis::log(0.1, 10.0, 1)?.titled(r"step, in $1/\omega_0$");
     let time = time()?.titled(r"time, in $1/\omega_0$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 190.0, 560.0, 190.0), time, length)?;
-    plot.series("steps", &lengths, Marker::Disc, Hue::Pink);
+    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 176.0, 320.0, 160.0), time, length)?;
+    plot.series("steps", &lengths, Look::DOP853.marker, Look::DOP853.hue);
     plot.label((40.0, 0.2), Side::Right, "a marker for each step", Hue::Pink)?;
     Ok(drawing)
 }
@@ -284,45 +290,45 @@ fn errors(method: Fixed, rounds: usize) -> Result<Errors, Cause> {
     Ok(found)
 }
 
-/// The four methods of the long run, with the place of each one's label in the two figures.
-const LONG_RUN: [(Fixed, &str, &str, Hue, [f64; 2]); 4] = [
-    (Fixed::Rk4, "rk4", "RK4", Hue::Orange, [6e-3, 6.0]),
-    (Fixed::Split(Splitting::Strang), "strang", "Strang", Hue::Green, [6e-5, 2.0]),
-    (Fixed::Dop853, "dop853", "DOP853", Hue::Pink, [7e-6, 0.45]),
-    (Fixed::Split(Splitting::BlanesMoan), "blanes-moan", "Blanes–Moan", Hue::Blue, [1.5e-7, 0.08]),
+/// The four methods of the long run, with the places of their labels in the two figures.
+const LONG_RUN: [(Fixed, &str, Look, Places); 4] = [
+    (Fixed::Rk4, "rk4", Look::RK4, [(150.0, 3e-3), (20.0, 1.2e-3)]),
+    (Fixed::Split(Splitting::Strang), "strang", Look::STRANG, [(2.0, 2e-4), (2.0, 8e-2)]),
+    (Fixed::Dop853, "dop853", Look::DOP853, [(6.0, 6e-10), (60.0, 3e-6)]),
+    (Fixed::Split(Splitting::BlanesMoan), "blanes-moan", Look::BLANES_MOAN, [(2.0, 6e-7), (85.0, 1.95e-2)]),
 ];
 
 /// Energy error against time.
 pub(crate) fn method_energy(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 390.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Energy errors of four methods over ten thousand rounds",
         "Both scales are logarithmic: rounds of the polhode from 1 to 10000, and the largest relative error of the energy so far. RK4 and DOP853 rise along straight lines of slope one, \
          those of the two splittings stay level.",
     );
     let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds of the polhode");
     let error = Axis::log(1e-10, 1.0, 2)?.titled("largest relative error of the energy so far");
-    let mut plot = Plot::new(&mut drawing, Rect::new(64.0, 34.0, 500.0, 300.0), rounds, error)?;
-    for (method, name, label, hue, place) in LONG_RUN {
-        plot.curve(name, errors(method, 10_000)?.energy, Stroke::Curve, hue);
-        plot.label((1e4, place[0]), Side::Right, label, hue)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 250.0), rounds, error)?;
+    for (method, name, look, place) in LONG_RUN {
+        plot.curve(name, errors(method, 10_000)?.energy, look.stroke, look.hue);
+        plot.label(place[0], Side::Right, look.name, look.hue)?;
     }
     Ok(drawing)
 }
 
 /// Attitude error against time.
 pub(crate) fn method_attitude(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 690.0, 390.0).titled(
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Attitude errors of four methods over ten thousand rounds",
         "Both scales are logarithmic: rounds of the polhode from 1 to 10000, and the largest error of the attitude so far, up to half a turn. RK4 and DOP853 rise with slope two, \
          the two splittings with slope one; Strang's begins highest and ends beside RK4 at half a turn, that of Blanes and Moan is the lowest in the end.",
     );
     let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds of the polhode");
     let error = Axis::log(1e-8, 10.0, 1)?.titled("largest error of the attitude so far, rad");
-    let mut plot = Plot::new(&mut drawing, Rect::new(64.0, 34.0, 500.0, 300.0), rounds, error)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 250.0), rounds, error)?;
     plot.level(PI, Stroke::Reference);
-    for (method, name, label, hue, place) in LONG_RUN {
-        plot.curve(name, errors(method, 10_000)?.attitude, Stroke::Curve, hue);
-        plot.label((1e4, place[1]), Side::Right, label, hue)?;
+    for (method, name, look, place) in LONG_RUN {
+        plot.curve(name, errors(method, 10_000)?.attitude, look.stroke, look.hue);
+        plot.label(place[1], Side::Right, look.name, look.hue)?;
     }
     Ok(drawing)
 }

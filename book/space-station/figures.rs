@@ -44,9 +44,10 @@ fn station_in(stage: &mut Stage, attitude: &UnitQuaternion<f64>) -> Result<(), C
 pub(crate) fn station(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 400.0).titled(
         "The station at the moment of the blow",
-        "A wheel with hub and spokes, seen from above at an angle, with axes 1 and 2 in its plane and 3 upright. From below a meteor comes \
-         to the rim where axis 2 meets it, and the impulse P points up there. From the hub the new angular velocity omega leans from \
-         axis 3 towards axis 1 by the angle theta, and the angular momentum L by the smaller angle theta L.",
+        "A wheel with hub and spokes, seen from above at an angle, with axes 1 and 2 in its plane and 3 \
+         upright. From below a meteor comes to the rim where axis 2 meets it, and the impulse P points up \
+         there. From the hub the new angular velocity omega leans from axis 3 towards axis 1 by the angle \
+         theta, and the angular momentum L by the smaller angle theta L.",
     );
     let struck = struck(STRONG)?;
     let mut stage = Stage::new(Camera::new(View {
@@ -114,7 +115,8 @@ fn sky(
     count: u32,
     clear: (f64, f64),
 ) -> Result<(Drawing, Point), Cause> {
-    let mut drawing = Drawing::new("", 220.0, 260.0).titled(&format!("The sky from the hub {below}"), description);
+    let title = format!("The sky from the hub {below}");
+    let mut drawing = Drawing::new("", 220.0, 260.0).titled(&title, description);
     let mut plot = Plot::plane(&mut drawing, MIDDLE, RADIUS_OF_PICTURE, 1.0)?;
     let mut ends = Vec::new();
     for (star, direction) in stars(count).enumerate() {
@@ -148,7 +150,8 @@ pub(crate) fn crew_sky(id: &str) -> Outcome {
         [
             "before",
             "before the blow",
-            "Short arcs of circles about the middle of the picture, where axis 3 points; stars go round it counter-clockwise.",
+            "Short arcs of circles about the middle of the picture, where axis 3 points; stars go round it \
+             counter-clockwise.",
         ],
         &calm,
         (0.0, turn / 9.0),
@@ -161,8 +164,8 @@ pub(crate) fn crew_sky(id: &str) -> Outcome {
         [
             "after",
             "just after it",
-            "Short arcs again, but about a pole above the middle, in the direction of the angular velocity omega. An arrow shows \
-             that this pole itself goes round the middle, clockwise.",
+            "Short arcs again, but about a pole above the middle, in the direction of the angular velocity \
+             omega. An arrow shows that this pole itself goes round the middle, clockwise.",
         ],
         &struck,
         (0.0, exposure),
@@ -182,7 +185,8 @@ pub(crate) fn crew_sky(id: &str) -> Outcome {
         [
             "turn",
             "a whole turn, shutter open",
-            "Long trails that cross each other: each star draws nearly an ellipse about the middle, some round, some flat.",
+            "Long trails that cross each other: each star draws nearly an ellipse about the middle, some \
+             round, some flat.",
         ],
         &struck,
         (0.0, turn),
@@ -224,8 +228,9 @@ pub(crate) fn station_views(id: &str) -> Outcome {
 
     let (mut room, mut stage) = view(
         "The struck station in the room",
-        "The angular momentum L stands upright and still. The wheel leans; its axis 3 goes round L on a circle, counter-clockwise from above, \
-         and the angular velocity omega, on the other side of L, goes round with it.",
+        "The angular momentum L stands upright and still. The wheel leans; its axis 3 goes round L on a \
+         circle, counter-clockwise from above, and the angular velocity omega, on the other side of L, \
+         goes round with it.",
     )?;
     let start = struck.at(in_room)?;
     station_in(&mut stage, &(upright * start.world_from_body))?;
@@ -245,8 +250,8 @@ pub(crate) fn station_views(id: &str) -> Outcome {
 
     let (mut board, mut stage) = view(
         "The struck station on board",
-        "The wheel lies level and its axis 3 stands upright. The angular velocity omega and, nearer to the axis, the angular momentum L \
-         go round it on circles, counter-clockwise from above.",
+        "The wheel lies level and its axis 3 stands upright. The angular velocity omega and, nearer to the \
+         axis, the angular momentum L go round it on circles, counter-clockwise from above.",
     )?;
     station_in(&mut stage, &UnitQuaternion::identity())?;
     let omega = |time: f64| Ok(struck.at(on_board + time)?.omega_body.normalize() * length);
@@ -305,7 +310,8 @@ fn rolling_cones(
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
     let contact = Curve::segment([0.0; 3], omega * length)?.hiding(Hiding::Ignored);
     stage.curve(contact, Stroke::Curve, Hue::Orange)?;
-    stage.label(omega * 1.85, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    let side = if cut { Side::Right } else { Side::Above };
+    stage.label(omega * 1.85, side, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.write(&mut drawing);
     drawing.label(at(165.0, 318.0), Side::Over, name, Hue::Ink)?;
     Ok(drawing)
@@ -321,9 +327,9 @@ pub(crate) fn cones_roll(id: &str) -> Outcome {
     let flat = rolling_cones(
         [
             "The cones of the station",
-            "A narrow cone stands upright about the angular momentum L; it is fixed in space. A wide cone, about the axis 3 of the station, \
-             which leans to the left, is cut open; the narrow one stands inside it, and the two touch along the angular velocity omega, to \
-             the right of L.",
+            "A narrow cone stands upright about the angular momentum L; it is fixed in space. A wide cone, \
+             about the axis 3 of the station, which leans to the left, is cut open; the narrow one stands \
+             inside it, and the two touch along the angular velocity omega, to the right of L.",
             "flat: rolls round it like a hula hoop",
         ],
         &top(2.0, 40.0)?,
@@ -333,8 +339,9 @@ pub(crate) fn cones_roll(id: &str) -> Outcome {
     let long = rolling_cones(
         [
             "The cones of a long body",
-            "The cone about the angular momentum L, fixed in space, stands upright; the cone about the axis 3 of the body lies beside it, to the \
-             left. They touch from outside along the angular velocity omega, between L and 3.",
+            "The cone about the angular momentum L, fixed in space, stands upright; the cone about the \
+             axis 3 of the body lies beside it, to the left. They touch from outside along the angular \
+             velocity omega, between L and 3.",
             "long: rolls on its outside",
         ],
         &top(0.4, 20.0)?,
@@ -348,10 +355,11 @@ pub(crate) fn cones_roll(id: &str) -> Outcome {
 pub(crate) fn nodding(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 430.0).titled(
         "Nods in the room and turns on board",
-        "Two curves against time in turns of the old spin, from 0 to 4, one above the other. Above, how far the axis of the station is to one side \
-         of the angular momentum: a wave that swings a little more than eight times, through dots from a simulation. A dashed wave, the \
-         source's claim, swings four times. Below, how far the angular velocity is to one side of the axis on board: a wave \
-         that swings four times.",
+        "Two curves against time in turns of the old spin, from 0 to 4, one above the other. Above, how \
+         far the axis of the station is to one side of the angular momentum: a wave that swings a little \
+         more than eight times, through dots from a simulation. A dashed wave, the source's claim, swings \
+         four times. Below, how far the angular velocity is to one side of the axis on board: a wave that \
+         swings four times.",
     );
     let struck = struck(IMPULSE)?;
     let period = TAU / SPIN;
@@ -375,7 +383,8 @@ pub(crate) fn nodding(id: &str) -> Outcome {
         Ok(Axis::linear(-1.0, 1.0, 1.0)?.marked(&[(-1.0, "−1"), (0.0, "0"), (1.0, "1")]).titled(title))
     };
     let nods = 4.0 * struck.nodding_rate() / SPIN;
-    let upper = side(&format!(r"in the room, $\hat{{\mathbf{{3}}}}$ about $\boldsymbol{{L}}$: ${nods:.1}$ nods"))?;
+    let nodded = format!(r"in the room, $\hat{{\mathbf{{3}}}}$ about $\boldsymbol{{L}}$: ${nods:.1}$ nods");
+    let upper = side(&nodded)?;
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 340.0, 130.0), turns("")?, upper)?;
     let wave = |rate: f64| linear_steps(0.0, 4.0, 800).map(move |t| (t, (rate * t * period).cos()));
     plot.curve("claimed", wave(SPIN), Stroke::DashedCurve, Hue::Muted);

@@ -4,95 +4,61 @@
 #[path = "../../benches/speed/measured.rs"]
 pub(crate) mod measured;
 
-use crate::{Axis, Cause, Outcome, Plot};
-use drawing::kit::Marker;
-use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use crate::{Axis, Cause, Look, Outcome, Plot};
+use drawing::kit::{self, Marker};
+use drawing::{Drawing, Hue, Label, Rect, Role, Shape, Side, at};
 use measured::{Measurement, NATIVE, front, methods, parse, seconds_front};
 
+/// The problems, in the order of the report, with their words.
+const PROBLEMS: [(&str, &str); 9] = [
+    ("washer", "two hundred turns of a washing machine"),
+    ("ramp", "a washing machine that passes its resonance"),
+    ("hoop", "a thousand periods of the pinned hoop"),
+    ("separatrix", "the pinned hoop beside its separatrix"),
+    ("disk", "two hundred precessions of a rolling disk"),
+    ("rest", "a disk that rolls to rest"),
+    ("toss", "a tossed coin"),
+    ("station", "a struck space station"),
+    ("drag", "a disc that spins down in air"),
+];
+
+/// The others, with their markers; all are grey.
+const PEERS: [(&str, Marker); 7] = [
+    ("heyoka", Marker::Triangle),
+    ("ivp", Marker::Disc),
+    ("differential-equations", Marker::Square),
+    ("ode_solvers", Marker::Diamond),
+    ("diffsol", Marker::Ring),
+    ("scipy", Marker::Cross),
+    ("mujoco", Marker::Plus),
+];
+
+/// The type size of names in plots, px.
+const TYPE: f64 = 13.0;
+
 /// A contestant's method, and its errors with what they cost.
-type Series<'a> = ((&'a str, &'a str), Vec<(f64, f64)>);
+type Series = ((String, String), Vec<(f64, f64)>);
 
 /// The committed measurements.
 pub(crate) fn measurements() -> Result<Vec<Measurement>, Cause> {
     Ok(parse(include_str!("measured.csv"))?)
 }
 
-/// How a method is drawn: its label, marker and hue.
-fn look((contestant, method): (&str, &str)) -> (String, Marker, Hue) {
-    match (contestant, method) {
-        ("mechanics", "DOP853") => ("DOP853".into(), Marker::Disc, Hue::Blue),
-        ("mechanics", "RK4") => ("RK4".into(), Marker::Square, Hue::Orange),
-        ("mechanics", "closed form" | "half a wobble") => (method.into(), Marker::Diamond, Hue::Green),
-        ("mechanics", "Taylor") => (method.into(), Marker::Triangle, Hue::Pink),
-        ("mechanics", _) => (method.into(), Marker::Ring, Hue::Purple),
-        ("heyoka", _) => (contestant.into(), Marker::Triangle, Hue::Muted),
-        ("ivp", _) => (contestant.into(), Marker::Disc, Hue::Muted),
-        ("differential-equations" | "mujoco", _) => (contestant.into(), Marker::Square, Hue::Muted),
-        ("ode_solvers", _) => (contestant.into(), Marker::Diamond, Hue::Muted),
-        _ => (contestant.into(), Marker::Ring, Hue::Muted),
+/// How a method is drawn: its marker and hue, and the name that stands beside it if it is the library's.
+fn look(contestant: &str, method: &str) -> Result<(Marker, Hue, Option<String>), Cause> {
+    if contestant != "mechanics" {
+        let peer = PEERS.iter().find(|(name, _)| *name == contestant);
+        let (_, marker) = peer.ok_or_else(|| format!("{contestant} has no marker"))?;
+        return Ok((*marker, Hue::Muted, None));
     }
+    // Half a wobble is a motion that is followed once, and then known.
+    let look = Look::of(if method == "half a wobble" { "closed form" } else { method });
+    let look = look.ok_or_else(|| format!("{method} has no look"))?;
+    Ok((look.marker, look.hue, Some(method.to_owned())))
 }
 
-/// The powers of ten between which all values lie, with room for a label at the lowest.
-fn decades(values: impl Iterator<Item = f64> + Clone) -> (f64, f64) {
-    let (least, most) = (values.clone().fold(f64::INFINITY, f64::min), values.fold(0.0, f64::max));
-    (10.0_f64.powf((least.log10() - 0.2).floor()), 10.0_f64.powf(most.log10().ceil()))
-}
-
-/// Places for labels near the wished ones, in the same order, at least `gap` apart, between two bounds.
-fn spread(wished: &[f64], gap: f64, (from, to): (f64, f64)) -> Vec<f64> {
-    let mut places = wished.to_vec();
-    let mut free = from;
-    for place in &mut places {
-        *place = place.max(free);
-        free = *place + gap;
-    }
-    let mut free = to;
-    for place in places.iter_mut().rev() {
-        *place = place.min(free);
-        free = *place - gap;
-    }
-    places
-}
-
-pub(crate) fn speed_washer(id: &str) -> Outcome {
-    time(id, "washer", "two hundred turns of a washing machine")
-}
-
-pub(crate) fn speed_ramp(id: &str) -> Outcome {
-    time(id, "ramp", "a washing machine that passes its resonance")
-}
-
-pub(crate) fn speed_hoop(id: &str) -> Outcome {
-    time(id, "hoop", "a thousand periods of the pinned hoop")
-}
-
-pub(crate) fn speed_separatrix(id: &str) -> Outcome {
-    time(id, "separatrix", "the pinned hoop beside its separatrix")
-}
-
-pub(crate) fn speed_disk(id: &str) -> Outcome {
-    time(id, "disk", "two hundred precessions of a rolling disk")
-}
-
-pub(crate) fn speed_rest(id: &str) -> Outcome {
-    time(id, "rest", "a disk that rolls to rest")
-}
-
-pub(crate) fn speed_toss(id: &str) -> Outcome {
-    time(id, "toss", "a tossed coin")
-}
-
-pub(crate) fn speed_station(id: &str) -> Outcome {
-    time(id, "station", "a struck space station")
-}
-
-pub(crate) fn speed_drag(id: &str) -> Outcome {
-    time(id, "drag", "a disc that spins down in air")
-}
-
-/// Error against time on one problem: all contestants.
-fn time(id: &str, problem: &str, words: &str) -> Outcome {
+/// All methods on a problem, the library's last, over the others.
+fn series(problem: &str) -> Result<Vec<Series>, Cause> {
     let rows = measurements()?;
     let mut series = Vec::new();
     for name in methods(&rows, problem) {
@@ -103,50 +69,128 @@ fn time(id: &str, problem: &str, words: &str) -> Outcome {
         let values = seconds_front(&rows, problem, name).into_iter().filter(|(error, _)| *error < 1.0);
         let values: Vec<(f64, f64)> = values.map(|(error, seconds)| (error, 1e3 * seconds)).collect();
         if !values.is_empty() {
-            series.push((name, values));
+            series.push(((name.0.to_owned(), name.1.to_owned()), values));
         }
     }
-    let description = describe(&series);
+    series.sort_by_key(|((contestant, _), _)| contestant == "mechanics");
+    Ok(series)
+}
+
+/// Puts a name beside a series where it touches nothing, if there is such a place.
+fn name_series(plot: &mut Plot<'_>, values: &[(f64, f64)], name: &str, hue: Hue) -> Result<bool, Cause> {
+    let frame = plot.frame();
+    let places: Vec<_> = values.iter().map(|&value| plot.at(value)).collect();
+    let sides = [Side::Below, Side::BelowLeft, Side::Left, Side::Right, Side::BelowRight, Side::Above, Side::AboveLeft, Side::AboveRight];
+    for gap in [6.0, 10.0, 16.0, 24.0] {
+        for side in sides {
+            for &place in &places {
+                let label = Label::new(name, TYPE)?.placed(place, side, gap);
+                let room = label.bounds.grown(2.0);
+                let inside = room.left > frame.left && room.right < frame.right + 8.0;
+                let inside = inside && room.top > frame.top - 8.0 && room.bottom < frame.bottom;
+                let touched = plot.drawing().items().iter().any(|item| match &item.shape {
+                    Shape::Label(other) => other.bounds.overlaps(&room),
+                    shape => {
+                        let points = shape.points();
+                        points.iter().any(|&point| room.contains(point)) || !drawing::clip(&points, &room).is_empty()
+                    }
+                });
+                if inside && !touched {
+                    plot.drawing().push(Role::Text(hue), Shape::Label(label));
+                    return Ok(true);
+                }
+            }
+        }
+    }
+    Ok(false)
+}
+
+/// Draws error against time on one problem into a frame, under names that begin with `prefix`.
+fn draw_problem(drawing: &mut Drawing, frame: Rect, problem: &str, prefix: &str, titles: bool) -> Result<(), Cause> {
+    let mut error = Axis::log(1e-16, 1.0, 4)?;
+    let mut cost = Axis::log(1e-3, 1e4, 1)?;
+    if titles {
+        (error, cost) = (error.titled("largest error"), cost.titled("time, ms"));
+    }
+    let mut plot = Plot::new(drawing, frame, error, cost)?;
+    let series = series(problem)?;
+    for ((contestant, method), values) in &series {
+        let (marker, hue, _) = look(contestant, method)?;
+        let name = format!("{prefix}{contestant} {method}").replace([' ', '(', ')'], "-");
+        plot.series(&name, values, marker, hue);
+    }
+    if prefix.is_empty() {
+        return name_all(&mut plot, &series);
+    }
+    let title = Label::new(problem, 14.0)?.placed(at(frame.right, frame.top - 14.0), Side::Left, 0.0);
+    plot.drawing().push(Role::Text(Hue::Ink), Shape::Label(title));
+    name_all(&mut plot, &series)
+}
+
+fn name_all(plot: &mut Plot<'_>, series: &[Series]) -> Result<(), Cause> {
+    for ((contestant, method), values) in series {
+        if let (_, hue, Some(name)) = look(contestant, method)? {
+            name_series(plot, values, &name, hue)?; // the key has it too
+        }
+    }
+    Ok(())
+}
+
+/// Draws the markers of all methods with their names, in two columns, the library's above.
+fn draw_key(drawing: &mut Drawing, corner: drawing::Point) -> Result<(), Cause> {
+    let ours = [Look::EXACT, Look::DOP853, Look::RK4, Look::TAYLOR].map(|look| (look.name, look.marker, look.hue));
+    let others = PEERS.map(|(name, marker)| (name, marker, Hue::Muted));
+    for (place, (name, marker, hue)) in ours.into_iter().chain(others).enumerate() {
+        let (column, row) = ((place % 2) as f64, (place / 2) as f64);
+        let point = corner + at(180.0 * column, 20.0 * row);
+        kit::marker(drawing, point, marker, hue);
+        let label = Label::new(name, TYPE)?.placed(point, Side::Right, 10.0);
+        drawing.push(Role::Text(hue), Shape::Label(label));
+    }
+    Ok(())
+}
+
+/// Error against time on one problem, with the key.
+fn alone(id: &str, problem: &str) -> Outcome {
+    let (_, words) = PROBLEMS.into_iter().find(|(name, _)| *name == problem).ok_or("a problem of the report")?;
+    let description = describe(&series(problem)?);
     let mut drawing =
-        Drawing::new(id, 680.0, 400.0).titled(&format!("Error against time for {words}"), &description);
-    let all = series.iter().flat_map(|(_, values)| values).copied();
-    let (least, most) = decades(all.clone().map(|(_, time)| time));
-    let (_, coarsest) = decades(all.map(|(error, _)| error));
-    let error = Axis::log(1e-16, coarsest.clamp(1e-2, 1.0), 4)?.titled("largest error");
-    let cost = Axis::log(least, most, 1)?.titled("time, ms");
-    let frame = Rect::new(62.0, 34.0, 440.0, 312.0);
-    let mut plot = Plot::new(&mut drawing, frame, error, cost)?;
-    // Peers lie beneath.
-    series.sort_by_key(|((contestant, _), _)| *contestant == "mechanics");
-    let mut ends = Vec::new();
-    for (name, values) in &series {
-        let (label, marker, hue) = look(*name);
-        plot.series(&format!("{} {}", name.0, name.1).replace([' ', '(', ')'], "-"), values, marker, hue);
-        let shown = values.iter().find(|&&value| plot.frame().grown(0.5).contains(plot.at(value)));
-        if let Some(&end) = shown {
-            ends.push((end, label, hue, name.1 == "closed form"));
-        }
-    }
-    let (alone, ends): (Vec<_>, Vec<_>) = ends.into_iter().partition(|&(.., alone)| alone);
-    for (end, label, hue, _) in alone {
-        plot.label(end, Side::Right, &label, hue)?;
-    }
-    // Labels stand in a column, in the order of the ends of their curves, each with a line to its own.
-    let mut ends: Vec<_> = ends.into_iter().map(|(end, label, hue, _)| (plot.at(end), label, hue)).collect();
-    ends.sort_by(|a, b| a.0.y.total_cmp(&b.0.y));
-    let wished: Vec<f64> = ends.iter().map(|(end, ..)| end.y).collect();
-    let places = spread(&wished, 18.0, (frame.top, frame.bottom - 4.0));
-    for ((end, label, hue), y) in ends.into_iter().zip(places) {
-        let drawing = plot.drawing();
-        let foot = at(frame.right + 14.0, y);
-        drawing.line(end.towards(foot, 6.0 / (foot - end).length().max(12.0)), foot, Stroke::Dotted, hue);
-        drawing.label(foot, Side::Right, &label, hue)?;
-    }
+        Drawing::new(id, 390.0, 440.0).titled(&format!("Error against time for {words}"), &description);
+    draw_problem(&mut drawing, Rect::new(50.0, 34.0, 320.0, 230.0), problem, "", true)?;
+    draw_key(&mut drawing, at(58.0, 326.0))?;
     Ok(drawing)
 }
 
+pub(crate) fn speed_washer(id: &str) -> Outcome {
+    alone(id, "washer")
+}
+
+pub(crate) fn speed_hoop(id: &str) -> Outcome {
+    alone(id, "hoop")
+}
+
+/// Error against time on all nine problems, on the same axes.
+pub(crate) fn speed_problems(id: &str) -> Outcome {
+    let mut panels = Vec::new();
+    for (place, (problem, words)) in PROBLEMS.into_iter().enumerate() {
+        let description = describe(&series(problem)?);
+        let title = format!("Error against time for {words}");
+        let mut drawing = Drawing::new("", 300.0, 270.0).titled(&title, &description);
+        let frame = Rect::new(44.0, 44.0, 240.0, 180.0);
+        draw_problem(&mut drawing, frame, problem, &format!("{problem} "), place == 0)?;
+        panels.push(drawing);
+    }
+    let mut key = Drawing::new("", 390.0, 140.0).titled(
+        "Key",
+        "The markers: the library’s closed form a blue diamond, DOP853 a pink square, RK4 an orange disc, Taylor a purple triangle; the other programs, all grey: heyoka triangles, ivp discs, differential-equations squares, ode_solvers diamonds, diffsol rings, scipy crosses, mujoco plus signs.",
+    );
+    draw_key(&mut key, at(20.0, 20.0))?;
+    panels.push(key);
+    Ok(Drawing::panels(id, panels))
+}
+
 /// The figure in words: who is how fast at what error.
-fn describe(series: &[Series<'_>]) -> String {
+fn describe(series: &[Series]) -> String {
     let mut text = String::from("Both scales are logarithmic, error along x and milliseconds along y.");
     for ((contestant, method), values) in series {
         if let (Some(first), Some(last)) = (values.first(), values.last()) {
@@ -165,40 +209,41 @@ fn describe(series: &[Series<'_>]) -> String {
 
 /// Error against evaluations of the rates, for the library's steppers on all problems.
 pub(crate) fn speed_work(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 680.0, 686.0).titled(
+    let rows = measurements()?;
+    let mut panels = Vec::new();
+    for (place, (problem, _)) in PROBLEMS.into_iter().enumerate() {
+        let mut drawing = Drawing::new("", 206.0, 220.0);
+        let frame = Rect::new(42.0, 44.0, 136.0, 130.0);
+        let mut error = Axis::log(1e-12, 1.0, 4)?;
+        let mut evaluations = Axis::log(1e3, 1e8, 1)?;
+        if place == 0 {
+            (error, evaluations) = (error.titled("largest error"), evaluations.titled("evaluations"));
+        }
+        let mut plot = Plot::new(&mut drawing, frame, error, evaluations)?;
+        let mut fronts = Vec::new();
+        for method in ["RK4", "DOP853"] {
+            let (marker, hue, _) = look("mechanics", method)?;
+            let mine = |row: &&Measurement| {
+                row.problem == problem && row.contestant == "mechanics" && row.method == method
+            };
+            let pairs = rows.iter().filter(mine);
+            let values = front(pairs.filter_map(|row| Some((row.error, row.evaluations? as f64))));
+            plot.series(&format!("{problem}-{method}"), &values, marker, hue);
+            fronts.push((method, values, hue));
+        }
+        for (method, values, hue) in fronts.iter().filter(|_| place == 0) {
+            if !name_series(&mut plot, values, method, *hue)? {
+                return Err(format!("there is no room for {method}").into());
+            }
+        }
+        let title = Label::new(problem, 14.0)?.placed(at(frame.right, frame.top - 14.0), Side::Left, 0.0);
+        drawing.push(Role::Text(Hue::Ink), Shape::Label(title));
+        panels.push(drawing);
+    }
+    Ok(Drawing::panels(id, panels).titled(
         "Error against evaluations of the rates",
         "Nine plots with logarithmic scales, the error along x and the number of evaluations along y, one for each problem. In each the \
          number grows with every digit, for the Runge-Kutta method of order four by a factor of 1.8 and for DOP853 by about 1.3, so \
          that their curves cross or draw apart towards small errors. Next to the separatrix neither comes below an error of a thousandth.",
-    );
-    let rows = measurements()?;
-    let problems =
-        ["washer", "ramp", "hoop", "separatrix", "disk", "rest", "toss", "station", "drag"];
-    for (place, problem) in problems.into_iter().enumerate() {
-        let (column, row) = ((place % 3) as f64, (place / 3) as f64);
-        let frame = Rect::new(50.0 + 218.0 * column, 40.0 + 216.0 * row, 176.0, 150.0);
-        let mut error = Axis::log(1e-12, 1.0, 4)?;
-        let mut evaluations = Axis::log(1e3, 1e8, 1)?;
-        if place == 8 {
-            error = error.titled("largest error");
-        }
-        if place == 0 {
-            evaluations = evaluations.titled("evaluations of the rates");
-        }
-        let mut plot = Plot::new(&mut drawing, frame, error, evaluations)?;
-        for method in ["RK4", "DOP853"] {
-            let (label, marker, hue) = look(("mechanics", method));
-            let mine = |row: &&Measurement| row.problem == problem && row.contestant == "mechanics" && row.method == method;
-            let pairs = rows.iter().filter(mine);
-            let values = front(pairs.filter_map(|row| Some((row.error, row.evaluations? as f64))));
-            plot.series(&format!("{problem}-{method}"), &values, marker, hue);
-            if let (0, Some(&coarse), Some(&fine)) = (place, values.first(), values.last()) {
-                let (end, side) = if method == "RK4" { (fine, Side::Above) } else { (coarse, Side::Below) };
-                plot.label(end, side, &label, hue)?;
-            }
-        }
-        let name = at(frame.right, frame.top + 2.0);
-        plot.drawing().label(name, Side::Left, problem, Hue::Ink)?;
-    }
-    Ok(drawing)
+    ))
 }

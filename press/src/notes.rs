@@ -1,7 +1,7 @@
 //! Notes in the margin, written as footnotes: each is referred to once and defined once.
 
 use crate::fault::Reporter;
-use crate::page::Note;
+use crate::page::{Note, Words};
 use pulldown_cmark::{CowStr, Event, Tag, TagEnd};
 use std::collections::{BTreeMap, HashSet};
 use std::ops::Range;
@@ -25,8 +25,8 @@ pub(crate) fn defined<'a>(
                 format!("the name of the footnote `[^{name}]` may hold only lower-case letters, digits and hyphens"),
             );
         }
-        let body = events[n + 1..].iter().map(|(event, _)| event);
-        let body = body.take_while(|event| !matches!(event, Event::End(TagEnd::FootnoteDefinition)));
+        let body = events[n + 1..].iter();
+        let body = body.take_while(|(event, _)| !matches!(event, Event::End(TagEnd::FootnoteDefinition)));
         let note =
             Note { name: name.to_string(), words: words(body, name, range, report), offset: range.start };
         if notes.insert(note.name.clone(), note).is_some() {
@@ -49,17 +49,17 @@ pub(crate) fn only_marks(text: &str) -> bool {
 
 /// The words of a note, which are one paragraph.
 fn words<'a, 'e>(
-    body: impl Iterator<Item = &'e Event<'a>>,
+    body: impl Iterator<Item = &'e (Event<'a>, Range<usize>)>,
     name: &CowStr<'_>,
     range: &Range<usize>,
     report: &mut Reporter<'_>,
-) -> Vec<Event<'a>>
+) -> Words<'a>
 where
     'a: 'e,
 {
     let mut words = Vec::new();
     let (mut paragraphs, mut foreign) = (0, false);
-    for event in body {
+    for (event, place) in body {
         match event {
             Event::Start(Tag::Paragraph) => paragraphs += 1,
             Event::End(TagEnd::Paragraph) => {}
@@ -68,7 +68,7 @@ where
             | Event::Text(_)
             | Event::Code(_)
             | Event::InlineMath(_)
-            | Event::SoftBreak => words.push(event.clone()),
+            | Event::SoftBreak => words.push((event.clone(), place.start)),
             _ => foreign = true,
         }
     }

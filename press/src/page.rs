@@ -71,24 +71,26 @@ pub(crate) enum Mention {
     Source(u32),
 }
 
+/// Words that the press prints as HTML, each piece with its place on the page.
+pub(crate) type Words<'a> = Vec<(Event<'a>, usize)>;
+
 /// A table: its rows of cells, of which the first holds the names of the columns.
 #[derive(Debug, Default)]
 pub(crate) struct Table<'a> {
     pub(crate) rows: Vec<Vec<Cell<'a>>>,
 }
 
-/// A cell of a table, and where it stands on the page.
-#[derive(Debug)]
+/// A cell of a table.
+#[derive(Debug, Default)]
 pub(crate) struct Cell<'a> {
-    pub(crate) words: Vec<Event<'a>>,
-    pub(crate) offset: usize,
+    pub(crate) words: Words<'a>,
 }
 
 /// A note in the margin: `[^name]` in the text and `[^name]: words` below it.
 #[derive(Debug, Clone)]
 pub(crate) struct Note<'a> {
     pub(crate) name: String,
-    pub(crate) words: Vec<Event<'a>>,
+    pub(crate) words: Words<'a>,
     /// Where the words stand on the page.
     pub(crate) offset: usize,
 }
@@ -105,18 +107,16 @@ pub(crate) enum Item<'a> {
     },
     Figure {
         label: Label,
-        caption: Vec<Event<'a>>,
+        caption: Words<'a>,
     },
     Table {
         table: Table<'a>,
-        caption: Vec<Event<'a>>,
-        /// Where the caption stands.
-        below: usize,
+        caption: Words<'a>,
     },
     /// A table that the library gives.
     LibraryTable {
         name: String,
-        caption: Vec<Event<'a>>,
+        caption: Words<'a>,
     },
     Heading {
         level: u8,

@@ -5,7 +5,7 @@ use crate::book::{Page, relative, resolve};
 use crate::fault::Faults;
 use crate::labels::Registry;
 use crate::maths::{Maths, Quantity};
-use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table};
+use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table, Words};
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
 use crate::ties::{self, BLANK};
@@ -153,8 +153,8 @@ impl Printer<'_, '_> {
         match item {
             Item::InlineMaths { tex } => self.inline(tex, offset + 1),
             Item::DisplayMaths { tex, label } => self.display(tex, label.as_ref(), offset),
-            Item::Figure { label, caption } => self.figure(label, caption, offset),
-            Item::Table { table, caption, below } => Some(self.table(table, caption, *below)),
+            Item::Figure { label, caption } => self.figure(label, caption),
+            Item::Table { table, caption } => Some(self.table(table, caption)),
             Item::LibraryTable { name, caption } => self.library_table(name, caption, offset),
             Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
             Item::Mention(mention) => {
@@ -245,14 +245,14 @@ impl Printer<'_, '_> {
         ))
     }
 
-    fn figure(&mut self, label: &Label, caption: &[Event<'_>], offset: usize) -> Option<String> {
+    fn figure(&mut self, label: &Label, caption: &Words<'_>) -> Option<String> {
         let figure = self.drawn.figures.iter().find(|figure| figure.id == label.written())?;
         let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
         let number = match number.as_str() {
             "" => String::new(), // on a page that belongs to no chapter
             number => format!("<span class=\"number\">Figure {number}.</span> "),
         };
-        let caption = self.words_of(caption, offset, "caption");
+        let caption = self.words_of(caption, "caption");
         let up = "../".repeat(self.page.path.matches('/').count());
         let class = if figure.wide { "figure wide" } else { "figure" };
         Some(format!(
@@ -265,36 +265,31 @@ impl Printer<'_, '_> {
     }
 
     /// A table that the library gives.
-    fn library_table(&mut self, name: &str, caption: &[Event<'_>], offset: usize) -> Option<String> {
+    fn library_table(&mut self, name: &str, caption: &Words<'_>, offset: usize) -> Option<String> {
         let Some((_, text)) = self.drawn.tables.iter().find(|(known, _)| known == name) else {
             self.fault(offset, format!("the library gives no table `{name}`"));
             return None;
         };
         let events: Vec<_> = Parser::new_ext(text, options()).into_offset_iter().collect();
         let mut table = tables::read(&events);
-        table.rows.iter_mut().flatten().for_each(|cell| cell.offset = offset);
-        Some(self.table(&table, caption, offset))
+        table.rows.iter_mut().flatten().flat_map(|cell| &mut cell.words).for_each(|word| word.1 = offset);
+        Some(self.table(&table, caption))
     }
 
     /// A table as HTML, on as many lines as it has rows: no blank one, or Markdown would read on.
-    fn table(&mut self, table: &Table<'_>, caption: &[Event<'_>], offset: usize) -> String {
-        let caption = self.words_of(caption, offset, "caption");
+    fn table(&mut self, table: &Table<'_>, caption: &Words<'_>) -> String {
+        let caption = self.words_of(caption, "caption");
         let mut out =
             format!("<div class=\"table-wrapper\">\n<table>\n<caption>{caption}</caption>\n<thead>\n");
-        let columns = tables::decimals(table);
+        let columns = tables::columns(table);
         for (n, row) in table.rows.iter().enumerate() {
             out.push_str("<tr>");
-            for (cell, decimals) in row.iter().zip(&columns) {
+            for (cell, column) in row.iter().zip(&columns) {
                 let (element, scope) = if n == 0 { ("th", " scope=\"col\"") } else { ("td", "") };
-                let class = if decimals.is_some() { " class=\"number\"" } else { "" };
-                let words = self.words_of(&cell.words, cell.offset, "table");
-                let padding =
-                    decimals.filter(|_| n > 0).map(|most| tables::padding(cell, most)).unwrap_or_default();
-                let padding = match &*padding {
-                    "" => String::new(),
-                    padding => format!("<span class=\"pad\" data-pad=\"{padding}\"></span>"),
-                };
-                let _ = write!(out, "<{element}{scope}{class}>{words}{padding}</{element}>");
+                let class = if column.is_some() { " class=\"number\"" } else { "" };
+                let words = self.words_of(&cell.words, "table");
+                let room = column.filter(|_| n > 0).map(|most| tables::room(cell, most)).unwrap_or_default();
+                let _ = write!(out, "<{element}{scope}{class}>{words}{room}</{element}>");
             }
             out.push_str(if n == 0 { "</tr>\n</thead>\n<tbody>\n" } else { "</tr>\n" });
         }
@@ -310,9 +305,9 @@ impl Printer<'_, '_> {
         )
     }
 
-    fn note(&mut self, Note { name, words, offset }: &Note<'_>) -> String {
+    fn note(&mut self, Note { name, words, .. }: &Note<'_>) -> String {
         let number = self.notes.iter().position(|mark| mark == name).map_or(0, |at| at + 1);
-        let words = self.words_of(words, *offset, "note");
+        let words = self.words_of(words, "note");
         format!(
             "\n\n<aside class=\"note\" id=\"note-{name}\" role=\"doc-footnote\"><a class=\"note-number\" href=\"#noteref-{name}\" \
              aria-label=\"back to the text\">{number}</a> {words}</aside>\n\n"
@@ -320,14 +315,14 @@ impl Printer<'_, '_> {
     }
 
     /// A caption or a note as HTML: Markdown's own handwriting, mathematics and references.
-    fn words_of(&mut self, events: &[Event<'_>], offset: usize, what: &str) -> String {
+    fn words_of(&mut self, words: &Words<'_>, what: &str) -> String {
         let mut out = String::new();
         let mut printed: Vec<Event<'_>> = Vec::new();
         let mut before = String::new(); // as it is written, without its mathematics
         let mut taken = 0; // of the next text, by the formula before it
-        for (n, event) in events.iter().enumerate() {
-            let next = match events.get(n + 1) {
-                Some(Event::Text(text)) => text,
+        for (n, &(ref event, offset)) in words.iter().enumerate() {
+            let next = match words.get(n + 1) {
+                Some((Event::Text(text), _)) => text,
                 _ => "",
             };
             let html = match event {
@@ -585,6 +580,10 @@ mod tests {
             "The {momentum}angular *momentum*</span>, [so] and {spin}<math><mi>x</mi></math></span>."
         );
         assert!(page.contains(&expected), "{page}");
+        let page = printed("# A\n\n| a |\n|---|\n| [$x$ *so*]{.spin}, [b] |\n\nTable: [L]{.momentum}].\n");
+        let cell = format!("<td>{spin}<math><mi>x</mi></math> <em>so</em></span>, [b]</td>");
+        let caption = format!("<caption>{momentum}L</span>].</caption>");
+        assert!(page.contains(&cell) && page.contains(&caption), "{page}");
     }
 
     #[test]

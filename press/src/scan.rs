@@ -6,7 +6,7 @@ use crate::book::Page;
 use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
 use crate::maths::Quantity;
-use crate::page::{Item, Kind, Note, Placed};
+use crate::page::{Item, Kind, Note, Placed, Words};
 use crate::raw::{Find, RawHtml};
 use crate::{notes, outline, references, signs, snippets, tables, ties, written};
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Tag, TagEnd};
@@ -321,12 +321,16 @@ impl<'a> Scan<'a, '_> {
     }
 
     /// The words of a figure, or of a table of the library, and the `marks` of notes behind it.
-    fn caption(&self, next: usize, marks: &str) -> Vec<Event<'a>> {
+    fn caption(&self, next: usize, marks: &str) -> Words<'a> {
         let end = after(self.events, next, |tag| matches!(tag, TagEnd::Image));
         let behind = self.events[end..]
             .iter()
             .take_while(|(event, _)| !marks.is_empty() && !matches!(event, Event::End(_)));
-        self.events[next..end - 1].iter().chain(behind).map(|(event, _)| event.clone()).collect()
+        self.events[next..end - 1]
+            .iter()
+            .chain(behind)
+            .map(|(event, range)| (event.clone(), range.start))
+            .collect()
     }
 
     /// A table, with the caption below it.
@@ -345,7 +349,7 @@ impl<'a> Scan<'a, '_> {
             );
         }
         self.surroundings.end_of_table = place.end;
-        self.place(range.start..place.end, Item::Table { table, caption, below: place.start });
+        self.place(range.start..place.end, Item::Table { table, caption });
     }
 
     fn link(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {

@@ -190,6 +190,25 @@ fn plain(c: char) -> char {
     }
 }
 
+/// The letter or digit that one types for one of a mathematical alphabet.
+fn upright(c: char) -> char {
+    let code = u32::from(c);
+    let typed = match code {
+        0x1d400..=0x1d6a3 => match (code - 0x1d400) % 52 {
+            n @ 0..=25 => 0x41 + n,
+            n => 0x61 + n - 26,
+        },
+        0x1d6a8..=0x1d7c9 => match (code - 0x1d6a8) % 58 {
+            n @ 0..=24 => 0x391 + n,
+            n @ 26..=50 => 0x3b1 + n - 26,
+            _ => code,
+        },
+        0x1d7ce..=0x1d7ff => 0x30 + (code - 0x1d7ce) % 10,
+        _ => code,
+    };
+    char::from_u32(typed).unwrap_or(c)
+}
+
 /// What is no text, or none of its place.
 const LEFT_OUT: [&str; 7] = ["svg", "pre", "script", "style", "button", "template", "nav"];
 const LEFT_OUT_CLASSES: [&str; 4] = ["save", "note-mark", "note-number", "turn"];
@@ -287,7 +306,7 @@ impl Reader {
             let into = if self.in_heading { &mut section.title } else { &mut section.text };
             if self.in_maths {
                 let is_accent = |c: &char| "ˆ˜˙¨¯→\u{302}\u{303}\u{304}\u{307}\u{308}\u{20d7}".contains(*c);
-                into.extend(text.chars().filter(|c| !is_accent(c)));
+                into.extend(text.chars().filter(|c| !is_accent(c)).map(upright));
             } else {
                 into.push_str(text);
             }
@@ -319,6 +338,11 @@ mod tests {
             ["stormer's", "störmer's", "stormer", "störmer", "ω0", "axis"]
         );
         assert_eq!(words("of 1869: (1.24), 0.001523 e.g. ‘spin’"), ["of", "1869", "1.24", "e.g", "spin"]);
+    }
+
+    #[test]
+    fn letters_of_formulas_are_those_of_the_keyboard() {
+        assert_eq!("𝑳𝝎𝛀𝟑𝖨x𝐱𝚤ℎ".chars().map(upright).collect::<String>(), "LωΩ3Ixx𝚤ℎ");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Tables: their cells, and how a column of numbers is set.
 
-use crate::page::{Cell, Table};
+use crate::page::{Cell, Table, Words};
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::ops::Range;
 
@@ -17,7 +17,7 @@ pub(crate) fn read<'a>(events: &[(Event<'a>, Range<usize>)]) -> Table<'a> {
         match event {
             Event::End(TagEnd::Table) => break,
             Event::Start(Tag::TableHead | Tag::TableRow) => table.rows.push(Vec::new()),
-            Event::Start(Tag::TableCell) => cell = Some(Cell { words: Vec::new(), offset: range.start }),
+            Event::Start(Tag::TableCell) => cell = Some(Cell::default()),
             Event::End(TagEnd::TableCell) => {
                 if let (Some(row), Some(cell)) = (table.rows.last_mut(), cell.take()) {
                     row.push(cell);
@@ -25,7 +25,7 @@ pub(crate) fn read<'a>(events: &[(Event<'a>, Range<usize>)]) -> Table<'a> {
             }
             event => {
                 if let Some(cell) = &mut cell {
-                    cell.words.push(event.clone());
+                    cell.words.push((event.clone(), range.start));
                 }
             }
         }
@@ -37,15 +37,15 @@ pub(crate) fn read<'a>(events: &[(Event<'a>, Range<usize>)]) -> Table<'a> {
 pub(crate) fn caption<'a>(
     text: &str,
     events: &[(Event<'a>, Range<usize>)],
-) -> Option<(Vec<Event<'a>>, Range<usize>)> {
+) -> Option<(Words<'a>, Range<usize>)> {
     let Some((Event::Start(Tag::Paragraph), range)) = events.first() else {
         return None;
     };
     let first = text[range.clone()].strip_prefix(CAPTION)?;
-    let words = events[1..].iter().map(|(event, _)| event.clone());
-    let mut words: Vec<Event<'a>> =
-        words.take_while(|event| !matches!(event, Event::End(TagEnd::Paragraph))).collect();
-    if let Some(Event::Text(text)) = words.first_mut()
+    let words = events[1..].iter().map(|(event, range)| (event.clone(), range.start));
+    let mut words: Words<'a> =
+        words.take_while(|(event, _)| !matches!(event, Event::End(TagEnd::Paragraph))).collect();
+    if let Some((Event::Text(text), _)) = words.first_mut()
         && !first.trim().is_empty()
     {
         *text = text[CAPTION.len().min(text.len())..].to_owned().into();
@@ -53,17 +53,24 @@ pub(crate) fn caption<'a>(
     Some((words, range.clone()))
 }
 
-/// For each column of numbers how many decimals its cells have at most; `None` for any other column.
-pub(crate) fn decimals(table: &Table<'_>) -> Vec<Option<usize>> {
-    let columns = table.rows.first().map_or(0, Vec::len);
+/// A column of numbers: how many digits its cells have at most behind the point and in the power of ten.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Column {
+    decimals: usize,
+    power: usize,
+}
+
+/// Each column of a table that holds numbers; `None` for any other.
+pub(crate) fn columns(table: &Table<'_>) -> Vec<Option<Column>> {
+    let count = table.rows.first().map_or(0, Vec::len);
     let column = |n: usize| {
         let cells = table.rows.iter().skip(1).filter_map(|row| row.get(n)).map(plain);
-        let (mut numbers, mut most) = (0, 0);
+        let (mut numbers, mut most) = (0, Column::default());
         for cell in cells {
-            match cell.as_deref().map(fraction) {
-                Some(Some(fraction)) => {
+            match cell.as_deref().map(digits) {
+                Some(Some(Column { decimals, power })) => {
                     numbers += 1;
-                    most = most.max(fraction.len());
+                    most = Column { decimals: most.decimals.max(decimals), power: most.power.max(power) };
                 }
                 // A dash, or a word such as "none".
                 Some(None) if cell.as_ref().is_some_and(|word| is_word(word)) => {}
@@ -72,40 +79,47 @@ pub(crate) fn decimals(table: &Table<'_>) -> Vec<Option<usize>> {
         }
         (numbers > 1).then_some(most)
     };
-    (0..columns).map(column).collect()
+    (0..count).map(column).collect()
 }
 
-/// What is left out behind a cell so that its decimal point stands below the others: `.00`.
-pub(crate) fn padding(cell: &Cell<'_>, decimals: usize) -> String {
+/// The room that is left behind a cell so that its point stands below the others, as HTML: digits that it lacks,
+/// and those that its power of ten lacks.
+pub(crate) fn room(cell: &Cell<'_>, most: Column) -> String {
     let text = plain(cell).unwrap_or_default();
-    let missing = match fraction(&text) {
-        Some(fraction) => decimals - fraction.len(),
-        None if text.chars().count() == 1 => decimals, // a dash
-        None => 0,
+    let own = match digits(&text) {
+        Some(own) => own,
+        None if text.chars().count() == 1 => Column::default(), // a dash
+        None => most,
     };
-    let point = if missing == decimals && decimals > 0 { "." } else { "" };
-    if missing == 0 { String::new() } else { format!("{point}{}", "0".repeat(missing)) }
+    let missing = most.decimals.saturating_sub(own.decimals);
+    let point = if own.decimals == 0 && missing > 0 { "." } else { "" };
+    let digits = format!("{point}{}", "0".repeat(missing));
+    let power = if own.power > 0 { "0".repeat(most.power.saturating_sub(own.power)) } else { String::new() };
+    let pad = |element: &str, digits: &str| match digits {
+        "" => String::new(),
+        digits => format!("<{element} class=\"pad\" data-pad=\"{digits}\"></{element}>"),
+    };
+    pad("span", &digits) + &pad("sup", &power)
 }
 
 /// The text of a cell that is nothing but text.
 fn plain(cell: &Cell<'_>) -> Option<String> {
-    let pieces = cell.words.iter().map(|event| match event {
+    let pieces = cell.words.iter().map(|(event, _)| match event {
         Event::Text(text) => Some(text.as_ref()),
         _ => None,
     });
     pieces.collect()
 }
 
-/// The decimals of a number, without the power of ten behind them; `None` if the text is none.
-fn fraction(text: &str) -> Option<&str> {
-    let unsigned = text.trim().trim_start_matches(['-', '−']);
-    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
-    let (mantissa, power) = unsigned.split_once('e').unwrap_or((unsigned, "0"));
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    (digits(whole)
-        && (fraction.is_empty() || digits(fraction))
-        && digits(power.trim_start_matches(['-', '−'])))
-    .then_some(fraction)
+/// The digits of a number behind its point and in its power of ten; `None` if the text is none.
+fn digits(text: &str) -> Option<Column> {
+    let unsigned = |text: &str| text.trim_start_matches(['-', '−']).to_owned();
+    let count = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()).then_some(text.len());
+    let number = unsigned(text.trim());
+    let (mantissa, power) = number.split_once('e').unwrap_or((&number, ""));
+    let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    count(whole).filter(|&length| length > 0)?;
+    Some(Column { decimals: count(decimals)?, power: count(&unsigned(power))? })
 }
 
 fn is_word(text: &str) -> bool {
@@ -156,27 +170,28 @@ mod tests {
     use crate::scan::options;
     use pulldown_cmark::Parser;
 
-    /// The paddings of each column of numbers.
+    /// The room behind the cells of each column of numbers, shortened.
     fn set(rows: &str) -> Vec<Option<Vec<String>>> {
         let text = format!("| a | b |\n|---|---|\n{rows}");
         let events: Vec<_> = Parser::new_ext(&text, options()).into_offset_iter().collect();
         let table = read(&events[1..]);
-        let columns = decimals(&table).into_iter().enumerate().map(|(n, decimals)| {
-            decimals.map(|most| table.rows[1..].iter().map(|row| padding(&row[n], most)).collect())
+        let short = |html: String| {
+            html.replace(" class=\"pad\" data-pad=", "").replace("\"></span>", "").replace("\"></sup>", "")
+        };
+        let columns = columns(&table).into_iter().enumerate().map(|(n, column)| {
+            column.map(|most| table.rows[1..].iter().map(|row| short(room(&row[n], most))).collect())
         });
         columns.collect()
     }
 
     #[test]
     fn the_points_of_a_column_of_numbers_stand_below_one_another() {
+        let rooms = |rooms: &[&str]| Some(rooms.iter().map(|&room| room.to_owned()).collect::<Vec<_>>());
         let columns = set("| 1 | a |\n| 2.25 | 1 |\n| – | 2 |\n| none | 3 |\n| −0.5 | 4 |\n");
-        let numbers = [".00", "", ".00", "", "0"].map(str::to_owned).to_vec();
-        assert_eq!(columns, [Some(numbers), Some(vec![String::new(); 5])]);
+        assert_eq!(columns, [rooms(&["<span\".00", "", "<span\".00", "", "<span\"0"]), rooms(&[""; 5])]);
         assert_eq!(set("| 200 turns | $1$ |\n| 7 | 2 |\n| 8 | 3 |\n"), [None, None]);
-        assert_eq!(
-            set("| −4.77e−1 | none |\n| 2.2e-16 | 1 |\n"),
-            [Some(vec![String::new(), "0".to_owned()]), None]
-        );
+        let columns = set("| −4.77e−1 | none |\n| 2.2e-16 | 1 |\n");
+        assert_eq!(columns, [rooms(&["<sup\"0", "<span\"0"]), None]);
     }
 
     #[test]

@@ -2,12 +2,15 @@
 
 #[path = "book/contrast.rs"]
 mod contrast;
+#[path = "book/key.rs"]
+mod key;
 #[path = "book/vision.rs"]
 mod vision;
 
 use press::rendered::Rendered;
 use std::collections::BTreeSet;
 use std::fs;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
@@ -116,9 +119,54 @@ fn the_site_holds_the_fonts_that_it_asks_for_and_their_licences() {
     }
     assert!(site().join("LICENSE-CC-BY-4.0").is_file());
 
-    // Whoever asks for all of them at once, on a first visit, is not kept waiting.
-    let weight: u64 = fonts.iter().map(|font| fs::metadata(font).unwrap().len()).sum();
-    assert!(weight < 120 * 1024, "{weight} bytes of fonts");
+    assert!(weight_of_fonts() < 120 * 1024, "{} bytes of fonts", weight_of_fonts());
+}
+
+/// All of them, of which no page shows more.
+fn weight_of_fonts() -> u64 {
+    let folder = site().join("fonts");
+    let fonts = names(&folder).into_iter().filter(|name| name.ends_with(".woff2"));
+    fonts.map(|name| fs::metadata(folder.join(name)).unwrap().len()).sum()
+}
+
+/// What a text weighs on its way to a reader.
+fn packed(text: &str) -> u64 {
+    let mut packed = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::default());
+    packed.write_all(text.as_bytes()).unwrap();
+    packed.finish().unwrap().len() as u64
+}
+
+#[test]
+fn no_page_keeps_its_reader_waiting() {
+    for (path, html) in pages() {
+        if path == site().join("print.html") {
+            continue; // all pages in one
+        }
+        let attributes = ["<link rel=\"stylesheet\"", "<script src=\""];
+        let tags = attributes.iter().flat_map(|start| html.split(start).skip(1));
+        let files = tags.map(|rest| {
+            let rest = rest
+                .split_once("href=\"")
+                .filter(|(before, _)| !before.contains('>'))
+                .map_or(rest, |(_, rest)| rest);
+            path.parent().unwrap().join(rest.split('"').next().unwrap())
+        });
+        let loaded: u64 = files.map(|file| fs::read_to_string(&file).map_or(0, |text| packed(&text))).sum();
+        let weight = packed(&html) + loaded + weight_of_fonts();
+        assert!(loaded > 50_000 || !html.contains("<main"), "{}: it loads only {loaded}", path.display());
+        assert!(weight < 500 * 1024, "{}: {weight} bytes on a first visit", path.display());
+    }
+}
+
+#[test]
+fn the_search_finds_words_of_pages_and_is_small() {
+    let (_, index) = files(site(), ".js")
+        .into_iter()
+        .find(|(path, _)| path.file_name().unwrap().to_string_lossy().starts_with("searchindex"))
+        .expect("the index");
+    assert!(packed(&index) < 250 * 1024, "{} bytes of index", packed(&index));
+    assert!(index.contains("Dzhanibekov") && index.contains("ω0"), "words, names and letters");
+    assert!(!index.contains("assert!") && !index.contains("ω 0"), "no code, no formula in pieces");
 }
 
 #[test]

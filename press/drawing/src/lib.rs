@@ -50,6 +50,7 @@ mod simplify;
 pub mod space;
 mod style;
 mod svg;
+mod trace;
 
 pub use clip::clip;
 pub use drawing::{Axes, Drawing, Item, Scale, Shape};

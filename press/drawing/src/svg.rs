@@ -2,11 +2,11 @@
 
 use crate::drawing::{Drawing, Item, Shape};
 use crate::flaw::Flaw;
-use crate::label::{Label, Piece, Segment};
+use crate::label::{Label, Piece};
 use crate::layout::{self, Pages};
 use crate::point::{Point, Rect, at};
 use crate::role::{RIM, Role, STOPS};
-use crate::style;
+use crate::{style, trace};
 use std::fmt::Write as _;
 
 /// The widest row of panels in a file of its own, px.
@@ -127,8 +127,8 @@ fn write_item(out: &mut String, id: &str, index: usize, item: &Item) {
             let [x, y, r] = [centre.x, centre.y, *radius].map(number);
             format!("<circle{name} class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>")
         }
-        Shape::Polyline(points) => format!("<path{name} class=\"{class}\" d=\"{}\"/>", path(points)),
-        Shape::Polygon(points) => format!("<path{name} class=\"{class}\" d=\"{}Z\"/>", path(points)),
+        Shape::Polyline(points) => format!("<path{name} class=\"{class}\" d=\"{}\"/>", trace::lines(points)),
+        Shape::Polygon(points) => format!("<path{name} class=\"{class}\" d=\"{}Z\"/>", trace::lines(points)),
         Shape::Arc { centre, radius, from, sweep } => {
             let [start, end] =
                 [*from, from + sweep].map(|angle| pair(*centre + Point::polar(*radius, angle)));
@@ -199,7 +199,7 @@ fn write_label(out: &mut String, name: &str, role: Role, label: &Label) {
 fn write_piece(out: &mut String, name: &str, class: &str, piece: &Piece) {
     let _ = match piece {
         Piece::Outline(segments) => {
-            write!(out, "<path{name} class=\"{class}\" d=\"{}\"/>", outline(segments))
+            write!(out, "<path{name} class=\"{class}\" d=\"{}\"/>", trace::outline(segments))
         }
         Piece::Words { text, start, width, size } => {
             let [x, y, width, size] = [start.x, start.y, *width, *size].map(number);
@@ -211,35 +211,6 @@ fn write_piece(out: &mut String, name: &str, class: &str, piece: &Piece) {
             )
         }
     };
-}
-
-fn path(points: &[Point]) -> String {
-    let mut out = String::new();
-    for (index, &point) in points.iter().enumerate() {
-        out.push(match index {
-            0 => 'M',
-            1 => 'L',
-            _ => ' ',
-        });
-        out.push_str(&pair(point));
-    }
-    out
-}
-
-fn outline(segments: &[Segment]) -> String {
-    let mut out = String::new();
-    for segment in segments {
-        let (letter, points): (char, Vec<Point>) = match *segment {
-            Segment::Move(end) => ('M', vec![end]),
-            Segment::Line(end) => ('L', vec![end]),
-            Segment::Quadratic(control, end) => ('Q', vec![control, end]),
-            Segment::Cubic(first, second, end) => ('C', vec![first, second, end]),
-            Segment::Close => ('Z', Vec::new()),
-        };
-        out.push(letter);
-        out.push_str(&points.into_iter().map(pair).collect::<Vec<_>>().join(" "));
-    }
-    out
 }
 
 fn pair(point: Point) -> String {

@@ -12,9 +12,11 @@ pub(crate) struct Found {
 }
 
 /// The name under which the figures of pages without a number stand, those of `book/figures.rs`.
+#[cfg_attr(test, allow(dead_code, reason = "the build script asks for it"))]
 pub(crate) const FRONT: &str = "figures";
 
 /// The file that draws the figures of a chapter, as seen from the folder `book`.
+#[cfg_attr(test, allow(dead_code, reason = "the build script asks for it"))]
 pub(crate) fn file(chapter: &str) -> String {
     if chapter == FRONT { "figures.rs".into() } else { format!("{chapter}/figures.rs") }
 }

@@ -3,6 +3,7 @@
 pub(crate) mod accents;
 mod brackets;
 mod letters;
+mod pieces;
 mod tree;
 
 use crate::book::Page;
@@ -55,7 +56,7 @@ impl Maths {
         self.letters.folder(path, offset)
     }
 
-    /// Display mathematics of the chapter in `folder`, as one line of MathML.
+    /// Display mathematics of the chapter in `folder`, as one line of MathML: a formula, or some in a row.
     pub(crate) fn display(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
         self.convert(tex, MathDisplay::Block, folder)
     }
@@ -76,8 +77,9 @@ impl Maths {
         brackets::keep_their_height(&mut formula);
         accents::centre(&mut formula, &self.font);
         self.letters.colour(&mut formula, folder);
+        let pieces = if display == MathDisplay::Block { pieces::cut(formula) } else { vec![formula] };
         let mut out = String::with_capacity(tex.len() * 8);
-        formula.write(&mut out);
+        pieces.iter().for_each(|piece| piece.write(&mut out));
         Ok(out)
     }
 

@@ -231,6 +231,17 @@ impl Theme {
             let [text, ground] = [hue, "page"].map(|name| self.colour(&format!("var(--figure-{name})")));
             pair(&format!("{hue} of figures"), text, "the page", ground, TEXT);
         }
+        // Letters and words in the colours of quantities, wherever a formula can stand.
+        let target = Self::declared(&self.page, ".equation:target", "background").expect("a tint");
+        let target = self.colour(target).over(self.colour("var(--bg)"));
+        for role in ["body", "spin", "momentum", "contact", "force"] {
+            let class = format!(".q-{role}");
+            let colour = self.colour(Self::declared(&self.page, &class, "color").expect("a colour"));
+            for (on, ground) in self.grounds().into_iter().chain([("an equation that was asked for", target)])
+            {
+                pair(&class, colour, on, ground, TEXT);
+            }
+        }
         for (on, ground) in self.grounds() {
             let of_code = self.page.iter().filter(|(selector, _)| selector.starts_with(".hljs"));
             for (selector, colour) in of_code.filter_map(|(selector, d)| Some((selector, d.get("color")?))) {

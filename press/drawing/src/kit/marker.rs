@@ -18,6 +18,10 @@ pub enum Marker {
     Diamond,
     /// A ring, empty inside.
     Ring,
+    /// An upright cross.
+    Plus,
+    /// A cross that lies.
+    Cross,
     /// The mark of a centre of mass: a ring with two opposite quarters filled.
     Mass,
     /// The mark of an arrow that comes out of the page: a ring with a point, the tip.
@@ -45,6 +49,13 @@ pub fn marker(drawing: &mut Drawing, point: Point, marker: Marker, hue: Hue) {
         Marker::Ring => {
             drawing.circle(point, 3.2, Role::Area(Fill::Page, hue));
             drawing.circle(point, 3.2, Role::Line(Stroke::Curve, hue));
+        }
+        Marker::Plus | Marker::Cross => {
+            let first = if marker == Marker::Plus { 0.0 } else { FRAC_PI_4 };
+            for way in [first, first + FRAC_PI_2] {
+                let arm = Point::polar(4.0, way);
+                drawing.line(point - arm, point + arm, Stroke::Curve, hue);
+            }
         }
         Marker::Mass => {
             let radius = 6.0;

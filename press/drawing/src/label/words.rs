@@ -1,7 +1,7 @@
 //! The widths of words in the page's sans.
 //!
-//! The numbers are the advance widths of Open Sans Regular, version 1.10, which mdBook serves with every
-//! book: 2048 units to the em, read from the font's `hmtx` table. Words are set as text and stretched to
+//! The numbers are the advance widths of Open Sans Regular, version 1.10, which the pages
+//! load: 2048 units to the em, read from the font's `hmtx` table. Words are set as text and stretched to
 //! these widths, so that a figure keeps its layout on a machine that has another sans.
 
 const UNITS_PER_EM: f64 = 2048.0;

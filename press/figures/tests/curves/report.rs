@@ -57,8 +57,8 @@ fn every_measurement_that_is_not_beaten_lies_on_its_curve() {
             if pairs.len() < 2 {
                 continue;
             }
-            let name = format!("{contestant} {method}").replace([' ', '(', ')'], "-");
-            let curve = curve(&format!("speed-{problem}"), &name);
+            let name = format!("{problem} {contestant} {method}").replace([' ', '(', ')'], "-");
+            let curve = curve("speed-problems", &name);
             for &pair in pairs {
                 let off = curve.distance(pair);
                 assert!(off < PIXELS, "{problem}, {name}: {off} px off at {pair:?}");

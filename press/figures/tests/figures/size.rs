@@ -83,42 +83,8 @@ const NOT_YET: &[&[&str]] = &[
 
 
 
-    // methods
-    &[
-        "fig:method-polhodes",
-        "fig:method-amplitude",
-        "fig:method-order",
-        "fig:method-steps",
-        "fig:method-energy",
-        "fig:method-attitude",
-    ],
 
-    // speed-and-accuracy
-    &[
-        "fig:speed-washer",
-        "fig:speed-ramp",
-        "fig:speed-hoop",
-        "fig:speed-separatrix",
-        "fig:speed-disk",
-        "fig:speed-rest",
-        "fig:speed-toss",
-        "fig:speed-station",
-        "fig:speed-drag",
-        "fig:speed-work",
-    ],
 
-    // hard-cases
-    &[
-        "fig:hard-cancellation",
-        "fig:hard-critical",
-        "fig:hard-phase",
-        "fig:hard-passes",
-        "fig:hard-drift",
-        "fig:hard-separatrix",
-        "fig:hard-rounding",
-        "fig:hard-stiff",
-        "fig:hard-end",
-    ],
 ];
 
 #[test]
