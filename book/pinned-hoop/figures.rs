@@ -142,7 +142,7 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
         "Speeds of the two points a quarter of the circle from A",
         "Speeds in units of a omega zero against the angle theta from 0 to 90 degrees. The point at theta plus 90 degrees starts at one, falls to \
          zero at 71.57 degrees, where a ring marks it, and rises to one third. The point at theta minus 90 degrees starts at one, rises a little and falls to \
-         one third. A dashed curve, the stated answer, runs between the two and meets neither but at the ends.",
+         one third. A dashed curve, the root of the squares, runs between the two and meets neither but at the ends.",
     );
     let angle = Axis::linear(0.0, 90.0, 15.0)?.minor(5.0).titled(r"angle $\theta$, degrees");
     let speed = Axis::linear(0.0, 1.2, 0.2)?.minor(0.05).titled(r"speed, in $a\omega_0$");
@@ -166,8 +166,8 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
     plot.curve("stated", stated, Stroke::DashedCurve, Hue::Muted);
     plot.markers(&[(3_f64.atan().to_degrees(), 0.0)], Marker::Ring, Hue::Blue);
     plot.label((44.0, 0.99), Side::AboveRight, r"at $\theta - 90°$", Hue::Blue)?;
-    plot.label((60.0, 0.45), Side::Over, "the stated", Hue::Muted)?;
-    plot.label((61.0, 0.37), Side::Over, "answer", Hue::Muted)?;
+    plot.label((60.5, 0.42), Side::Over, "squares", Hue::Muted)?;
+    plot.label((61.5, 0.34), Side::Over, "added", Hue::Muted)?;
     plot.label((37.0, 0.55), Side::BelowLeft, r"$B$, at $\theta + 90°$", Hue::Blue)?;
     plot.label((62.5, 0.07), Side::Left, "$71.57°$", Hue::Blue)?;
     Ok(drawing)
@@ -177,7 +177,7 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
 pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "The phase portrait of the hoop’s pendulum",
-        "The rate of chi, in units of W, against chi from minus 30 to 210 degrees. Four closed curves about the rest at 90 degrees, for pins at 30, 60, 80 and 89 degrees; each begins at a dot on \
+        "The rate of chi, in units of W, against chi from minus 30 to 210 degrees. Three closed curves about the rest at 90 degrees, for pins at 60, 80 and 89 degrees; each begins at a dot on \
          the axis, the nearer to zero the nearer theta is to 90 degrees. A separatrix, two arches from 0 to 180 degrees, encloses them. Outside two \
          curves run on above and below without turning.",
     );
@@ -196,7 +196,7 @@ pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
         let along = omega.x.hypot(omega.y);
         ((-omega.y).atan2(omega.x).to_degrees(), -omega.z / along)
     };
-    for degrees in [30.0, 60.0, 80.0, 89.0] {
+    for degrees in [60.0, 80.0, 89.0] {
         let hoop = pinning(Shape::Hoop, degrees)?;
         let top = hoop.free_motion()?;
         let period = top.period().ok_or("a pendulum swings back")?;
@@ -207,7 +207,6 @@ pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
         plot.curve(&format!("pin-{degrees}"), values, Stroke::Curve, Hue::Orange);
         plot.markers(&[start], Marker::Disc, Hue::Pink);
         let place = match degrees {
-            30.0 => (110.0, 0.13),
             60.0 => (90.0, 0.25),
             80.0 => (90.0, 0.49),
             _ => (153.0, 0.45),
@@ -260,8 +259,12 @@ pub(crate) fn polhodes(id: &str) -> Outcome {
         let path = linear_steps(0.0, period, 720)
             .map(|time| Ok(top.at(time)?.omega_body / size))
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        // Named inside the loop, where it begins: nearest to axis 1.
-        stage.label_shifted(path[0], at(2.0, 0.0), Side::Left, &format!("${degrees}°$"), Hue::Orange)?;
+        // Named inside the loop, where it begins, nearest to axis 1; or else where there is room.
+        let (place, aside, side) = match degrees {
+            89.0 => (path[600], at(2.0, -6.0), Side::AboveRight),
+            _ => (path[0], at(2.0, 0.0), Side::Left),
+        };
+        stage.label_shifted(place, aside, side, &format!("${degrees}°$"), Hue::Orange)?;
         stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Orange)?;
     }
     // The separatrix: L² = 2T I₁ on the ellipsoid, two plane curves through axis 1.
@@ -489,7 +492,7 @@ fn path_of_centre(shape: Shape, name: &str, degrees: f64) -> Outcome {
     stage.named_vector([0.0; 3], [0.0, 0.0, 1.25], r"$\boldsymbol{L}_A$", Hue::Green)?;
     stage.dot_in_front(last, 3.0, Hue::Blue)?;
     stage.dot_in_front([0.0; 3], 4.5, Hue::Pink)?;
-    stage.label_shifted([0.0; 3], at(-3.0, -2.0), Side::AboveLeft, "$A$", Hue::Pink)?;
+    stage.label_shifted([0.0; 3], at(2.0, -6.0), Side::Right, "$A$", Hue::Pink)?;
     stage.write(&mut drawing);
     drawing.label(at(160.0, 316.0), Side::Over, name, Hue::Muted)?;
     Ok(drawing)

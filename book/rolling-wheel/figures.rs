@@ -43,9 +43,9 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
         elevation: 0.36,
         distance: 12.0,
         centre: at(190.0, 190.0),
-        scale: 66.0,
+        scale: 58.0,
     })?);
-    stage.ground([-2.5, -2.5], [2.5, 2.5], 0.0, 0.5)?;
+    stage.ground([-2.3, -2.3], [2.3, 2.3], 0.0, 0.46)?;
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), contact.y)?, Stroke::Outline, Hue::Pink)?;
     // The contact goes with Ω: the travel, ahead of it on the circle.
     let ahead = linear_steps(0.75, 1.25, 40).map(|angle| {
@@ -64,7 +64,7 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     for (axis, length, name) in [
         (axes[0], 1.3, r"$\hat{\mathbf{1}}$"),
         (axes[1], 1.45, r"$\hat{\mathbf{2}}$"),
-        (axes[2], 0.72, r"$\hat{\mathbf{3}}$"),
+        (axes[2], 1.1, r"$\hat{\mathbf{3}}$"),
     ] {
         stage.named_vector(centre, centre + axis * length, name, Hue::Ink)?;
     }
@@ -74,18 +74,20 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     let arrow = Curve::segment(centre, tip)?.hiding(Hiding::Ignored);
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
     stage.label_shifted(tip, at(2.0, 1.0), Side::Above, r"$\boldsymbol{\omega}_\text{tot}$", Hue::Orange)?;
-    let upright = Curve::segment(contact, contact + Vector3::new(0.0, 0.0, 2.4))?;
+    let upright = Curve::segment(contact + Vector3::z() * 1.3, contact + Vector3::z() * 2.4)?;
     stage.curve(upright.hiding(Hiding::Omitted), Stroke::Reference, Hue::Muted)?;
     stage.angle(contact, Vector3::z(), axes[1], 2.25, r"$\theta$", Hue::Ink)?;
     stage.curve(Curve::segment(centre, contact)?, Stroke::Outline, Hue::Muted)?;
-    stage.label_shifted(centre - axes[1] * 0.5, at(0.0, 0.0), Side::Right, "$a$", Hue::Ink)?;
-    stage.curve(Curve::segment([0.0, 0.0, cos], centre)?, Stroke::Outline, Hue::Muted)?;
-    stage.label([0.0, 0.35, cos], Side::Below, "$b$", Hue::Ink)?;
+    stage.label_shifted(centre - axes[1] * 0.5, at(-2.0, 0.0), Side::Right, "$a$", Hue::Ink)?;
+    // To the left on the page, where it is clear of the wheel.
+    let end = Vector3::new(-0.565 * b, -0.825 * b, cos);
+    stage.curve(Curve::segment([0.0, 0.0, cos], end)?, Stroke::Outline, Hue::Muted)?;
+    stage.label([0.5 * end.x, 0.5 * end.y, cos], Side::Above, "$b$", Hue::Ink)?;
     let radius = Curve::segment([0.0; 3], contact)?;
     stage.curve(radius.hiding(Hiding::Ignored), Stroke::Outline, Hue::Muted)?;
     stage.label([0.0, 0.7, 0.0], Side::Below, "$r$", Hue::Ink)?;
     stage.dot_in_front(contact, 4.5, Hue::Pink)?;
-    stage.label_shifted(contact, at(2.0, 6.0), Side::BelowRight, "contact", Hue::Pink)?;
+    stage.label_shifted(contact, at(2.0, 28.0), Side::Over, "contact", Hue::Pink)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
@@ -131,7 +133,7 @@ fn forces(id: &str) -> Outcome {
     drawing.label(contact + at(-0.5 * friction, 4.0), Side::Below, r"$m\Omega^2b$", Hue::Purple)?;
     let mark = if steady.torque() > 0.0 { Marker::Out } else { Marker::Into };
     kit::marker(&mut drawing, centre, mark, Hue::Purple);
-    drawing.label(centre + at(-4.0, -4.0), Side::Left, r"$\boldsymbol{\tau}$, $\hat{\mathbf{1}}$", Hue::Purple)?;
+    drawing.label(centre + at(-4.0, 8.0), Side::Left, r"$\boldsymbol{\tau}$, $\hat{\mathbf{1}}$", Hue::Purple)?;
     drawing.dot(contact, 4.5, Hue::Pink);
     let axis = at(36.0, contact.y);
     drawing.label(axis + at(4.0, 14.0), Side::Right, "to the axis", Hue::Muted)?;
@@ -174,7 +176,7 @@ fn momentum_turned(id: &str) -> Outcome {
     stage.curve(round.hiding(Hiding::Dashed), Stroke::Reference, Hue::Green)?;
     let arrow = Curve::segment([0.0; 3], tip)?.hiding(Hiding::Ignored);
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Green)?;
-    stage.label_shifted(tip, at(-2.0, 2.0), Side::BelowLeft, r"$\boldsymbol{L}$", Hue::Green)?;
+    stage.label(tip * 0.5, Side::Below, r"$\boldsymbol{L}$", Hue::Green)?;
     // The torque is along axis 1; drawn at the tip of L, which it moves.
     let push = axes[0] * (0.75 * steady.torque().signum());
     let torque = Curve::segment(tip, tip + push)?.hiding(Hiding::Ignored);
@@ -204,7 +206,7 @@ pub(crate) fn rim_and_table(id: &str) -> Outcome {
         elevation: 0.36,
         distance: 12.0,
         centre: at(200.0, 170.0),
-        scale: 74.0,
+        scale: 65.0,
     })?);
     stage.ground([-1.5, -1.0], [2.75, 2.75], 0.0, 0.25)?;
     let contact_radius = steady.contact_radius();
@@ -236,8 +238,10 @@ pub(crate) fn rim_and_table(id: &str) -> Outcome {
         if mark > 0 {
             let name = format!("${mark}$");
             stage.label_shifted(printed(time), at(0.0, 1.0), Side::Below, &name, Hue::Pink)?;
+        }
+        if mark > 1 {
             let outward = (on_rim(time) - centre) * 1.2 + centre;
-            stage.label(outward, Side::Over, &name, Hue::Pink)?;
+            stage.label(outward, Side::Over, &format!("${mark}$"), Hue::Pink)?;
         }
     }
     let ahead = linear_steps(-ago(0.3), -ago(1.4), 40).map(printed);

@@ -80,31 +80,8 @@ const NOT_YET: &[&[&str]] = &[
     &[
     ],
 
-    // pinned-hoop
-    &[
-        "fig:speed-of-b",
-        "fig:flip",
-        "fig:hoop-and-sphere",
-        "fig:period-error",
-    ],
 
-    // rolling-wheel
-    &[
-        "fig:wheel-circle",
-        "fig:turn-rate",
-        "fig:friction",
-        "fig:tongue",
-        "fig:potential",
-        "fig:near-flat",
-    ],
 
-    // spinning-coin
-    &[
-        "fig:coin-circle",
-        "fig:coin-rates",
-        "fig:mach",
-        "fig:figure-error",
-    ],
 
 
 
