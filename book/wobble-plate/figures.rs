@@ -404,13 +404,8 @@ pub(crate) fn beta_error(id: &str) -> Outcome {
             plot.series(&format!("{side}-{name}"), &values, form, hue);
         }
         plot.label((3e-6, 1e-1), Side::Right, "inverse cosine", Hue::Orange)?;
-        if side == "tilt" {
-            plot.label((1.3e-9, 1e-12), Side::Right, "difference", Hue::Pink)?;
-            plot.label((1.3e-9, 1e-14), Side::Right, "arctangent", Hue::Blue)?;
-        } else {
-            plot.label((1.3e-9, 1e-12), Side::Right, "difference", Hue::Pink)?;
-            plot.label((1.3e-9, 1e-14), Side::Right, "arctangent", Hue::Blue)?;
-        }
+        plot.label((1.3e-9, 1e-12), Side::Right, "difference", Hue::Pink)?;
+        plot.label((1.3e-9, 1e-14), Side::Right, "arctangent", Hue::Blue)?;
         drawn.push(drawing);
     }
     Ok(Drawing::panels(id, drawn))

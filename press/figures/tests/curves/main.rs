@@ -46,10 +46,33 @@ fn curve(figure: &str, name: &str) -> Curve {
     let id = format!("{}-{name}", part.id().replace(':', "-"));
     let node =
         document.descendants().find(|node| node.attribute("id") == Some(&id)).expect("a path of this id");
-    let data = node.attribute("d").expect("a path").replace(['M', 'L'], " ");
-    let number = |text: &str| text.parse::<f64>().expect("a number");
-    let pair = |pair: &str| pair.split_once(',').map(|(x, y)| (number(x), number(y))).expect("a pair");
-    Curve { points: data.split_whitespace().map(pair).collect(), axes: axes.clone() }
+    Curve { points: corners(node.attribute("d").expect("a path")), axes: axes.clone() }
+}
+
+/// The corners of a path that is written as its beginning and steps, `M48 90l2.08.14-3 1`.
+fn corners(data: &str) -> Vec<(f64, f64)> {
+    let mut numbers: Vec<String> = Vec::new();
+    let mut is_open = false;
+    for sign in data.chars() {
+        let goes_on = match sign {
+            '0'..='9' => is_open,
+            '.' => is_open && numbers.last().is_some_and(|number| !number.contains('.')),
+            _ => false,
+        };
+        is_open = matches!(sign, '0'..='9' | '.' | '-');
+        match numbers.last_mut() {
+            Some(number) if goes_on => number.push(sign),
+            _ if is_open => numbers.push(sign.to_string()),
+            _ => {}
+        }
+    }
+    let steps: Vec<f64> = numbers.iter().map(|number| number.parse().expect("a number")).collect();
+    let mut place = (0.0, 0.0);
+    let corner = |step: &[f64]| {
+        place = (place.0 + step[0], place.1 + step[1]);
+        place
+    };
+    steps.chunks_exact(2).map(corner).collect()
 }
 
 /// The value at a part of a scale.
