@@ -25,18 +25,61 @@ type Scene = fn(&mut Stage) -> Result<(), Cause>;
 /// Nine small scenes, one for each chapter about a thing that spins, each a link to it.
 pub(crate) fn frontispiece(id: &str) -> Outcome {
     let scenes: [(&str, &str, &str, f64, Scene); 9] = [
-        ("laundromat", "1 laundromat", "A drum on springs; its shaft spirals out to a circle.", 0.95, laundromat),
-        ("turning", "2 how bodies turn", "A plate in the air, its axis and its angular velocity on either side of its angular momentum.", 0.36, turning),
-        ("wobble-plate", "3 wobble plate", "A tilted plate on a shaft that turns; its angular momentum leans.", 0.36, wobble_plate),
+        (
+            "laundromat",
+            "1 laundromat",
+            "A drum on springs; its shaft spirals out to a circle.",
+            0.95,
+            laundromat,
+        ),
+        (
+            "turning",
+            "2 how bodies turn",
+            "A plate in the air, its axis and its angular velocity on either side of its angular momentum.",
+            0.36,
+            turning,
+        ),
+        (
+            "wobble-plate",
+            "3 wobble plate",
+            "A tilted plate on a shaft that turns; its angular momentum leans.",
+            0.36,
+            wobble_plate,
+        ),
         ("coin-toss", "4 coin toss", "A coin at five moments of its flight.", 0.25, coin_toss),
-        ("space-station", "5 space station", "A ring with spokes, its axis on a cone about the angular momentum.", 0.45, space_station),
+        (
+            "space-station",
+            "5 space station",
+            "A ring with spokes, its axis on a cone about the angular momentum.",
+            0.45,
+            space_station,
+        ),
         ("air-drag", "6 Frisbee", "A disc whose axis spirals in towards the upright.", 0.4, air_drag),
-        ("pinned-hoop", "7 pinned hoop", "A hoop that tumbles about a pinned point of its rim, at three moments.", 0.3, pinned_hoop),
-        ("rolling-wheel", "8 rolling wheel", "A disc that rolls and wobbles on a floor along a wavy track.", 0.45, rolling_wheel),
-        ("spinning-coin", "9 spinning coin", "A coin that leans on a table and rolls round a circle.", 0.34, spinning_coin),
+        (
+            "pinned-hoop",
+            "7 pinned hoop",
+            "A hoop that tumbles about a pinned point of its rim, at three moments.",
+            0.3,
+            pinned_hoop,
+        ),
+        (
+            "rolling-wheel",
+            "8 rolling wheel",
+            "A disc that rolls and wobbles on a floor along a wavy track.",
+            0.45,
+            rolling_wheel,
+        ),
+        (
+            "spinning-coin",
+            "9 spinning coin",
+            "A coin that leans on a table and rolls round a circle.",
+            0.34,
+            spinning_coin,
+        ),
     ];
     let draw = |(chapter, name, words, elevation, scene): (&str, &str, &str, f64, Scene)| -> Outcome {
-        let mut drawing = Drawing::new("", 200.0, 190.0).titled(name, words).linked(&format!("{chapter}/index.html"));
+        let mut drawing =
+            Drawing::new("", 200.0, 190.0).titled(name, words).linked(&format!("{chapter}/index.html"));
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0; 3],
             azimuth: -1.25,
@@ -88,7 +131,8 @@ fn laundromat(stage: &mut Stage) -> Result<(), Cause> {
 fn upright(ratio: f64, omega_body: Vector3<f64>) -> Result<FreeSymmetricTop, Cause> {
     let moments = PrincipalMoments::symmetric(1.0, ratio)?;
     let momentum = moments.angular_momentum(&omega_body);
-    let world_from_body = UnitQuaternion::rotation_between(&momentum, &Vector3::z()).ok_or("L is not opposite")?;
+    let world_from_body =
+        UnitQuaternion::rotation_between(&momentum, &Vector3::z()).ok_or("L is not opposite")?;
     Ok(FreeSymmetricTop::new(moments, Turning { world_from_body, omega_body })?)
 }
 
@@ -248,7 +292,8 @@ pub(crate) fn colours(id: &str) -> Outcome {
          the contact with the table, and from it the force of the table points up and inward, in purple.",
     );
     let (lean, b) = (0.5_f64, 1.0);
-    let wheel = Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments: MomentFactors::DISK, gravity: 1.0 })?;
+    let wheel =
+        Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments: MomentFactors::DISK, gravity: 1.0 })?;
     let steady = wheel.steady(lean, b)?;
     // Outward along y and up along z, as in the chapter of the wheel.
     let (sin, cos) = lean.sin_cos();

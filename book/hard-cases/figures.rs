@@ -3,10 +3,10 @@
 use crate::{Axis, Cause, Look, Outcome, Plot, log_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
+use mechanics::InvalidQuantity;
 use mechanics::elliptic::quarter_period;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
-use mechanics::InvalidQuantity;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4, rk4_step};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
@@ -206,7 +206,9 @@ pub(crate) fn hard_passes(id: &str) -> Outcome {
         let start = Shaft { position: Complex::new(-0.5, miss), velocity: 1.0.into() };
         let exact = drum.transient(start)?.at(1.0)?.position;
         let error = |end: Shaft| (end.position - exact).norm().max(LEAST);
-        if let Ok(end) = rk4(|t, y: &[f64; 4]| drum.polar_rates(t, y), 0.0, start.to_polar().to_array(), 1.0, 1000) {
+        if let Ok(end) =
+            rk4(|t, y: &[f64; 4]| drum.polar_rates(t, y), 0.0, start.to_polar().to_array(), 1.0, 1000)
+        {
             polar.push((miss, error(Shaft::from_polar(Polar::from_array(end)))));
         }
         let end = rk4(|t, y: &[f64; 4]| drum.cartesian_rates(t, y), 0.0, start.to_array(), 1.0, 1000)?;
@@ -404,9 +406,10 @@ pub(crate) fn hard_stiff(id: &str) -> Outcome {
     let damping = Axis::log(1.0, 1e4, 1)?.titled(r"damping rate $\Gamma/\omega_0$");
     let work = Axis::log(0.5, 1e7, 1)?.titled("evaluations");
     let mut plot = Plot::new(&mut drawing, FRAME, damping, work)?;
-    for (name, tolerance, form, hue) in
-        [("coarse", 1e-4, Marker::Ring, Look::DOP853.hue), ("fine", 1e-8, Look::DOP853.marker, Look::DOP853.hue)]
-    {
+    for (name, tolerance, form, hue) in [
+        ("coarse", 1e-4, Marker::Ring, Look::DOP853.hue),
+        ("fine", 1e-8, Look::DOP853.marker, Look::DOP853.hue),
+    ] {
         let mut values = Vec::new();
         for damping in log_steps(1.0, 1e4, 16) {
             let drum = machine(damping, 0.0)?;

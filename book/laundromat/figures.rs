@@ -8,8 +8,8 @@ use crate::speed_and_accuracy::measurements;
 use crate::{Axis, Cause, Look, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
-use mechanics::integrate::rk4;
 use mechanics::InvalidQuantity;
+use mechanics::integrate::rk4;
 use mechanics::scenes::laundromat::{LockedState, Machine, Mode, Parameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4};
 use std::f64::consts::{PI, SQRT_2, TAU};
@@ -216,7 +216,8 @@ pub(crate) fn phases(id: &str) -> Outcome {
             drawing.label(sense, Side::Right, r"$\Omega$", Hue::Orange)?;
         }
 
-        let middle = 0.5 * ((origin.x - circle).min(shaft.x - reach) + (origin.x + circle).max(shaft.x + reach));
+        let middle =
+            0.5 * ((origin.x - circle).min(shaft.x - reach) + (origin.x + circle).max(shaft.x + reach));
         let degrees = steady.phase().to_degrees();
         drawing.label(at(middle, 254.0), Side::Over, name, Hue::Ink)?;
         let lead = format!(r"$\phi_0 = {degrees:.0}°$");
@@ -275,8 +276,11 @@ pub(crate) fn steady(id: &str) -> Outcome {
         plot.label((1.75, 0.9), Side::Below, "$1.4$", Hue::Pink)?;
         plot.label((0.03, 1.0), Side::AboveRight, "$r_0 = b$", Hue::Muted)?;
 
-        let lead =
-            Axis::linear(0.0, 180.0, 90.0)?.minor(30.0).marked(&[(0.0, "0°"), (90.0, "90°"), (180.0, "180°")]);
+        let lead = Axis::linear(0.0, 180.0, 90.0)?.minor(30.0).marked(&[
+            (0.0, "0°"),
+            (90.0, "90°"),
+            (180.0, "180°"),
+        ]);
         let lead = lead.titled(r"lead of the load $\phi_0$");
         let mut plot = Plot::new(&mut drawing, lower, spin()?.titled(r"spin $\Omega/\omega_0$"), lead)?;
         plot.upright(1.0, Stroke::Dotted);
@@ -339,7 +343,12 @@ pub(crate) fn centring(id: &str) -> Outcome {
         let common = plot.at((SQRT_2, 1.0));
         plot.drawing().circle(common, 4.5, Role::Area(Fill::Solid, Hue::Ink));
         plot.label((SQRT_2, 1.05), Side::AboveRight, r"one point for every damping", Hue::Ink)?;
-        plot.label((room.of(0.78, 0.76), 2.6), Side::Left, room.of(r"$\Gamma/\omega_0 = 0.2$", "$0.2$"), Hue::Blue)?;
+        plot.label(
+            (room.of(0.78, 0.76), 2.6),
+            Side::Left,
+            room.of(r"$\Gamma/\omega_0 = 0.2$", "$0.2$"),
+            Hue::Blue,
+        )?;
         plot.label((room.of(0.96, 0.97), 2.74), Side::Above, "$0.4$", Hue::Orange)?;
         plot.label((0.91, 1.8), Side::Above, "$0.7$", Hue::Green)?;
         plot.label((2.6, 0.56), Side::Above, "$1.4$", Hue::Pink)?;
@@ -358,7 +367,12 @@ pub(crate) fn centring(id: &str) -> Outcome {
             plot.curve(&format!("high-{damping}"), high(damping, &true_radius)?, Stroke::Curve, hue);
         }
         plot.label((60.0, 1.4 / 60.0), Side::AboveRight, r"falls as $\Gamma/\Omega$", Hue::Ink)?;
-        plot.label((60.0, 1.0 / 3600.0), Side::BelowLeft, r"spring alone: $\omega_0^2/\Omega^2$", Hue::Muted)?;
+        plot.label(
+            (60.0, 1.0 / 3600.0),
+            Side::BelowLeft,
+            r"spring alone: $\omega_0^2/\Omega^2$",
+            Hue::Muted,
+        )?;
         Ok(drawing)
     })
 }
@@ -744,7 +758,8 @@ pub(crate) fn start(id: &str) -> Outcome {
         let shafts = motion.sample(&times)?;
         Ok(times.into_iter().zip(shafts.into_iter().map(|shaft| shaft.position * 100.0)).collect())
     };
-    let plane = |way: Vec<(f64, Complex<f64>)>| way.into_iter().map(|(_, z)| (z.re, z.im)).collect::<Values>();
+    let plane =
+        |way: Vec<(f64, Complex<f64>)>| way.into_iter().map(|(_, z)| (z.re, z.im)).collect::<Values>();
     let widest = 5.0; // s: where the swing is largest
 
     let mut path = Drawing::new("", 330.0, 330.0).titled(
@@ -794,9 +809,10 @@ pub(crate) fn ramp(id: &str) -> Outcome {
         let motion = machine.ramp(per_square * NATURAL * NATURAL, Shaft::AT_REST)?;
         let end = 2.5 / (per_square * NATURAL);
         let times: Vec<f64> = linear_steps(0.0, end, points).collect();
-        let values = times.iter().zip(motion.sample(&times)?).map(|(&t, shaft)| {
-            (motion.spin(t) / NATURAL, shaft.position.norm() / machine.offset())
-        });
+        let values = times
+            .iter()
+            .zip(motion.sample(&times)?)
+            .map(|(&t, shaft)| (motion.spin(t) / NATURAL, shaft.position.norm() / machine.offset()));
         ramps.push((per_square, hue, values.collect::<Values>()));
     }
     in_both(|room: Room| {
@@ -807,7 +823,8 @@ pub(crate) fn ramp(id: &str) -> Outcome {
              13 at 1.2, the fastest 5 at 1.7, and each then beats with the load, ever faster and ever less.",
         );
         let spin = Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled(r"spin reached $\dot\phi/\omega_0$");
-        let title = room.of("distance of the shaft from $O$, in units of $b$", "distance from $O$, in units of $b$");
+        let title =
+            room.of("distance of the shaft from $O$, in units of $b$", "distance from $O$, in units of $b$");
         let radius = Axis::linear(0.0, 30.0, 10.0)?.minor(2.0).titled(title);
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 312.0);
         let mut plot = Plot::new(&mut drawing, frame, spin, radius)?;
@@ -862,7 +879,12 @@ pub(crate) fn ramp_map(id: &str) -> Outcome {
         );
         let acceleration = Axis::log(slowest, quickest, 1)?.titled(r"acceleration $\alpha/\omega_0^2$");
         let damping = Axis::log(lightest, heaviest, 1)?.titled(r"damping $\Gamma/\omega_0$");
-        let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, room.of(580.0, 316.0), 384.0), acceleration, damping)?;
+        let mut plot = Plot::new(
+            &mut drawing,
+            Rect::new(58.0, 34.0, room.of(580.0, 316.0), 384.0),
+            acceleration,
+            damping,
+        )?;
         let corner = |hue, value, plot: &mut Plot<'_>| {
             let corners = [(slowest, lightest), value, (quickest, heaviest)].map(|value| plot.at(value));
             plot.drawing().polygon(corners.to_vec(), Fill::Ground, hue);
@@ -877,12 +899,22 @@ pub(crate) fn ramp_map(id: &str) -> Outcome {
         for (square, hue) in [(0.1, Hue::Green), (0.01, Hue::Orange), (0.001, Hue::Blue)] {
             plot.markers(&[(square, 0.02)], Marker::Ring, hue);
         }
-        let steady = [(0.52, "$2b$"), (0.34, "$3b$"), (0.2, "$5b$"), (0.1, "$10b$"), (0.05, "$20b$"), (0.0177, "$50b$")];
+        let steady = [
+            (0.52, "$2b$"),
+            (0.34, "$3b$"),
+            (0.2, "$5b$"),
+            (0.1, "$10b$"),
+            (0.05, "$20b$"),
+            (0.0177, "$50b$"),
+        ];
         for (damping, text) in steady {
             let place = plot.at((1.25e-4, damping));
             plot.drawing().label_on_face(place, Side::AboveRight, text, Hue::Ink)?;
         }
-        for (value, text, hue) in [((1e-3, 0.25), "the damper", Hue::Blue), ((0.045, 0.04), room.of("the motor", "motor"), Hue::Orange)] {
+        for (value, text, hue) in [
+            ((1e-3, 0.25), "the damper", Hue::Blue),
+            ((0.045, 0.04), room.of("the motor", "motor"), Hue::Orange),
+        ] {
             let place = plot.at(value);
             plot.drawing().label_on_face(place, Side::Over, text, hue)?;
         }
@@ -922,9 +954,13 @@ pub(crate) fn polar_fault(id: &str) -> Outcome {
         let motion = machine.transient(pass)?;
         let [start, exact] = [motion.at(before)?, motion.at(after)?];
         let error = |end: Shaft| (end.position - exact.position).norm();
-        if let Ok(end) =
-            rk4(|t, y: &[f64; 4]| machine.polar_rates(t, y), before, start.to_polar().to_array(), after, steps)
-        {
+        if let Ok(end) = rk4(
+            |t, y: &[f64; 4]| machine.polar_rates(t, y),
+            before,
+            start.to_polar().to_array(),
+            after,
+            steps,
+        ) {
             polar.push((distance, error(Shaft::from_polar(Polar::from_array(end)))));
         }
         let end =
@@ -941,11 +977,17 @@ pub(crate) fn polar_fault(id: &str) -> Outcome {
         );
         let distance = Axis::log(1e-5, 1e-1, 1)?.titled("distance of the pass from $O$, m");
         let error = Axis::log(1e-12, 1.0, 2)?.titled("error of the position after the pass, m");
-        let mut plot = Plot::new(&mut drawing, Rect::new(62.0, 34.0, room.of(576.0, 312.0), 274.0), distance, error)?;
+        let mut plot =
+            Plot::new(&mut drawing, Rect::new(62.0, 34.0, room.of(576.0, 312.0), 274.0), distance, error)?;
         plot.upright(speed * step, Stroke::Dotted);
         plot.series("polar", &polar, Look::RK4.marker, Look::RK4.hue);
         plot.series("cartesian", &cartesian, Marker::Ring, Look::RK4.hue);
-        plot.label((1e-3, 1e-1), Side::Right, room.of("distance covered in one step", "covered in one step"), Hue::Muted)?;
+        plot.label(
+            (1e-3, 1e-1),
+            Side::Right,
+            room.of("distance covered in one step", "covered in one step"),
+            Hue::Muted,
+        )?;
         plot.label((5e-3, 1e-6), Side::AboveRight, r"in $r$ and $\theta$", Hue::Orange)?;
         plot.label((1e-4, 3e-11), Side::Above, r"in $x$ and $y$", Look::RK4.hue)?;
         Ok(drawing)

@@ -3,11 +3,11 @@
 use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use mechanics::InvalidQuantity;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
 use mechanics::geometric::{Splitting, commutator_free};
-use mechanics::InvalidQuantity;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
@@ -204,8 +204,7 @@ pub(crate) fn method_order(id: &str) -> Outcome {
         for steps in log_steps(10.0, 30_000.0, 24) {
             let steps = steps.round();
             let end = method.run(&moments, start.to_array(), duration, steps as usize)?;
-            let error =
-                rotation_between(&Turning::from_array(end).world_from_body, &exact.world_from_body);
+            let error = rotation_between(&Turning::from_array(end).world_from_body, &exact.world_from_body);
             values.push((duration / steps, error.max(1e-16)));
         }
         plot.series(name, &values, look.marker, look.hue);

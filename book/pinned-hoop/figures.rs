@@ -4,10 +4,10 @@ use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
+use mechanics::InvalidQuantity;
 use mechanics::elliptic::quarter_period;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
-use mechanics::InvalidQuantity;
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
@@ -129,7 +129,12 @@ fn after_the_snap(id: &str) -> Outcome {
     let out = hoop.impulse().z > 0.0 && hoop.centre_velocity().z > 0.0;
     let mark = if out { Marker::Out } else { Marker::Into };
     kit::marker(&mut drawing, pin, mark, Hue::Pink);
-    drawing.label(pin + at(4.0, 8.0), Side::Right, r"$A$, $\boldsymbol{P}$, $\hat{\mathbf{3}}$", Hue::Pink)?;
+    drawing.label(
+        pin + at(4.0, 8.0),
+        Side::Right,
+        r"$A$, $\boldsymbol{P}$, $\hat{\mathbf{3}}$",
+        Hue::Pink,
+    )?;
     kit::marker(&mut drawing, CENTRE + at(-24.0, -14.0), mark, Hue::Ink);
     drawing.label(CENTRE + at(-28.0, -14.0), Side::Left, r"$\boldsymbol{v}_\text{cm}$", Hue::Ink)?;
     drawing.label(at(CENTRE.x, 364.0), Side::Over, "just after", Hue::Muted)?;

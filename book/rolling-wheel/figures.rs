@@ -133,7 +133,12 @@ fn forces(id: &str) -> Outcome {
     drawing.label(contact + at(-0.5 * friction, 4.0), Side::Below, r"$m\Omega^2b$", Hue::Purple)?;
     let mark = if steady.torque() > 0.0 { Marker::Out } else { Marker::Into };
     kit::marker(&mut drawing, centre, mark, Hue::Purple);
-    drawing.label(centre + at(-4.0, 8.0), Side::Left, r"$\boldsymbol{\tau}$, $\hat{\mathbf{1}}$", Hue::Purple)?;
+    drawing.label(
+        centre + at(-4.0, 8.0),
+        Side::Left,
+        r"$\boldsymbol{\tau}$, $\hat{\mathbf{1}}$",
+        Hue::Purple,
+    )?;
     drawing.dot(contact, 4.5, Hue::Pink);
     let axis = at(36.0, contact.y);
     drawing.label(axis + at(4.0, 14.0), Side::Right, "to the axis", Hue::Muted)?;

@@ -80,7 +80,16 @@ fn series(problem: &str) -> Result<Vec<Series>, Cause> {
 fn name_series(plot: &mut Plot<'_>, values: &[(f64, f64)], name: &str, hue: Hue) -> Result<bool, Cause> {
     let frame = plot.frame();
     let places: Vec<_> = values.iter().map(|&value| plot.at(value)).collect();
-    let sides = [Side::Below, Side::BelowLeft, Side::Left, Side::Right, Side::BelowRight, Side::Above, Side::AboveLeft, Side::AboveRight];
+    let sides = [
+        Side::Below,
+        Side::BelowLeft,
+        Side::Left,
+        Side::Right,
+        Side::BelowRight,
+        Side::Above,
+        Side::AboveLeft,
+        Side::AboveRight,
+    ];
     for gap in [6.0, 10.0, 16.0, 24.0] {
         for side in sides {
             for &place in &places {
@@ -92,7 +101,8 @@ fn name_series(plot: &mut Plot<'_>, values: &[(f64, f64)], name: &str, hue: Hue)
                     Shape::Label(other) => other.bounds.overlaps(&room),
                     shape => {
                         let points = shape.points();
-                        points.iter().any(|&point| room.contains(point)) || !drawing::clip(&points, &room).is_empty()
+                        points.iter().any(|&point| room.contains(point))
+                            || !drawing::clip(&points, &room).is_empty()
                     }
                 });
                 if inside && !touched {
@@ -106,7 +116,13 @@ fn name_series(plot: &mut Plot<'_>, values: &[(f64, f64)], name: &str, hue: Hue)
 }
 
 /// Draws error against time on one problem into a frame, under names that begin with `prefix`.
-fn draw_problem(drawing: &mut Drawing, frame: Rect, problem: &str, prefix: &str, titles: bool) -> Result<(), Cause> {
+fn draw_problem(
+    drawing: &mut Drawing,
+    frame: Rect,
+    problem: &str,
+    prefix: &str,
+    titles: bool,
+) -> Result<(), Cause> {
     let mut error = Axis::log(1e-16, 1.0, 4)?;
     let mut cost = Axis::log(1e-3, 1e4, 1)?;
     if titles {
@@ -138,7 +154,8 @@ fn name_all(plot: &mut Plot<'_>, series: &[Series]) -> Result<(), Cause> {
 
 /// Draws the markers of all methods with their names, in two columns, the library's above.
 fn draw_key(drawing: &mut Drawing, corner: drawing::Point) -> Result<(), Cause> {
-    let ours = [Look::EXACT, Look::DOP853, Look::RK4, Look::TAYLOR].map(|look| (look.name, look.marker, look.hue));
+    let ours =
+        [Look::EXACT, Look::DOP853, Look::RK4, Look::TAYLOR].map(|look| (look.name, look.marker, look.hue));
     let others = PEERS.map(|(name, marker)| (name, marker, Hue::Muted));
     for (place, (name, marker, hue)) in ours.into_iter().chain(others).enumerate() {
         let (column, row) = ((place % 2) as f64, (place / 2) as f64);
@@ -152,7 +169,8 @@ fn draw_key(drawing: &mut Drawing, corner: drawing::Point) -> Result<(), Cause> 
 
 /// Error against time on one problem, with the key.
 fn alone(id: &str, problem: &str) -> Outcome {
-    let (_, words) = PROBLEMS.into_iter().find(|(name, _)| *name == problem).ok_or("a problem of the report")?;
+    let (_, words) =
+        PROBLEMS.into_iter().find(|(name, _)| *name == problem).ok_or("a problem of the report")?;
     let description = describe(&series(problem)?);
     let mut drawing =
         Drawing::new(id, 390.0, 440.0).titled(&format!("Error against time for {words}"), &description);

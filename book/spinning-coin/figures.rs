@@ -333,7 +333,8 @@ fn spin_down_end(id: &str) -> Outcome {
         let name = if power == 2.0 { format!("$p = {name}$") } else { format!("${name}$") };
         let side = if power > 1.0 { Side::AboveLeft } else { Side::BelowRight };
         // Of the two lines that lie close, the upper has more room to its left.
-        let (place, side) = if power == 1.25 { ((2.6e-5, 2.8e-4), Side::Over) } else { ((left, coin.tilt()), side) };
+        let (place, side) =
+            if power == 1.25 { ((2.6e-5, 2.8e-4), Side::Over) } else { ((left, coin.tilt()), side) };
         plot.label(place, side, &name, Hue::Blue)?;
     }
     plot.label((1.0, 4e-6), Side::Over, "dots: it falls with $g$", Hue::Pink)?;
@@ -348,7 +349,8 @@ pub(crate) fn circle_opens(id: &str) -> Outcome {
          goes back to zero with the tilt. The motion with its film of air and the law of slow sinking agree.",
     );
     let tilt = Axis::linear(0.0, 0.1, 0.02)?.minor(0.005).titled(r"tilt $\alpha$, rad");
-    let radius = Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled(r"radius of the centre’s circle, in $a/1000$");
+    let radius =
+        Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled(r"radius of the centre’s circle, in $a/1000$");
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 246.0), tilt, radius)?;
     let disk = EulersDisk::in_air(disc(0.1)?.parameters(), 1.78e-5)?;
     let sinking = disk.sinking(disk.steady(0.1)?, &Taylor::new(1e-12)?)?;

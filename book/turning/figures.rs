@@ -24,11 +24,7 @@ fn careless_plate(omega_body: Vector3<f64>, turned: f64) -> Result<FreeSymmetric
 }
 
 /// The way of a tip until it is this part of a round after its start, from what the library says.
-fn way(
-    top: &FreeSymmetricTop,
-    seconds: f64,
-    tip: impl Fn(&Turning) -> Vector3<f64>,
-) -> Result<Curve, Cause> {
+fn way(top: &FreeSymmetricTop, seconds: f64, tip: impl Fn(&Turning) -> Vector3<f64>) -> Result<Curve, Cause> {
     let points = linear_steps(0.0, seconds, 120)
         .map(|time| Ok(tip(&top.at(time)?)))
         .collect::<Result<Vec<_>, InvalidQuantity>>()?;
@@ -108,7 +104,8 @@ pub(crate) fn wobbles(id: &str) -> Outcome {
         stage.dot_in_front(mark, 4.0, Hue::Pink)?;
         stage.write(&mut drawing);
         drawing.label(at(62.0, 152.0), Side::Over, name, Hue::Pink)?;
-        let wobbles = ["", r"$\tfrac12$ wobble", "1 wobble", r"$1\tfrac12$ wobbles", "2 wobbles"][panels.len()];
+        let wobbles =
+            ["", r"$\tfrac12$ wobble", "1 wobble", r"$1\tfrac12$ wobbles", "2 wobbles"][panels.len()];
         if !wobbles.is_empty() {
             drawing.label(at(62.0, 178.0), Side::Over, wobbles, Hue::Ink)?;
         }
@@ -284,7 +281,8 @@ pub(crate) fn bodies(id: &str) -> Outcome {
             drawing.label_set(foot - aside * 5.0, side, 4.0, 13.0, number, Role::PlainText(Hue::Ink))?;
         }
         let cylinder = |height: f64| Body::cylinder(1.0, Cylinder { radius: 1.0, height });
-        let spheroid = |polar: f64| Body::spheroid(1.0, Spheroid { equatorial_radius: 1.0, polar_radius: polar });
+        let spheroid =
+            |polar: f64| Body::spheroid(1.0, Spheroid { equatorial_radius: 1.0, polar_radius: polar });
         let upper = [
             (cylinder(20.0)?, Form::Cylinder(20.0), "pencil"),
             (cylinder(3.0)?, Form::Cylinder(3.0), "can"),
@@ -305,7 +303,12 @@ pub(crate) fn bodies(id: &str) -> Outcome {
                 let foot = place(i3 / i1);
                 let centre = foot + aside * (sign * room.of(72.0, 88.0));
                 let (near, far) = if sign > 0.0 { (4.0, 34.0) } else { room.of((26.0, 36.0), (32.0, 50.0)) };
-                drawing.line(foot + aside * (sign * near), foot + aside * (sign * far), Stroke::Dotted, Hue::Muted);
+                drawing.line(
+                    foot + aside * (sign * near),
+                    foot + aside * (sign * far),
+                    Stroke::Dotted,
+                    Hue::Muted,
+                );
                 icon(&mut drawing, centre, form)?;
                 let (step, side) = match (room, sign > 0.0) {
                     (Room::Wide, true) => (at(0.0, -46.0), Side::Above),

@@ -117,7 +117,8 @@ pub(crate) fn beta(id: &str) -> Outcome {
         );
         let step = room.of(15.0, 30.0);
         let tilt = Axis::linear(0.0, 90.0, step)?.minor(5.0).titled(r"tilt $\alpha$, degrees");
-        let lean = Axis::linear(-10.0, 22.0, 5.0)?.minor(1.0).titled(r"lean of the momentum $\beta$, degrees");
+        let lean =
+            Axis::linear(-10.0, 22.0, 5.0)?.minor(1.0).titled(r"lean of the momentum $\beta$, degrees");
         let frame = Rect::new(52.0, 34.0, room.of(580.0, 320.0), 286.0);
         let mut plot = Plot::new(&mut drawing, frame, tilt, lean)?;
         plot.level(0.0, Stroke::Reference);
@@ -187,7 +188,13 @@ pub(crate) fn bearings(id: &str) -> Outcome {
         let tip = face + first * (0.88 * side) + Vector3::x() * (0.88 * cos * 0.8 * side);
         stage.label_shifted(tip, at(4.0 * side, 0.0), where_to, "centrifugal", Hue::Purple)?;
         let beside = if side > 0.0 { Side::Left } else { Side::Right };
-        stage.label_shifted(Vector3::z() * (side * half), at(-22.0 * side, 0.0), beside, "bearing", Hue::Ink)?;
+        stage.label_shifted(
+            Vector3::z() * (side * half),
+            at(-22.0 * side, 0.0),
+            beside,
+            "bearing",
+            Hue::Ink,
+        )?;
     }
     stage.named_vector([0.0, 0.0, 1.6], [0.0, 0.0, 2.0], r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.write(&mut drawing);
@@ -341,13 +348,15 @@ pub(crate) fn residual(id: &str) -> Outcome {
              pinched to a point on that level.",
         );
         let step = room.of(0.5, 0.5);
-        let mass = Axis::linear(0.0, 2.0, step)?.minor(0.1).titled("mass of all pistons, in units of what balances");
+        let mass =
+            Axis::linear(0.0, 2.0, step)?.minor(0.1).titled("mass of all pistons, in units of what balances");
         let torque = Axis::linear(0.0, 40.0, 10.0)?.minor(2.0).titled("torque on the frame, N m");
         let frame = Rect::new(52.0, 34.0, room.of(580.0, 320.0), 260.0);
         let mut plot = Plot::new(&mut drawing, frame, mass, torque)?;
         let ends = |limit: f64| 40.0_f64.min(limit);
         let band = most.iter().map(|&(x, y)| (x, ends(y)));
-        let band = band.chain(least.iter().rev().map(|&(x, y)| (x, ends(y)))).map(|value| plot.at(value)).collect();
+        let band =
+            band.chain(least.iter().rev().map(|&(x, y)| (x, ends(y)))).map(|value| plot.at(value)).collect();
         plot.drawing().polygon(band, Fill::Ground, Hue::Orange);
         plot.level(alone, Stroke::Reference);
         plot.curve("pair-least", least.iter().copied(), Stroke::Outline, Hue::Orange);
@@ -388,7 +397,8 @@ pub(crate) fn beta_error(id: &str) -> Outcome {
     ];
     let mut drawn = Vec::new();
     for (side, title, description) in panels {
-        let mut drawing = Drawing::new("", 350.0, 350.0).titled("Relative errors of three programs for the lean", description);
+        let mut drawing = Drawing::new("", 350.0, 350.0)
+            .titled("Relative errors of three programs for the lean", description);
         let x = Axis::log(1e-9, 1.0, 3)?.titled(title);
         let y = Axis::log(1e-17, 10.0, 4)?.titled(r"relative error of $\beta$");
         let mut plot = Plot::new(&mut drawing, Rect::new(54.0, 34.0, 252.0, 262.0), x, y)?;

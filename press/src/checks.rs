@@ -18,8 +18,8 @@ pub(crate) fn is_hidden(line: &str) -> bool {
     line.trim_end() == "#" || line.starts_with("# ")
 }
 
-/// The last statements of a snippet if they are assertions, on more than [`MAX_SHOWN`] lines with the comments right above
-/// each, and stand below something else.
+/// The last statements of a snippet if they are assertions, on more than [`MAX_SHOWN`] lines with the
+/// comments right above each, and stand below something else.
 pub(crate) fn folded(lines: &[&str]) -> Option<Folded> {
     let mut found = Folded { from: lines.len(), count: 0 };
     let (mut shown, mut seen) = (0, 0);

@@ -100,7 +100,7 @@ mod tests {
     /// The characters of the table `cmap` of a font.
     fn held(cmap: ttf_parser::cmap::Table<'_>) -> BTreeSet<char> {
         let mut held = BTreeSet::new();
-        for table in cmap.subtables.into_iter().filter(|table| table.is_unicode()) {
+        for table in cmap.subtables.into_iter().filter(ttf_parser::cmap::Subtable::is_unicode) {
             table.codepoints(|code| held.extend(char::from_u32(code)));
         }
         held

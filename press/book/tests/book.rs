@@ -186,7 +186,15 @@ fn small_book(name: &str, page: &str) -> PathBuf {
     // Every figure has to be shown somewhere.
     let figures: String =
         drawn().figures.iter().map(|figure| format!("\n![A caption.]({})\n", figure.id)).collect();
-    fs::write(folder.join("book/SUMMARY.md"), "- [A](a.md)\n- [Figures](figures.md)\n").unwrap();
+    // The frontispiece leads to the chapters.
+    let chapters: BTreeSet<&str> = drawn().figures.iter().map(|figure| figure.chapter.as_str()).collect();
+    let mut summary = "- [A](a.md)\n- [Figures](figures.md)\n".to_owned();
+    for chapter in chapters.iter().filter(|chapter| !chapter.is_empty()) {
+        summary += &format!("- [{chapter}]({chapter}/index.md)\n");
+        fs::create_dir_all(folder.join("book").join(chapter)).unwrap();
+        fs::write(folder.join("book").join(chapter).join("index.md"), format!("# {chapter}\n")).unwrap();
+    }
+    fs::write(folder.join("book/SUMMARY.md"), summary).unwrap();
     fs::write(folder.join("book/a.md"), page).unwrap();
     fs::write(folder.join("book/figures.md"), format!("# Figures\n{figures}")).unwrap();
     folder
