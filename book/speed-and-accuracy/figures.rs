@@ -108,7 +108,7 @@ fn name_series(plot: &mut Plot<'_>, values: &[(f64, f64)], name: &str, hue: Hue)
 /// Draws error against time on one problem into a frame, under names that begin with `prefix`.
 fn draw_problem(drawing: &mut Drawing, frame: Rect, problem: &str, prefix: &str, titles: bool) -> Result<(), Cause> {
     let mut error = Axis::log(1e-16, 1.0, 4)?;
-    let mut cost = Axis::log(1e-3, 1e4, 1)?;
+    let mut cost = Axis::log(1e-3, 1e5, 2)?;
     if titles {
         (error, cost) = (error.titled("largest error"), cost.titled("time, ms"));
     }
