@@ -138,7 +138,20 @@ fn small_book(name: &str, page: &str) -> PathBuf {
     // Every figure has to be shown somewhere.
     let figures: String =
         drawn().figures.iter().map(|figure| format!("\n![A caption.]({})\n", figure.id)).collect();
-    fs::write(folder.join("book/SUMMARY.md"), "- [A](a.md)\n- [Figures](figures.md)\n").unwrap();
+    let mut summary = "- [A](a.md)\n- [Figures](figures.md)\n".to_owned();
+    // Some lead to a page.
+    let svgs = drawn().figures.iter().map(|figure| figure.svg.as_str());
+    let targets: BTreeSet<&str> = svgs
+        .flat_map(|svg| svg.split("href=\"").skip(1))
+        .filter_map(|rest| rest.split(".html\"").next())
+        .collect();
+    for target in targets {
+        let path = folder.join(format!("book/{target}.md"));
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, "# A page\n").unwrap();
+        summary += &format!("- [A page]({target}.md)\n");
+    }
+    fs::write(folder.join("book/SUMMARY.md"), summary).unwrap();
     fs::write(folder.join("book/a.md"), page).unwrap();
     fs::write(folder.join("book/figures.md"), format!("# Figures\n{figures}")).unwrap();
     folder
