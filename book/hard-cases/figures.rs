@@ -359,14 +359,14 @@ pub(crate) fn hard_rounding(id: &str) -> Outcome {
         let end = Dop853::new(tolerance)?.solve(oscillator, 0.0, [1.0, 0.0], TAU)?;
         adaptive.push((end.work.evaluations as f64, error(end.state)));
     }
-    let work = Axis::log(1.0, 1e8, 2)?.titled("evaluations");
+    let work = Axis::log(10.0, 1e8, 1)?.titled("evaluations");
     let axis = Axis::log(1e-16, 1.0, 4)?.titled("error after one turn");
     let mut left = Drawing::new("", 310.0, 290.0);
     let mut plot = Plot::new(&mut left, PANEL, work, axis)?;
     plot.series("rk4", &classical, Look::RK4.marker, Look::RK4.hue);
     plot.series("dop853", &adaptive, Look::DOP853.marker, Look::DOP853.hue);
     plot.label((3e3, 1e-7), Side::Right, "RK4", Look::RK4.hue)?;
-    plot.label((4e2, 1e-13), Side::Left, "DOP853", Look::DOP853.hue)?;
+    plot.label((8e2, 1e-15), Side::Left, "DOP853", Look::DOP853.hue)?;
 
     let drum = machine(0.01, 3.0)?;
     let time = 200.0 * TAU / 3.0;

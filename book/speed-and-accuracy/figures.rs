@@ -124,7 +124,7 @@ fn draw_problem(
     titles: bool,
 ) -> Result<(), Cause> {
     let mut error = Axis::log(1e-16, 1.0, 4)?;
-    let mut cost = Axis::log(1e-3, 1e4, 1)?;
+    let mut cost = Axis::log(1e-3, 1e5, 2)?;
     if titles {
         (error, cost) = (error.titled("largest error"), cost.titled("time, ms"));
     }
