@@ -80,7 +80,7 @@ pub(crate) fn wobble_plate(id: &str) -> Outcome {
     let towards = across * 0.8 - first * 0.6;
     let face = normal * 0.036;
     stage.curve(Curve::segment(face, face + towards)?, Stroke::Outline, Hue::Ink)?;
-    stage.label(face - first * 0.5 + across * 0.2, Side::Over, "$R$", Hue::Ink)?;
+    stage.label(face - first * 0.5 - across * 0.05, Side::Over, "$R$", Hue::Ink)?;
     // The axes that turn with the shaft.
     let corner = Vector3::new(-2.15, 0.0, -0.2);
     for (axis, name) in [
