@@ -6,7 +6,7 @@ use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
 use mechanics::integrate::Taylor;
-use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::spinning_coin::{EulersDisk, Loss, SpinDown, SpinningCoin};
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use std::f64::consts::FRAC_PI_2;
@@ -336,7 +336,7 @@ fn spin_down_end(id: &str) -> Outcome {
         let side = if power > 1.0 { Side::AboveLeft } else { Side::BelowRight };
         // Of the two lines that lie close, the upper has more room to its left.
         let (place, side) =
-            if power == 1.25 { ((2.6e-5, 2.8e-4), Side::Over) } else { ((left, coin.tilt()), side) };
+            if power == 1.25 { ((4.5e-5, 3.4e-4), Side::Over) } else { ((left, coin.tilt()), side) };
         plot.label(place, side, &name, Hue::Blue)?;
     }
     plot.label((1.0, 4e-6), Side::Over, "dots: it falls with $g$", Hue::Pink)?;
@@ -348,7 +348,7 @@ pub(crate) fn circle_opens(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "The circle of the centre opens and closes",
         "The radius of the centre's circle, in thousandths of the radius of the disk, against the tilt from 0 to 0.1. From zero at 0.1 it grows, as the tilt falls, to 2.1 at a tilt of 0.04, and \
-         goes back to zero with the tilt; ten dots on it are ten seconds apart, further and further. The motion with its film of air and the law of slow sinking agree.",
+         goes back to zero with the tilt; ten dots on it are ten seconds apart. The motion with its film of air and the law of slow sinking agree.",
     );
     let tilt = Axis::linear(0.0, 0.1, 0.02)?.minor(0.005).titled(r"tilt $\alpha$, rad");
     let radius =
