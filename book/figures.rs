@@ -16,7 +16,7 @@ use mechanics::scenes::pinned_hoop::{Parameters as Pinned, Pin, Pinning, Shape};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::space_station::{Blow, Parameters as Built, Station};
 use mechanics::scenes::spinning_coin::SpinningCoin;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Complex, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Draws what is on one stage.
@@ -31,7 +31,7 @@ pub(crate) fn frontispiece(id: &str) -> Outcome {
         ("laundromat", "1 Laundromat", "A drum; its shaft spirals out to a circle.", laundromat),
         (
             "turning",
-            "2 How bodies turn",
+            "2 How a body turns",
             "A plate in the air, its axis and its angular velocity on either side of its angular momentum.",
             turning,
         ),
@@ -48,7 +48,7 @@ pub(crate) fn frontispiece(id: &str) -> Outcome {
             "A ring with spokes, its axis on a cone about the angular momentum.",
             space_station,
         ),
-        ("air-drag", "6 Air drag", "A disc whose axis spirals in towards the upright.", air_drag),
+        ("air-drag", "6 Frisbee and pencil", "A disc whose axis spirals in towards the upright.", air_drag),
         (
             "pinned-hoop",
             "7 Pinned hoop",
@@ -158,13 +158,13 @@ fn coin_toss(stage: &mut Stage) -> Result<(), Cause> {
     let moments = Body::thin_disk(0.0075, 0.0122)?.moments();
     let toss = Toss::new(TossParameters { moments, omega_1: 1.0, omega_3: 0.25 })?;
     let round = TAU / toss.precession_rate();
-    for (still, along) in linear_steps(-1.5, 1.5, 4).enumerate() {
+    for (still, along) in linear_steps(-1.3, 1.3, 4).enumerate() {
         let normal = toss.normal(0.22 * still as f64 * round)?;
-        let centre = Vector3::new(along, 0.0, 0.9 - 0.55 * along * along);
+        let centre = Vector3::new(along, 0.0, 0.95 - 0.75 * along * along);
         let coin = Solid::disc(centre, normal, 0.48, 0.08)?;
         stage.solid(if still < 4 { coin.finish(Finish::Ghost) } else { coin }, Hue::Blue)?;
     }
-    let path = linear_steps(-1.5, 1.5, 80).map(|along| Vector3::new(along, 0.0, 0.9 - 0.55 * along * along));
+    let path = linear_steps(-1.3, 1.3, 80).map(|along| Vector3::new(along, 0.0, 0.95 - 0.75 * along * along));
     stage.curve(seen(path)?, Stroke::Dotted, Hue::Muted)?;
     Ok(())
 }
@@ -237,8 +237,12 @@ fn rolling_wheel(stage: &mut Stage) -> Result<(), Cause> {
     let wobble = wheel.wobble(start, &Taylor::new(1e-14)?)?;
     let times: Vec<f64> = linear_steps(0.0, 2.6 * wobble.period(), 400).collect();
     let states = wobble.sample(&times)?;
-    let scale = 0.6;
-    let contact = |place: nalgebra::Complex<f64>| Vector3::new(place.re * scale, place.im * scale, FLOOR);
+    let scale = 0.52;
+    let middle = states.iter().map(|state| state.contact(1.0)).sum::<Complex<f64>>() / states.len() as f64;
+    let contact = |place: Complex<f64>| {
+        let place = (place - middle) * scale;
+        Vector3::new(place.re, place.im, FLOOR)
+    };
     let track = states.iter().map(|state| contact(state.contact(1.0)));
     stage.curve(seen(track)?, Stroke::Curve, Hue::Pink)?;
     for (still, finish) in [(150, Finish::Ghost), (275, Finish::Ghost), (400, Finish::Opaque)] {

@@ -256,7 +256,7 @@ impl Printer<'_, '_> {
         let up = "../".repeat(self.page.path.matches('/').count());
         let class = if figure.wide { "figure wide" } else { "figure" };
         Some(format!(
-            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption>{number}{caption} \
+            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption>{number}{caption}\u{a0}\
              <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
             label.id(),
             figure.svg.trim(),
