@@ -1,4 +1,5 @@
-//! Dots and hats over the middle of their letters, which change nothing about exponents.
+//! What an italic letter asks of its neighbours: dots and hats over the middle of its top, exponents as low as if it had
+//! none, and room for a letter that leans over its box.
 
 use super::tree::{Element, Node};
 use ttf_parser::Face;
@@ -18,6 +19,31 @@ pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
             accent.set("style", &format!("margin-{side}:{:.2}em", 2.0 * way.abs()));
         }
     });
+}
+
+/// The least that a letter leans over its box before one sees it, in ems.
+const LEANING: f32 = 0.04;
+
+/// A letter like *T* leans over the right edge of its box, and browsers set the next sign at that edge. Typesetters leave
+/// room for it, unless something is raised or lowered there.
+pub(super) fn make_room(formula: &mut Element, font: &Face<'_>) {
+    formula.visit(&mut |row| {
+        if !matches!(&*row.name, "math" | "mrow" | "mtd" | "msqrt" | "mfrac") {
+            return;
+        }
+        for letter in row.elements_mut().filter(|child| child.is("mi")) {
+            if let Some(room) = leaning(letter, font).filter(|room| *room >= LEANING) {
+                letter.set("style", &format!("margin-right:{room:.2}em"));
+            }
+        }
+    });
+}
+
+/// How far a letter leans over its box, in ems.
+fn leaning(letter: &Element, font: &Face<'_>) -> Option<f32> {
+    let glyph = font.glyph_index(shown(letter)?)?;
+    let corrections = font.tables().math?.glyph_info?.italic_corrections?;
+    Some(f32::from(corrections.get(glyph)?.value) / f32::from(font.units_per_em()))
 }
 
 /// Browsers raise an exponent by the height of what it stands at, accent and all; typesetters by that of the letter. So a
@@ -108,5 +134,12 @@ mod tests {
         assert!(height(r"\dot x^2") < Some(0.5) && height(r"\dot{x}_1^2") == height(r"\dot x^2"));
         assert!(height(r"\dot\theta^2") > Some(0.6) && height(r"\dot\theta^2") < Some(0.8));
         assert_eq!((height(r"\dot x"), height(r"\dot x_1"), height("x^2")), (None, None, None));
+    }
+
+    #[test]
+    fn a_letter_that_leans_has_room_where_no_exponent_stands() {
+        let room = |tex: &str| plain().display(tex, "").unwrap().matches("margin-right").count();
+        assert_eq!((room("T = P"), room(r"\frac{P}{2}"), room("f(x)")), (2, 1, 1));
+        assert_eq!((room("T^2 = P_0"), room("a = x"), room(r"\sin x")), (0, 0, 0));
     }
 }

@@ -77,6 +77,7 @@ impl Maths {
         brackets::stand_close(&mut formula);
         brackets::keep_their_height(&mut formula);
         accents::centre(&mut formula, &self.font);
+        accents::make_room(&mut formula, &self.font);
         self.letters.colour(&mut formula, folder);
         accents::keep_exponents_low(&mut formula, &self.font);
         let pieces = if display == MathDisplay::Block { pieces::cut(formula) } else { vec![formula] };
