@@ -1,6 +1,7 @@
-//! Dots and hats over the middle of their letters.
+//! What an italic letter asks of its neighbours: dots and hats over the middle of its top, exponents as low as if it had
+//! none, and room for a letter that leans over its box.
 
-use super::tree::Element;
+use super::tree::{Element, Node};
 use ttf_parser::Face;
 
 /// Browsers put an accent over the middle of a letter's box. The font knows better where an italic letter
@@ -20,17 +21,70 @@ pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
     });
 }
 
+/// The least that a letter leans over its box before one sees it, in ems.
+const LEANING: f32 = 0.04;
+
+/// A letter like *T* leans over the right edge of its box, and browsers set the next sign at that edge. Typesetters leave
+/// room for it, unless something is raised or lowered there.
+pub(super) fn make_room(formula: &mut Element, font: &Face<'_>) {
+    formula.visit(&mut |row| {
+        if !matches!(&*row.name, "math" | "mrow" | "mtd" | "msqrt" | "mfrac") {
+            return;
+        }
+        for letter in row.elements_mut().filter(|child| child.is("mi")) {
+            if let Some(room) = leaning(letter, font).filter(|room| *room >= LEANING) {
+                letter.set("style", &format!("margin-right:{room:.2}em"));
+            }
+        }
+    });
+}
+
+/// How far a letter leans over its box, in ems.
+fn leaning(letter: &Element, font: &Face<'_>) -> Option<f32> {
+    let glyph = font.glyph_index(shown(letter)?)?;
+    let corrections = font.tables().math?.glyph_info?.italic_corrections?;
+    Some(f32::from(corrections.get(glyph)?.value) / f32::from(font.units_per_em()))
+}
+
+/// Browsers raise an exponent by the height of what it stands at, accent and all; typesetters by that of the letter. So a
+/// letter with an accent and an exponent says that it is no higher than without the accent.
+pub(super) fn keep_exponents_low(formula: &mut Element, font: &Face<'_>) {
+    formula.visit(&mut |power| {
+        let Some(base) = power.element_mut(0).filter(|base| base.is("mover")) else {
+            return;
+        };
+        let height = base.elements().next().and_then(|letter| height(letter, font));
+        if let Some(height) = height.filter(|_| matches!(&*power.name, "msup" | "msubsup")) {
+            if let Some(base) = power.element_mut(0) {
+                let letter = std::mem::take(base);
+                *base = Element::around("mpadded", vec![Node::Element(letter)]);
+                base.set("height", &format!("{height:.2}em"));
+            }
+        }
+    });
+}
+
+/// How high a letter is, in ems.
+fn height(letter: &Element, font: &Face<'_>) -> Option<f32> {
+    let glyph = font.glyph_index(shown(letter)?)?;
+    Some(f32::from(font.glyph_bounding_box(glyph)?.y_max) / f32::from(font.units_per_em()))
+}
+
 /// How far the top of a letter stands from the middle of its box, in ems, if one sees it.
 fn way(letter: &Element, font: &Face<'_>) -> Option<f32> {
-    let text = letter.text();
-    let c =
-        text.chars().next().filter(|_| matches!(&*letter.name, "mi" | "mn") && text.chars().count() == 1)?;
-    let c = if letter.is("mi") && letter.attribute("mathvariant").is_none() { italic(c) } else { c };
-    let glyph = font.glyph_index(c)?;
+    let glyph = font.glyph_index(shown(letter)?)?;
     let tops = font.tables().math?.glyph_info?.top_accent_attachments?;
     let top = f32::from(tops.get(glyph)?.value);
     let way = (top - f32::from(font.glyph_hor_advance(glyph)?) / 2.0) / f32::from(font.units_per_em());
     (way.abs() >= 0.02).then_some(way)
+}
+
+/// The character that a browser shows for a letter or a digit; for more than one, nothing.
+pub(super) fn shown(letter: &Element) -> Option<char> {
+    let text = letter.text();
+    let c =
+        text.chars().next().filter(|_| matches!(&*letter.name, "mi" | "mn") && text.chars().count() == 1)?;
+    Some(if letter.is("mi") && letter.attribute("mathvariant").is_none() { italic(c) } else { c })
 }
 
 /// The italic letter that a browser shows for a plain one.
@@ -68,5 +122,24 @@ mod tests {
         assert!(margin(r"\dot d") > margin(r"\dot\theta") && margin(r"\dot\theta") > margin(r"\dot\omega"));
         assert!(margin(r"\dot\omega") > 0.0);
         assert_eq!(margin(r"\hat{\mathbf x}"), 0.0);
+    }
+
+    #[test]
+    fn an_exponent_stands_as_low_at_a_dotted_letter_as_at_a_bare_one() {
+        let height = |tex: &str| -> Option<f32> {
+            let mathml = plain().display(tex, "").unwrap();
+            let (_, rest) = mathml.split_once("<mpadded height=\"")?;
+            Some(rest.split_once("em").unwrap().0.parse().unwrap())
+        };
+        assert!(height(r"\dot x^2") < Some(0.5) && height(r"\dot{x}_1^2") == height(r"\dot x^2"));
+        assert!(height(r"\dot\theta^2") > Some(0.6) && height(r"\dot\theta^2") < Some(0.8));
+        assert_eq!((height(r"\dot x"), height(r"\dot x_1"), height("x^2")), (None, None, None));
+    }
+
+    #[test]
+    fn a_letter_that_leans_has_room_where_no_exponent_stands() {
+        let room = |tex: &str| plain().display(tex, "").unwrap().matches("margin-right").count();
+        assert_eq!((room("T = P"), room(r"\frac{P}{2}"), room("f(x)")), (2, 1, 1));
+        assert_eq!((room("T^2 = P_0"), room("a = x"), room(r"\sin x")), (0, 0, 0));
     }
 }

@@ -1,6 +1,16 @@
-//! Brackets that keep their size when something is raised or lowered behind them.
+//! Brackets of a chosen size, `\Bigl(`: no air beside them, and the same size when something is raised or lowered behind them.
 
 use super::tree::{Element, Node};
+
+/// In the middle of a row a browser takes such a bracket for a sign between two others, and gives it their air.
+pub(super) fn stand_close(formula: &mut Element) {
+    formula.visit(&mut |bracket| {
+        if bracket.is("mo") && bracket.attribute("minsize").is_some() {
+            bracket.set("lspace", "0");
+            bracket.set("rspace", "0");
+        }
+    });
+}
 
 /// A browser gives `\Bigr)` its height only among other parts of a row. As the base of a power it is alone,
 /// so it gets a row of its own.
@@ -23,6 +33,12 @@ pub(super) fn keep_their_height(formula: &mut Element) {
 #[cfg(test)]
 mod tests {
     use crate::maths::tests::plain;
+
+    #[test]
+    fn a_bracket_has_no_air() {
+        let mathml = plain().display(r"f\bigl(x\bigr) + (x)", "").unwrap();
+        assert_eq!(mathml.matches(r#"lspace="0" rspace="0""#).count(), 2, "{mathml}");
+    }
 
     #[test]
     fn a_bracket_with_a_power_stands_in_a_row() {

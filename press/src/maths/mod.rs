@@ -74,9 +74,12 @@ impl Maths {
     /// The converter's MathML as browsers print it well, coloured.
     fn convert(&self, tex: &str, display: MathDisplay, folder: &str) -> Result<String, MathsFault> {
         let mut formula = self.formula(tex, display)?;
+        brackets::stand_close(&mut formula);
         brackets::keep_their_height(&mut formula);
         accents::centre(&mut formula, &self.font);
+        accents::make_room(&mut formula, &self.font);
         self.letters.colour(&mut formula, folder);
+        accents::keep_exponents_low(&mut formula, &self.font);
         let pieces = if display == MathDisplay::Block { pieces::cut(formula) } else { vec![formula] };
         let mut out = String::with_capacity(tex.len() * 8);
         pieces.iter().for_each(|piece| piece.write(&mut out));

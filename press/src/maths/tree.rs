@@ -66,11 +66,15 @@ impl Element {
 
     /// The child element at a place, to be changed.
     pub(super) fn element_mut(&mut self, place: usize) -> Option<&mut Self> {
-        let mut elements = self.children.iter_mut().filter_map(|child| match child {
+        self.elements_mut().nth(place)
+    }
+
+    /// The child elements, to be changed.
+    pub(super) fn elements_mut(&mut self) -> impl Iterator<Item = &mut Self> {
+        self.children.iter_mut().filter_map(|child| match child {
             Node::Element(element) => Some(element),
             Node::Text(_) => None,
-        });
-        elements.nth(place)
+        })
     }
 
     /// All the text inside.
