@@ -20,14 +20,14 @@ fn body(ratio: f64, drag: f64, omega_body: Vector3<f64>) -> Result<DraggedTop, I
 
 /// A flat and a long body, and the way that drag sends the angular velocity.
 pub(crate) fn two_bodies(id: &str) -> Outcome {
-    let panel = |[title, description, name]: [&str; 3], ratio: f64, solid: Solid| -> Outcome {
+    let panel = |[title, description, name]: [&str; 3], ratio: f64, solid: Solid, height: f64| -> Outcome {
         let mut drawing = Drawing::new("", 320.0, 350.0).titled(title, description);
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0, 0.0, 0.2],
             azimuth: -1.25,
             elevation: 0.3,
             distance: 9.0,
-            centre: at(150.0, 180.0),
+            centre: at(150.0, height),
             scale: 90.0,
         })?);
         stage.solid(solid, Hue::Blue)?;
@@ -50,7 +50,7 @@ pub(crate) fn two_bodies(id: &str) -> Outcome {
         stage.arrow(travelled, Stroke::Curve, Heads::End, Hue::Orange)?;
         stage.angle([0.0; 3], Vector3::z(), start, 0.75, r"$\theta$", Hue::Ink)?;
         stage.write(&mut drawing);
-        drawing.label(at(150.0, 338.0), Side::Over, name, Hue::Ink)?;
+        drawing.label(at(150.0, 322.0), Side::Over, name, Hue::Ink)?;
         Ok(drawing)
     };
     let flat = panel(
@@ -62,6 +62,7 @@ pub(crate) fn two_bodies(id: &str) -> Outcome {
         ],
         2.0,
         Solid::disc([0.0; 3], Vector3::z(), 1.0, 0.14)?,
+        220.0,
     )?;
     let long = panel(
         [
@@ -72,6 +73,7 @@ pub(crate) fn two_bodies(id: &str) -> Outcome {
         ],
         0.4,
         Solid::rod([0.0, 0.0, -1.1], [0.0, 0.0, 1.1], 0.085)?,
+        180.0,
     )?;
     Ok(Drawing::panels(id, vec![flat, long]))
 }
@@ -168,7 +170,8 @@ fn stills(size: (f64, f64), cell: (f64, f64), down: bool) -> Outcome {
             let decimals = usize::from(left < 0.1);
             let percent = format!("{:.decimals$} %", 100.0 * left);
             let name = if still == 0 { format!("{}, spin {percent}", body.name) } else { percent };
-            drawing.label(middle + at(0.0, 0.5 * cell.1 - 4.0), Side::Over, &name, Hue::Ink)?;
+            let below = if body.flat && !down { 60.0 } else { 76.0 };
+            drawing.label(middle + at(0.0, below), Side::Over, &name, Hue::Ink)?;
             if still == 0 {
                 drawing.label(middle + at(4.0, -70.0), Side::Right, r"$\boldsymbol{L}$", Hue::Green)?;
             }
@@ -179,8 +182,8 @@ fn stills(size: (f64, f64), cell: (f64, f64), down: bool) -> Outcome {
 
 /// Stills of a Frisbee and a pencil as they slow down.
 pub(crate) fn drag_stills(id: &str) -> Outcome {
-    let wide = stills((660.0, 400.0), (162.0, 180.0), false)?;
-    let narrow = stills((330.0, 770.0), (164.0, 180.0), true)?;
+    let wide = stills((660.0, 380.0), (162.0, 170.0), false)?;
+    let narrow = stills((330.0, 740.0), (164.0, 176.0), true)?;
     Ok(Drawing::panels(id, vec![wide]).with_narrow(narrow))
 }
 
@@ -200,7 +203,7 @@ pub(crate) fn two_clocks(id: &str) -> Outcome {
             let tips =
                 linear_steps(0.0, 12.0, 1200).map(parts).collect::<Result<Vec<_>, InvalidQuantity>>()?;
             plot.curve(name, tips, Stroke::Curve, Hue::Orange);
-            for count in 0..5 {
+            for count in 0..3 {
                 let [from, to] = [plot.at((0.0, 0.0)), plot.at(parts(step * f64::from(count))?)];
                 arrow(plot.drawing(), from, to, Hue::Orange);
             }
@@ -212,14 +215,14 @@ pub(crate) fn two_clocks(id: &str) -> Outcome {
         "flat",
         [
             "The two parts of the angular velocity of a disc",
-            "Arrows from the origin show the angular velocity at five equal steps of time, its wobble part \
+            "Arrows from the origin show the angular velocity at three moments, equally far apart, its wobble part \
              to the right and its spin part upwards. They shrink and turn towards the upright; their tips \
              lie on a curve that reaches the origin upright.",
             "flat: the wobble dies first",
         ],
         2.0,
-        0.4,
-        0.45,
+        0.6,
+        0.9,
     )?;
     let long = panel(
         "long",
@@ -230,8 +233,8 @@ pub(crate) fn two_clocks(id: &str) -> Outcome {
             "long: the spin dies first",
         ],
         0.5,
-        0.4,
-        0.3,
+        0.6,
+        0.5,
     )?;
     Ok(Drawing::panels(id, vec![flat, long]))
 }

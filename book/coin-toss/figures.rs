@@ -33,13 +33,23 @@ const HEADS: [[[f64; 2]; 2]; 3] =
     [[[-0.22, -0.32], [-0.22, 0.32]], [[0.22, -0.32], [0.22, 0.32]], [[-0.22, 0.0], [0.22, 0.0]]];
 const TAILS: [[[f64; 2]; 2]; 2] = [[[0.0, -0.3], [0.0, 0.3]], [[-0.26, -0.3], [0.26, -0.3]]];
 
-/// Adds a coin of radius 1 about the origin: the half of the face that was up in the hue of the body with an H, the
-/// other grey with a T. The letters stand a step aside from the middle along axis 2.
-fn coin_in(stage: &mut Stage, attitude: &UnitQuaternion<f64>, aside: f64, pen: Stroke) -> Result<(), Cause> {
+/// Adds a coin of radius 1 about the origin: the half of the face that was up in the hue of the body, the other grey.
+fn halves_in(stage: &mut Stage, attitude: &UnitQuaternion<f64>) -> Result<(), Cause> {
     let normal = attitude * Vector3::z();
     for (side, hue) in [(0.5, Hue::Blue), (-0.5, Hue::Muted)] {
         stage.solid(Solid::disc(normal * (side * HALF), normal, 1.0, HALF)?, hue)?;
     }
+    Ok(())
+}
+
+/// Adds the letters of that coin: an H on the face that was up, a T on the other, a step aside from the middle along
+/// axis 2.
+fn letters_in(
+    stage: &mut Stage,
+    attitude: &UnitQuaternion<f64>,
+    aside: f64,
+    pen: Stroke,
+) -> Result<(), Cause> {
     for (height, hue, letter) in [(HALF, Hue::Blue, &HEADS[..]), (-HALF, Hue::Ink, &TAILS[..])] {
         for stroke in letter {
             let [from, to] = stroke.map(|[x, y]| attitude * Vector3::new(x, y + aside, height));
@@ -72,7 +82,8 @@ pub(crate) fn toss(id: &str) -> Outcome {
             centre: at(150.0, 185.0),
             scale: 90.0,
         })?);
-        coin_in(&mut stage, &attitude, -0.5, Stroke::Vector)?;
+        halves_in(&mut stage, &attitude)?;
+        letters_in(&mut stage, &attitude, -0.5, Stroke::Vector)?;
         stage.named_vector([0.0; 3], momentum * 1.75, r"$\boldsymbol{L}$", Hue::Green)?;
         stage.named_vector([0.0; 3], normal * 1.55, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
         if time == 0.0 {
@@ -93,7 +104,7 @@ pub(crate) fn toss(id: &str) -> Outcome {
         }
         stage.write(&mut drawing);
         let name = if time == 0.0 { "at the start: heads" } else { "half a precession later: tails" };
-        drawing.label(at(150.0, 318.0), Side::Over, name, Hue::Ink)?;
+        drawing.label(at(150.0, 304.0), Side::Over, name, Hue::Ink)?;
         Ok(drawing)
     };
     let start = panel(
@@ -162,7 +173,15 @@ impl Film {
                     scale: 0.8 * radius,
                 })?);
                 let attitude = toss.at(period * f64::from(frame) / f64::from(FRAMES))?.world_from_body;
-                coin_in(&mut stage, &attitude, 0.0, Stroke::Outline)?;
+                // So small a coin is of one hue, that of the face one sees; on edge it has both.
+                let normal = attitude * Vector3::z();
+                if normal.z.abs() < 1e-9 {
+                    halves_in(&mut stage, &attitude)?;
+                } else {
+                    let hue = if normal.z > 0.0 { Hue::Blue } else { Hue::Muted };
+                    stage.solid(Solid::disc([0.0; 3], normal, 1.0, 2.0 * HALF)?, hue)?;
+                    letters_in(&mut stage, &attitude, 0.0, Stroke::Outline)?;
+                }
                 stage.write(&mut drawing);
             }
             let share = format!("heads {:.0} %", 100.0 * toss.same_face_probability());

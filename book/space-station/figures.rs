@@ -313,7 +313,7 @@ fn rolling_cones(
     let side = if cut { Side::Right } else { Side::Above };
     stage.label(omega * 1.85, side, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.write(&mut drawing);
-    drawing.label(at(165.0, 318.0), Side::Over, name, Hue::Ink)?;
+    drawing.label(at(165.0, 304.0), Side::Over, name, Hue::Ink)?;
     Ok(drawing)
 }
 

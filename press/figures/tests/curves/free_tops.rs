@@ -2,7 +2,8 @@
 //! written out here.
 
 use crate::{PIXELS, curve, figures, lies_on};
-use drawing::{Drawing, Fill, Hue, Piece, Point, Role, Shape, Stroke};
+use drawing::space::View;
+use drawing::{Drawing, Fill, Hue, Piece, Point, Role, Shape, at};
 use std::f64::consts::{PI, TAU};
 
 #[test]
@@ -153,8 +154,8 @@ fn the_tangent_falls_and_rises_exponentially_and_as_a_power_of_the_spin() {
 
 #[test]
 fn the_two_parts_of_the_angular_velocity_are_powers_of_each_other() {
-    lies_on("two-clocks", "flat", |wobble: f64| (wobble / 0.4).sqrt());
-    lies_on("two-clocks", "long", |wobble: f64| (wobble / 0.4).powi(2));
+    lies_on("two-clocks", "flat", |wobble: f64| (wobble / 0.6).sqrt());
+    lies_on("two-clocks", "long", |wobble: f64| (wobble / 0.6).powi(2));
 }
 
 #[test]
@@ -230,49 +231,170 @@ fn the_axis_spirals_in_about_a_momentum_that_hardly_moves() {
     }
 }
 
+/// How far a place is from the nearest line of a hue, px.
+fn distance_from_lines(drawing: &Drawing, hue: Hue, place: Point) -> f64 {
+    let to_segment = |from: Point, to: Point| {
+        let (chord, step) = (to - from, place - from);
+        let square = (chord.x * chord.x + chord.y * chord.y).max(f64::MIN_POSITIVE);
+        let part = ((step.x * chord.x + step.y * chord.y) / square).clamp(0.0, 1.0);
+        (step - chord * part).length()
+    };
+    let lines = drawing
+        .items()
+        .iter()
+        .filter(|item| matches!(item.role, Role::Line(_, found) if found == hue))
+        .map(|item| item.shape.points());
+    lines
+        .flat_map(|line| line.windows(2).map(|ends| to_segment(ends[0], ends[1])).collect::<Vec<_>>())
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Where a view shows a place: turned about the upright, then about what points to the right, then smaller as it is
+/// further away.
+fn landed(view: &View, place: [f64; 3]) -> Point {
+    let [x, y, z] = [0, 1, 2].map(|n| place[n] - view.target[n]);
+    let ((sin, cos), (rise, flat)) = (view.azimuth.sin_cos(), view.elevation.sin_cos());
+    let (right, near) = (y * cos - x * sin, x * cos + y * sin);
+    let (up, near) = (z * flat - near * rise, z * rise + near * flat);
+    let scale = view.scale / (1.0 - near / view.distance);
+    view.centre + at(right * scale, -up * scale)
+}
+
+/// The direction at an angle from z and an azimuth, rad, of a length.
+fn towards(angle: f64, azimuth: f64, length: f64) -> [f64; 3] {
+    [angle.sin() * azimuth.cos(), angle.sin() * azimuth.sin(), angle.cos()].map(|part| length * part)
+}
+
+/// The part of a round about z, by steps of two degrees from an azimuth on, that lines of a hue show.
+fn drawn_round(
+    drawing: &Drawing,
+    (camera, hue): (&View, Hue),
+    (angle, length): (f64, f64),
+    first: f64,
+    tolerance: f64,
+) -> Vec<bool> {
+    let place = |step: i32| landed(camera, towards(angle, first + f64::from(step) * TAU / 180.0, length));
+    (0..180).map(|step| distance_from_lines(drawing, hue, place(step)) < tolerance).collect()
+}
+
 #[test]
-fn the_circle_of_the_frisbee_closes() {
+fn the_circle_of_the_frisbee_closes_and_that_of_the_pencil_opens() {
     let figure = figures().iter().find(|figure| figure.id == "fig:drag-stills").expect("the stills");
     for part in figure.drawing.all_parts() {
-        let names = part.items().iter().filter_map(|item| match (&item.shape, item.role) {
-            (Shape::Label(label), _) => match &label.pieces[..] {
-                [Piece::Words { text, .. }] => Some((text.clone(), label.bounds.centre())),
-                _ => None,
-            },
-            _ => None,
-        });
-        let stills: Vec<(f64, Point)> = names
-            .filter_map(|(text, place)| {
-                let percent = match text.as_str() {
-                    "Frisbee, spin 100 %" => 100.0,
-                    "50 %" => 50.0,
-                    "12 %" => 12.5,
-                    _ => return None,
-                };
-                Some((percent, place))
-            })
-            .collect();
-        assert_eq!(stills.len(), 3, "{stills:?}");
-        for (percent, name) in stills {
-            // The line of the body's hue that lies wholly between 40 and 90 px over the middle of the still.
-            let middle = name.y - 86.0;
-            let widths = part.items().iter().filter_map(|item| {
-                let points =
-                    (item.role == Role::Line(Stroke::Outline, Hue::Blue)).then(|| item.shape.points())?;
-                let above = points.iter().all(|point| {
-                    (40.0..90.0).contains(&(middle - point.y)) && (point.x - name.x).abs() < 70.0
-                });
-                let x = |fold: fn(f64, f64) -> f64, from| points.iter().map(|point| point.x).fold(from, fold);
-                above.then(|| x(f64::max, f64::NEG_INFINITY) - x(f64::min, f64::INFINITY))
-            });
-            let width = widths.fold(0.0, f64::max);
-            // tan θ_L falls with the spin.
-            let tangent = 30_f64.to_radians().tan() * percent / 100.0;
-            let expected = 2.0 * 50.0 * 1.1 * tangent / tangent.hypot(1.0);
-            assert!(
-                (width - expected).abs() < 0.08 * expected + 0.7,
-                "{percent} %: {width} px for {expected}"
-            );
+        let down = part.height() > part.width();
+        let mut stills = 0;
+        for item in part.items() {
+            let Shape::Label(label) = &item.shape else { continue };
+            let [Piece::Words { text, .. }] = &label.pieces[..] else { continue };
+            let Some(percent) = text.strip_suffix(" %").and_then(|text| text.split(' ').next_back()) else {
+                continue;
+            };
+            let spin = percent.parse::<f64>().expect("a number") / 100.0;
+            let place = label.bounds.centre();
+            let pencil = if down { place.x > 0.5 * part.width() } else { place.y > 0.5 * part.height() };
+            // tan θ_L at the start, the power of the spin by which it changes, I₃/I₁ − 1, and what is drawn of the axis.
+            let (start, power, length) = if pencil {
+                let (i1, i3) = (0.14_f64.powi(2) / 4.0 + 2.3_f64.powi(2) / 12.0, 0.14_f64.powi(2) / 2.0);
+                (6_f64, i3 / i1 - 1.0, 1.15)
+            } else {
+                (30.0, 1.0, 1.1)
+            };
+            // The names have rounded numbers.
+            let factor: f64 = if pencil { 0.25 } else { 0.5 };
+            let spin = factor.powf((spin.ln() / factor.ln()).round());
+            let angle = (start.to_radians().tan() * spin.powf(power)).atan();
+            let below = if pencil || down { 76.0 } else { 60.0 };
+            let camera = View {
+                target: [0.0; 3],
+                azimuth: -0.25 * TAU,
+                elevation: 0.32,
+                distance: 9.0,
+                centre: place - at(0.0, below),
+                scale: 50.0,
+            };
+            // A name stands within 2 px of where it is put.
+            let round = drawn_round(part, (&camera, Hue::Blue), (angle, length), 0.0, 2.0);
+            let seen = round.iter().filter(|&&drawn| drawn).count();
+            assert!(seen > 150, "{text}, pencil: {pencil}, {}°: {seen} of 180", angle.to_degrees());
+            stills += 1;
         }
+        assert_eq!(stills, 8);
+    }
+}
+
+/// Whether an arrow of a hue goes from the origin to a place: a head of the hue ends there, and a line leads to it.
+fn has_arrow(drawing: &Drawing, camera: &View, hue: Hue, tip: [f64; 3]) -> bool {
+    let end = landed(camera, tip);
+    let head = drawing.items().iter().any(|item| {
+        matches!(item.role, Role::Area(_, found) if found == hue)
+            && matches!(item.shape, Shape::Polygon(_))
+            && item.shape.points().iter().any(|point| (*point - end).length() < 0.5)
+    });
+    head && distance_from_lines(drawing, hue, landed(camera, tip.map(|part| 0.8 * part))) < 0.5
+}
+
+#[test]
+fn the_axes_of_the_station_go_round_each_other_counter_clockwise() {
+    let figure = figures().iter().find(|figure| figure.id == "fig:station-views").expect("the views");
+    let parts = figure.drawing.parts();
+    let [room, board] = parts[..] else { panic!("two views") };
+    let camera = View {
+        target: [0.0, 0.0, 0.4],
+        azimuth: -1.2,
+        elevation: 0.36,
+        distance: 9.0,
+        centre: at(160.0, 165.0),
+        scale: 96.0,
+    };
+    // Twice the blow of the chapter: tan θ = 0.8 and half of that.
+    let (omega, momentum) = (0.8_f64.atan(), 0.4_f64.atan());
+    let up = [0.0, 0.0, 1.9];
+    // In the room axis 3 begins on the other side of L than ω, and the picture is taken after 0.42 nods.
+    let (azimuth, later) = (0.42 * TAU, 0.1 * TAU);
+    for (view, hue, angle, azimuth) in [
+        (room, Hue::Blue, momentum, azimuth + PI),
+        (room, Hue::Orange, omega - momentum, azimuth),
+        (board, Hue::Orange, omega, later),
+        (board, Hue::Green, momentum, later),
+    ] {
+        assert!(has_arrow(view, &camera, hue, towards(angle, azimuth, 1.65)), "{hue:?} at {angle}");
+        // The way goes on from there, counter-clockwise from above, and ends 0.07 of a round short of it.
+        let round = drawn_round(view, (&camera, hue), (angle, 0.85 * 1.65), azimuth, 0.6);
+        assert!(round[2..164].iter().filter(|&&drawn| drawn).count() > 155, "{hue:?}: {round:?}");
+        assert!(!round[170..178].iter().any(|&drawn| drawn), "{hue:?}: {round:?}");
+    }
+    assert!(has_arrow(room, &camera, Hue::Green, up) && has_arrow(board, &camera, Hue::Blue, up));
+}
+
+#[test]
+fn the_cones_touch_along_the_angular_velocity() {
+    let figure = figures().iter().find(|figure| figure.id == "fig:cones-roll").expect("the cones");
+    let parts = figure.drawing.parts();
+    let [flat, long] = parts[..] else { panic!("two pairs of cones") };
+    for (view, ratio, degrees, aside) in [(flat, 2.0, 40.0_f64, 0.0), (long, 0.4, 20.0, -0.3)] {
+        let camera = View {
+            target: [aside, 0.0, 0.75],
+            azimuth: -0.25 * TAU,
+            elevation: 0.3,
+            distance: 9.0,
+            centre: at(165.0, 170.0),
+            scale: 130.0,
+        };
+        // Angles from L, upright, to the right; axis 3 is to the left.
+        let axis = -(degrees.to_radians().tan() / ratio).atan();
+        let omega = axis + degrees.to_radians();
+        assert_eq!(omega > 0.0, ratio > 1.0, "flat: beyond L; long: between L and axis 3");
+        assert!(has_arrow(view, &camera, Hue::Green, [0.0, 0.0, 1.75]));
+        assert!(has_arrow(view, &camera, Hue::Blue, towards(axis, 0.0, 1.75)));
+        assert!(has_arrow(view, &camera, Hue::Orange, towards(omega, 0.0, 1.85)));
+        // The rim of the space cone, and of the body cone what is not cut away, lie at their angles about their axes.
+        let contact = landed(&camera, towards(omega, 0.0, 1.3));
+        for part in [0.25, 0.5, 0.75] {
+            let rim = landed(&camera, towards(omega.abs(), part * TAU, 1.3));
+            assert!(distance_from_lines(view, Hue::Green, rim) < 0.6, "{ratio}: {part}");
+        }
+        assert!(distance_from_lines(view, Hue::Green, contact) < 0.6);
+        let far = landed(&camera, towards(axis - degrees.to_radians(), 0.0, 1.3));
+        assert!(distance_from_lines(view, Hue::Blue, far) < 0.6, "{ratio}");
     }
 }
