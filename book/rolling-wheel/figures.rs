@@ -64,25 +64,25 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     for (axis, length, name) in [
         (axes[0], 1.3, r"$\hat{\mathbf{1}}$"),
         (axes[1], 1.45, r"$\hat{\mathbf{2}}$"),
-        (axes[2], 1.2, r"$\hat{\mathbf{3}}$"),
+        (axes[2], 1.65, r"$\hat{\mathbf{3}}$"),
     ] {
         stage.named_vector(centre, centre + axis * length, name, Hue::Ink)?;
     }
     let omega = steady.omega();
     let whole = axes[0] * omega.x + axes[1] * omega.y + axes[2] * omega.z;
-    let tip = centre + whole.normalize() * 1.35;
+    let tip = centre + whole.normalize() * 1.55;
     let arrow = Curve::segment(centre, tip)?.hiding(Hiding::Ignored);
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
-    stage.label_shifted(tip, at(2.0, 1.0), Side::Above, r"$\boldsymbol{\omega}_\text{tot}$", Hue::Orange)?;
+    stage.label(tip, Side::Left, r"$\boldsymbol{\omega}_\text{tot}$", Hue::Orange)?;
     let upright = Curve::segment(contact + Vector3::z() * 1.3, contact + Vector3::z() * 2.4)?;
     stage.curve(upright.hiding(Hiding::Omitted), Stroke::Reference, Hue::Muted)?;
     stage.angle(contact, Vector3::z(), axes[1], 2.25, r"$\theta$", Hue::Ink)?;
     stage.curve(Curve::segment(centre, contact)?, Stroke::Outline, Hue::Muted)?;
-    stage.label(centre - axes[1] * 0.62, Side::Left, "$a$", Hue::Ink)?;
+    stage.label(centre - axes[1] * 0.68, Side::Right, "$a$", Hue::Ink)?;
     // To the left on the page, where it is clear of the wheel.
     let end = Vector3::new(-0.565 * b, -0.825 * b, cos);
     stage.curve(Curve::segment([0.0, 0.0, cos], end)?, Stroke::Outline, Hue::Muted)?;
-    stage.label([0.5 * end.x, 0.5 * end.y, cos], Side::Above, "$b$", Hue::Ink)?;
+    stage.label([0.72 * end.x, 0.72 * end.y, cos], Side::Above, "$b$", Hue::Ink)?;
     let radius = Curve::segment([0.0; 3], contact)?;
     stage.curve(radius.hiding(Hiding::Ignored), Stroke::Outline, Hue::Muted)?;
     stage.label([0.0, 0.7, 0.0], Side::Below, "$r$", Hue::Ink)?;

@@ -336,7 +336,7 @@ fn spin_down_end(id: &str) -> Outcome {
         let side = if power > 1.0 { Side::AboveLeft } else { Side::BelowRight };
         // Of the two lines that lie close, the upper has more room to its left.
         let (place, side) =
-            if power == 1.25 { ((4.5e-5, 3.4e-4), Side::Over) } else { ((left, coin.tilt()), side) };
+            if power == 1.25 { ((3.6e-5, 3.3e-4), Side::Over) } else { ((left, coin.tilt()), side) };
         plot.label(place, side, &name, Hue::Blue)?;
     }
     plot.label((1.0, 4e-6), Side::Over, "dots: it falls with $g$", Hue::Pink)?;
