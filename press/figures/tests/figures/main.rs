@@ -126,7 +126,9 @@ fn labels_touch_no_label_and_no_line() {
                 _ => None,
             })
             .collect();
-        assert!(!labels.is_empty(), "{} has no label", figure.id);
+        // The names of the frontispiece's pictures are links beside them.
+        let named_beside = figure.id == "fig:frontispiece";
+        assert!(!labels.is_empty() || named_beside, "{} has no label", figure.id);
         for (index, label) in labels.iter().enumerate() {
             for other in &labels[..index] {
                 if label.bounds.overlaps(&other.bounds) {
