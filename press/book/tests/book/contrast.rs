@@ -207,6 +207,7 @@ impl Theme {
                 (".content .marks .source", "var(--fg)"),
                 (".content .marks .corrected", "var(--fg)"),
                 (".figure .save", "var(--links)"),
+                (".figure .panel > span", "var(--links)"),
                 (".figure figcaption", "var(--fg)"),
                 (".note", "var(--fg)"),
                 (".note-number", "var(--links)"),
