@@ -207,6 +207,7 @@ impl Theme {
                 (".content .marks .source", "var(--fg)"),
                 (".content .marks .corrected", "var(--fg)"),
                 (".figure .save", "var(--links)"),
+                (".figure .panel > span", "var(--links)"),
                 (".figure figcaption", "var(--fg)"),
                 (".note", "var(--fg)"),
                 (".note-number", "var(--links)"),
@@ -306,9 +307,9 @@ fn links_are_told_by_a_line_and_what_shows_under_a_pointer_shows_to_the_keyboard
         })
         .map(|(selector, _)| selector.as_str())
         .collect();
-    // Headings, numbers of equations and of notes.
-    let numbers = ["a.header", ".marks a", "a.note-mark", "a.note-number"];
-    assert_eq!(without, numbers.map(|what| format!(".content main {what}:any-link")));
+    // What is no word in a text: headings, numbers of equations and of notes, names below pictures.
+    let apart = ["a.header", ".marks a", "a.note-mark", "a.note-number", "a.panel"];
+    assert_eq!(without, apart.map(|what| format!(".content main {what}:any-link")));
     assert_eq!(of("pre > .buttons", "visibility"), "visible");
     assert_eq!(of("pre:focus-within > .buttons", "opacity"), "1");
     for (path, html) in super::pages() {
