@@ -5,7 +5,7 @@ use super::tree::{Element, Node};
 use ttf_parser::Face;
 
 /// Browsers put an accent over the middle of a letter's box. The font knows better where an italic letter
-/// has its top; the accent is moved there by a margin of twice the way, as what is centred is accent and margin.
+/// has its top; margins move the accent there and leave it as wide as it is.
 pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
     formula.visit(&mut |over| {
         if !over.is("mover") || over.attribute("accent").is_none() {
@@ -15,8 +15,7 @@ pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
             return;
         };
         if let Some(accent) = over.element_mut(1) {
-            let side = if way > 0.0 { "left" } else { "right" };
-            accent.set("style", &format!("margin-{side}:{:.2}em", 2.0 * way.abs()));
+            accent.set("style", &format!("margin-left:{way:.2}em;margin-right:{:.2}em", -way));
         }
     });
 }
@@ -25,13 +24,15 @@ pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
 const LEANING: f32 = 0.04;
 
 /// A letter like *T* leans over the right edge of its box, and browsers set the next sign at that edge. Typesetters leave
-/// room for it, unless something is raised or lowered there.
+/// room for it, unless something is lowered there.
 pub(super) fn make_room(formula: &mut Element, font: &Face<'_>) {
     formula.visit(&mut |row| {
-        if !matches!(&*row.name, "math" | "mrow" | "mtd" | "msqrt" | "mfrac") {
-            return;
-        }
-        for letter in row.elements_mut().filter(|child| child.is("mi")) {
+        let places = match &*row.name {
+            "math" | "mrow" | "mtd" | "msqrt" | "mfrac" => usize::MAX,
+            "msup" => 1,
+            _ => 0,
+        };
+        for letter in row.elements_mut().take(places).filter(|child| child.is("mi")) {
             if let Some(room) = leaning(letter, font).filter(|room| *room >= LEANING) {
                 letter.set("style", &format!("margin-right:{room:.2}em"));
             }
@@ -137,9 +138,10 @@ mod tests {
     }
 
     #[test]
-    fn a_letter_that_leans_has_room_where_no_exponent_stands() {
+    fn a_letter_that_leans_has_room_where_nothing_is_lowered() {
         let room = |tex: &str| plain().display(tex, "").unwrap().matches("margin-right").count();
         assert_eq!((room("T = P"), room(r"\frac{P}{2}"), room("f(x)")), (2, 1, 1));
-        assert_eq!((room("T^2 = P_0"), room("a = x"), room(r"\sin x")), (0, 0, 0));
+        assert_eq!((room("T^2"), room("a^T"), room("P_0"), room("P_0^2")), (1, 0, 0, 0));
+        assert_eq!((room("a = x"), room(r"\sin x")), (0, 0));
     }
 }
