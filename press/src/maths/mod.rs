@@ -74,6 +74,7 @@ impl Maths {
     /// The converter's MathML as browsers print it well, coloured.
     fn convert(&self, tex: &str, display: MathDisplay, folder: &str) -> Result<String, MathsFault> {
         let mut formula = self.formula(tex, display)?;
+        pieces::go_on(&mut formula);
         brackets::stand_close(&mut formula, &self.font);
         brackets::keep_their_height(&mut formula);
         accents::centre(&mut formula, &self.font);
