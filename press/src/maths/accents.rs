@@ -51,16 +51,16 @@ fn leaning(letter: &Element, font: &Face<'_>) -> Option<f32> {
 /// letter with an accent and an exponent says that it is no higher than without the accent.
 pub(super) fn keep_exponents_low(formula: &mut Element, font: &Face<'_>) {
     formula.visit(&mut |power| {
+        if !matches!(&*power.name, "msup" | "msubsup") {
+            return;
+        }
         let Some(base) = power.element_mut(0).filter(|base| base.is("mover")) else {
             return;
         };
-        let height = base.elements().next().and_then(|letter| height(letter, font));
-        if let Some(height) = height.filter(|_| matches!(&*power.name, "msup" | "msubsup")) {
-            if let Some(base) = power.element_mut(0) {
-                let letter = std::mem::take(base);
-                *base = Element::around("mpadded", vec![Node::Element(letter)]);
-                base.set("height", &format!("{height:.2}em"));
-            }
+        if let Some(height) = base.elements().next().and_then(|letter| height(letter, font)) {
+            let letter = std::mem::take(base);
+            *base = Element::around("mpadded", vec![Node::Element(letter)]);
+            base.set("height", &format!("{height:.2}em"));
         }
     });
 }
