@@ -57,7 +57,8 @@ pub(super) fn keep_exponents_low(formula: &mut Element, font: &Face<'_>) {
         let Some(base) = power.element_mut(0).filter(|base| base.is("mover")) else {
             return;
         };
-        if let Some(height) = base.elements().next().and_then(|letter| height(letter, font)) {
+        let height = base.elements().next().and_then(|letter| height(letter, font));
+        if let Some(height) = height {
             let letter = std::mem::take(base);
             *base = Element::around("mpadded", vec![Node::Element(letter)]);
             base.set("height", &format!("{height:.2}em"));
