@@ -16,81 +16,72 @@ use mechanics::scenes::pinned_hoop::{Parameters as Pinned, Pin, Pinning, Shape};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::space_station::{Blow, Parameters as Built, Station};
 use mechanics::scenes::spinning_coin::SpinningCoin;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Complex, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Draws what is on one stage.
 type Scene = fn(&mut Stage) -> Result<(), Cause>;
 
-/// Nine small scenes, one for each chapter about a thing that spins, each a link to it.
+/// The height of the floor of all scenes.
+const FLOOR: f64 = -1.0;
+
+/// Nine small scenes on floors of one size, one for each chapter about a thing that spins, each a link to it.
 pub(crate) fn frontispiece(id: &str) -> Outcome {
-    let scenes: [(&str, &str, &str, f64, Scene); 9] = [
-        (
-            "laundromat",
-            "1 laundromat",
-            "A drum on springs; its shaft spirals out to a circle.",
-            0.95,
-            laundromat,
-        ),
+    let scenes: [(&str, &str, &str, Scene); 9] = [
+        ("laundromat", "1 Laundromat", "A drum; its shaft spirals out to a circle.", laundromat),
         (
             "turning",
-            "2 how bodies turn",
+            "2 How a body turns",
             "A plate in the air, its axis and its angular velocity on either side of its angular momentum.",
-            0.36,
             turning,
         ),
         (
             "wobble-plate",
-            "3 wobble plate",
+            "3 Wobble plate",
             "A tilted plate on a shaft that turns; its angular momentum leans.",
-            0.36,
             wobble_plate,
         ),
-        ("coin-toss", "4 coin toss", "A coin at five moments of its flight.", 0.25, coin_toss),
+        ("coin-toss", "4 Coin toss", "A coin at five moments of its flight.", coin_toss),
         (
             "space-station",
-            "5 space station",
+            "5 Space station",
             "A ring with spokes, its axis on a cone about the angular momentum.",
-            0.45,
             space_station,
         ),
-        ("air-drag", "6 Frisbee", "A disc whose axis spirals in towards the upright.", 0.4, air_drag),
+        ("air-drag", "6 Frisbee and pencil", "A disc whose axis spirals in towards the upright.", air_drag),
         (
             "pinned-hoop",
-            "7 pinned hoop",
+            "7 Pinned hoop",
             "A hoop that tumbles about a pinned point of its rim, at three moments.",
-            0.3,
             pinned_hoop,
         ),
         (
             "rolling-wheel",
-            "8 rolling wheel",
-            "A disc that rolls and wobbles on a floor along a wavy track.",
-            0.45,
+            "8 Rolling wheel",
+            "A disc that rolls and wobbles on a floor along a wavy track, at three moments.",
             rolling_wheel,
         ),
         (
             "spinning-coin",
-            "9 spinning coin",
+            "9 Spinning coin",
             "A coin that leans on a table and rolls round a circle.",
-            0.34,
             spinning_coin,
         ),
     ];
-    let draw = |(chapter, name, words, elevation, scene): (&str, &str, &str, f64, Scene)| -> Outcome {
+    let draw = |(chapter, name, words, scene): (&str, &str, &str, Scene)| -> Outcome {
         let mut drawing =
-            Drawing::new("", 200.0, 190.0).titled(name, words).linked(&format!("{chapter}/index.html"));
+            Drawing::new("", 290.0, 260.0).titled(name, words).linked(&format!("{chapter}/index.html"));
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0; 3],
             azimuth: -1.25,
-            elevation,
+            elevation: 0.45,
             distance: 9.0,
-            centre: at(100.0, 86.0),
-            scale: 44.0,
+            centre: at(145.0, 140.0),
+            scale: 70.0,
         })?);
+        stage.ground([-1.6, -1.2], [1.6, 1.2], FLOOR, 0.4)?;
         scene(&mut stage)?;
         stage.write(&mut drawing);
-        drawing.label(at(100.0, 172.0), Side::Over, name, Hue::Ink)?;
         Ok(drawing)
     };
     let panels = scenes.into_iter().map(draw).collect::<Result<Vec<_>, Cause>>()?;
@@ -115,11 +106,10 @@ fn laundromat(stage: &mut Stage) -> Result<(), Cause> {
     let end = 14.6;
     let place = |time: f64| -> Result<Vector3<f64>, Cause> {
         let shaft = motion.at(time)?.position;
-        Ok(Vector3::new(shaft.re, shaft.im, 0.0))
+        Ok(Vector3::new(shaft.re, shaft.im, FLOOR + 0.55))
     };
     let path = linear_steps(0.0, end, 500).map(place).collect::<Result<Vec<_>, Cause>>()?;
     let (now, load) = (place(end)?, machine.load_direction(end));
-    stage.ground([-1.6, -1.2], [1.6, 1.2], -0.4, 0.4)?;
     stage.solid(Solid::ring(now, Vector3::z(), 1.1, 1.04, 0.7)?.finish(Finish::Glass), Hue::Blue)?;
     stage.solid(Solid::sphere(now + Vector3::new(load.re, load.im, 0.0) * 0.9, 0.15)?, Hue::Blue)?;
     stage.curve(seen(path)?, Stroke::Outline, Hue::Ink)?;
@@ -144,7 +134,6 @@ fn turning(stage: &mut Stage) -> Result<(), Cause> {
     let way = linear_steps(start, start + 0.85 * round, 120)
         .map(|time| Ok(top.at(time)?.axis_3_world() * 1.45))
         .collect::<Result<Vec<_>, Cause>>()?;
-    stage.ground([-1.5, -1.2], [1.5, 1.2], -1.0, 0.4)?;
     stage.solid(Solid::disc([0.0; 3], now.axis_3_world(), 1.0, 0.06)?, Hue::Blue)?;
     stage.arrow(seen(way)?, Stroke::Outline, Heads::End, Hue::Ink)?;
     stage.vector([0.0; 3], now.axis_3_world() * 1.45, Hue::Ink)?;
@@ -158,7 +147,7 @@ fn wobble_plate(stage: &mut Stage) -> Result<(), Cause> {
     let moments = Body::thin_disk(1.0, 1.0)?.moments();
     let momentum = tilt * moments.angular_momentum(&(tilt.inverse() * Vector3::z()));
     stage.solid(Solid::disc([0.0; 3], tilt * Vector3::z(), 1.0, 0.08)?, Hue::Blue)?;
-    stage.solid(Solid::rod([0.0, 0.0, -1.2], [0.0, 0.0, 1.0], 0.05)?, Hue::Muted)?;
+    stage.solid(Solid::rod([0.0, 0.0, FLOOR], [0.0, 0.0, 1.0], 0.05)?, Hue::Muted)?;
     stage.vector([0.0, 0.0, 1.0], [0.0, 0.0, 1.75], Hue::Orange)?;
     stage.turning([0.0, 0.0, 1.35], [0.0, 0.0, 1.0], 0.25, Hue::Orange)?;
     stage.vector([0.0; 3], momentum.normalize() * 1.6, Hue::Green)?;
@@ -169,13 +158,13 @@ fn coin_toss(stage: &mut Stage) -> Result<(), Cause> {
     let moments = Body::thin_disk(0.0075, 0.0122)?.moments();
     let toss = Toss::new(TossParameters { moments, omega_1: 1.0, omega_3: 0.25 })?;
     let round = TAU / toss.precession_rate();
-    for (still, along) in linear_steps(-1.6, 1.6, 4).enumerate() {
+    for (still, along) in linear_steps(-1.3, 1.3, 4).enumerate() {
         let normal = toss.normal(0.22 * still as f64 * round)?;
-        let centre = Vector3::new(along, 0.0, 0.95 - 0.62 * along * along);
-        let coin = Solid::disc(centre, normal, 0.42, 0.07)?;
+        let centre = Vector3::new(along, 0.0, 0.95 - 0.75 * along * along);
+        let coin = Solid::disc(centre, normal, 0.48, 0.08)?;
         stage.solid(if still < 4 { coin.finish(Finish::Ghost) } else { coin }, Hue::Blue)?;
     }
-    let path = linear_steps(-1.6, 1.6, 80).map(|along| Vector3::new(along, 0.0, 0.95 - 0.62 * along * along));
+    let path = linear_steps(-1.3, 1.3, 80).map(|along| Vector3::new(along, 0.0, 0.95 - 0.75 * along * along));
     stage.curve(seen(path)?, Stroke::Dotted, Hue::Muted)?;
     Ok(())
 }
@@ -246,21 +235,27 @@ fn rolling_wheel(stage: &mut Stage) -> Result<(), Cause> {
     let mut start = wheel.steady(0.55, 1.6)?.state();
     start.omega_1 = 0.3;
     let wobble = wheel.wobble(start, &Taylor::new(1e-14)?)?;
-    let times: Vec<f64> = linear_steps(0.0, 3.0 * wobble.period(), 400).collect();
+    let times: Vec<f64> = linear_steps(0.0, 2.6 * wobble.period(), 400).collect();
     let states = wobble.sample(&times)?;
-    let scale = 0.55;
-    let contact = |place: nalgebra::Complex<f64>| Vector3::new(place.re, place.im, 0.0) * scale;
-    let track: Vec<_> = states.iter().map(|state| contact(state.contact(1.0))).collect();
-    let last = states[states.len() - 1];
-    let foot = track[track.len() - 1];
-    let centre = Vector3::new(last.centre.re, last.centre.im, last.tilt.sin()) * scale;
-    let up = centre - foot;
-    let axle = up.cross(&Vector3::z().cross(&up));
-    let down = Vector3::new(0.0, 0.0, -0.5);
-    stage.ground([-1.7, -1.5], [1.7, 1.5], down.z, 0.4)?;
-    stage.curve(seen(track.iter().map(|place| place + down))?, Stroke::Curve, Hue::Pink)?;
-    stage.solid(Solid::disc(centre + down, axle, scale, 0.07)?, Hue::Blue)?;
-    stage.dot_in_front(foot + down, 3.0, Hue::Pink)?;
+    let scale = 0.52;
+    let middle = states.iter().map(|state| state.contact(1.0)).sum::<Complex<f64>>() / states.len() as f64;
+    let contact = |place: Complex<f64>| {
+        let place = (place - middle) * scale;
+        Vector3::new(place.re, place.im, FLOOR)
+    };
+    let track = states.iter().map(|state| contact(state.contact(1.0)));
+    stage.curve(seen(track)?, Stroke::Curve, Hue::Pink)?;
+    for (still, finish) in [(150, Finish::Ghost), (275, Finish::Ghost), (400, Finish::Opaque)] {
+        let state = states[still];
+        let foot = contact(state.contact(1.0));
+        let centre = contact(state.centre) + Vector3::z() * (state.tilt.sin() * scale);
+        let up = centre - foot;
+        let axle = up.cross(&Vector3::z().cross(&up));
+        stage.solid(Solid::disc(centre, axle, scale, 0.07)?.finish(finish), Hue::Blue)?;
+        if still == 400 {
+            stage.dot_in_front(foot, 3.5, Hue::Pink)?;
+        }
+    }
     Ok(())
 }
 
@@ -270,10 +265,9 @@ fn spinning_coin(stage: &mut Stage) -> Result<(), Cause> {
         0.45,
     )?;
     let (sin, cos) = coin.tilt().sin_cos();
-    let (centre, down) = (Vector3::new(0.0, 0.0, sin), Vector3::new(0.0, 0.0, -0.6));
+    let (centre, down) = (Vector3::new(0.0, 0.0, sin), Vector3::new(0.0, 0.0, FLOOR));
     let second = Vector3::new(cos * 0.94, cos * 0.34, sin);
     let normal = Vector3::new(-sin * 0.94, -sin * 0.34, cos);
-    stage.ground([-1.5, -1.3], [1.5, 1.3], down.z, 0.4)?;
     let circle = Curve::circle(down, Vector3::z(), cos)?;
     stage.curve(circle.hiding(Hiding::Dashed), Stroke::Curve, Hue::Pink)?;
     stage.solid(Solid::disc(centre + down, normal, 1.0, 0.06)?, Hue::Blue)?;

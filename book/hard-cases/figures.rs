@@ -100,10 +100,10 @@ pub(crate) fn hard_cancellation(id: &str) -> Outcome {
         ("period", period, "separatrix: $k'$", "$K(m)$ with $1 - m$"),
     ];
     let panels = panels.map(|(name, values, title, formula)| -> Outcome {
-        let mut drawing = Drawing::new("", 310.0, 290.0);
+        let mut drawing = Drawing::new("", 374.0, 270.0);
         let small = Axis::log(1e-10, 1.0, 2)?.titled(title);
         let error = Axis::log(1e-17, 1e2, 4)?.titled("relative error");
-        let mut plot = Plot::new(&mut drawing, PANEL, small, error)?;
+        let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 300.0, 180.0), small, error)?;
         plot.reference((1e-10, ROUNDOFF * 1e20), (1.0, ROUNDOFF), Stroke::Reference);
         let naive: Vec<_> =
             values.iter().map(|value| (value.0, value.1)).filter(|value| value.1.is_finite()).collect();
@@ -255,8 +255,8 @@ pub(crate) fn hard_passes(id: &str) -> Outcome {
     plot.label((1e-7, 3e3), Side::Below, r"by the tilt", Hue::Blue)?;
     Ok(Drawing::panels(id, vec![left, right]).titled(
         "Passing near a point where the coordinates fail",
-        "Two plots with logarithmic scales. Left, the error of the place of a shaft after passing O at a distance from 1e-5 to 0.1 m, by steps of a millisecond: in polar coordinates it grows with the power \
-         minus four of the distance, up to 0.1 at a millimetre, where the curve ends; in x and y it is 1e-14. Right, the evaluations that DOP853 needs for a wheel that almost falls flat, against the \
+        "Two plots with logarithmic scales. First, the error of the place of a shaft after passing O at a distance from 1e-5 to 0.1 m, by steps of a millisecond: in polar coordinates it grows with the power \
+         minus four of the distance, up to 0.1 at a millimetre, where the curve ends; in x and y it is 1e-14. Second, the evaluations that DOP853 needs for a wheel that almost falls flat, against the \
          rate with which it is let go, from 1e-10 to 0.1: by the lean they are the same down to 1e-5, then explode, and the curve ends; by the tilt they grow by a thousand with every decade.",
     ))
 }
@@ -390,8 +390,8 @@ pub(crate) fn hard_rounding(id: &str) -> Outcome {
     plot.label((1e-12, 1e-9), Side::Over, "DOP853", Look::DOP853.hue)?;
     Ok(Drawing::panels(id, vec![left, right]).titled(
         "Smaller steps and tighter tolerances, down to rounding and below",
-        "Two plots with logarithmic scales. Left, the error of one turn of an oscillator against the evaluations: by the Runge-Kutta method it falls with the power minus four to 1e-15 at thirty thousand \
-         evaluations and rises again to 1e-13; DOP853 gets to 1e-15 with some hundred evaluations. Right, the error of two hundred turns of a washing machine by DOP853 against the tolerance: in \
+        "Two plots with logarithmic scales. First, the error of one turn of an oscillator against the evaluations: by the Runge-Kutta method it falls with the power minus four to 1e-15 at thirty thousand \
+         evaluations and rises again to 1e-13; DOP853 gets to 1e-15 with some hundred evaluations. Second, the error of two hundred turns of a washing machine by DOP853 against the tolerance: in \
          proportion to it down to 1e-12, and from there on it stays between 1e-12 and 1e-11.",
     ))
 }

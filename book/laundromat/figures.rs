@@ -53,9 +53,9 @@ fn suspension() -> Outcome {
          which stands a little to the right of the middle O and above it. In the tub turns the drum with its shaft; the load m sits on \
          the drum.",
     );
-    let (origin, half) = (at(165.0, 165.0), 138.0);
-    let shaft = origin + at(22.0, -16.0);
-    let (tub, drum) = (76.0, 64.0);
+    let (origin, half) = (at(165.0, 165.0), 144.0);
+    let shaft = origin + at(13.0, -9.0);
+    let (tub, drum) = (68.0, 56.0);
     for side in 0..4 {
         let way = Point::polar(1.0, 0.5 * PI * f64::from(side));
         let (wall, across) = (origin + way * half, way.quarter_turned());
@@ -71,14 +71,14 @@ fn suspension() -> Outcome {
     drawing.circle(shaft, tub, Role::Line(Stroke::Curve, Hue::Muted));
     drawing.disc(shaft, drum, Hue::Blue);
     let outward = Point::polar(1.0, 84_f64.to_radians());
-    drawing.dot(shaft + outward * 52.0, 8.0, Hue::Blue);
-    drawing.label_on_face(shaft + outward * 52.0 + at(6.0, 0.0), Side::Right, "$m$", Hue::Blue)?;
+    drawing.dot(shaft + outward * 44.0, 8.0, Hue::Blue);
+    drawing.label_on_face(shaft + outward * 44.0 + at(6.0, 0.0), Side::Right, "$m$", Hue::Blue)?;
     kit::arrow(&mut drawing, origin, shaft, Hue::Ink);
     kit::marker(&mut drawing, shaft, Marker::Ring, Hue::Ink);
     drawing.label_on_face(shaft, Side::Right, "shaft", Hue::Ink)?;
     cross(&mut drawing, origin, 6.0);
     drawing.label_on_face(origin + at(0.0, 4.0), Side::BelowLeft, "$O$", Hue::Ink)?;
-    drawing.label_on_face(shaft + at(10.0, 42.0), Side::Over, "drum", Hue::Ink)?;
+    drawing.label_on_face(shaft + at(4.0, 36.0), Side::Over, "drum", Hue::Ink)?;
     drawing.label(shaft + Point::polar(tub, -0.8), Side::BelowRight, "tub", Hue::Muted)?;
     let left = origin - at(half, 0.0);
     drawing.label(left + at(42.0, 24.0), Side::Below, "$k$", Hue::Ink)?;
@@ -616,7 +616,7 @@ fn path_and_centre(
 
 /// One kick, seen from the turning drum and in the room.
 pub(crate) fn frames(id: &str) -> Outcome {
-    let machine = washing_machine(0.12, 3.3)?;
+    let machine = washing_machine(0.2, 2.2)?;
     let amplitude = machine.steady()?.amplitude();
     let radius = amplitude.norm();
     // The kick sets the shaft aside and gives it a little velocity across, so that one sees it go and return.
@@ -625,7 +625,7 @@ pub(crate) fn frames(id: &str) -> Outcome {
     let kicked = Shaft { position: amplitude + aside, velocity: amplitude * spin + across };
     let motion = machine.transient(kicked)?;
     let mut ways = [Values::new(), Values::new()];
-    for time in linear_steps(0.0, 8.0, 8000) {
+    for time in linear_steps(0.0, 4.0, 4000) {
         let disturbance = motion.at(time)?.position - amplitude * machine.load_direction(time);
         let turning = disturbance * machine.load_direction(time).conj();
         ways[0].push((turning.re, turning.im));
@@ -652,13 +652,13 @@ pub(crate) fn frames(id: &str) -> Outcome {
         let origin = at(160.0, 150.0);
         let mut plot = Plot::plane(&mut drawing, origin, 128.0 / (0.8 * radius), 1.1 * radius)?;
         plot.curve(name, way.iter().copied(), Stroke::Orbit, Hue::Blue);
-        let [first, next] = [way[0], way[if name == "room" { 520 } else { 130 }]].map(|value| plot.at(value));
-        let before = plot.at(way[if name == "room" { 510 } else { 125 }]);
+        let [first, next] = [way[0], way[if name == "room" { 520 } else { 80 }]].map(|value| plot.at(value));
+        let before = plot.at(way[if name == "room" { 510 } else { 75 }]);
         kit::head(plot.drawing(), next, next - before, 0.8, Hue::Blue);
         plot.drawing().dot(first, 3.4, Hue::Blue);
         plot.drawing().label(first, Side::Right, "kick", Hue::Blue)?;
         drawing.dot(origin, 2.6, Hue::Ink);
-        drawing.label(at(160.0, 310.0), Side::Over, text, Hue::Ink)?;
+        drawing.label(at(160.0, 282.0), Side::Over, text, Hue::Ink)?;
         panels.push(drawing);
     }
     Ok(Drawing::panels(id, panels))

@@ -1,6 +1,7 @@
 //! The figures of the chapter "Methods".
 
 use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
+use drawing::kit;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
@@ -11,8 +12,8 @@ use mechanics::geometric::{Splitting, commutator_free};
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
-use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{PI, SQRT_2};
+use nalgebra::{UnitQuaternion, Vector2, Vector3};
+use std::f64::consts::{PI, SQRT_2, TAU};
 use std::ops::ControlFlow;
 
 /// A tolerance that every step meets, so that the length limit alone sets the steps of DOP853.
@@ -141,9 +142,66 @@ pub(crate) fn method_polhodes(id: &str) -> Outcome {
     }
     Ok(Drawing::panels(id, spheres).titled(
         "The direction of the angular momentum in the book, by Euler’s method and by turns",
-        "Two spheres with the axes 1, 2 and 3 of the book. On the left a curve begins near axis 1 and spirals outwards towards the separatrix of dashes and dots, which passes through axis 2 and which it does not reach. \
-         On the right one closed curve about axis 1 that passes through the same starting point.",
+        "Two spheres with the axes 1, 2 and 3 of the book. On the first a curve begins near axis 1 and spirals outwards towards the separatrix of dashes and dots, which passes through axis 2 and which it does not reach. \
+         On the second one closed curve about axis 1 that passes through the same starting point.",
     ))
+}
+
+/// Steps by Euler's method and by the midpoint rule on a circle: one of each, and a turn of each.
+pub(crate) fn method_circle(id: &str) -> Outcome {
+    let rates = |y: Vector2<f64>| Vector2::new(-y.y, y.x);
+    let middle = |y: Vector2<f64>, h: f64| y + 0.5 * h * rates(y);
+    let by_euler = |y: Vector2<f64>, h: f64| y + h * rates(y);
+    let by_midpoint = |y: Vector2<f64>, h: f64| y + h * rates(middle(y, h)); // eq:midpoint
+    let pair = |y: Vector2<f64>| (y.x, y.y);
+    let circle = |from, to| linear_steps(from, to, 400).map(|angle: f64| (angle.cos(), angle.sin()));
+
+    let mut one = Drawing::new("", 330.0, 370.0).titled(
+        "One step of 0.8 radian on a circle",
+        "From a point of the circle Euler's step goes along the tangent and ends outside. Half-way along it an arrow shows the rate there, turned to the left; \
+         the midpoint rule's step goes in that direction from the starting point and ends beside the circle, a little outside.",
+    );
+    let (h, start) = (0.8, Vector2::x());
+    let (centre, [euler, mid, halfway]) =
+        (at(-42.0, 294.0), [by_euler(start, h), by_midpoint(start, h), middle(start, h)]);
+    let mut plot = Plot::plane(&mut one, centre, 250.0, 1.3)?;
+    plot.curve("arc", circle(-0.12, 0.9), Look::EXACT.stroke, Look::EXACT.hue);
+    for (end, look) in [(euler, Look::EULER), (mid, Look::MIDPOINT)] {
+        plot.curve(&format!("{}-step", look.name), [pair(start), pair(end)], look.stroke, look.hue);
+        plot.markers(&[pair(end)], look.marker, look.hue);
+    }
+    let rate = [plot.at(pair(halfway)), plot.at(pair(halfway + 0.3 * rates(halfway)))];
+    kit::arrow(plot.drawing(), rate[0], rate[1], Hue::Muted);
+    let ends = [plot.at(pair(start)), rate[0]];
+    for end in ends {
+        plot.drawing().dot(end, 3.5, Hue::Ink);
+    }
+    plot.label(pair(start), Side::Right, "$y_0$", Hue::Ink)?;
+    plot.label(pair(halfway), Side::Right, "the middle", Hue::Ink)?;
+    plot.label(pair(euler), Side::Right, "Euler", Look::EULER.hue)?;
+    plot.label(pair(mid), Side::Above, "midpoint", Look::MIDPOINT.hue)?;
+    one.label(at(150.0, 350.0), Side::Over, "one step of 0.8 rad", Hue::Ink)?;
+
+    let mut turn = Drawing::new("", 330.0, 370.0).titled(
+        "Sixteen steps on the same circle",
+        "Euler's steps spiral outwards and after one turn are three radii away. The midpoint rule's stay beside the circle.",
+    );
+    let h = TAU / 16.0;
+    let mut paths = [vec![Vector2::x()], vec![Vector2::x()]];
+    for n in 0..16 {
+        let next = [by_euler(paths[0][n], h), by_midpoint(paths[1][n], h)];
+        paths.iter_mut().zip(next).for_each(|(path, y)| path.push(y));
+    }
+    let mut plot = Plot::plane(&mut turn, at(160.0, 180.0), 54.0, 3.4)?;
+    plot.curve("circle", circle(0.0, TAU), Look::EXACT.stroke, Look::EXACT.hue);
+    for (path, name, look) in [(&paths[0], "euler", Look::EULER), (&paths[1], "midpoint", Look::MIDPOINT)] {
+        let path: Vec<_> = path.iter().map(|&y| pair(y)).collect();
+        plot.series(name, &path, look.marker, look.hue);
+    }
+    plot.label(pair(paths[0][9]), Side::BelowLeft, "Euler", Look::EULER.hue)?;
+    plot.label((0.0, 0.0), Side::Over, "midpoint", Look::MIDPOINT.hue)?;
+    turn.label(at(150.0, 350.0), Side::Over, "sixteen steps, for one turn", Hue::Ink)?;
+    Ok(Drawing::panels(id, vec![one, turn]))
 }
 
 /// By which factor one step changes the amplitude of an oscillator.
@@ -252,6 +310,67 @@ pub(crate) fn method_steps(id: &str) -> Outcome {
     let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 176.0, 320.0, 160.0), time, length)?;
     plot.series("steps", &lengths, Look::DOP853.marker, Look::DOP853.hue);
     plot.label((40.0, 0.2), Side::Right, "a marker for each step", Hue::Pink)?;
+    Ok(drawing)
+}
+
+/// One round of the angular momentum by Strang's splitting with long steps, turn after turn.
+pub(crate) fn method_zigzag(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 390.0, 370.0).titled(
+        "The direction of the angular momentum, turn by turn",
+        "A sphere with the axes 1, 2 and 3 of the book. The exact path is a closed curve around axis 1. Strang's splitting goes round beside it in eight steps of three arcs, turns about axis 1, axis 3 and axis 1, \
+         and crosses the exact path again and again.",
+    );
+    let (moments, body) = book()?;
+    let start = Turning { omega_body: Vector3::new(1.0, 0.5, 0.35), ..body };
+    let round = FreeTop::new(moments, start)?.period().ok_or("the polhode closes")?;
+    let direction = |body: &Turning| moments.angular_momentum(&body.omega_body).normalize();
+    let mut stage = Stage::new(Camera::new(View {
+        target: [0.0; 3],
+        azimuth: 0.3,
+        elevation: 0.3,
+        distance: 9.0,
+        centre: at(190.0, 180.0),
+        scale: 125.0,
+    })?);
+    stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
+    let top = FreeTop::new(moments, start)?;
+    let exact = linear_steps(0.0, round, 240)
+        .map(|time| Ok(direction(&top.at(time)?)))
+        .collect::<Result<Vec<_>, Cause>>()?;
+    stage.curve(Curve::smooth(exact)?.hiding(Hiding::Pale), Look::EXACT.stroke, Look::EXACT.hue)?;
+
+    let [i1, i2, i3] = moments.to_array();
+    let steps = 8;
+    let h = round / f64::from(steps);
+    let (mut body, mut momentum) = (start, moments.angular_momentum(&start.omega_body));
+    for _ in 0..steps {
+        // eq:strang: three turns, each by the angle of eq:split-turn.
+        for (axis, rate, stroke) in [
+            (Vector3::x_axis(), 0.5 * (1.0 / i1 - 1.0 / i2), Stroke::Curve),
+            (Vector3::z_axis(), 1.0 / i3 - 1.0 / i2, Stroke::Third),
+            (Vector3::x_axis(), 0.5 * (1.0 / i1 - 1.0 / i2), Stroke::Curve),
+        ] {
+            let (from, angle) = (momentum, rate * momentum.dot(&axis) * h);
+            let turned = |part: f64| UnitQuaternion::from_axis_angle(&axis, -part * angle) * from;
+            let arc = linear_steps(0.0, 1.0, 24).map(|part| turned(part).normalize());
+            stage.curve(Curve::smooth(arc)?.hiding(Hiding::Pale), stroke, Look::STRANG.hue)?;
+            momentum = turned(1.0);
+        }
+        body = Splitting::Strang.solve(&moments, body, h, 1)?;
+        if (momentum.normalize() - direction(&body)).norm() > 1e-12 {
+            return Err("the arcs do not lead where the library's step does".into());
+        }
+        stage.dot(momentum.normalize(), 3.5, Look::STRANG.hue)?;
+    }
+    stage.dot(direction(&start), 3.5, Hue::Ink)?;
+    for (axis, tip, name) in [
+        (Vector3::x(), 1.5, r"$\hat{\mathbf{1}}$"),
+        (Vector3::y(), 1.32, r"$\hat{\mathbf{2}}$"),
+        (Vector3::z(), 1.32, r"$\hat{\mathbf{3}}$"),
+    ] {
+        stage.named_vector(axis, axis * tip, name, Hue::Ink)?;
+    }
+    stage.write(&mut drawing);
     Ok(drawing)
 }
 

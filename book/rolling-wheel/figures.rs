@@ -30,7 +30,7 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
          wheel, and 3, the axle, inward and down. The whole angular velocity omega points between 2 and 3. A dot marks the contact, which travels counter-clockwise as \
          an arrow on the circle shows.",
     );
-    let (lean, b) = (0.42_f64, 1.7);
+    let (lean, b) = (0.42_f64, 1.35);
     let steady = wheel(MomentFactors::HOOP)?.steady(lean, b)?;
     // Outward along y; the centre at b, one radius above the contact along axis 2.
     let cos = lean.cos();
@@ -43,9 +43,9 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
         elevation: 0.36,
         distance: 12.0,
         centre: at(190.0, 190.0),
-        scale: 58.0,
+        scale: 68.0,
     })?);
-    stage.ground([-2.3, -2.3], [2.3, 2.3], 0.0, 0.46)?;
+    stage.ground([-2.0, -2.0], [2.0, 2.0], 0.0, 0.4)?;
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), contact.y)?, Stroke::Outline, Hue::Pink)?;
     // The contact goes with Ω: the travel, ahead of it on the circle.
     let ahead = linear_steps(0.75, 1.25, 40).map(|angle| {
@@ -64,13 +64,13 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     for (axis, length, name) in [
         (axes[0], 1.3, r"$\hat{\mathbf{1}}$"),
         (axes[1], 1.45, r"$\hat{\mathbf{2}}$"),
-        (axes[2], 1.1, r"$\hat{\mathbf{3}}$"),
+        (axes[2], 1.2, r"$\hat{\mathbf{3}}$"),
     ] {
         stage.named_vector(centre, centre + axis * length, name, Hue::Ink)?;
     }
     let omega = steady.omega();
     let whole = axes[0] * omega.x + axes[1] * omega.y + axes[2] * omega.z;
-    let tip = centre + whole.normalize() * 1.2;
+    let tip = centre + whole.normalize() * 1.35;
     let arrow = Curve::segment(centre, tip)?.hiding(Hiding::Ignored);
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
     stage.label_shifted(tip, at(2.0, 1.0), Side::Above, r"$\boldsymbol{\omega}_\text{tot}$", Hue::Orange)?;
@@ -78,7 +78,7 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     stage.curve(upright.hiding(Hiding::Omitted), Stroke::Reference, Hue::Muted)?;
     stage.angle(contact, Vector3::z(), axes[1], 2.25, r"$\theta$", Hue::Ink)?;
     stage.curve(Curve::segment(centre, contact)?, Stroke::Outline, Hue::Muted)?;
-    stage.label_shifted(centre - axes[1] * 0.5, at(-2.0, 0.0), Side::Right, "$a$", Hue::Ink)?;
+    stage.label(centre - axes[1] * 0.62, Side::Left, "$a$", Hue::Ink)?;
     // To the left on the page, where it is clear of the wheel.
     let end = Vector3::new(-0.565 * b, -0.825 * b, cos);
     stage.curve(Curve::segment([0.0, 0.0, cos], end)?, Stroke::Outline, Hue::Muted)?;
@@ -87,7 +87,7 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     stage.curve(radius.hiding(Hiding::Ignored), Stroke::Outline, Hue::Muted)?;
     stage.label([0.0, 0.7, 0.0], Side::Below, "$r$", Hue::Ink)?;
     stage.dot_in_front(contact, 4.5, Hue::Pink)?;
-    stage.label_shifted(contact, at(2.0, 28.0), Side::Over, "contact", Hue::Pink)?;
+    stage.label_shifted(contact, at(32.0, 16.0), Side::Right, "contact", Hue::Pink)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }

@@ -6,8 +6,8 @@ pub(crate) mod measured;
 
 use crate::{Axis, Cause, Look, Outcome, Plot};
 use drawing::kit::{self, Marker};
-use drawing::{Drawing, Hue, Label, Rect, Role, Shape, Side, at};
-use measured::{Measurement, NATIVE, front, methods, parse, seconds_front};
+use drawing::{Drawing, Hue, Label, Rect, Role, Shape, Side, Stroke, at};
+use measured::{Measurement, NATIVE, cost_to_reach, front, methods, parse, seconds_front};
 
 /// The problems, in the order of the report, with their words.
 const PROBLEMS: [(&str, &str); 9] = [
@@ -205,6 +205,54 @@ pub(crate) fn speed_problems(id: &str) -> Outcome {
     draw_key(&mut key, at(20.0, 20.0))?;
     panels.push(key);
     Ok(Drawing::panels(id, panels))
+}
+
+/// How many times as long as the library's best method everybody takes to reach an error of a millionth.
+pub(crate) fn speed_dots(id: &str) -> Outcome {
+    const RISE: f64 = 0.15;
+    let goal = 1e-6;
+    let rows = measurements()?;
+    let mut drawing = Drawing::new(id, 390.0, 520.0);
+    let count = PROBLEMS.len();
+    let marks: Vec<_> =
+        PROBLEMS.iter().enumerate().map(|(place, (problem, _))| ((count - place) as f64, *problem)).collect();
+    let ratio = Axis::log(0.5, 1e6, 1)?.titled("time, in that of the library’s best method");
+    let problems = Axis::linear(0.4, count as f64 + 0.6, 1.0)?.marked(&marks);
+    let frame = Rect::new(88.0, 16.0, 286.0, 316.0);
+    let mut plot = Plot::new(&mut drawing, frame, ratio, problems)?;
+    plot.upright(1.0, Stroke::Dotted);
+    let mut text = String::new();
+    for &(row, problem) in &marks {
+        let all = methods(&rows, problem).into_iter().filter(|(contestant, _)| *contestant != NATIVE);
+        let mut found: Vec<_> = all
+            .filter_map(|name| Some((cost_to_reach(&seconds_front(&rows, problem, name), goal)?, name)))
+            .collect();
+        let is_ours = |contestant: &str| contestant == "mechanics";
+        let ours = found.iter().filter(|(_, (contestant, _))| is_ours(contestant));
+        let best = ours.map(|(seconds, _)| *seconds).min_by(f64::total_cmp).ok_or("the library arrives")?;
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // The library above, the others below, each along a line.
+        for (whose, ours, rise) in [("library", true, RISE), ("others", false, -RISE)] {
+            let mine = found.iter().filter(|(_, (contestant, _))| is_ours(contestant) == ours);
+            let values: Vec<_> = mine.map(|(seconds, _)| (seconds / best, row + rise)).collect();
+            if values.is_empty() {
+                plot.label((1.0, row), Side::Right, "nobody else arrives", Hue::Muted)?;
+            }
+            plot.curve(&format!("{problem}-{whose}"), values, Stroke::Orbit, Hue::Muted);
+        }
+        text += &format!(" {problem}:");
+        for (seconds, (contestant, method)) in found {
+            let (marker, hue, _) = look(contestant, method)?;
+            let rise = if is_ours(contestant) { RISE } else { -RISE };
+            plot.markers(&[(seconds / best, row + rise)], marker, hue);
+            text += &format!(" {contestant}, {method} {:.3};", seconds / best);
+        }
+    }
+    draw_key(&mut drawing, at(58.0, 396.0))?;
+    Ok(drawing.titled(
+        "Who needs how long for six digits",
+        &format!("A row for each problem, a logarithmic scale of times from that of the library's best method upwards.{text}"),
+    ))
 }
 
 /// The figure in words: who is how fast at what error.

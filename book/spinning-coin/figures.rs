@@ -6,7 +6,7 @@ use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
 use mechanics::integrate::Taylor;
-use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::spinning_coin::{EulersDisk, Loss, SpinDown, SpinningCoin};
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use std::f64::consts::FRAC_PI_2;
@@ -310,6 +310,8 @@ fn spin_down_whole(id: &str) -> Outcome {
     }
     plot.label((54.0, 0.079), Side::AboveRight, "$p = 2$", Hue::Blue)?;
     plot.label((64.0, 0.051), Side::BelowLeft, "$p = 1/2$", Hue::Blue)?;
+    plot.label((33.0, 0.026), Side::Over, "from above", Hue::Blue)?;
+    plot.label((33.0, 0.014), Side::Over, r"$p = 2,\,5/4,\,1,\,1/2$", Hue::Blue)?;
     Ok(drawing)
 }
 
@@ -334,7 +336,7 @@ fn spin_down_end(id: &str) -> Outcome {
         let side = if power > 1.0 { Side::AboveLeft } else { Side::BelowRight };
         // Of the two lines that lie close, the upper has more room to its left.
         let (place, side) =
-            if power == 1.25 { ((2.6e-5, 2.8e-4), Side::Over) } else { ((left, coin.tilt()), side) };
+            if power == 1.25 { ((4.5e-5, 3.4e-4), Side::Over) } else { ((left, coin.tilt()), side) };
         plot.label(place, side, &name, Hue::Blue)?;
     }
     plot.label((1.0, 4e-6), Side::Over, "dots: it falls with $g$", Hue::Pink)?;
@@ -346,7 +348,7 @@ pub(crate) fn circle_opens(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "The circle of the centre opens and closes",
         "The radius of the centre's circle, in thousandths of the radius of the disk, against the tilt from 0 to 0.1. From zero at 0.1 it grows, as the tilt falls, to 2.1 at a tilt of 0.04, and \
-         goes back to zero with the tilt. The motion with its film of air and the law of slow sinking agree.",
+         goes back to zero with the tilt; ten dots on it are ten seconds apart. The motion with its film of air and the law of slow sinking agree.",
     );
     let tilt = Axis::linear(0.0, 0.1, 0.02)?.minor(0.005).titled(r"tilt $\alpha$, rad");
     let radius =
@@ -356,13 +358,16 @@ pub(crate) fn circle_opens(id: &str) -> Outcome {
     let sinking = disk.sinking(disk.steady(0.1)?, &Taylor::new(1e-12)?)?;
     let times: Vec<f64> = linear_steps(1.0, 0.0, 500).map(|left: f64| 95.36 * (1.0 - left.powi(3))).collect();
     let states = sinking.sample(&times)?;
-    // eq:true-spin: b/a = n/Ω, with Ω = q/sin α.
-    let motion = states.iter().map(|at| (at.tilt, 1e3 * at.omega_3 * at.tilt.sin() / at.omega_2));
-    plot.curve("motion", motion, Stroke::Curve, Hue::Blue);
+    // eq:true-spin: b/a = ω₃/Ω, with Ω = ω₂/sin α.
+    let centre = |at: &Rolling| (at.tilt, 1e3 * at.omega_3 * at.tilt.sin() / at.omega_2);
+    plot.curve("motion", states.iter().map(centre), Stroke::Curve, Hue::Blue);
     let law = linear_steps(0.0, 1.0, 200)
         .map(|part| 0.1 * part * part)
         .map(|tilt: f64| (tilt, 4e3 / 9.0 * (0.1_f64.powf(1.5) * tilt.sqrt() - tilt * tilt))); // eq:film-circle
     plot.curve("law", law, Stroke::DashedCurve, Hue::Ink);
+    let seconds: Vec<f64> = (0..10).map(|n| 10.0 * f64::from(n)).collect();
+    let dots: Vec<(f64, f64)> = sinking.sample(&seconds)?.iter().map(centre).collect();
+    plot.markers(&dots, Marker::Disc, Hue::Blue);
     plot.label((0.047, 1.35), Side::Over, "sinking", Hue::Muted)?;
     let arrow = [plot.at((0.06, 1.2)), plot.at((0.034, 1.2))];
     kit::dimension(plot.drawing(), arrow[0], arrow[1], Heads::End, Hue::Muted);

@@ -251,7 +251,7 @@ pub(crate) fn split(id: &str) -> Outcome {
         let label = origin + Point::polar(radius, upright - 0.45 * lean);
         drawing.label(label, Side::Above, r"$\theta_L$", Hue::Ink)?;
         drawing.dot(origin, 3.0, Hue::Ink);
-        drawing.label(origin + at(60.0, 68.0), Side::Over, name, Hue::Ink)?;
+        drawing.label(origin + at(if ratio > 1.0 { 0.0 } else { 30.0 }, 68.0), Side::Over, name, Hue::Ink)?;
         drawn.push(drawing);
     }
     Ok(Drawing::panels(id, drawn))

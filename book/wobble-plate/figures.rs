@@ -271,16 +271,16 @@ fn heights() -> Outcome {
     let height = Axis::linear(-1.2, 1.2, 0.5)?.minor(0.1).titled(r"height over $r\tan\alpha$");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 70.0, 250.0, 240.0), phase, height)?;
     plot.level(0.0, Stroke::Reference);
-    for (n, hue, place, side) in [
-        (1, Hue::Blue, (360.0, 1.0), Side::Right),
-        (2, Hue::Ink, (90.0, 1.0), Side::Above),
-        (3, Hue::Blue, (180.0, 1.0), Side::Above),
-        (4, Hue::Ink, (270.0, 1.0), Side::Above),
+    for (n, place, side) in [
+        (1, (360.0, 1.0), Side::Right),
+        (2, (90.0, 1.0), Side::Above),
+        (3, (180.0, 1.0), Side::Above),
+        (4, (270.0, 1.0), Side::Above),
     ] {
         let values = linear_steps(0.0, 360.0, 360)
             .map(|degrees| (degrees, engine.contact(n, degrees.to_radians()).z / stroke));
-        plot.curve(&format!("height-{n}"), values, Stroke::Curve, hue);
-        plot.label(place, side, &format!("${n}$"), hue)?;
+        plot.curve(&format!("height-{n}"), values, Stroke::Curve, Hue::Blue);
+        plot.label(place, side, &format!("${n}$"), Hue::Blue)?;
     }
     plot.label((360.0, 0.0), Side::Right, "sum", Hue::Muted)?;
     Ok(drawing)

@@ -256,7 +256,7 @@ impl Printer<'_, '_> {
         let up = "../".repeat(self.page.path.matches('/').count());
         let class = if figure.wide { "figure wide" } else { "figure" };
         Some(format!(
-            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption>{number}{caption} \
+            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption>{number}{caption}\u{a0}\
              <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
             label.id(),
             figure.svg.trim(),
@@ -309,8 +309,8 @@ impl Printer<'_, '_> {
         let number = self.notes.iter().position(|mark| mark == name).map_or(0, |at| at + 1);
         let words = self.words_of(words, "note");
         format!(
-            "\n\n<aside class=\"note\" id=\"note-{name}\" role=\"doc-footnote\"><a class=\"note-number\" href=\"#noteref-{name}\" \
-             aria-label=\"back to the text\">{number}</a> {words}</aside>\n\n"
+            "\n\n<aside class=\"note\" id=\"note-{name}\" role=\"doc-footnote\" aria-label=\"Note {number}\"><a class=\"note-number\" \
+             href=\"#noteref-{name}\" aria-label=\"{number}, back to the text\">{number}</a> {words}</aside>\n\n"
         )
     }
 
@@ -682,8 +682,8 @@ mod tests {
         };
         let note = |n: u8, name: &str, words: &str| {
             format!(
-                "<aside class=\"note\" id=\"note-{name}\" role=\"doc-footnote\"><a class=\"note-number\" \
-                 href=\"#noteref-{name}\" aria-label=\"back to the text\">{n}</a> {words}</aside>"
+                "<aside class=\"note\" id=\"note-{name}\" role=\"doc-footnote\" aria-label=\"Note {n}\"><a class=\"note-number\" \
+                 href=\"#noteref-{name}\" aria-label=\"{n}, back to the text\">{n}</a> {words}</aside>"
             )
         };
         let page = "# A\n\n$$\na\n$$ {#eq:x}\n\nSo.[^b] More[^a]\nhere.\n\n[^a]: It's $x$.\n\n[^b]: From *b*\n    by @eq:x.\n\n\

@@ -7,6 +7,6 @@ mod device;
 mod marker;
 
 pub(crate) use arrow::{HEAD, size};
-pub use arrow::{Heads, angle, arrow, dimension, head, way};
+pub use arrow::{Heads, angle, arrow, dimension, head};
 pub use device::{damper, ground, spring};
 pub use marker::{Marker, marker};

@@ -62,7 +62,7 @@ impl Drawing {
         self
     }
 
-    /// The panel as a link to a page, on pages; its title says where to.
+    /// The panel as a link to a page, on pages; its title stands below it and says where to.
     #[must_use]
     pub fn linked(mut self, target: &str) -> Self {
         self.link = Some(target.to_owned());

@@ -45,7 +45,11 @@ impl Drawing {
             part.write_items(&mut out);
             out += "</svg>";
             match &part.link {
-                Some(target) => format!("<a class=\"panel\" href=\"{}\">{out}</a>", escaped(target)),
+                Some(target) => format!(
+                    "<a class=\"panel\" href=\"{}\">{out}<span aria-hidden=\"true\">{}</span></a>",
+                    escaped(target),
+                    escaped(part.title())
+                ),
                 None => out,
             }
         };

@@ -43,20 +43,6 @@ pub(crate) fn size(stroke: Stroke) -> f64 {
     if stroke.width() > 1.6 { 1.0 } else { SMALL }
 }
 
-/// An arrowhead on a path of this stroke, at a part of its length, that shows which way it is gone; nothing on a path
-/// without length.
-pub fn way(drawing: &mut Drawing, path: &[Point], part: f64, stroke: Stroke, hue: Hue) {
-    let whole: f64 = path.windows(2).map(|pair| (pair[1] - pair[0]).length()).sum();
-    let mut left = part.clamp(0.0, 1.0) * whole;
-    for pair in path.windows(2) {
-        let step = pair[1] - pair[0];
-        if step.length() > 0.0 && step.length() >= left {
-            return head(drawing, pair[0] + step.unit() * left, step, size(stroke), hue);
-        }
-        left -= step.length();
-    }
-}
-
 /// The arc of an angle about `centre`, from one direction through `sweep` (positive counter-clockwise), rad.
 pub fn angle(
     drawing: &mut Drawing,

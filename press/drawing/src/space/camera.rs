@@ -91,11 +91,6 @@ impl Camera {
         [x, y, weight]
     }
 
-    /// The length on the page of a unit that lies across the line of sight at a point, px.
-    pub(super) fn scale_at(&self, point: Vec3) -> f64 {
-        self.scale / self.weight(point)
-    }
-
     /// How far the point lies in front of the eye's plane, in distances from eye to target.
     fn weight(&self, point: Vec3) -> f64 {
         1.0 - self.nearness * (point - self.target).dot(self.back)

@@ -118,19 +118,6 @@ impl<'a> Ink<'a> {
         self.put(pieces, *stroke, hidden, *hue);
     }
 
-    /// Heads along a curve, at parts of its length on the page; none where it is hidden.
-    pub(super) fn heads_along(&mut self, curve: &Curve, parts: &[f64], stroke: Stroke, hue: Hue) {
-        let track = &curve.track;
-        let whole = Run { sight: Sight::Seen, from: 0.0, to: track.chords() as f64, probes: (0.0, 0.0) };
-        let points = landed(track, self.camera, &whole);
-        for part in parts {
-            let Some((tip, direction, chord)) = along(&points, part * length(&points)) else { continue };
-            if curve.hiding == Hiding::Ignored || !self.hidden(track.at(chord)) {
-                self.heads.push((tip, direction, size(stroke), hue));
-            }
-        }
-    }
-
     /// Shortens the line at its end by what the head covers, and puts the head there.
     fn head(&mut self, pieces: &mut Vec<Piece>, scale: f64, hiding: Hiding, hue: Hue) {
         let Some(last) = pieces.last() else { return };
@@ -202,19 +189,6 @@ impl<'a> Ink<'a> {
             kit::head(drawing, tip, direction, scale, hue);
         }
     }
-}
-
-/// The point at a length along a polyline, the way it goes there, and the chord, counted from 0.
-fn along(points: &[Point], mut by: f64) -> Option<(Point, Point, f64)> {
-    for (index, pair) in points.windows(2).enumerate() {
-        let step = pair[1] - pair[0];
-        if step.length() > 0.0 && step.length() >= by {
-            let part = by / step.length();
-            return Some((pair[0].towards(pair[1], part), step, index as f64 + part));
-        }
-        by -= step.length();
-    }
-    None
 }
 
 /// Takes a length off the end of a polyline that is longer.

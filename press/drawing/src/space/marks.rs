@@ -18,8 +18,6 @@ const GAP: f64 = 6.0;
 const TIP_GAP: f64 = 5.0;
 /// Where an arrow that turns begins and ends, rad behind and before the direction to the right.
 const OPENING: (f64, f64) = (0.45, 0.25);
-/// Where on the shaft of a spin its turning arrow stands, as a part of it, and that arrow's radius, px.
-const SPIN: (f64, f64) = (0.62, 11.0);
 
 /// A point that is marked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,34 +60,6 @@ impl Stage {
         self.arrow(curve, Stroke::Vector, Heads::End, hue)?;
         let along = self.camera.land(tip) - self.camera.land(tail);
         self.caption_beyond(tip, along, name, hue)
-    }
-
-    /// Adds an angular velocity: a vector with its name, and around its shaft an arrow that turns right-handed.
-    ///
-    /// # Errors
-    /// [`SpaceError`] as for [`Stage::named_vector`].
-    pub fn spin(
-        &mut self,
-        from: impl Into<[f64; 3]>,
-        to: impl Into<[f64; 3]>,
-        name: &str,
-        hue: Hue,
-    ) -> Result<(), SpaceError> {
-        let (from, to) = (finite("foot of the arrow", from)?, finite("tip of the arrow", to)?);
-        self.named_vector(from.0, to.0, name, hue)?;
-        let middle = from.towards(to, SPIN.0);
-        let pixel = self.camera.right * (1.0 / self.camera.scale_at(middle));
-        self.turning(middle.0, (to - from).0, SPIN.1 * pixel.length(), hue)
-    }
-
-    /// Adds a curve with arrowheads along it, at these parts of its length on the page, that show which way it is gone.
-    ///
-    /// # Errors
-    /// [`SpaceError`] as for [`Stage::curve`].
-    pub fn way(&mut self, curve: Curve, stroke: Stroke, parts: &[f64], hue: Hue) -> Result<(), SpaceError> {
-        self.curve(curve.clone(), stroke, hue)?;
-        self.ways.push((curve, parts.to_vec(), stroke, hue));
-        Ok(())
     }
 
     /// Adds an arrow that turns about an axis, right-handed: most of a circle seen in perspective, open

@@ -44,16 +44,14 @@ pub struct Stage {
     pub(super) patches: Vec<(Vec<Vec3>, Fill, Hue)>,
     pub(super) points: Vec<(Vec3, Dot, Hue)>,
     pub(super) captions: Vec<Caption>,
-    /// Heads along a curve, at parts of its length on the page.
-    pub(super) ways: Vec<(Curve, Vec<f64>, Stroke, Hue)>,
 }
 
 impl Stage {
     /// An empty scene.
     pub fn new(camera: Camera) -> Self {
         let (grounds, solids, lines, patches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (points, captions, ways) = (Vec::new(), Vec::new(), Vec::new());
-        Self { camera, grounds, solids, lines, patches, points, captions, ways }
+        let (points, captions) = (Vec::new(), Vec::new());
+        Self { camera, grounds, solids, lines, patches, points, captions }
     }
 
     /// The camera.
@@ -127,9 +125,6 @@ impl Stage {
         }
         for line in &self.lines {
             ink.line(line);
-        }
-        for (curve, parts, stroke, hue) in &self.ways {
-            ink.heads_along(curve, parts, *stroke, *hue);
         }
         let dots: Vec<_> =
             self.points.iter().map(|&(point, dot, hue)| (point, ink.hidden(point), dot, hue)).collect();

@@ -210,3 +210,20 @@ fn the_steps_of_the_hoop_tile_the_time_and_follow_its_tumbles() {
     let longest = steps.iter().map(|step| step.1).fold(0.0, f64::max);
     assert!((shortest(24.0, 34.0) - 1.15).abs() < 0.1 && (longest - 4.4).abs() < 0.2, "{longest}");
 }
+
+#[test]
+fn the_steps_on_a_circle_go_by_their_factors() {
+    // One step multiplies by 1 + iz, or 1 + iz − z²/2.
+    let h = std::f64::consts::TAU / 16.0;
+    for (name, real) in [("euler", 1.0), ("midpoint", 1.0 - 0.5 * h * h)] {
+        let path = curve("method-circle", name);
+        let (mut x, mut y) = (1.0, 0.0);
+        for step in 1..=16 {
+            (x, y) = (real * x - h * y, real * y + h * x);
+            assert!(path.distance((x, y)) < PIXELS, "{name}, step {step}");
+        }
+        let radius = f64::hypot(x, y);
+        let expected = if name == "euler" { 3.15 } else { 1.05 }; // what the caption says
+        assert!((radius - expected).abs() < 0.01, "{name} ends at {radius}");
+    }
+}

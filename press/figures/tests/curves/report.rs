@@ -90,3 +90,52 @@ fn the_evaluations_lie_on_their_curves_with_the_slopes_of_their_orders() {
     }
     assert!(checked > 110, "only {checked}");
 }
+
+/// The time to reach an error of a millionth, by a line through the logarithms of two settings that lie on both sides.
+fn to_a_millionth(mut pairs: Vec<(f64, f64)>) -> Option<f64> {
+    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let fine = pairs.iter().position(|pair| pair.0 <= 1e-6)?;
+    let (error, time) = pairs[fine];
+    if fine == 0 {
+        return Some(time);
+    }
+    let (coarse, before) = pairs[fine - 1];
+    let slope = (time / before).ln() / (error / coarse).ln();
+    Some((before.ln() + slope * (1e-6_f64 / coarse).ln()).exp())
+}
+
+#[test]
+fn the_dots_reach_from_the_best_to_the_slowest() {
+    let runs = runs();
+    for (place, problem) in PROBLEMS.into_iter().enumerate() {
+        let here = || runs.iter().filter(|run| run.name[0] == problem && run.name[1] != "mechanics native");
+        let mut names: Vec<[&str; 3]> = here().map(|run| run.name).collect();
+        names.dedup();
+        let times = |ours: bool| -> Vec<f64> {
+            let mine = names.iter().filter(|name| (name[1] == "mechanics") == ours);
+            mine.filter_map(|name| {
+                let pairs = here().filter(|run| run.name == *name).map(|run| (run.error, run.milliseconds));
+                to_a_millionth(unbeaten(&pairs.collect::<Vec<_>>()))
+            })
+            .collect()
+        };
+        let best = times(true).into_iter().fold(f64::INFINITY, f64::min);
+        for (whose, ours, rise) in [("library", true, 0.15), ("others", false, -0.15)] {
+            let times = times(ours);
+            if times.len() < 2 {
+                assert_eq!(problem, "separatrix");
+                continue;
+            }
+            let curve = curve("speed-dots", &format!("{problem}-{whose}"));
+            let row = (PROBLEMS.len() - place) as f64 + rise;
+            for time in &times {
+                let off = curve.distance((time / best, row));
+                assert!(off < PIXELS, "{problem}, {whose}: {off} px off at {}", time / best);
+            }
+            // And no further.
+            let longest = curve.values().iter().map(|value| value.0).fold(0.0, f64::max);
+            let slowest = times.iter().fold(0.0_f64, |most, &time| most.max(time)) / best;
+            assert!((longest / slowest).ln().abs() < 0.01, "{problem}, {whose}: to {longest}, not {slowest}");
+        }
+    }
+}
