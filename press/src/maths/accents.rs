@@ -5,7 +5,7 @@ use super::tree::{Element, Node};
 use ttf_parser::Face;
 
 /// Browsers put an accent over the middle of a letter's box. The font knows better where an italic letter
-/// has its top; the accent is moved there by a margin of twice the way, as what is centred is accent and margin.
+/// has its top; margins move the accent there and leave it as wide as it is.
 pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
     formula.visit(&mut |over| {
         if !over.is("mover") || over.attribute("accent").is_none() {
@@ -15,8 +15,7 @@ pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
             return;
         };
         if let Some(accent) = over.element_mut(1) {
-            let side = if way > 0.0 { "left" } else { "right" };
-            accent.set("style", &format!("margin-{side}:{:.2}em", 2.0 * way.abs()));
+            accent.set("style", &format!("margin-left:{way:.2}em;margin-right:{:.2}em", -way));
         }
     });
 }
@@ -25,13 +24,15 @@ pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
 const LEANING: f32 = 0.04;
 
 /// A letter like *T* leans over the right edge of its box, and browsers set the next sign at that edge. Typesetters leave
-/// room for it, unless something is raised or lowered there.
+/// room for it, unless something is lowered there.
 pub(super) fn make_room(formula: &mut Element, font: &Face<'_>) {
     formula.visit(&mut |row| {
-        if !matches!(&*row.name, "math" | "mrow" | "mtd" | "msqrt" | "mfrac") {
-            return;
-        }
-        for letter in row.elements_mut().filter(|child| child.is("mi")) {
+        let places = match &*row.name {
+            "math" | "mrow" | "mtd" | "msqrt" | "mfrac" => usize::MAX,
+            "msup" => 1,
+            _ => 0,
+        };
+        for letter in row.elements_mut().take(places).filter(|child| child.is("mi")) {
             if let Some(room) = leaning(letter, font).filter(|room| *room >= LEANING) {
                 letter.set("style", &format!("margin-right:{room:.2}em"));
             }
@@ -50,16 +51,17 @@ fn leaning(letter: &Element, font: &Face<'_>) -> Option<f32> {
 /// letter with an accent and an exponent says that it is no higher than without the accent.
 pub(super) fn keep_exponents_low(formula: &mut Element, font: &Face<'_>) {
     formula.visit(&mut |power| {
+        if !matches!(&*power.name, "msup" | "msubsup") {
+            return;
+        }
         let Some(base) = power.element_mut(0).filter(|base| base.is("mover")) else {
             return;
         };
         let height = base.elements().next().and_then(|letter| height(letter, font));
-        if let Some(height) = height.filter(|_| matches!(&*power.name, "msup" | "msubsup")) {
-            if let Some(base) = power.element_mut(0) {
-                let letter = std::mem::take(base);
-                *base = Element::around("mpadded", vec![Node::Element(letter)]);
-                base.set("height", &format!("{height:.2}em"));
-            }
+        if let Some(height) = height {
+            let letter = std::mem::take(base);
+            *base = Element::around("mpadded", vec![Node::Element(letter)]);
+            base.set("height", &format!("{height:.2}em"));
         }
     });
 }
@@ -70,13 +72,14 @@ fn height(letter: &Element, font: &Face<'_>) -> Option<f32> {
     Some(f32::from(font.glyph_bounding_box(glyph)?.y_max) / f32::from(font.units_per_em()))
 }
 
-/// How far the top of a letter stands from the middle of its box, in ems, if one sees it.
+/// How far the top of a letter stands to the right of the middle of its box, in ems, if one sees it. (An upright k has it on
+/// the left, but not its hat.)
 fn way(letter: &Element, font: &Face<'_>) -> Option<f32> {
     let glyph = font.glyph_index(shown(letter)?)?;
     let tops = font.tables().math?.glyph_info?.top_accent_attachments?;
     let top = f32::from(tops.get(glyph)?.value);
     let way = (top - f32::from(font.glyph_hor_advance(glyph)?) / 2.0) / f32::from(font.units_per_em());
-    (way.abs() >= 0.02).then_some(way)
+    (way >= 0.02).then_some(way)
 }
 
 /// The character that a browser shows for a letter or a digit; for more than one, nothing.
@@ -121,7 +124,7 @@ mod tests {
         };
         assert!(margin(r"\dot d") > margin(r"\dot\theta") && margin(r"\dot\theta") > margin(r"\dot\omega"));
         assert!(margin(r"\dot\omega") > 0.0);
-        assert_eq!(margin(r"\hat{\mathbf x}"), 0.0);
+        assert_eq!((margin(r"\hat{\mathbf x}"), margin(r"\hat{\mathbf k}")), (0.0, 0.0));
     }
 
     #[test]
@@ -137,9 +140,10 @@ mod tests {
     }
 
     #[test]
-    fn a_letter_that_leans_has_room_where_no_exponent_stands() {
+    fn a_letter_that_leans_has_room_where_nothing_is_lowered() {
         let room = |tex: &str| plain().display(tex, "").unwrap().matches("margin-right").count();
         assert_eq!((room("T = P"), room(r"\frac{P}{2}"), room("f(x)")), (2, 1, 1));
-        assert_eq!((room("T^2 = P_0"), room("a = x"), room(r"\sin x")), (0, 0, 0));
+        assert_eq!((room("T^2"), room("a^T"), room("P_0"), room("P_0^2")), (1, 0, 0, 0));
+        assert_eq!((room("a = x"), room(r"\sin x")), (0, 0));
     }
 }

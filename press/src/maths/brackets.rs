@@ -1,15 +1,31 @@
 //! Brackets of a chosen size, `\Bigl(`: no air beside them, and the same size when something is raised or lowered behind them.
 
 use super::tree::{Element, Node};
+use ttf_parser::Face;
 
-/// In the middle of a row a browser takes such a bracket for a sign between two others, and gives it their air.
-pub(super) fn stand_close(formula: &mut Element) {
+/// In the middle of a row a browser takes such a bracket for a sign between two others, and gives it their air; and its
+/// box may be as wide as that of the largest bracket there is. The font knows how wide it is.
+pub(super) fn stand_close(formula: &mut Element, font: &Face<'_>) {
     formula.visit(&mut |bracket| {
-        if bracket.is("mo") && bracket.attribute("minsize").is_some() {
-            bracket.set("lspace", "0");
-            bracket.set("rspace", "0");
+        let Some(size) = bracket.attribute("minsize").filter(|_| bracket.is("mo")) else {
+            return;
+        };
+        let size = size.strip_suffix("em").and_then(|size| size.parse().ok());
+        if let Some(width) = size.and_then(|size| width(&bracket.text(), size, font)) {
+            bracket.set("style", &format!("width:{width:.3}em"));
         }
+        bracket.set("lspace", "0");
+        bracket.set("rspace", "0");
     });
+}
+
+/// How wide the smallest form of a bracket is that has at least this height, both in ems.
+fn width(bracket: &str, height: f32, font: &Face<'_>) -> Option<f32> {
+    let glyph = font.glyph_index(bracket.chars().next()?)?;
+    let em = f32::from(font.units_per_em());
+    let forms = font.tables().math?.variants?.vertical_constructions.get(glyph)?.variants;
+    let form = forms.into_iter().find(|form| f32::from(form.advance_measurement) >= height * em)?;
+    Some(f32::from(font.glyph_hor_advance(form.variant_glyph)?) / em)
 }
 
 /// A browser gives `\Bigr)` its height only among other parts of a row. As the base of a power it is alone,
@@ -35,9 +51,16 @@ mod tests {
     use crate::maths::tests::plain;
 
     #[test]
-    fn a_bracket_has_no_air() {
-        let mathml = plain().display(r"f\bigl(x\bigr) + (x)", "").unwrap();
-        assert_eq!(mathml.matches(r#"lspace="0" rspace="0""#).count(), 2, "{mathml}");
+    fn a_bracket_has_no_air_and_its_own_width() {
+        let widths = |tex: &str| -> Vec<f32> {
+            let mathml = plain().display(tex, "").unwrap();
+            assert_eq!(mathml.matches(r#"lspace="0" rspace="0""#).count(), 2, "{mathml}");
+            let widths = mathml.split("width:").skip(1).map(|rest| rest.split_once("em").unwrap().0);
+            widths.map(|width| width.parse().unwrap()).collect()
+        };
+        let (big, bigger) = (widths(r"f\bigl(x\bigr) + (x)"), widths(r"f\Bigl(x\Bigr)"));
+        assert_eq!((big.len(), bigger.len()), (2, 2));
+        assert!(0.4 < big[0] && big[0] < bigger[0] && bigger[0] < 0.7, "{big:?} {bigger:?}");
     }
 
     #[test]

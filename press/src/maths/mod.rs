@@ -74,7 +74,8 @@ impl Maths {
     /// The converter's MathML as browsers print it well, coloured.
     fn convert(&self, tex: &str, display: MathDisplay, folder: &str) -> Result<String, MathsFault> {
         let mut formula = self.formula(tex, display)?;
-        brackets::stand_close(&mut formula);
+        pieces::go_on(&mut formula);
+        brackets::stand_close(&mut formula, &self.font);
         brackets::keep_their_height(&mut formula);
         accents::centre(&mut formula, &self.font);
         accents::make_room(&mut formula, &self.font);

@@ -1,4 +1,4 @@
-//! A row of formulas that a narrow page may set below one another.
+//! Formulas of several lines: those that a narrow page may set below one another, and those that an author broke.
 
 use super::tree::{Element, Node};
 
@@ -22,6 +22,21 @@ pub(super) fn cut(formula: Element) -> Vec<Element> {
     pieces.map(piece).collect()
 }
 
+/// A line of `aligned` that goes on with a sum begins with its sign. Browsers take that for the sign of a number and set it
+/// close; it stands between two terms.
+pub(super) fn go_on(formula: &mut Element) {
+    formula.visit(&mut |line| {
+        if !line.is("mtr") || !line.elements().next().is_some_and(|cell| cell.text().is_empty()) {
+            return;
+        }
+        let sign = line.element_mut(1).and_then(|cell| cell.element_mut(0));
+        if let Some(sign) = sign.filter(|sign| sign.is("mo") && matches!(&*sign.text(), "+" | "−")) {
+            sign.attributes.clear();
+            sign.set("form", "infix");
+        }
+    });
+}
+
 #[cfg(test)]
 mod tests {
     use crate::maths::tests::plain;
@@ -33,5 +48,12 @@ mod tests {
         assert_eq!(pieces(r"a = b , \qquad c = d , \qquad e"), 3);
         assert_eq!(pieces(r"a \quad b"), 1);
         assert_eq!(pieces(r"\begin{aligned} a &= b \qquad c \\ d &= e \end{aligned}"), 1);
+    }
+
+    #[test]
+    fn a_sum_goes_on_in_the_next_line() {
+        let signs = |tex: &str| plain().display(tex, "").unwrap().matches(r#"<mo form="infix">"#).count();
+        assert_eq!(signs(r"\begin{aligned} a &= b \\ &+ c \\ & - d \end{aligned}"), 2);
+        assert_eq!(signs(r"\begin{aligned} a &= - b \\ -c &= d \\ & c \end{aligned}"), 0);
     }
 }
