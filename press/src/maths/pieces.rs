@@ -5,8 +5,8 @@ use super::tree::{Element, Node};
 /// The space of `\qquad`, with which an author parts formulas in one equation.
 const SPACE: &str = "2em";
 
-/// A display formula, cut at each `\qquad` that is inside nothing else. A browser breaks no line within a formula, but between
-/// two it does.
+/// A display formula, cut at each `\qquad` that is inside nothing else. A browser breaks no line within a
+/// formula, but between two it does.
 pub(super) fn cut(formula: Element) -> Vec<Element> {
     let Element { name, attributes, children } = formula;
     let parts = |child: &Node| match child {
@@ -22,8 +22,8 @@ pub(super) fn cut(formula: Element) -> Vec<Element> {
     pieces.map(piece).collect()
 }
 
-/// A line of `aligned` that goes on with a sum begins with its sign. Browsers take that for the sign of a number and set it
-/// close; it stands between two terms.
+/// A line of `aligned` that goes on with a sum begins with its sign. Browsers take that for the sign of a
+/// number and set it close; it stands between two terms.
 pub(super) fn go_on(formula: &mut Element) {
     formula.visit(&mut |line| {
         if !line.is("mtr") || !line.elements().next().is_some_and(|cell| cell.text().is_empty()) {
