@@ -22,10 +22,11 @@ impl Drawing {
     /// A figure of panels, each a drawing with a size, axes and words of its own. On a page they stand side by
     /// side where there is room, and else one below another.
     ///
-    /// Each SVG is cut to its ink; panels of equal height are cut alike above and below, so that axes drawn at
-    /// the same height stay level. The first panel of `fig:pair` gets the id `fig:pair-a`. The words of the
-    /// whole are those of [`titled`](Self::titled), or else those of its panels one after another. Where panels have none
-    /// of their own, the first has those of the whole, and the others are not announced to those who cannot see.
+    /// Each SVG is cut to its ink; panels of equal height are cut alike above and below, so that axes drawn
+    /// at the same height stay level. The first panel of `fig:pair` gets the id `fig:pair-a`. The words of
+    /// the whole are those of [`titled`](Self::titled), or else those of its panels one after another. Where
+    /// panels have none of their own, the first has those of the whole, and the others are not announced to
+    /// those who cannot see.
     ///
     /// ```
     /// use drawing::{Drawing, Hue, at};
@@ -52,8 +53,8 @@ impl Drawing {
         whole
     }
 
-    /// The figure with a second layout, which shows the same, for pages with less than [`NARROW`] px of room: phones. It
-    /// needs no words of its own.
+    /// The figure with a second layout, which shows the same, for pages with less than [`NARROW`] px of room:
+    /// phones. It needs no words of its own.
     #[must_use]
     pub fn with_narrow(mut self, other: Self) -> Self {
         self.narrow = Some(Box::new(other));

@@ -16,7 +16,8 @@ impl Drawing {
     /// The drawing as SVG to be put into a page: no colours, no blank lines; the page's style sheet gives
     /// roles their looks. Panels are an SVG each, and so is the layout for narrow pages.
     ///
-    /// Each shows its ink and a margin of [`MARGIN`](crate::MARGIN) px around it; on a page that is narrower it shrinks.
+    /// Each shows its ink and a margin of [`MARGIN`](crate::MARGIN) px around it; on a page that is narrower
+    /// it shrinks.
     ///
     /// # Errors
     /// [`Flaw`] if a coordinate is no number, or something could not be added.

@@ -40,7 +40,8 @@ pub type Cause = Box<dyn Error + Send + Sync>;
 /// What a figure function returns: a drawing, or why there is none.
 pub type Outcome = Result<Drawing, Cause>;
 
-/// A figure to be drawn: its id on the page, its chapter, the file and the line that name it, the function that draws it.
+/// A figure to be drawn: its id on the page, its chapter, the file and the line that name it, the function
+/// that draws it.
 struct Entry {
     id: &'static str,
     chapter: &'static str,

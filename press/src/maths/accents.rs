@@ -1,5 +1,5 @@
-//! What an italic letter asks of its neighbours: dots and hats over the middle of its top, exponents as low as if it had
-//! none, and room for a letter that leans over its box.
+//! What an italic letter asks of its neighbours: dots and hats over the middle of its top, exponents as low
+//! as if it had none, and room for a letter that leans over its box.
 
 use super::tree::{Element, Node};
 use ttf_parser::Face;
@@ -23,8 +23,8 @@ pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
 /// The least that a letter leans over its box before one sees it, in ems.
 const LEANING: f32 = 0.04;
 
-/// A letter like *T* leans over the right edge of its box, and browsers set the next sign at that edge. Typesetters leave
-/// room for it, unless something is lowered there.
+/// A letter like *T* leans over the right edge of its box, and browsers set the next sign at that edge.
+/// Typesetters leave room for it, unless something is lowered there.
 pub(super) fn make_room(formula: &mut Element, font: &Face<'_>) {
     formula.visit(&mut |row| {
         let places = match &*row.name {
@@ -47,8 +47,8 @@ fn leaning(letter: &Element, font: &Face<'_>) -> Option<f32> {
     Some(f32::from(corrections.get(glyph)?.value) / f32::from(font.units_per_em()))
 }
 
-/// Browsers raise an exponent by the height of what it stands at, accent and all; typesetters by that of the letter. So a
-/// letter with an accent and an exponent says that it is no higher than without the accent.
+/// Browsers raise an exponent by the height of what it stands at, accent and all; typesetters by that of the
+/// letter. So a letter with an accent and an exponent says that it is no higher than without the accent.
 pub(super) fn keep_exponents_low(formula: &mut Element, font: &Face<'_>) {
     formula.visit(&mut |power| {
         if !matches!(&*power.name, "msup" | "msubsup") {
@@ -72,8 +72,8 @@ fn height(letter: &Element, font: &Face<'_>) -> Option<f32> {
     Some(f32::from(font.glyph_bounding_box(glyph)?.y_max) / f32::from(font.units_per_em()))
 }
 
-/// How far the top of a letter stands to the right of the middle of its box, in ems, if one sees it. (An upright k has it on
-/// the left, but not its hat.)
+/// How far the top of a letter stands to the right of the middle of its box, in ems, if one sees it. (An
+/// upright k has it on the left, but not its hat.)
 fn way(letter: &Element, font: &Face<'_>) -> Option<f32> {
     let glyph = font.glyph_index(shown(letter)?)?;
     let tops = font.tables().math?.glyph_info?.top_accent_attachments?;

@@ -1,4 +1,5 @@
-//! Brackets of a chosen size, `\Bigl(`: no air beside them, and the same size when something is raised or lowered behind them.
+//! Brackets of a chosen size, `\Bigl(`: no air beside them, and the same size when something is raised or
+//! lowered behind them.
 
 use super::tree::{Element, Node};
 use ttf_parser::Face;

@@ -16,9 +16,10 @@
 //! another way, as two rods that cross in a point, are painted one over the other: lines remain right, areas
 //! do not.
 //!
-//! **What shows motion.** [`Stage::turning`] is an arrow that turns about an axis, [`Finish::Ghost`] a body at another
-//! time, for stills; [`Stage::ground`] is a floor with its grid, [`Stage::patch`] a picture on a face. A path of many
-//! turns about a sphere is heavy in front and pale behind with [`Stroke::Curve`](crate::Stroke::Curve) and [`Hiding::Pale`].
+//! **What shows motion.** [`Stage::turning`] is an arrow that turns about an axis, [`Finish::Ghost`] a body
+//! at another time, for stills; [`Stage::ground`] is a floor with its grid, [`Stage::patch`] a picture on a
+//! face. A path of many turns about a sphere is heavy in front and pale behind with
+//! [`Stroke::Curve`](crate::Stroke::Curve) and [`Hiding::Pale`].
 //!
 //! | module | holds |
 //! |---|---|

@@ -25,8 +25,8 @@ pub enum Finish {
     Opaque,
     /// It tints it. Lines behind it are dashed all the same.
     Glass,
-    /// A body at another time, for stills of a motion: pale, with pale edges. It covers what is painted behind it and hides
-    /// no line.
+    /// A body at another time, for stills of a motion: pale, with pale edges. It covers what is painted
+    /// behind it and hides no line.
     Ghost,
 }
 

@@ -17,8 +17,8 @@ use crate::role::{Fill, Hue, Role, Stroke};
 /// A scene: solids, lines and labels in space, seen by one camera.
 ///
 /// Everything is checked when it is added. [`Stage::write`] paints it in the right order, whatever the order
-/// in which it was added: the ground, the solids from back to front, patches on them, hidden lines, the lines that are seen,
-/// points, labels.
+/// in which it was added: the ground, the solids from back to front, patches on them, hidden lines, the lines
+/// that are seen, points, labels.
 ///
 /// ```
 /// use drawing::space::{Camera, Solid, SpaceError, Stage, View};
@@ -81,8 +81,9 @@ impl Stage {
         self.arrow(curve, stroke, Heads::None, hue)
     }
 
-    /// Adds a curve with arrowheads of constant size on the page: smaller on thin lines than on thick ones. A head whose tip is hidden is drawn as a pale outline. On an arrow that is short on the
-    /// page, as one that points at the eye, heads shrink with it.
+    /// Adds a curve with arrowheads of constant size on the page: smaller on thin lines than on thick ones. A
+    /// head whose tip is hidden is drawn as a pale outline. On an arrow that is short on the page, as one
+    /// that points at the eye, heads shrink with it.
     ///
     /// # Errors
     /// [`SpaceError`] if a part of it is behind the eye.

@@ -292,7 +292,8 @@ fn the_circle_of_the_frisbee_closes_and_that_of_the_pencil_opens() {
             let spin = percent.parse::<f64>().expect("a number") / 100.0;
             let place = label.bounds.centre();
             let pencil = if down { place.x > 0.5 * part.width() } else { place.y > 0.5 * part.height() };
-            // tan θ_L at the start, the power of the spin by which it changes, I₃/I₁ − 1, and what is drawn of the axis.
+            // tan θ_L at the start, the power of the spin by which it changes, I₃/I₁ − 1, and what is drawn
+            // of the axis.
             let (start, power, length) = if pencil {
                 let (i1, i3) = (0.14_f64.powi(2) / 4.0 + 2.3_f64.powi(2) / 12.0, 0.14_f64.powi(2) / 2.0);
                 (6_f64, i3 / i1 - 1.0, 1.15)

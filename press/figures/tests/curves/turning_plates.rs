@@ -1,5 +1,5 @@
-//! The figures of the chapters on turning and on the wobble plate: curves lie on formulas that are written out here, and arrows
-//! point and turn as they should.
+//! The figures of the chapters on turning and on the wobble plate: curves lie on formulas that are written
+//! out here, and arrows point and turn as they should.
 
 use crate::{figures, lies_on};
 use drawing::{Drawing, Hue, Point, Role, Shape, Stroke};
