@@ -145,7 +145,7 @@ impl Printer<'_, '_> {
         let chapter = self.page.chapter?;
         let part = self.page.part.as_ref().map(|part| format!(" · {}", escaped(part))).unwrap_or_default();
         Some(format!(
-            "<p class=\"kicker\" data-chapter=\"{chapter}\">Chapter {chapter}{part}</p>\n\n{heading}"
+            "<p class=\"kicker\" style=\"--chapter: {chapter}\">Chapter {chapter}{part}</p>\n\n{heading}"
         ))
     }
 
@@ -559,7 +559,7 @@ mod tests {
     fn a_page_comes_out_as_expected() {
         let page = "# A\n\n## Motion {#sec:motion}\n\n$$\na\n$$ {#eq:x source=19}\n\n$$\nb\n$$\n\n\
                     $$\nc\n$$ {#eq:y source=\"20 21\" corrected}\n\nSee @eq:y, @source:19, @sec:motion and `@eq:z`.\n";
-        let expected = "<p class=\"kicker\" data-chapter=\"1\">Chapter 1</p>\n\n# A\n\n## Motion {#sec-motion}\n\n\
+        let expected = "<p class=\"kicker\" style=\"--chapter: 1\">Chapter 1</p>\n\n# A\n\n## Motion {#sec-motion}\n\n\
             <div class=\"equation numbered\" id=\"eq-x\"><div class=\"formula\"><math display=\"block\"><mi>a</mi></math></div>\
             <div class=\"marks\"><a class=\"number\" href=\"#eq-x\">(1.1)</a>\
             <a class=\"source\" id=\"source-19\" href=\"#source-19\" title=\"equation (19) of the source\">source 19</a></div></div>\n\n\
@@ -646,8 +646,9 @@ mod tests {
             let page = Page::new("book", "a.md".to_owned(), chapter, part.map(str::to_owned), text);
             render(&[page], &Rendered::default(), &Items::default(), &[]).unwrap_or_default().remove(0)
         };
-        let kicker =
-            |words: &str| format!("<p class=\"kicker\" data-chapter=\"4\">{words}</p>\n\n# A {{#sec-a}}\n");
+        let kicker = |words: &str| {
+            format!("<p class=\"kicker\" style=\"--chapter: 4\">{words}</p>\n\n# A {{#sec-a}}\n")
+        };
         assert_eq!(print(Some(4), None), kicker("Chapter 4"));
         assert_eq!(print(Some(4), Some("Exercises")), kicker("Chapter 4 · Exercises"));
         assert_eq!(print(None, None), "# A {#sec-a}\n");
