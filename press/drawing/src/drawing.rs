@@ -108,6 +108,7 @@ pub struct Drawing {
     pub(crate) panels: Vec<Drawing>,
     pub(crate) narrow: Option<Box<Drawing>>,
     pub(crate) link: Option<String>,
+    pub(crate) is_framed: bool,
 }
 
 impl Drawing {
@@ -126,6 +127,7 @@ impl Drawing {
             panels: Vec::new(),
             narrow: None,
             link: None,
+            is_framed: false,
         }
     }
 
@@ -134,6 +136,13 @@ impl Drawing {
     pub fn titled(mut self, title: &str, description: &str) -> Self {
         self.title = title.into();
         self.description = description.into();
+        self
+    }
+
+    /// The figure with all of its frame in its SVG, whatever its ink: for what moves.
+    #[must_use]
+    pub fn framed(mut self) -> Self {
+        self.is_framed = true;
         self
     }
 

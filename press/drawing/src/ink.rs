@@ -14,9 +14,11 @@ impl Drawing {
         self.items().iter().filter_map(ink).reduce(|all, next| all.union(&next))
     }
 
-    /// What the SVG shows: the ink and a margin around it, in whole pixels.
+    /// What the SVG shows: the ink and a margin around it, in whole pixels; or all
+    /// of its frame.
     pub(crate) fn seen(&self) -> Rect {
-        let seen = self.ink().map_or(self.frame(), |ink| ink.grown(MARGIN));
+        let ink = self.ink().filter(|_| !self.is_framed);
+        let seen = ink.map_or(self.frame(), |ink| ink.grown(MARGIN));
         Rect {
             left: seen.left.floor(),
             top: seen.top.floor(),

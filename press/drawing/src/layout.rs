@@ -10,6 +10,31 @@ pub const GAP: f64 = 20.0;
 /// A page with less room than this shows the narrow layout, px.
 pub const NARROW: f64 = 560.0;
 
+/// The room that a figure is drawn for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Room {
+    /// A page's column of text: 660 px.
+    Wide,
+    /// A phone: 340 px. Type of 13 px may shrink there to 11, so a drawing may be 400 px wide with its margins.
+    Narrow,
+}
+
+impl Room {
+    /// What differs between the two.
+    ///
+    /// ```
+    /// # use drawing::{Rect, Room};
+    /// let frame = |room: Room| Rect::new(50.0, 40.0, room.of(580.0, 320.0), 260.0);
+    /// assert_eq!(frame(Room::Narrow).right, 370.0);
+    /// ```
+    pub fn of<T>(self, wide: T, narrow: T) -> T {
+        match self {
+            Self::Wide => wide,
+            Self::Narrow => narrow,
+        }
+    }
+}
+
 /// On which pages a drawing is seen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pages {

@@ -56,8 +56,10 @@ pub use clip::clip;
 pub use drawing::{Axes, Drawing, Item, Scale, Shape};
 pub use flaw::Flaw;
 pub use ink::MARGIN;
-pub use label::{Label, LabelError, Piece, Segment, Side, TEX_COMMANDS};
-pub use layout::{GAP, NARROW, PANEL};
+pub use label::{Glyph, Label, LabelError, Piece, Segment, Side, Symbol, with_symbols};
+#[cfg(feature = "typesetter")]
+pub use label::{TEX_COMMANDS, symbols_of};
+pub use layout::{GAP, NARROW, PANEL, Room};
 pub use point::{Point, Rect, at};
 pub use role::{Fill, Hue, Role, Stroke};
 pub use simplify::{TOLERANCE, simplify};

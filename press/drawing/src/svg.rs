@@ -57,6 +57,18 @@ impl Drawing {
         Ok(self.leaves().into_iter().map(svg).collect::<Vec<_>>().join("\n"))
     }
 
+    /// What stands inside of the SVG of a drawing without panels: an element a line, in the order in which they are
+    /// painted.
+    ///
+    /// # Errors
+    /// [`Flaw`] if a coordinate is no number, or something could not be added.
+    pub fn to_elements(&self) -> Result<String, Flaw> {
+        self.flaw().map_or(Ok(()), Err)?;
+        let mut out = String::new();
+        self.write_items(&mut out);
+        Ok(out)
+    }
+
     /// The drawing as an SVG file of its own, in full size, with its style sheet for light and dark inside. Panels
     /// stand side by side, in rows.
     ///

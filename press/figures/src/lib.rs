@@ -20,11 +20,11 @@ mod sample;
 include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 
 pub use axis::Axis;
-pub use drawing::Drawing;
+pub use drawing::{Drawing, Room};
 pub use failure::{Failure, InvalidAxis};
 pub use look::Look;
 pub use plot::Plot;
-pub use room::{Room, in_both};
+pub use room::in_both;
 pub use sample::{linear_steps, log_steps};
 
 use drawing::Flaw;

@@ -1,31 +1,7 @@
 //! One figure in two widths.
 
 use crate::Outcome;
-
-/// The room that a figure is drawn for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Room {
-    /// A page's column of text: 660 px.
-    Wide,
-    /// A phone: 340 px. Type of 13 px may shrink there to 11, so a drawing may be 400 px wide with its margins.
-    Narrow,
-}
-
-impl Room {
-    /// What differs between the two.
-    ///
-    /// ```
-    /// # use figures::Room;
-    /// let frame = |room: Room| drawing::Rect::new(50.0, 40.0, room.of(580.0, 320.0), 260.0);
-    /// assert_eq!(frame(Room::Narrow).right, 370.0);
-    /// ```
-    pub fn of<T>(self, wide: T, narrow: T) -> T {
-        match self {
-            Self::Wide => wide,
-            Self::Narrow => narrow,
-        }
-    }
-}
+use drawing::Room;
 
 /// A figure that is drawn by one function for a wide page and for a phone. What takes long is computed before.
 ///

@@ -7,7 +7,7 @@ use std::fmt;
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LabelError {
-    /// A command that is not one of [`TEX_COMMANDS`](crate::TEX_COMMANDS).
+    /// A command that is not one of `TEX_COMMANDS`.
     UnknownCommand {
         /// The whole label.
         label: String,
@@ -27,6 +27,13 @@ pub enum LabelError {
         label: String,
         /// The delimiter that has no partner.
         delimiter: char,
+    },
+    /// A formula that is not in the table of a program without a typesetter.
+    NotSet {
+        /// The whole label.
+        label: String,
+        /// The formula.
+        formula: String,
     },
     /// A command, `^` or `_` without what it applies to, or with two of the same.
     Incomplete {
@@ -49,6 +56,9 @@ impl fmt::Display for LabelError {
             }
             Self::Unbalanced { label, delimiter } => {
                 write!(out, "label `{label}`: `{delimiter}` without its partner")
+            }
+            Self::NotSet { label, formula } => {
+                write!(out, "label `{label}`: `{formula}` was not set beforehand")
             }
             Self::Incomplete { label, command } => {
                 write!(out, "label `{label}`: `{command}` lacks what it applies to, or has it twice")

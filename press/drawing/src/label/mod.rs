@@ -5,17 +5,28 @@
 //! `\text{}`, relations and operations ([`TEX_COMMANDS`]). Among the words, `^{…}` raises what it holds:
 //! `10^{-4}`. Whatever is not understood is an error.
 //!
-//! Mathematics becomes outlines of the math font's glyphs. Words stay text, with their widths given, so that
+//! Mathematics becomes outlines of the math font's glyphs, set by the `typesetter` (a feature of the crate) or taken
+//! from a table of [`Symbol`]s that it has set before, which is all that a page in a browser carries. Words stay text, with their widths given, so that
 //! they can be searched and copied and yet take the same room with every font.
 
 mod error;
+#[cfg(feature = "typesetter")]
 mod font;
+#[cfg(feature = "typesetter")]
 mod layout;
+mod symbol;
+#[cfg(feature = "typesetter")]
 mod tex;
+#[cfg(feature = "typesetter")]
+mod typesetter;
 mod words;
 
 pub use error::LabelError;
+pub use symbol::{Glyph, Symbol, with_symbols};
+#[cfg(feature = "typesetter")]
 pub use tex::TEX_COMMANDS;
+#[cfg(feature = "typesetter")]
+pub use typesetter::symbols_of;
 
 use crate::point::{Point, Rect, at};
 
@@ -261,22 +272,22 @@ impl Label {
         source: &str,
         ink: &mut Option<Rect>,
     ) -> Result<(), LabelError> {
-        let set = layout::set(&tex::parse(part, source)?, 0, source)?;
+        let set = symbol::find(part, source)?;
         let size = MATHEMATICS * self.size;
         let x0 = self.width;
         let mut segments = Vec::new();
         let (mut left, mut right) = (f64::INFINITY, f64::NEG_INFINITY);
-        for &(glyph, x, y, scale) in &set.glyphs {
-            self.smallest = self.smallest.min(scale * size);
-            let units = scale * size / f64::from(font::UNITS_PER_EM);
+        for glyph in &*set.glyphs {
+            self.smallest = self.smallest.min(glyph.scale * size);
+            let units = glyph.scale * size / glyph.units_per_em;
             let place = |gx: i16, gy: i16| {
-                at(x0 + x * size + f64::from(gx) * units, -y * size - f64::from(gy) * units)
+                at(x0 + glyph.x * size + f64::from(gx) * units, -glyph.y * size - f64::from(gy) * units)
             };
             trace(glyph.outline, place, &mut segments);
             left = left.min(place(glyph.left, 0).x);
             right = right.max(place(glyph.right, 0).x);
         }
-        for &[rule_left, bottom, width, height] in &set.rules {
+        for &[rule_left, bottom, width, height] in &*set.rules {
             let place = |x: f64, y: f64| at(x0 + x * size, -y * size);
             segments.extend([
                 Segment::Move(place(rule_left, bottom)),

@@ -1,0 +1,43 @@
+//! Finds the scenes, `book/*/scene.rs` in the order of SUMMARY.md, and sets the formulas of their labels.
+
+use std::collections::BTreeSet;
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{env, fs};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../..").canonicalize()?;
+    let summary = root.join("book/SUMMARY.md");
+    println!("cargo::rerun-if-changed={}", summary.display());
+    let summary = fs::read_to_string(summary)?;
+    let chapters =
+        summary.lines().filter_map(|line| Some(line.split_once("](")?.1.split_once("/index.md)")?.0));
+    let (mut modules, mut entries, mut formulas) = (String::new(), String::new(), BTreeSet::new());
+    for chapter in chapters {
+        let file = root.join("book").join(chapter).join("scene.rs");
+        let Ok(source) = fs::read_to_string(&file) else {
+            println!("cargo::rerun-if-changed={}", root.join("book").join(chapter).display());
+            continue;
+        };
+        println!("cargo::rerun-if-changed={}", file.display());
+        let module = chapter.replace('-', "_");
+        writeln!(modules, "#[path = {file:?}]\nmod {module};")?;
+        writeln!(entries, "    (&{module}::SCENE, {chapter:?}),")?;
+        formulas
+            .extend(labels(&source).flat_map(|label| label.split('$').skip(1).step_by(2)).map(str::to_owned));
+    }
+    let symbols = drawing::symbols_of(formulas.iter().map(String::as_str))?;
+    let text = format!(
+        "{modules}\n/// The scenes and their chapters.\nstatic ENTRIES: &[(&Scene, &str)] = &[\n{entries}];\n\n\
+         /// The formulas of their labels.\nstatic SYMBOLS: &[drawing::Symbol] = {symbols};\n"
+    );
+    fs::write(Path::new(&env::var("OUT_DIR")?).join("scenes.rs"), text)?;
+    Ok(())
+}
+
+/// The raw strings of a source, in which labels are written, without those in comments.
+fn labels(source: &str) -> impl Iterator<Item = &str> {
+    let code = source.lines().map(|line| line.split("//").next().unwrap_or_default());
+    code.flat_map(|line| line.split("r\"").skip(1)).filter_map(|rest| rest.split('"').next())
+}

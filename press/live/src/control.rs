@@ -1,0 +1,143 @@
+//! What a reader can change.
+
+use crate::Cause;
+
+/// Something that a reader can change. Its value is a number, whatever it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Control {
+    /// Its name in links and presets, lower-case with hyphens: `spin`.
+    pub name: &'static str,
+    /// What stands beside it: words, with formulas between `$` signs.
+    pub words: &'static str,
+    /// What kind of thing it is.
+    pub kind: Kind,
+    /// Its value when the page opens.
+    pub start: f64,
+}
+
+/// The kinds of controls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// A slider, from a value to a value, both included, in steps from the first.
+    Slider {
+        /// The least value.
+        from: f64,
+        /// The greatest value.
+        to: f64,
+        /// The step.
+        step: f64,
+        /// The unit, as printed: `rad/s`, `°`; empty for pure numbers.
+        unit: &'static str,
+    },
+    /// A slider over powers of ten: equal ways are equal ratios. Its value has three digits.
+    LogSlider {
+        /// The least value, above zero.
+        from: f64,
+        /// The greatest value.
+        to: f64,
+        /// The unit, as printed.
+        unit: &'static str,
+    },
+    /// One of several; the value is its place in the list.
+    Choice(&'static [&'static str]),
+    /// On (1) or off (0).
+    Switch,
+    /// A button. Its value is the scene's time at which it was pressed last, s, or −1.
+    Button,
+}
+
+impl Control {
+    /// A slider.
+    pub const fn slider(
+        name: &'static str,
+        words: &'static str,
+        [from, to, step]: [f64; 3],
+        unit: &'static str,
+        start: f64,
+    ) -> Self {
+        Self { name, words, kind: Kind::Slider { from, to, step, unit }, start }
+    }
+
+    /// A slider over powers of ten.
+    pub const fn log_slider(
+        name: &'static str,
+        words: &'static str,
+        [from, to]: [f64; 2],
+        unit: &'static str,
+        start: f64,
+    ) -> Self {
+        Self { name, words, kind: Kind::LogSlider { from, to, unit }, start }
+    }
+
+    /// A choice; the first is taken when the page opens.
+    pub const fn choice(name: &'static str, words: &'static str, choices: &'static [&'static str]) -> Self {
+        Self { name, words, kind: Kind::Choice(choices), start: 0.0 }
+    }
+
+    /// A switch.
+    pub const fn switch(name: &'static str, words: &'static str, is_on: bool) -> Self {
+        Self { name, words, kind: Kind::Switch, start: if is_on { 1.0 } else { 0.0 } }
+    }
+
+    /// A button.
+    pub const fn button(name: &'static str, words: &'static str) -> Self {
+        Self { name, words, kind: Kind::Button, start: -1.0 }
+    }
+
+    /// The nearest value that the control can have; none for what is no number.
+    pub fn nearest(&self, value: f64) -> Option<f64> {
+        let nearest = match self.kind {
+            Kind::Slider { from, to, step, .. } => {
+                from + ((value.clamp(from, to) - from) / step).round() * step
+            }
+            Kind::LogSlider { from, to, .. } => value.clamp(from, to),
+            Kind::Choice(choices) => value.round().clamp(0.0, choices.len() as f64 - 1.0),
+            Kind::Switch => f64::from(value != 0.0),
+            Kind::Button => value.max(-1.0),
+        };
+        nearest.is_finite().then_some(nearest)
+    }
+}
+
+/// What a scene is set to.
+#[derive(Debug, Clone, Copy)]
+pub struct Settings<'a> {
+    pub(crate) controls: &'a [Control],
+    pub(crate) values: &'a [f64],
+}
+
+impl Settings<'_> {
+    /// The value of a control.
+    ///
+    /// # Errors
+    /// If the scene has no control of this name.
+    pub fn of(&self, name: &str) -> Result<f64, Cause> {
+        let place = self.controls.iter().position(|control| control.name == name);
+        let value = place.and_then(|place| self.values.get(place));
+        value.copied().ok_or_else(|| format!("the scene has no control `{name}`").into())
+    }
+
+    /// Which of several was chosen, from 0 on.
+    ///
+    /// # Errors
+    /// If the scene has no control of this name.
+    pub fn choice(&self, name: &str) -> Result<usize, Cause> {
+        Ok(self.of(name)? as usize)
+    }
+
+    /// Whether a switch is on.
+    ///
+    /// # Errors
+    /// If the scene has no control of this name.
+    pub fn is_on(&self, name: &str) -> Result<bool, Cause> {
+        Ok(self.of(name)? != 0.0)
+    }
+
+    /// When a button was pressed last, s of the scene.
+    ///
+    /// # Errors
+    /// If the scene has no control of this name.
+    pub fn pressed(&self, name: &str) -> Result<Option<f64>, Cause> {
+        Ok(Some(self.of(name)?).filter(|time| *time >= 0.0))
+    }
+}

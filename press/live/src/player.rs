@@ -1,0 +1,142 @@
+//! A scene in use: its settings, its motion, its picture. The module of the page is a thin wrapper of it.
+
+use crate::control::Settings;
+use crate::scene::{Moment, Motion, Run, Scene};
+use crate::written::written;
+use crate::{Cause, SYMBOLS};
+use drawing::{Drawing, Point, Room, with_symbols};
+
+/// A scene with its settings.
+pub struct Player {
+    scene: &'static Scene,
+    values: Vec<f64>,
+    motion: Box<dyn Motion>,
+    /// The moment that was drawn last.
+    seen: Moment,
+}
+
+impl Player {
+    /// A scene with the settings with which its page opens.
+    ///
+    /// # Errors
+    /// What the scene says.
+    pub fn new(scene: &'static Scene) -> Result<Self, Cause> {
+        let values = scene.controls.iter().map(|control| control.start).collect();
+        Self::with(scene, values)
+    }
+
+    /// A scene with these values of its controls, in their order.
+    ///
+    /// # Errors
+    /// What the scene says of settings to which it has no answer; and for values that no control can have.
+    pub fn with(scene: &'static Scene, values: Vec<f64>) -> Result<Self, Cause> {
+        if values.len() != scene.controls.len() {
+            return Err(format!("{} values for {} controls", values.len(), scene.controls.len()).into());
+        }
+        for (control, value) in scene.controls.iter().zip(&values) {
+            let distance = control.nearest(*value).map(|nearest| (nearest - value).abs());
+            if distance.is_none_or(|distance| distance > 1e-9 * value.abs().max(1.0)) {
+                return Err(format!("{}: {value} is out of range", control.name).into());
+            }
+        }
+        let motion = (scene.start)(&Settings { controls: scene.controls, values: &values })?;
+        let [azimuth, elevation] = scene.view.unwrap_or_default();
+        let seen = Moment { time: scene.still, azimuth, elevation, room: Room::Wide };
+        Ok(Self { scene, values, motion, seen })
+    }
+
+    /// The scene with some settings changed.
+    ///
+    /// # Errors
+    /// As for [`with`](Self::with), and for names that the scene does not have.
+    pub fn changed(&self, settings: &[(&str, f64)]) -> Result<Self, Cause> {
+        Self::with(self.scene, changed(self.scene, self.values.clone(), settings)?)
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &'static Scene {
+        self.scene
+    }
+
+    /// The values of its controls, in their order.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// How long it runs, and how fast.
+    pub fn run(&self) -> Run {
+        self.motion.run()
+    }
+
+    /// The picture of a moment.
+    ///
+    /// # Errors
+    /// What the scene says.
+    pub fn draw(&mut self, moment: Moment) -> Result<Drawing, Cause> {
+        self.seen = moment;
+        let [width, height] = moment.room.of(self.scene.size[0], self.scene.size[1]);
+        let id = format!("scene-{}{}", self.scene.name, moment.room.of("", "-narrow"));
+        let mut drawing = Drawing::new(&id, width, height).framed();
+        with_symbols(SYMBOLS, || self.motion.draw(&moment, &mut drawing))?;
+        Ok(drawing)
+    }
+
+    /// The picture that stands on the page until the scene wakes, and on paper.
+    ///
+    /// # Errors
+    /// What the scene says.
+    pub fn still(&mut self) -> Result<Drawing, Cause> {
+        let [azimuth, elevation] = self.scene.view.unwrap_or_default();
+        let moment = |room| Moment { time: self.scene.still, azimuth, elevation, room };
+        let [wide, narrow] = [Room::Wide, Room::Narrow].map(moment);
+        let wide = self.draw(wide)?.titled(self.scene.title, self.scene.description);
+        Ok(wide.with_narrow(self.draw(narrow)?))
+    }
+
+    /// The numbers beside the picture, as HTML.
+    ///
+    /// # Errors
+    /// What the scene says, and if it gives another number of readings than it has promised.
+    pub fn readings(&self, time: f64) -> Result<Vec<String>, Cause> {
+        let values = self.motion.readings(time)?;
+        if values.len() != self.scene.readings.len() {
+            return Err(format!("{} values for {} readings", values.len(), self.scene.readings.len()).into());
+        }
+        let with_unit = self.scene.readings.iter().zip(values);
+        Ok(with_unit.map(|(reading, value)| written(value, reading.form, reading.unit)).collect())
+    }
+
+    /// What happens, in words.
+    pub fn words(&self, time: f64) -> String {
+        self.motion.words(time)
+    }
+
+    /// The grips of the picture that was drawn last, px.
+    pub fn grips(&self) -> Vec<Point> {
+        self.motion.grips(&self.seen)
+    }
+
+    /// The values of all controls when a grip of the picture that was drawn last is drawn to a point.
+    ///
+    /// # Errors
+    /// If the scene names a control that it does not have.
+    pub fn drag(&self, grip: usize, to: Point) -> Result<Vec<f64>, Cause> {
+        changed(self.scene, self.values.clone(), &self.motion.drag(grip, to, &self.seen))
+    }
+}
+
+/// The values of a scene's controls with some changed, each brought into its range.
+pub(crate) fn changed(
+    scene: &Scene,
+    mut values: Vec<f64>,
+    settings: &[(&str, f64)],
+) -> Result<Vec<f64>, Cause> {
+    for (name, value) in settings {
+        let place = scene.controls.iter().position(|control| control.name == *name);
+        let place = place.ok_or_else(|| format!("the scene has no control `{name}`"))?;
+        if let Some(nearest) = scene.controls[place].nearest(*value) {
+            values[place] = nearest;
+        }
+    }
+    Ok(values)
+}

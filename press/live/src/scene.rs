@@ -1,0 +1,129 @@
+//! What a scene is.
+
+use crate::Cause;
+use crate::control::{Control, Settings};
+use drawing::space::{Camera, SpaceError, View};
+use drawing::{Drawing, Point, Room};
+
+/// A live scene: everything about it that does not move.
+#[derive(Debug)]
+pub struct Scene {
+    /// Its name: `turning` for `scene:turning`.
+    pub name: &'static str,
+    /// A short title, for those who cannot see it.
+    pub title: &'static str,
+    /// What its still shows, for those who cannot see it.
+    pub description: &'static str,
+    /// What it asks: a sentence or two, with formulas between `$` signs.
+    pub question: &'static str,
+    /// Its size on a page and on a phone (at most 400 px wide), px.
+    pub size: [[f64; 2]; 2],
+    /// Where the eye stands at first, azimuth and elevation in rad, if a reader can turn the view.
+    pub view: Option<[f64; 2]>,
+    /// The time that the still shows, s of the scene.
+    pub still: f64,
+    /// What a reader can change.
+    pub controls: &'static [Control],
+    /// Settings that the text talks about.
+    pub presets: &'static [Preset],
+    /// Numbers that stand beside the picture.
+    pub readings: &'static [Reading],
+    /// Computes the motion for some settings. An error is words for the reader: what has no answer there, and why.
+    pub start: fn(&Settings<'_>) -> Result<Box<dyn Motion>, Cause>,
+}
+
+/// Settings with a name. What is not mentioned goes back to its start.
+#[derive(Debug, Clone, Copy)]
+pub struct Preset {
+    /// The words on its button.
+    pub words: &'static str,
+    /// Names of controls and their values.
+    pub settings: &'static [(&'static str, f64)],
+}
+
+/// A number that is shown and goes with the motion.
+#[derive(Debug, Clone, Copy)]
+pub struct Reading {
+    /// What it is: words, with formulas between `$` signs.
+    pub words: &'static str,
+    /// How it is written.
+    pub form: Form,
+    /// Its unit, as printed; empty for pure numbers.
+    pub unit: &'static str,
+}
+
+/// How a number is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// With so many digits after the point.
+    Fixed(usize),
+    /// With a power of ten and so many digits: a drift.
+    Power(usize),
+}
+
+/// The motion for some settings. Times are seconds of the scene.
+pub trait Motion {
+    /// How long it runs, and how fast.
+    fn run(&self) -> Run;
+
+    /// Draws a moment.
+    ///
+    /// # Errors
+    /// What the library or the kit says; the page shows it in place of the words.
+    fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause>;
+
+    /// The numbers beside the picture, in the order of [`Scene::readings`].
+    ///
+    /// # Errors
+    /// What the library says.
+    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause>;
+
+    /// What happens, in a sentence or two: the answer to the question for these settings. It is read aloud to those
+    /// who cannot see when settings change, so it should not change with every moment.
+    fn words(&self, time: f64) -> String;
+
+    /// Where a hand can take hold of something, in the picture of a moment, px.
+    fn grips(&self, _moment: &Moment) -> Vec<Point> {
+        Vec::new()
+    }
+
+    /// The settings that follow when the grip of this index is drawn to a point: names of controls and values, which
+    /// are brought into their range.
+    fn drag(&self, _grip: usize, _to: Point, _moment: &Moment) -> Vec<(&'static str, f64)> {
+        Vec::new()
+    }
+}
+
+/// How long a motion runs, and how fast.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Run {
+    /// How long, s of the scene.
+    pub duration: f64,
+    /// Seconds of the scene that pass in a second of the reader.
+    pub pace: f64,
+    /// Whether it begins again at its end.
+    pub repeats: bool,
+}
+
+/// A moment, and how it is looked at.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moment {
+    /// The time, s of the scene.
+    pub time: f64,
+    /// Where the eye stands, rad; see [`View`].
+    pub azimuth: f64,
+    /// See [`azimuth`](Self::azimuth).
+    pub elevation: f64,
+    /// The page or the phone.
+    pub room: Room,
+}
+
+impl Moment {
+    /// A camera where the reader has put it: azimuth and elevation of the view are replaced.
+    ///
+    /// # Errors
+    /// [`SpaceError`] as for [`Camera::new`].
+    pub fn camera(&self, view: View) -> Result<Camera, SpaceError> {
+        Camera::new(View { azimuth: self.azimuth, elevation: self.elevation, ..view })
+    }
+}
