@@ -4,12 +4,12 @@ use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, value_at,
 };
 use drawing::kit::{self, Marker};
-use drawing::space::{Camera, Solid, SpaceError, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use drawing::space::{Camera, SpaceError, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Side, Stroke, at};
 use mechanics::integrate::{Dop853, rk4_step};
 use mechanics::scenes::laundromat::{Machine, Parameters, Ramp, Shaft, SteadyMotion, Transient};
 use nalgebra::{Complex, Matrix4};
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
     name: "laundromat",
@@ -21,7 +21,7 @@ pub(crate) const SCENE: Scene = Scene {
                   the distance of the shaft from O against time.",
     question: "Where does the load go while the spin $\\Omega$ passes $\\omega_0$? At which spin is the floor quietest? And why does a kick die \
                with one damper and grow with the other?",
-    size: [[640.0, 440.0], [380.0, 850.0]],
+    size: [[640.0, 440.0], [380.0, 864.0]],
     view: Some([-FRAC_PI_2, 1.0]),
     still: 0.62,
     controls: &[
@@ -72,6 +72,8 @@ const LARGEST_SWING: f64 = 12.0;
 /// times that of a metre of the drum.
 const LOAD: f64 = 0.82;
 const METRE: f64 = 5.0 * LOAD / 0.25;
+/// The length of a newton in it.
+const FORCE: f64 = 0.01;
 /// The outer radius of the tub; the heights of its upper rim, of springs, and of the floor.
 const TUB: f64 = 1.17;
 const RIM: f64 = 0.02;
@@ -439,7 +441,8 @@ fn steady(machine: &Machine, is_radial: bool) -> Option<SteadyMotion> {
 
 /// The steady force on the floor, N, and the lead of the load, °, over the spin.
 fn over_spin(still: &Machine, is_radial: bool) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
-    let spins = (0..=300).map(|n| MOST_SPIN * f64::from(n) / 300.0);
+    // Closer together about the resonance.
+    let spins = (0..=140).map(f64::from).map(|n| if n < 100.0 { 0.2 * n } else { n - 80.0 });
     let values = spins.map(|spin| {
         let found = still.with_spin(spin).ok().and_then(|machine| steady(&machine, is_radial));
         let force = |radius: f64| still.total_mass() * spin * spin * radius;
@@ -471,11 +474,11 @@ impl Layout {
                 swing: Rect::new(438.0, 326.0, 188.0, 66.0),
             },
             Room::Narrow => Self {
-                centre: at(190.0, 208.0),
+                centre: at(190.0, 204.0),
                 reach: 178.0,
-                force: Rect::new(52.0, 452.0, 312.0, 110.0),
-                lead: Rect::new(52.0, 598.0, 312.0, 56.0),
-                swing: Rect::new(52.0, 736.0, 312.0, 66.0),
+                force: Rect::new(52.0, 466.0, 312.0, 110.0),
+                lead: Rect::new(52.0, 612.0, 312.0, 56.0),
+                swing: Rect::new(52.0, 750.0, 312.0, 66.0),
             },
         }
     }
@@ -490,8 +493,13 @@ impl Washer {
         (TUB + 0.4 + self.widest.1 * METRE).max(2.5)
     }
 
+    /// The azimuth of the eye: a rider's turns with the drum.
+    fn eye(&self, moment: &Moment, state: &State) -> f64 {
+        moment.azimuth + if self.on_drum { state.azimuth } else { 0.0 }
+    }
+
     fn camera(&self, moment: &Moment, layout: &Layout, state: &State) -> Result<Camera, SpaceError> {
-        let azimuth = moment.azimuth + if self.on_drum { state.azimuth } else { 0.0 };
+        let azimuth = self.eye(moment, state);
         let view = View {
             target: [0.0; 3],
             azimuth,
@@ -500,7 +508,7 @@ impl Washer {
             centre: layout.centre,
             scale: layout.reach / self.posts(),
         };
-        Moment { azimuth, ..*moment }.camera(view)
+        Moment { azimuth, elevation: moment.elevation.max(0.2), ..*moment }.camera(view) // never from below the floor
     }
 
     fn time_axis(&self) -> Axis<'static> {
@@ -508,7 +516,7 @@ impl Washer {
     }
 
     fn swing_axis(&self) -> Axis<'static> {
-        let most = 100.0 * self.widest.1.max(0.02) * 1.05;
+        let most = 100.0 * self.widest.1.max(0.02) * 1.25;
         let step = if most > 12.0 {
             10.0
         } else if most > 5.0 {
@@ -566,7 +574,7 @@ impl Washer {
                 let (from, to) = (from?, to?);
                 let length = (to - from).length();
                 if is_spring {
-                    kit::spring(drawing, from, to, 7, 8.0, 0.06 * length, Hue::Ink);
+                    kit::spring(drawing, from, to, 5, 8.0, 0.06 * length, Hue::Ink);
                 } else if !self.is_radial {
                     kit::damper(drawing, from, to, 0.42 * length, 8.0, Hue::Ink);
                 }
@@ -583,22 +591,45 @@ fn place(frame: Rect, x: &Axis<'_>, y: &Axis<'_>, (at_x, at_y): (f64, f64)) -> P
 }
 
 impl Washer {
+    /// The tub, with the drum in it, seen from an eye at an azimuth.
+    fn draw_tub(
+        &self,
+        camera: &Camera,
+        eye: f64,
+        shaft: Complex<f64>,
+        drawing: &mut Drawing,
+    ) -> Result<(), Cause> {
+        let [rim, foot] = [RIM, FLOOR + 0.1].map(|z| [shaft.re, shaft.im, z]);
+        // The wall is seen between the near half of its foot and the far half of its rim.
+        let mut wall = arc(camera, foot, TUB, eye - FRAC_PI_2, PI)?;
+        wall.extend(arc(camera, rim, TUB, eye + FRAC_PI_2, PI)?);
+        let faces = [
+            (wall, Fill::Side, Hue::Muted),
+            (arc(camera, rim, TUB, 0.0, TAU)?, Fill::Face, Hue::Muted),
+            (arc(camera, rim, 1.07, 0.0, TAU)?, Fill::Side, Hue::Muted),
+            (arc(camera, rim, 1.0, 0.0, TAU)?, Fill::Face, Hue::Blue),
+        ];
+        for (mut face, fill, hue) in faces {
+            drawing.polygon(face.clone(), Fill::Page, hue);
+            drawing.polygon(face.clone(), fill, hue);
+            face.extend(face.first().copied());
+            drawing.polyline(&face, Stroke::Outline, hue);
+        }
+        Ok(())
+    }
+
     /// What lies on the drum: the load, the shaft's path and angle, the centre of mass, the force on the floor.
     fn draw_motion(
         &self,
         time: f64,
         state: &State,
         camera: &Camera,
+        eye: f64,
         drawing: &mut Drawing,
     ) -> Result<(), Cause> {
         let land = |z: Complex<f64>| camera.on_page([z.re, z.im, RIM]);
-        let curve =
-            |points: &mut dyn Iterator<Item = Complex<f64>>| points.map(land).collect::<Result<Vec<_>, _>>();
         let arc = |centre: Complex<f64>, radius: f64, from: f64, sweep: f64| {
-            curve(
-                &mut (0..=48)
-                    .map(|n| centre + Complex::from_polar(radius, from + sweep * f64::from(n) / 48.0)),
-            )
+            arc(camera, [centre.re, centre.im, RIM], radius, from, sweep)
         };
         let (origin, shaft, load) = (Complex::new(0.0, 0.0), state.shaft.position * METRE, state.load());
         let mass = shaft + load * (self.machine.offset() * METRE);
@@ -619,8 +650,9 @@ impl Washer {
                 drawing.polyline(&arc(origin, radius, 0.0, TAU)?, Stroke::Reference, Hue::Muted);
             }
         }
+        let turns = if self.kick.is_some_and(|kick| kick < time) { 1.8 } else { 0.8 };
         let length =
-            if self.on_drum { 2.0 } else { 1.6 * TAU / state.spin.max(self.machine.natural_frequency()) };
+            if self.on_drum { 2.0 } else { turns * TAU / state.spin.max(self.machine.natural_frequency()) };
         let steps = (length * state.spin.max(10.0) / 0.2).ceil();
         let (mut way, mut mass_way) = (Vec::new(), Vec::new());
         for n in 0..=steps as u32 {
@@ -647,8 +679,8 @@ impl Washer {
             drawing.label(name, Side::Over, r"$\phi_0$", Hue::Ink)?;
         }
         drawing.line(land(shaft)?, land(shaft + load * 0.67)?, Stroke::Vector, Hue::Blue);
-        let force = self.force(&state.shaft) * (1.0 / 150.0);
-        let force = force * (self.posts() / force.norm().max(1e-9)).min(1.0);
+        let force = self.force(&state.shaft) * FORCE;
+        let force = force * (0.94 * self.posts() / force.norm().max(1e-9)).min(1.0);
         if force.norm() > 0.05 {
             let tip = land(force)?;
             kit::arrow(drawing, land(origin)?, tip, Hue::Purple);
@@ -665,10 +697,11 @@ impl Washer {
 
         // How the drum turns, outside the tub; and the kick, for a moment.
         if state.spin > 0.0 {
-            let from = 0.25 - camera_turn(self.on_drum, state);
-            let turn = arc(shaft, TUB + 0.13, from, 0.5)?;
-            drawing.polyline(&turn[..45], Stroke::Vector, Hue::Orange);
-            kit::head(drawing, turn[48], turn[48] - turn[42], 1.0, Hue::Orange);
+            let turn = arc(shaft, TUB + 0.13, eye + FRAC_PI_2 + 0.25, 0.5)?;
+            if let [line @ .., neck, tip] = &turn[..] {
+                drawing.polyline(line, Stroke::Vector, Hue::Orange);
+                kit::head(drawing, *tip, *tip - *neck, 1.0, Hue::Orange);
+            }
         }
         if self.kick.is_some_and(|kick| (kick..kick + 0.12).contains(&time)) {
             let wall = shaft - TUB;
@@ -693,7 +726,12 @@ impl Washer {
         drawing.label(bottom + at(4.0, 0.0), Side::Right, "shaft", Hue::Ink)?;
         kit::marker(drawing, bottom + at(66.0, 0.0), Marker::Mass, Hue::Ink);
         drawing.label(bottom + at(70.0, 0.0), Side::Right, "centre of mass", Hue::Ink)?;
-        drawing.label(bottom + at(186.0, 0.0), Side::Right, "swings drawn 5 times as large", Hue::Muted)?;
+        drawing.label(
+            bottom + room.of(at(186.0, 0.0), at(-10.0, 21.0)),
+            Side::Right,
+            "swings drawn 5 times as large",
+            Hue::Muted,
+        )?;
         Ok(())
     }
 
@@ -715,8 +753,8 @@ impl Washer {
         plot.curve(rigid, Stroke::Reference, Hue::Muted);
         plot.curve(self.forces.iter().copied(), Stroke::Curve, Hue::Purple);
         if let Some((spin, force)) = self.quietest {
-            plot.curve([(spin, 0.0), (spin, force)], Stroke::Dotted, Hue::Muted);
-            plot.label((spin + 1.0, 14.0), Side::AboveRight, "quietest", Hue::Muted)?;
+            plot.curve([(spin, force), (spin, 170.0)], Stroke::Dotted, Hue::Muted);
+            plot.label((spin - 2.5, 185.0), Side::Right, "quietest", Hue::Muted)?;
         }
         let ring = plot.at(self.steady_force());
         kit::marker(plot.drawing(), ring, Marker::Ring, Hue::Ink);
@@ -730,7 +768,8 @@ impl Washer {
         plot.dot((state.spin, state.lead().to_degrees()), 4.5, Hue::Blue);
 
         let mut plot = Graph::new(drawing, layout.swing, self.time_axis(), self.swing_axis())?;
-        plot.curve(self.swings.iter().map(|(t, r)| (*t, 100.0 * r)), Stroke::Outline, Hue::Blue);
+        let swings = self.swings.iter().step_by(1 + self.swings.len() / 800);
+        plot.curve(swings.map(|(t, r)| (*t, 100.0 * r)), Stroke::Outline, Hue::Blue);
         if let Some(kick) = self.kick.filter(|kick| *kick < self.end) {
             plot.upright(kick, Stroke::Outline, Hue::Pink);
             plot.dot((kick, 0.0), 4.5, Hue::Pink);
@@ -740,9 +779,21 @@ impl Washer {
     }
 }
 
-/// How far the view has turned with the drum, rad.
-fn camera_turn(on_drum: bool, state: &State) -> f64 {
-    if on_drum { -state.azimuth } else { 0.0 }
+/// The points of an arc on the page, closer together on a large one: a circle of the world, level, at a height.
+fn arc(
+    camera: &Camera,
+    centre: [f64; 3],
+    radius: f64,
+    from: f64,
+    sweep: f64,
+) -> Result<Vec<Point>, SpaceError> {
+    let [x, y, z] = centre;
+    let count = (2.0 + 8.0 * sweep.abs() * radius.sqrt()).ceil();
+    let point = |n: u32| {
+        let way = Complex::from_polar(radius, from + sweep * f64::from(n) / count);
+        camera.on_page([x + way.re, y + way.im, z])
+    };
+    (0..=count as u32).map(point).collect()
 }
 
 impl Motion for Washer {
@@ -758,20 +809,9 @@ impl Motion for Washer {
         let shaft = state.shaft.position * METRE;
         self.draw_room(&camera, drawing)?;
         self.draw_suspension(&camera, shaft, drawing)?;
-        let mut stage = Stage::new(camera);
-        stage.solid(
-            Solid::ring(
-                [shaft.re, shaft.im, 0.5 * FLOOR + 0.5 * RIM + 0.08],
-                [0.0, 0.0, 1.0],
-                TUB,
-                1.06,
-                RIM - FLOOR - 0.16,
-            )?,
-            Hue::Muted,
-        )?;
-        stage.solid(Solid::disc([shaft.re, shaft.im, -0.03], [0.0, 0.0, 1.0], 1.0, 0.06)?, Hue::Blue)?;
-        stage.write(drawing);
-        self.draw_motion(moment.time, &state, &camera, drawing)?;
+        let eye = self.eye(moment, &state);
+        self.draw_tub(&camera, eye, shaft, drawing)?;
+        self.draw_motion(moment.time, &state, &camera, eye, drawing)?;
         self.draw_names(moment.room, &state, drawing)?;
         self.draw_plots(moment.time, &state, &layout, drawing)
     }
