@@ -134,7 +134,7 @@ impl Part {
         let way = if is_radial {
             let length = span[1] - span[0];
             let fastest = (spin + acceleration * length).max(machine.natural_frequency());
-            let steps = (length * fastest / 0.15).ceil().max(1.0);
+            let steps = (length * fastest / 0.06).ceil().max(1.0);
             let times: Vec<f64> = (0..=steps as u32).map(|n| length * f64::from(n) / steps).collect();
             let rates = |t: f64, state: &[f64; 4]| radial_rates(&machine, acceleration, t, state);
             let (states, _) =
@@ -173,10 +173,14 @@ impl State {
         Complex::from_polar(1.0, self.azimuth)
     }
 
-    /// The angle by which the load leads the shaft, rad; none with the shaft at O.
+    /// The angle by which the load leads the shaft, from −π/2 to 3π/2; none with the shaft at O.
     fn lead(&self) -> f64 {
         let position = self.shaft.position;
-        if position.norm() < 1e-9 { f64::NAN } else { (self.load() * position.conj()).arg() }
+        if position.norm() < 1e-9 {
+            return f64::NAN;
+        }
+        let lead = (self.load() * position.conj()).arg();
+        if lead < -FRAC_PI_2 { lead + TAU } else { lead }
     }
 }
 
@@ -299,7 +303,12 @@ impl Washer {
             while from < until {
                 // Two radians of drum and spring together: there Gauss's rule has eleven digits.
                 let spin = part.spin + part.acceleration * (from - part.from);
-                let to = until.min(from + 2.0 / (spin + self.machine.natural_frequency()));
+                let mut to = until.min(from + 2.0 / (spin + self.machine.natural_frequency()));
+                if self.is_radial {
+                    // The force turns with the radius, and quickly as the shaft passes O.
+                    let Shaft { position, velocity } = part.at(from)?.shaft;
+                    to = to.min(from + (0.5 * position.norm() / velocity.norm().max(1e-9)).max(2e-3));
+                }
                 self.given.push((from, given));
                 for (place, weight) in GAUSS {
                     let time = from + place * (to - from);
@@ -339,7 +348,7 @@ impl Washer {
 
     fn at(&self, time: f64) -> Result<State, Cause> {
         let part = self.parts.iter().rev().find(|part| part.from <= time).unwrap_or(&self.parts[0]);
-        part.at(time)
+        part.at(time.min(self.end))
     }
 
     /// The force of springs and dampers on the floor, N: minus what they do to a drum that does not turn.
@@ -368,12 +377,14 @@ impl Washer {
                     ..95.0 => "a quarter turn ahead of the shaft",
                     _ => "on the inside",
                 };
-                let [shaft, mass] = [steady.radius(), steady.centre_of_mass_radius()].map(|radius| 1e3 * radius);
-                let force = 1e-3 * mass * machine.total_mass() * spin * spin;
+                let [shaft, mass] = [steady.radius(), steady.centre_of_mass_radius()];
+                let force = mass * machine.total_mass() * spin * spin;
                 let rigid = machine.total_mass() * machine.offset() * spin * spin;
                 words.push(format!(
-                    "At {spin:.1} rad/s the load is {place}, with a lead of {lead:.0}°: the shaft goes round O at {shaft:.0} mm, the centre of \
-                     mass at {mass:.1} mm."
+                    "At {spin:.1} rad/s the load is {place}, with a lead of {lead:.0}°: the shaft goes round O at {}, the centre of mass \
+                     at {}.",
+                    millimetres(shaft),
+                    millimetres(mass)
                 ));
                 let quietest = self.quietest.map_or(String::new(), |(spin, force)| {
                     format!("; at {spin:.0} rad/s it would be quietest, with {force:.0} N")
@@ -391,7 +402,9 @@ impl Washer {
                 1e3 * distance
             ));
         }
-        words.push(self.fate_of_a_kick());
+        if self.steady().is_some() {
+            words.push(self.fate_of_a_kick());
+        }
         if self.strikes {
             words.push(format!("After {:.1} s the tub strikes its housing, and the scene ends.", self.end));
         }
@@ -413,6 +426,12 @@ impl Washer {
             _ => "A kick neither dies out nor grows.".into(),
         }
     }
+}
+
+/// A length, m, in words.
+fn millimetres(length: f64) -> String {
+    let length = 1e3 * length;
+    if length < 9.95 { format!("{length:.1} mm") } else { format!("{length:.0} mm") }
 }
 
 /// The largest real part of the eigenvalues of a matrix: the rate at which what grows fastest grows, from the size of
@@ -665,17 +684,24 @@ impl Washer {
                 mass_way.push(land(mass * METRE * turned)?);
             }
         }
-        drawing.polyline(&mass_way, Stroke::Orbit, Hue::Ink);
+        if !self.on_drum {
+            drawing.polyline(&mass_way, Stroke::Orbit, Hue::Ink);
+        }
         drawing.polyline(&way, Stroke::Vector, Hue::Blue);
 
         // From O through the shaft, and from the shaft to the load, which leads by an angle.
         let lead = state.lead();
+        let radius = [land(origin)?, land(shaft)?];
+        if self.is_radial && (radius[1] - radius[0]).length() > 30.0 {
+            let length = 0.5 * (radius[1] - radius[0]).length();
+            kit::damper(drawing, radius[0], radius[1], length, 9.0, Hue::Ink);
+        }
         if shaft.norm() > 0.1 {
             let beyond = shaft * (1.0 + 0.62 / shaft.norm());
             drawing.line(land(origin)?, land(beyond)?, Stroke::Outline, Hue::Ink);
             let azimuth = shaft.arg();
             drawing.polyline(&arc(shaft, 0.42, azimuth, lead)?, Stroke::Outline, Hue::Ink);
-            let name = land(shaft + Complex::from_polar(0.58, azimuth + 0.5 * lead))?;
+            let name = land(shaft + Complex::from_polar(0.58, azimuth + 0.72 * lead))?;
             drawing.label(name, Side::Over, r"$\phi_0$", Hue::Ink)?;
         }
         drawing.line(land(shaft)?, land(shaft + load * 0.67)?, Stroke::Vector, Hue::Blue);
@@ -715,11 +741,15 @@ impl Washer {
     fn draw_names(&self, room: Room, state: &State, drawing: &mut Drawing) -> Result<(), Cause> {
         let corner = at(8.0, 16.0);
         let spin = format!("{} = {:.1} rad/s", r"$\Omega$", state.spin);
-        let lead = format!("{} = {:.0}°", r"$\phi_0$", state.lead().to_degrees());
+        let lead = format!("{} = {:.0}°", r"$\phi_0$", state.lead().to_degrees()).replace('-', "−");
         let force = format!("{} = {:.0} N", r"$F$", self.force(&state.shaft).norm());
         let lines = [(spin, Hue::Orange), (lead, Hue::Ink), (force, Hue::Purple)];
         for (line, (text, hue)) in lines.iter().filter(|(text, _)| !text.contains("NaN")).enumerate() {
             drawing.label(corner + at(0.0, 20.0 * line as f64), Side::Right, text, *hue)?;
+        }
+        if self.on_drum {
+            drawing.label(corner + at(0.0, 62.0), Side::Right, "seen on", Hue::Muted)?;
+            drawing.label(corner + at(0.0, 80.0), Side::Right, "the drum", Hue::Muted)?;
         }
         let bottom = room.of(at(10.0, 424.0), at(10.0, 402.0));
         kit::marker(drawing, bottom, Marker::Ring, Hue::Ink);
@@ -748,6 +778,8 @@ impl Washer {
         let mut plot =
             Graph::new(drawing, layout.force, spin, Axis::linear(FORCE_AXIS, "force on the floor, N"))?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
+        plot.label((natural, 350.0), Side::Left, r"$\omega_0$", Hue::Muted)?;
+        plot.label((28.0, 380.0), Side::Right, "rigid bearings", Hue::Muted)?;
         let unbalance = self.machine.total_mass() * self.machine.offset();
         let rigid = (0..=60).map(|n| (f64::from(n), unbalance * f64::from(n * n)));
         plot.curve(rigid, Stroke::Reference, Hue::Muted);
@@ -841,6 +873,7 @@ impl Motion for Washer {
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
+        let time = time.min(self.end);
         let (start, state) = (self.at(0.0)?, self.at(time)?);
         let mass = state.shaft.position + state.load() * self.machine.offset();
         let kicked = self.kick.is_some_and(|kick| 0.0 < kick && kick <= time);
