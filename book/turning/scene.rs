@@ -20,7 +20,7 @@ pub(crate) const SCENE: Scene = Scene {
                   circle. Beside it the plane of the three arrows: L over I1 reaches twice as high along the axis as omega. Below, the axis \
                   swings to the right twice between two passages of the stripe.",
     question: "Why does a plate wobble twice in a turn? And what becomes of the wobble, and of the order of the three arrows, as $I_3/I_1$ passes 1?",
-    size: [[640.0, 480.0], [380.0, 690.0]],
+    size: [[640.0, 480.0], [380.0, 716.0]],
     view: Some([-1.35, 0.36]),
     still: 0.0,
     controls: &[
@@ -199,8 +199,8 @@ impl Throw {
             azimuth: 0.0,
             elevation: 0.0,
             distance: 8.0,
-            centre: moment.room.of(at(205.0, 182.0), at(190.0, 178.0)),
-            scale: moment.room.of(102.0, 96.0),
+            centre: moment.room.of(at(205.0, 182.0), at(190.0, 174.0)),
+            scale: moment.room.of(102.0, 90.0),
         })?;
         let mut stage = Stage::new(camera);
         if !self.on_board {
@@ -283,7 +283,7 @@ impl Throw {
     fn draw_swing(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let window = moment.room.of(DURATION, 0.5 * DURATION);
         let from = window * (moment.time / window).floor().clamp(0.0, DURATION / window - 1.0);
-        let frame = moment.room.of(Rect::new(40.0, 394.0, 580.0, 44.0), Rect::new(40.0, 606.0, 322.0, 44.0));
+        let frame = moment.room.of(Rect::new(40.0, 394.0, 580.0, 44.0), Rect::new(40.0, 624.0, 322.0, 44.0));
         let time = Axis::linear([from, from + window, 0.5], "time, s");
         let mut graph = Graph::new(drawing, frame, time, Axis::linear([-1.0, 1.0, 2.0], ""))?;
         let [_, spin] = self.rates();
@@ -336,7 +336,7 @@ impl Throw {
 fn plane(room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
     let x = Axis::linear([0.0, MOST, 5.0], r"$\omega_1$, rad/s");
     let y = Axis::linear([0.0, 2.0 * MOST, 10.0], r"along $\hat{\mathbf{3}}$, rad/s");
-    (room.of(Rect::new(450.0, 40.0, 130.0, 260.0), Rect::new(130.0, 350.0, 100.0, 200.0)), x, y)
+    (room.of(Rect::new(450.0, 40.0, 130.0, 260.0), Rect::new(130.0, 366.0, 90.0, 180.0)), x, y)
 }
 
 impl Motion for Throw {
