@@ -2,7 +2,7 @@
 
 use crate::{Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings};
 use drawing::kit::{self, Heads};
-use drawing::space::{Camera, Curve, Edges, Hiding, Solid, Stage, View};
+use drawing::space::{Camera, Curve, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -60,9 +60,9 @@ const USUAL_MOMENTUM: f64 = 0.0019;
 /// Steps in a turn for what is sampled once.
 const STEPS: u32 = 72;
 /// Where things stand on the shaft, in radii of the plate: its upper end, the frame, the floor.
-const TOP: f64 = 1.3;
-const FRAME: f64 = -2.12;
-const FLOOR: f64 = -2.8;
+const TOP: f64 = 1.15;
+const FRAME: f64 = -2.05;
+const FLOOR: f64 = -2.75;
 
 /// The engine with its settings.
 struct Shaking {
@@ -89,18 +89,18 @@ struct Layout {
 impl Layout {
     fn of(room: Room) -> Self {
         let view = View {
-            target: [0.0, 0.0, -0.45],
+            target: [0.0, 0.0, -0.5],
             azimuth: 0.0,
             elevation: 0.0,
             distance: 12.0,
-            centre: room.of(at(175.0, 214.0), at(190.0, 172.0)),
-            scale: room.of(84.0, 68.0),
+            centre: room.of(at(172.0, 222.0), at(190.0, 182.0)),
+            scale: room.of(86.0, 70.0),
         };
         Self {
             view,
-            ring: room.of(at(500.0, 132.0), at(86.0, 462.0)),
+            ring: room.of(at(500.0, 134.0), at(86.0, 466.0)),
             radius: room.of(92.0, 70.0),
-            graph: room.of(Rect::new(414.0, 286.0, 206.0, 98.0), Rect::new(218.0, 404.0, 148.0, 108.0)),
+            graph: room.of(Rect::new(414.0, 286.0, 206.0, 98.0), Rect::new(218.0, 396.0, 148.0, 118.0)),
         }
     }
 }
@@ -183,61 +183,110 @@ impl Shaking {
         Ok(self.seen(phase) * (lean * end + hop))
     }
 
-    /// The engine on its springs.
-    fn draw_engine(&self, camera: &Camera, phase: f64, drawing: &mut Drawing) -> Result<(), Cause> {
+    /// The engine on its springs, part by part from back to front: the plane of the plate parts the upper shaft from
+    /// what hangs below, the top of the frame parts that from the frame.
+    fn draw_engine(&self, moment: &Moment, view: View, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (camera, phase) = (moment.camera(view)?, self.phase(moment.time));
         let (seen, (lean, hop)) = (self.seen(phase), frame(&self.engine, phase));
         let place = |x: f64, y: f64, z: f64| seen * (lean * Vector3::new(x, y, z) + hop);
-        let axis = place(0.0, 0.0, 1.0) - place(0.0, 0.0, 0.0);
+        let way = |x: f64, y: f64, z: f64| seen * (lean * Vector3::new(x, y, z));
+        let ((sin_eye, cos_eye), (sin, cos)) = (moment.elevation.sin_cos(), moment.azimuth.sin_cos());
+        let eye = Vector3::from(view.target) + Vector3::new(cos * cos_eye, sin * cos_eye, sin_eye) * view.distance;
+        let (axis, (sin, cos)) = (way(0.0, 0.0, 1.0), self.engine.plate().tilt().sin_cos());
+        let normal = way(-sin * phase.cos(), -sin * phase.sin(), cos);
+        let is_above = (eye - place(0.0, 0.0, 0.0)).dot(&normal) > 0.0;
+        let over_frame = (eye - place(0.0, 0.0, FRAME + 0.07)).dot(&axis) > 0.0;
+        let paint = |drawing: &mut Drawing, solid: Solid, hue: Hue| -> Result<(), Cause> {
+            let mut stage = Stage::new(camera);
+            stage.solid(solid, hue)?;
+            stage.write(drawing);
+            Ok(())
+        };
 
-        // The floor, where the frame stands when nothing shakes, and the springs.
-        let mut floor = Stage::new(*camera);
+        let mut floor = Stage::new(camera);
         floor.ground([-1.5, -1.5], [1.5, 1.5], FLOOR, 0.5)?;
         floor.write(drawing);
-        for third in 0..3 {
-            let (sin, cos) = (TAU * (f64::from(third) + 0.25) / 3.0).sin_cos();
-            let (x, y) = (0.8 * cos, 0.8 * sin);
+        for quarter in 0..4 {
+            let (sin, cos) = (TAU * (f64::from(quarter) + 0.35) / 4.0).sin_cos();
+            let (x, y) = (0.85 * cos, 0.85 * sin);
             let foot = camera.on_page(seen * Vector3::new(x, y, FLOOR))?;
             let head = camera.on_page(place(x, y, FRAME - 0.07))?;
-            kit::spring(drawing, foot, head, 5, 11.0, 2.0, Hue::Muted);
+            kit::spring(drawing, foot, head, 5, 15.0, 2.0, Hue::Ink);
+        }
+        let base = Solid::disc(place(0.0, 0.0, FRAME), axis, 0.95, 0.14)?;
+        let plate = Solid::disc(place(0.0, 0.0, 0.0), normal, 1.0, 0.07)?;
+        let upper_shaft = Solid::rod(place(0.0, 0.0, 0.0), place(0.0, 0.0, TOP), 0.045)?;
+        if over_frame {
+            paint(drawing, base.clone(), Hue::Muted)?;
+        }
+        if !is_above {
+            paint(drawing, upper_shaft.clone(), Hue::Muted)?;
+            paint(drawing, plate.clone(), Hue::Blue)?;
+        }
+        self.draw_pistons(&camera, eye, phase, drawing)?;
+        if is_above {
+            paint(drawing, plate, Hue::Blue)?;
+            paint(drawing, upper_shaft, Hue::Muted)?;
+        }
+        if !over_frame {
+            paint(drawing, base, Hue::Muted)?;
         }
 
-        let mut stage = Stage::new(*camera);
-        stage.solid(Solid::disc(place(0.0, 0.0, FRAME), axis, 1.0, 0.14)?, Hue::Muted)?;
-        let shaft = Solid::rod(place(0.0, 0.0, FRAME + 0.05), place(0.0, 0.0, TOP), 0.045)?;
-        stage.solid(shaft.edges(Edges::BehindOthers), Hue::Muted)?;
-        let (sin, cos) = self.engine.plate().tilt().sin_cos();
-        let normal = place(-sin * phase.cos(), -sin * phase.sin(), cos) - place(0.0, 0.0, 0.0);
-        stage.solid(Solid::disc(place(0.0, 0.0, 0.0), normal, 1.0, 0.07)?, Hue::Blue)?;
-        for n in 1..=self.count() {
-            let (contact, centre) = (self.engine.contact(n, phase), self.engine.centre(n, phase));
-            let on_rod = |z: f64| place(contact.x / RADIUS, contact.y / RADIUS, z / RADIUS);
-            stage.solid(Solid::rod(on_rod(centre.z + 0.015), on_rod(contact.z - 0.005), 0.028)?, Hue::Muted)?;
-            // As thick as it is heavy.
-            let radius = 0.05 + 0.15 * (self.mass / f64::from(self.count())).sqrt().min(1.0);
-            stage.solid(Solid::rod(on_rod(centre.z - 0.015), on_rod(centre.z + 0.015), radius)?, Hue::Muted)?;
-        }
-        // What the end of the shaft draws in the room, and in green where the angular momentum points.
+        // What the end of the shaft draws in the room, the spin, and where the angular momentum points.
+        let mut stage = Stage::new(camera);
         let path = (0..=STEPS).map(|step| {
-            let phase = TAU * f64::from(step % STEPS) / f64::from(STEPS);
-            let (lean, hop) = frame(&self.engine, phase);
+            let (lean, hop) = frame(&self.engine, TAU * f64::from(step % STEPS) / f64::from(STEPS));
             lean * (Vector3::z() * TOP) + hop
         });
         let path: Vec<Vector3<f64>> = path.collect();
-        let size = path.iter().map(|point| (point - path[0]).norm()).fold(0.0, f64::max);
-        if size > 0.01 {
+        if path.iter().any(|point| (point - path[0]).norm() > 0.01) {
             let path = path.into_iter().map(|point| seen * point);
-            stage.curve(Curve::smooth(path)?.hiding(Hiding::Ignored), Stroke::Outline, Hue::Ink)?;
+            stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Ink)?;
         }
-        stage.turning(place(0.0, 0.0, 0.95), axis, 0.2, Hue::Orange)?;
-        stage.label_shifted(place(0.0, 0.0, 0.95), at(18.0, -2.0), Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        let momentum = seen * self.engine.angular_momentum(phase, 1.0);
-        let momentum = momentum * (1.95 / self.engine.plate().angular_momentum_rotating(1.0).z);
-        let arrow = Curve::segment(place(0.0, 0.0, 0.0), momentum)?.hiding(Hiding::Ignored);
-        stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Green)?;
+        let about = place(0.0, 0.0, 0.8);
+        stage.turning(about, axis, 0.2, Hue::Orange)?;
+        stage.label_shifted(about, at(18.0, -2.0), Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+        let momentum = seen * self.engine.angular_momentum(phase, 1.0).normalize() * 1.75;
+        stage.vector(place(0.0, 0.0, 0.0), momentum, Hue::Green)?;
         stage.label(momentum, Side::Above, r"$\boldsymbol{L}$", Hue::Green)?;
         stage.write(drawing);
         let grip = camera.on_page(self.high_end(self.engine.plate().tilt(), phase)?)?;
         kit::marker(drawing, grip, kit::Marker::Ring, Hue::Blue);
+        Ok(())
+    }
+
+    /// What hangs below the plate, the farthest from the eye first: all of it stands upright.
+    fn draw_pistons(
+        &self,
+        camera: &Camera,
+        eye: Vector3<f64>,
+        phase: f64,
+        drawing: &mut Drawing,
+    ) -> Result<(), Cause> {
+        let (seen, (lean, hop)) = (self.seen(phase), frame(&self.engine, phase));
+        let place = |point: Vector3<f64>| seen * (lean * point + hop);
+        let up = Vector3::z;
+        let mut uprights = vec![(place(up() * FRAME), vec![Solid::rod(
+            place(up() * (FRAME + 0.07)),
+            place(up() * -0.02),
+            0.045,
+        )?])];
+        // A piston is as thick as it is heavy.
+        let thickness = 0.05 + 0.15 * (self.mass / f64::from(self.count())).sqrt().min(1.0);
+        for n in 1..=self.count() {
+            let contact = self.engine.contact(n, phase) / RADIUS;
+            let centre = self.engine.centre(n, phase) / RADIUS;
+            let rod = Solid::rod(place(centre + up() * 0.15), place(contact - up() * 0.05), 0.028)?;
+            let piston = Solid::rod(place(centre - up() * 0.15), place(centre + up() * 0.15), thickness)?;
+            uprights.push((place(Vector3::new(contact.x, contact.y, FRAME)), vec![rod, piston]));
+        }
+        let distance = |foot: &Vector3<f64>| (eye - foot).norm();
+        uprights.sort_by(|(one, _), (other, _)| distance(other).total_cmp(&distance(one)));
+        for (_, solids) in uprights {
+            let mut stage = Stage::new(*camera);
+            solids.into_iter().try_for_each(|solid| stage.solid(solid, Hue::Muted))?;
+            stage.write(drawing);
+        }
         Ok(())
     }
 
@@ -281,10 +330,19 @@ impl Shaking {
             } else {
                 kit::dimension(drawing, ring, end, Heads::End, Hue::Green);
             }
-            let beside = way.unit().quarter_turned() * 9.0;
-            drawing.label_set(ring.towards(end, 0.62) + beside, Side::Over, 0.0, 13.0, word, Role::Text(Hue::Green))?;
+            // Beside the arrow, so far that the word clears it whichever way it points.
+            let side = way.unit().quarter_turned();
+            let beside = side * (9.0 + side.x.abs() * if word == "plate" { 13.0 } else { 20.0 });
+            drawing.label_set(ring.towards(end, 0.7) + beside, Side::Over, 0.0, 13.0, word, Role::Text(Hue::Green))?;
         }
         drawing.dot(of_both, 4.5, Hue::Green);
+        if longest > 0.0 {
+            // On that side of the two arrows where no word stands at its end.
+            let along = sum.dot(&plate).signum();
+            let side = (of_plate - ring).unit().quarter_turned();
+            let beside = side * (-along * (12.0 + side.x.abs() * 8.0));
+            drawing.label_set(of_both + beside, Side::Over, 0.0, 13.0, "sum", Role::Text(Hue::Green))?;
+        }
         Ok(())
     }
 
@@ -329,7 +387,7 @@ impl Motion for Shaking {
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let (layout, phase) = (Layout::of(moment.room), self.phase(moment.time));
-        self.draw_engine(&moment.camera(layout.view)?, phase, drawing)?;
+        self.draw_engine(moment, layout.view, drawing)?;
         self.draw_momenta(&layout, phase, drawing)?;
         self.draw_torque(&layout, phase, drawing)
     }
