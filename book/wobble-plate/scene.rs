@@ -266,26 +266,33 @@ impl Shaking {
         let (seen, (lean, hop)) = (self.seen(phase), frame(&self.engine, phase));
         let place = |point: Vector3<f64>| seen * (lean * point + hop);
         let up = Vector3::z;
-        let mut uprights = vec![(place(up() * FRAME), vec![Solid::rod(
-            place(up() * (FRAME + 0.07)),
-            place(up() * -0.02),
-            0.045,
-        )?])];
+        let foot = |point: &Vector3<f64>| place(Vector3::new(point.x, point.y, FRAME));
+        let shaft = Solid::rod(place(up() * (FRAME + 0.07)), place(up() * -0.02), 0.045)?;
+        let mut uprights = vec![(foot(&up()), shaft, None)];
         // A piston is as thick as it is heavy.
         let thickness = 0.05 + 0.15 * (self.mass / f64::from(self.count())).sqrt().min(1.0);
         for n in 1..=self.count() {
             let contact = self.engine.contact(n, phase) / RADIUS;
             let centre = self.engine.centre(n, phase) / RADIUS;
-            let rod = Solid::rod(place(centre + up() * 0.15), place(contact - up() * 0.05), 0.028)?;
             let piston = Solid::rod(place(centre - up() * 0.15), place(centre + up() * 0.15), thickness)?;
-            uprights.push((place(Vector3::new(contact.x, contact.y, FRAME)), vec![rod, piston]));
+            let rod = [centre + up() * 0.15, contact - up() * 0.05].map(place);
+            uprights.push((foot(&contact), piston, Some(rod)));
         }
         let distance = |foot: &Vector3<f64>| (eye - foot).norm();
-        uprights.sort_by(|(one, _), (other, _)| distance(other).total_cmp(&distance(one)));
-        for (_, solids) in uprights {
+        uprights.sort_by(|one, other| distance(&other.0).total_cmp(&distance(&one.0)));
+        for (_, solid, rod) in uprights {
             let mut stage = Stage::new(*camera);
-            solids.into_iter().try_for_each(|solid| stage.solid(solid, Hue::Muted))?;
+            stage.solid(solid, Hue::Muted)?;
             stage.write(drawing);
+            if let Some([from, to]) = rod {
+                let [from, to] = [camera.on_page(from)?, camera.on_page(to)?];
+                let side = (to - from).unit().quarter_turned() * 2.4;
+                let corners = vec![from + side, to + side, to - side, from - side];
+                drawing.polygon(corners.clone(), Fill::Page, Hue::Muted);
+                drawing.polygon(corners, Fill::Side, Hue::Muted);
+                drawing.line(from + side, to + side, Stroke::Outline, Hue::Muted);
+                drawing.line(from - side, to - side, Stroke::Outline, Hue::Muted);
+            }
         }
         Ok(())
     }
