@@ -4,8 +4,8 @@ use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, value_at,
 };
 use drawing::kit::{self, Marker};
-use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
+use drawing::space::{Camera, Curve, Solid, Stage, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::Body;
@@ -60,7 +60,11 @@ const MEGA: f64 = 1e6;
 const DURATION: f64 = 4.0 * TAU / SPIN;
 /// How long a blow stays in the picture, s, and the length of its arrow, radii a MN·s.
 const SHOWN: f64 = 2.5;
-const ARROW: f64 = 0.25;
+const ARROW: f64 = 0.14;
+/// The drawn wheel, in radii: inner radius and half the height of the rim, radius of the hub.
+const INNER: f64 = 0.86;
+const HALF_HEIGHT: f64 = 0.08;
+const HUB: f64 = 0.15;
 /// A motion whose axis is no further from its angular momentum than this, rad, does not nod.
 const STILL: f64 = 2e-3;
 /// How long the shutter of the camera at the hub is open, s, and half its field of view, rad.
@@ -81,7 +85,7 @@ fn sky(count: u32) -> Vec<Vector3<f64>> {
 }
 
 static STARS: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| sky(260));
-static BACKGROUND: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| sky(1100));
+static BACKGROUND: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| sky(2400));
 
 /// The two blows.
 #[derive(Clone, Copy)]
@@ -132,7 +136,7 @@ impl Layout {
             elevation: 0.0,
             distance: 9.0,
             centre: room.of(at(185.0, 215.0), at(190.0, 160.0)),
-            scale: room.of(112.0, 92.0),
+            scale: room.of(104.0, 92.0),
         };
         Self {
             view,
@@ -186,7 +190,8 @@ impl Struck {
     }
 
     fn momentum(&self, time: f64) -> Vector3<f64> {
-        self.last(time).map_or(self.first.angular_momentum_world(), |(_, top, _)| top.angular_momentum_world())
+        self.last(time)
+            .map_or(self.first.angular_momentum_world(), |(_, top, _)| top.angular_momentum_world())
     }
 
     /// How far axis 3 is to one side of the first angular momentum in the room, and how far the axis of rotation is to
@@ -213,6 +218,55 @@ impl Struck {
 fn rates(lean: f64, nodding: f64, on_board: f64) -> [f64; 3] {
     let mark = nodding - on_board;
     if lean > STILL { [nodding, mark, on_board] } else { [0.0, mark, 0.0] }
+}
+
+/// The direction from the target to the eye.
+fn eye_direction(moment: &Moment, view: View) -> Vector3<f64> {
+    let ((sin, cos), (up, across)) = (moment.azimuth.sin_cos(), moment.elevation.sin_cos());
+    (Vector3::new(cos * across, sin * across, up) * view.distance + Vector3::from(view.target)).normalize()
+}
+
+/// The station as it is seen.
+struct Wheel {
+    attitude: UnitQuaternion<f64>,
+    /// The direction to the eye.
+    sight: Vector3<f64>,
+}
+
+impl Wheel {
+    fn draw(&self, camera: &Camera, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut stage = Stage::new(*camera);
+        let axis = self.attitude * Vector3::z();
+        stage.solid(Solid::ring([0.0; 3], axis, 1.0, INNER, 2.0 * HALF_HEIGHT)?, Hue::Blue)?;
+        stage.solid(Solid::sphere([0.0; 3], HUB)?, Hue::Blue)?;
+        stage.write(drawing);
+        for quarter in 0..4 {
+            let (sin, cos) = (0.25 * TAU * (f64::from(quarter) + 0.5)).sin_cos();
+            let outwards = self.attitude * Vector3::new(cos, sin, 0.0);
+            let Some((from, to)) = self.seen_part(&outwards) else { continue };
+            let side = outwards.cross(&self.sight).normalize() * 0.03;
+            let corner = |along: f64, sign: f64| camera.on_page(outwards * along + side * sign);
+            let corners = [corner(from, 1.0)?, corner(to, 1.0)?, corner(to, -1.0)?, corner(from, -1.0)?];
+            drawing.polygon(corners.to_vec(), Fill::Page, Hue::Blue);
+            drawing.polygon(corners.to_vec(), Fill::Side, Hue::Blue);
+            drawing.line(corners[0], corners[1], Stroke::Outline, Hue::Blue);
+            drawing.line(corners[2], corners[3], Stroke::Outline, Hue::Blue);
+        }
+        Ok(())
+    }
+
+    /// Which part of a spoke is seen: not what lies behind the hub, and not that from which the line of sight meets
+    /// the rim on its way through the opening of the wheel.
+    fn seen_part(&self, outwards: &Vector3<f64>) -> Option<(f64, f64)> {
+        let axis = self.attitude * Vector3::z();
+        let (through, along) = (self.sight.dot(&axis).abs(), self.sight.dot(outwards));
+        let step = (self.sight - axis * self.sight.dot(&axis)) * (HALF_HEIGHT / through);
+        let middle = -step.dot(outwards);
+        let half = (middle * middle - step.norm_squared() + INNER * INNER).sqrt();
+        let hub = if along > 0.0 { HUB } else { HUB / (1.0 - along * along).sqrt() };
+        let (from, to) = (hub.max(middle - half), INNER.min(middle + half));
+        (from < to).then_some((from, to))
+    }
 }
 
 impl Nodding {
@@ -271,40 +325,55 @@ impl Nodding {
                 drawing.dot(place, 0.8, Hue::Muted);
             }
         }
-        let mut stage = Stage::new(camera);
-        let (axis, omega) = (attitude * Vector3::z(), (attitude * now.omega_body).normalize());
-        let momentum = seen * self.station.momentum(moment.time).normalize();
-        stage.solid(Solid::ring([0.0; 3], axis, 1.0, 0.86, 0.16)?, Hue::Blue)?;
-        stage.solid(Solid::sphere([0.0; 3], 0.15)?, Hue::Blue)?;
-        for quarter in 0..4 {
-            let (sin, cos) = (0.25 * TAU * (f64::from(quarter) + 0.5)).sin_cos();
-            let outwards = attitude * Vector3::new(cos, sin, 0.0);
-            stage.solid(Solid::rod(outwards * 0.1, outwards * 0.9, 0.03)?, Hue::Blue)?;
+        // What points out of the wheel lies above its plane: from above it is painted last, from below first.
+        let wheel = Wheel { attitude, sight: eye_direction(moment, layout.view) };
+        let from_below = wheel.sight.dot(&(attitude * Vector3::z())) < 0.0;
+        if !from_below {
+            wheel.draw(&camera, drawing)?;
         }
-        // Around what stands still each of the others goes on a circle.
+        self.draw_marks(&camera, moment.time, &now, drawing)?;
+        if from_below {
+            wheel.draw(&camera, drawing)?;
+        }
+        Ok(())
+    }
+
+    /// The three directions and their circles, the marks on the rim, and the blows.
+    fn draw_marks(
+        &self,
+        camera: &Camera,
+        time: f64,
+        now: &Turning,
+        drawing: &mut Drawing,
+    ) -> Result<(), Cause> {
+        let seen = self.seen(now);
+        let attitude = seen * now.world_from_body;
+        let mut stage = Stage::new(*camera);
+        let (axis, omega) = (attitude * Vector3::z(), (attitude * now.omega_body).normalize());
+        let momentum = seen * self.station.momentum(time).normalize();
+        // Round what stands still each of the others goes on a circle.
         let pivot = if self.on_board { axis } else { momentum };
-        for (direction, length, hue) in
-            [(axis, 1.35, Hue::Blue), (momentum, 1.65, Hue::Green), (omega, 1.9, Hue::Orange)]
-        {
+        let directions = [
+            (axis, 1.25, r"$\hat{\mathbf{3}}$", Hue::Blue),
+            (momentum, 1.5, r"$\boldsymbol{L}$", Hue::Green),
+            (omega, 1.75, r"$\boldsymbol{\omega}$", Hue::Orange),
+        ];
+        for (direction, length, name, hue) in directions {
             let along = direction.dot(&pivot) * length;
             let aside = (length * length - along * along).max(0.0).sqrt();
             if aside > 0.02 {
-                let circle = Curve::circle(pivot * along, pivot, aside)?.hiding(Hiding::Pale);
-                stage.curve(circle, Stroke::Outline, hue)?;
+                stage.curve(Curve::circle(pivot * along, pivot, aside)?, Stroke::Outline, hue)?;
             }
+            stage.named_vector(direction * HUB, direction * length, name, hue)?;
         }
-        stage.named_vector([0.0; 3], axis * 1.35, r"$\hat{\mathbf{3}}$", Hue::Blue)?;
-        stage.named_vector([0.0; 3], momentum * 1.65, r"$\boldsymbol{L}$", Hue::Green)?;
-        stage.named_vector([0.0; 3], omega * 1.9, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        let mark = attitude * Vector3::new(0.0, 0.93, 0.08);
-        stage.dot(mark, 4.5, Hue::Pink)?;
-        if moment.time < SHOWN && self.blows.first.impulse > 0.0 {
+        stage.dot(attitude * Vector3::new(0.0, 0.93, 0.08), 4.5, Hue::Pink)?;
+        if time < SHOWN && self.blows.first.impulse > 0.0 {
             let [foot, tip] = self.impulse_arrow();
             stage.named_vector(foot, tip, r"$\boldsymbol{P}$", Hue::Pink)?;
         }
         let Blows { second, is_fired, .. } = self.blows;
         let thruster = Self::thruster(second.azimuth);
-        let since = moment.time - second.time;
+        let since = time - second.time;
         if is_fired && (0.0..SHOWN).contains(&since) && second.blow.impulse != 0.0 {
             let push = Vector3::z() * (ARROW * second.blow.impulse / MEGA);
             stage.vector(attitude * thruster, attitude * (thruster + push), Hue::Pink)?;
@@ -342,18 +411,39 @@ impl Nodding {
         let pole = in_picture(&now.omega_body.normalize());
         let momentum = in_picture(&(attitudes[0] * self.station.momentum(time).normalize()));
         let reach = (pole - sky).length();
-        if reach > 3.0 {
+        if reach > 3.0 && reach < radius - 4.0 {
             drawing.circle(sky, reach, Role::Line(Stroke::Outline, Hue::Orange));
         }
         for step in [at(5.0, 0.0), at(0.0, 5.0)] {
             drawing.line(sky - step, sky + step, Stroke::Vector, Hue::Blue);
         }
-        drawing.dot(momentum, 3.5, Hue::Green);
-        drawing.dot(pole, 4.0, Hue::Orange);
+        if inside(momentum) {
+            drawing.dot(momentum, 3.5, Hue::Green);
+        }
+        let outwards = (pole - sky).unit();
+        if inside(pole) {
+            drawing.dot(pole, 4.0, Hue::Orange);
+        }
+        if inside(pole) && reach > 16.0 {
+            let name = pole + outwards * 13.0;
+            drawing.label_set(
+                name,
+                Side::Over,
+                0.0,
+                14.0,
+                r"$\boldsymbol{\omega}$",
+                Role::Text(Hue::Orange),
+            )?;
+        }
         if reach > 16.0 {
-            let outwards = (pole - sky).unit();
-            drawing.label_set(pole + outwards * 13.0, Side::Over, 0.0, 14.0, r"$\boldsymbol{\omega}$", Role::Text(Hue::Orange))?;
-            drawing.label_set(sky - outwards * 15.0, Side::Over, 0.0, 14.0, r"$\hat{\mathbf{3}}$", Role::Text(Hue::Blue))?;
+            drawing.label_set(
+                sky - outwards * 15.0,
+                Side::Over,
+                0.0,
+                14.0,
+                r"$\hat{\mathbf{3}}$",
+                Role::Text(Hue::Blue),
+            )?;
         }
         let title = sky - at(0.0, radius + 4.0);
         drawing.label_set(title, Side::Above, 4.0, 13.0, "the crew’s sky", Role::Text(Hue::Ink))?;
@@ -362,7 +452,10 @@ impl Nodding {
 
     fn draw_waves(&self, layout: &Layout, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let mut graph = Graph::new(drawing, layout.graph, time_axis(moment.room), WAVES_AXIS)?;
-        let names = [r"in the room, $\hat{\mathbf{3}}$ about $\boldsymbol{L}$", r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$"];
+        let names = [
+            r"in the room, $\hat{\mathbf{3}}$ about $\boldsymbol{L}$",
+            r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$",
+        ];
         let now = self.station.aside(moment.time)?;
         for (index, hue) in [(0, Hue::Blue), (1, Hue::Orange)] {
             let middle = MIDDLES[index];
@@ -401,7 +494,10 @@ impl Nodding {
             held.push((Grip::Impulse, camera.on_page(tip)?));
         }
         if self.blows.is_fired {
-            held.push((Grip::Thruster, self.thruster_place(&camera, moment.time, self.blows.second.azimuth)?));
+            held.push((
+                Grip::Thruster,
+                self.thruster_place(&camera, moment.time, self.blows.second.azimuth)?,
+            ));
             held.push((Grip::Fire, self.fire_place(&layout, moment.room)));
         }
         Ok(held)
@@ -426,7 +522,8 @@ impl Nodding {
         let found = match grip {
             Grip::Impulse => {
                 let tip = |impulse| Ok(camera.on_page(foot + Vector3::z() * (0.1 + ARROW * impulse))?);
-                nearest(&mut (1..=100).map(|tenth| 0.1 * f64::from(tenth)), &tip).map(|value| ("impulse", value))
+                nearest(&mut (1..=100).map(|tenth| 0.1 * f64::from(tenth)), &tip)
+                    .map(|value| ("impulse", value))
             }
             Grip::Place => {
                 let foot = |metres| Ok(camera.on_page([0.0, metres / RADIUS * 0.93, 0.08])?);
@@ -434,7 +531,8 @@ impl Nodding {
             }
             Grip::Thruster => {
                 let place = |degrees: f64| self.thruster_place(&camera, moment.time, degrees.to_radians());
-                nearest(&mut (0..720).map(|half| 0.5 * f64::from(half)), &place).map(|value| ("azimuth", value))
+                nearest(&mut (0..720).map(|half| 0.5 * f64::from(half)), &place)
+                    .map(|value| ("azimuth", value))
             }
             Grip::Fire => {
                 let (time, _) = value_at(layout.graph, &time_axis(moment.room), &WAVES_AXIS, to);
@@ -483,16 +581,24 @@ impl Motion for Nodding {
             let nod = 2.0 * top.momentum_angle().to_degrees();
             let after = Vector3::z().angle(&top.angular_momentum_world()).to_degrees();
             let drift = velocity.norm();
-            let left = if nod < 0.1 { "no nod".into() } else { format!("a nod of {nod:.1}°") };
-            let tilt = if after < 0.1 { "the axis where it was".into() } else { format!("an axis that points {after:.1}° away") };
-            let drift = if drift < 0.01 { "no drift".into() } else { format!("a drift of {drift:.2} m/s") };
-            return format!("The second blow, after {time:.2} s, leaves {left}, {tilt} before the first, and {drift}.");
+            let nodding = if nod < 0.1 { "no nod".into() } else { format!("a nod of {nod:.1}°") };
+            if nod < 0.1 && after < 0.1 && drift < 0.01 {
+                return format!(
+                    "The second blow, after {time:.2} s, leaves nothing: no nod, the axis where it was, no drift."
+                );
+            }
+            return format!(
+                "The second blow, after {time:.2} s, leaves {nodding}. The angular momentum points {after:.1}° away from the old axis, and the \
+                 centre drifts at {drift:.2} m/s."
+            );
         }
         let lean = first.momentum_angle();
         if lean <= STILL {
             return if self.blows.first.impulse > 0.0 {
                 let drift = first.centre_velocity().z;
-                format!("A push on the axis turns nothing: the station drifts off at {drift:.2} m/s, and the stars go round the cross as before.")
+                format!(
+                    "A push on the axis turns nothing: the station drifts off at {drift:.2} m/s, and the stars go round the cross as before."
+                )
             } else {
                 "No blow: the stars go round the cross as before, once in 13.96 s.".into()
             };

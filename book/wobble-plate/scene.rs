@@ -36,6 +36,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "turns of the shaft", form: Form::Fixed(2), unit: "" },
         Reading { words: "torque on the frame", form: Form::Fixed(2), unit: "N·m" },
         Reading { words: "without pistons", form: Form::Fixed(2), unit: "N·m" },
+        Reading { words: "lean of the frame", form: Form::Fixed(2), unit: "°" },
         Reading { words: "force along the shaft", form: Form::Fixed(1), unit: "N" },
         Reading { words: r"energy of the pistons, $T_\text{p}$", form: Form::Fixed(2), unit: "J" },
         Reading { words: "its change since the start", form: Form::Power(1), unit: "J" },
@@ -126,13 +127,19 @@ fn limited(vector: Vector3<f64>, limit: f64) -> Vector3<f64> {
     if length > 1e-12 { vector * (limit * (length / limit).tanh() / length) } else { vector }
 }
 
-/// How the frame stands at a phase when it hangs free: it leans and hops. What the engine takes from it, torque and
-/// force, goes to and fro once a turn, so the frame is displaced by that over its inertia and `ω²`: as far at every
-/// speed.
-fn frame(engine: &Engine, phase: f64) -> (UnitQuaternion<f64>, Vector3<f64>) {
-    let lean = engine.frame_torque(phase, 1.0) / FRAME_MOMENT;
-    let hop = Vector3::z() * (engine.shaking_force(phase, 1.0) / (FRAME_MASS * RADIUS));
-    (UnitQuaternion::from_scaled_axis(limited(lean, LEAN_LIMIT)), limited(hop, HOP_LIMIT))
+/// How far the frame leans at a phase, as it hangs free: a small rotation, rad. The torque that the engine takes from
+/// it goes to and fro once a turn, so its lean is that over its moment and `ω²`: the same at every speed.
+fn lean(engine: &Engine, phase: f64) -> Vector3<f64> {
+    engine.frame_torque(phase, 1.0) / FRAME_MOMENT
+}
+
+/// The least and the greatest torque on the frame in a turn, N·m.
+fn torque_range(engine: &Engine, spin: f64) -> [f64; 2] {
+    // For three pistons and more it is the same all the time, for fewer the same every half turn.
+    let steps = if engine.pistons().count() < 3 { STEPS / 2 } else { 1 };
+    let phases = (0..steps).map(|step| TAU * f64::from(step) / f64::from(STEPS));
+    let torques = phases.map(|phase| engine.frame_torque(phase, spin).norm());
+    torques.fold([f64::MAX, 0.0], |[least, most], torque| [least.min(torque), most.max(torque)])
 }
 
 impl Shaking {
@@ -146,12 +153,7 @@ impl Shaking {
         let mut torques = Vec::new();
         for step in 0..=68 {
             let mass = 0.05 * f64::from(step);
-            let engine = self::engine(tilt, count, mass)?;
-            // For three and more the torque is the same at all phases.
-            let some = phases().step_by(2).take(if count < 3 { 18 } else { 1 });
-            let torque = some.map(|phase| engine.frame_torque(phase, spin).norm());
-            let range = torque.fold([f64::MAX, 0.0], |[least, most], now| [least.min(now), most.max(now)]);
-            torques.push((mass, range));
+            torques.push((mass, torque_range(&self::engine(tilt, count, mass)?, spin)));
         }
         let three = Pistons::new(PistonParameters { count: 3, mass: 0.0, distance: DISTANCE, rod: ROD })?;
         let balancing = 3.0 * engine.plate().balancing_mass(&three)?;
@@ -163,11 +165,14 @@ impl Shaking {
         self.engine.pistons().count()
     }
 
-    /// The least and the greatest torque on the frame in a turn, N·m.
-    fn torque_range(&self) -> [f64; 2] {
-        let phases = (0..STEPS).map(|step| TAU * f64::from(step) / f64::from(STEPS));
-        let torques = phases.map(|phase| self.engine.frame_torque(phase, self.spin).norm());
-        torques.fold([f64::MAX, 0.0], |[least, most], torque| [least.min(torque), most.max(torque)])
+    /// How the frame of an engine is drawn at a phase: it leans and, as the force along the shaft asks it to, hops.
+    fn stands(&self, engine: &Engine, phase: f64) -> (UnitQuaternion<f64>, Vector3<f64>) {
+        if self.spin == 0.0 {
+            return (UnitQuaternion::identity(), Vector3::zeros());
+        }
+        let hop = Vector3::z() * (engine.shaking_force(phase, 1.0) / (FRAME_MASS * RADIUS));
+        let lean = limited(lean(engine, phase), LEAN_LIMIT);
+        (UnitQuaternion::from_scaled_axis(lean), limited(hop, HOP_LIMIT))
     }
 
     /// From the room to what the reader sees, who may turn with the shaft.
@@ -178,7 +183,7 @@ impl Shaking {
     /// The high end of the plate, in the picture's space, at a tilt.
     fn high_end(&self, tilt: f64, phase: f64) -> Result<Vector3<f64>, Cause> {
         let engine = engine(tilt, self.count(), self.mass)?;
-        let (lean, hop) = frame(&engine, phase);
+        let (lean, hop) = self.stands(&engine, phase);
         let end = Vector3::new(tilt.cos() * phase.cos(), tilt.cos() * phase.sin(), tilt.sin());
         Ok(self.seen(phase) * (lean * end + hop))
     }
@@ -187,11 +192,12 @@ impl Shaking {
     /// what hangs below, the top of the frame parts that from the frame.
     fn draw_engine(&self, moment: &Moment, view: View, drawing: &mut Drawing) -> Result<(), Cause> {
         let (camera, phase) = (moment.camera(view)?, self.phase(moment.time));
-        let (seen, (lean, hop)) = (self.seen(phase), frame(&self.engine, phase));
+        let (seen, (lean, hop)) = (self.seen(phase), self.stands(&self.engine, phase));
         let place = |x: f64, y: f64, z: f64| seen * (lean * Vector3::new(x, y, z) + hop);
         let way = |x: f64, y: f64, z: f64| seen * (lean * Vector3::new(x, y, z));
         let ((sin_eye, cos_eye), (sin, cos)) = (moment.elevation.sin_cos(), moment.azimuth.sin_cos());
-        let eye = Vector3::from(view.target) + Vector3::new(cos * cos_eye, sin * cos_eye, sin_eye) * view.distance;
+        let eye =
+            Vector3::from(view.target) + Vector3::new(cos * cos_eye, sin * cos_eye, sin_eye) * view.distance;
         let (axis, (sin, cos)) = (way(0.0, 0.0, 1.0), self.engine.plate().tilt().sin_cos());
         let normal = way(-sin * phase.cos(), -sin * phase.sin(), cos);
         let is_above = (eye - place(0.0, 0.0, 0.0)).dot(&normal) > 0.0;
@@ -235,7 +241,7 @@ impl Shaking {
         // What the end of the shaft draws in the room, the spin, and where the angular momentum points.
         let mut stage = Stage::new(camera);
         let path = (0..=STEPS).map(|step| {
-            let (lean, hop) = frame(&self.engine, TAU * f64::from(step % STEPS) / f64::from(STEPS));
+            let (lean, hop) = self.stands(&self.engine, TAU * f64::from(step % STEPS) / f64::from(STEPS));
             lean * (Vector3::z() * TOP) + hop
         });
         let path: Vec<Vector3<f64>> = path.collect();
@@ -263,7 +269,7 @@ impl Shaking {
         phase: f64,
         drawing: &mut Drawing,
     ) -> Result<(), Cause> {
-        let (seen, (lean, hop)) = (self.seen(phase), frame(&self.engine, phase));
+        let (seen, (lean, hop)) = (self.seen(phase), self.stands(&self.engine, phase));
         let place = |point: Vector3<f64>| seen * (lean * point + hop);
         let up = Vector3::z;
         let foot = |point: &Vector3<f64>| place(Vector3::new(point.x, point.y, FRAME));
@@ -311,7 +317,14 @@ impl Shaking {
             let momentum = seen * momentum * scale;
             ring + at(momentum.x, -momentum.y)
         };
-        drawing.label_set(ring - at(0.0, radius + 10.0), Side::Above, 4.0, 13.0, "momentum across the shaft", Role::Text(Hue::Ink))?;
+        drawing.label_set(
+            ring - at(0.0, radius + 10.0),
+            Side::Above,
+            4.0,
+            13.0,
+            "momentum across the shaft",
+            Role::Text(Hue::Ink),
+        )?;
         drawing.circle(ring, radius, Role::Line(Stroke::Grid, Hue::Ink));
         for n in 1..=self.count() {
             let place = seen * self.engine.contact(n, phase);
@@ -340,7 +353,14 @@ impl Shaking {
             // Beside the arrow, so far that the word clears it whichever way it points.
             let side = way.unit().quarter_turned();
             let beside = side * (9.0 + side.x.abs() * if word == "plate" { 13.0 } else { 20.0 });
-            drawing.label_set(ring.towards(end, 0.7) + beside, Side::Over, 0.0, 13.0, word, Role::Text(Hue::Green))?;
+            drawing.label_set(
+                ring.towards(end, 0.7) + beside,
+                Side::Over,
+                0.0,
+                13.0,
+                word,
+                Role::Text(Hue::Green),
+            )?;
         }
         drawing.dot(of_both, 4.5, Hue::Green);
         if longest > 0.0 {
@@ -365,7 +385,11 @@ impl Shaking {
         } else {
             graph.curve(most, Stroke::Curve, Hue::Purple);
         }
-        graph.level(self.engine.plate().bearing_torque_rotating(self.spin).norm(), Stroke::Reference, Hue::Muted);
+        graph.level(
+            self.engine.plate().bearing_torque_rotating(self.spin).norm(),
+            Stroke::Reference,
+            Hue::Muted,
+        );
         graph.upright(self.balancing, Stroke::Dotted, Hue::Muted);
         kit::marker(drawing, self.mass_grip(layout, phase), kit::Marker::Ring, Hue::Purple);
         Ok(())
@@ -406,6 +430,7 @@ impl Motion for Shaking {
             phase / TAU,
             self.engine.frame_torque(phase, spin).norm(),
             self.engine.plate().bearing_torque_rotating(spin).norm(),
+            if spin == 0.0 { 0.0 } else { lean(&self.engine, phase).norm().to_degrees() },
             self.engine.shaking_force(phase, spin),
             energy,
             energy - self.engine.piston_energy(0.0, spin),
@@ -415,7 +440,7 @@ impl Motion for Shaking {
     fn words(&self, _time: f64) -> String {
         let (count, mass, balancing) = (self.count(), self.mass, self.balancing);
         let alone = self.engine.plate().bearing_torque_rotating(self.spin).norm();
-        let [least, most] = self.torque_range();
+        let [least, most] = torque_range(&self.engine, self.spin);
         if self.spin == 0.0 {
             return "At rest nothing shakes, whatever the pistons weigh.".into();
         }
@@ -428,11 +453,23 @@ impl Motion for Shaking {
             );
         }
         let part = mass / balancing;
-        let number = ["One piston", "Two pistons", "Three pistons", "Four pistons", "Five pistons", "Six pistons", "Seven pistons"];
+        let number = [
+            "One piston",
+            "Two pistons",
+            "Three pistons",
+            "Four pistons",
+            "Five pistons",
+            "Six pistons",
+            "Seven pistons",
+        ];
         let number = number[count as usize - 1];
         if count < 3 {
             let verb = if count == 1 { "swings" } else { "swing" };
-            let hops = if count == 1 { " The frame hops as well: nothing answers the force along the shaft." } else { "" };
+            let hops = if count == 1 {
+                " The frame hops as well: nothing answers the force along the shaft."
+            } else {
+                ""
+            };
             if (part - 1.0).abs() < 0.01 {
                 return format!(
                     "{number} {verb} to and fro along a line. Half of that goes round with the plate and cancels it; the other half goes round \
@@ -465,7 +502,9 @@ impl Motion for Shaking {
     fn grips(&self, moment: &Moment) -> Vec<Point> {
         let (layout, phase) = (Layout::of(moment.room), self.phase(moment.time));
         let tilt = self.engine.plate().tilt();
-        let rim = || -> Result<Point, Cause> { Ok(moment.camera(layout.view)?.on_page(self.high_end(tilt, phase)?)?) };
+        let rim = || -> Result<Point, Cause> {
+            Ok(moment.camera(layout.view)?.on_page(self.high_end(tilt, phase)?)?)
+        };
         std::iter::once(self.mass_grip(&layout, phase)).chain(rim().ok()).collect()
     }
 
@@ -481,6 +520,9 @@ impl Motion for Shaking {
         };
         let tilts = (0..=90).map(|half| 0.5 * f64::from(half));
         let nearest = tilts.filter_map(|tilt| Some((tilt, distance(tilt).ok()?)));
-        nearest.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(tilt, _)| vec![("tilt", tilt)]).unwrap_or_default()
+        nearest
+            .min_by(|one, other| one.1.total_cmp(&other.1))
+            .map(|(tilt, _)| vec![("tilt", tilt)])
+            .unwrap_or_default()
     }
 }

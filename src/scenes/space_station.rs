@@ -182,7 +182,10 @@ impl StruckStation {
         let Turning { world_from_body, omega_body } = self.at(time)?;
         let added = radius * impulse / self.top.moments().as_symmetric()?.transverse; // eq:struck-rate
         let gained = Vector3::new(azimuth.cos(), azimuth.sin(), 0.0) * added;
-        FreeSymmetricTop::new(self.top.moments(), Turning { world_from_body, omega_body: omega_body + gained })
+        FreeSymmetricTop::new(
+            self.top.moments(),
+            Turning { world_from_body, omega_body: omega_body + gained },
+        )
     }
 
     /// The position at `time`, s, of the point of the station that was at `point_body`, m, along its axes, in the room.
