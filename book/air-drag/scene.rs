@@ -1,7 +1,8 @@
 //! The scene of the chapter "Frisbee and pencil": a body slows down, and its place on a map decides how it ends.
 
 use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at, value_at,
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at,
+    value_at,
 };
 use drawing::kit::arrow;
 use drawing::space::{Curve, Hiding, Solid, Stage, View};
@@ -24,14 +25,20 @@ pub(crate) const SCENE: Scene = Scene {
     question: "The air slows spin and wobble. Which of them dies first, and how much spin is left by then?",
     size: [[640.0, 470.0], [360.0, 520.0]],
     view: Some([-1.25, 0.3]),
-    still: 9.0,
+    still: 10.0,
     controls: &[
-        Control::log_slider("ratio", r"long to flat: moments $I_3/I_1$", RATIOS, "", 1.9),
+        Control::log_slider("ratio", r"long to flat: moments $I_3/I_1$", RATIOS, "", 2.0),
         Control::log_slider("drag", r"drag across the axis and about it, $C_1/C_3$", DRAGS, "", 1.0),
-        Control::slider("lean", r"lean of the axis from $\boldsymbol{L}$ at the start", [0.0, 90.0, 1.0], "°", 30.0),
+        Control::slider(
+            "lean",
+            r"lean of the axis from $\boldsymbol{L}$ at the start",
+            [0.0, 90.0, 0.5],
+            "°",
+            30.0,
+        ),
     ],
     presets: &[
-        Preset { words: "a disc, equal drags", settings: &[("ratio", 2.0)] },
+        Preset { words: "a disc, equal drags", settings: &[] },
         Preset { words: "a Frisbee", settings: &[("ratio", 2.0), ("drag", 10.0)] },
         Preset { words: "a rough rim", settings: &[("ratio", 2.0), ("drag", 0.1)] },
         Preset { words: "as thick as wide", settings: &[("ratio", 1.0)] },
@@ -43,7 +50,11 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"lean of the axis from $\boldsymbol{L}$", form: Form::Fixed(1), unit: "°" },
         Reading { words: r"wobble decays at $C_1/I_1$", form: Form::Fixed(3), unit: "/s" },
         Reading { words: r"spin decays at $C_3/I_3$", form: Form::Fixed(3), unit: "/s" },
-        Reading { words: r"turns of $\boldsymbol\omega$ about the axis, on board", form: Form::Fixed(1), unit: "" },
+        Reading {
+            words: r"turns of $\boldsymbol\omega$ about the axis, on board",
+            form: Form::Fixed(1),
+            unit: "",
+        },
         Reading { words: "energy lost, less what the air took", form: Form::Power(1), unit: "" },
     ],
     start: |settings| Ok(Box::new(Slowing::new(settings)?)),
@@ -53,7 +64,7 @@ pub(crate) const SCENE: Scene = Scene {
 const RATIOS: [f64; 2] = [0.002, 2.0];
 const DRAGS: [f64; 2] = [0.05, 2000.0];
 /// The quicker of the two decays, 1/s: air as thick as that takes.
-const DECAY: f64 = 1.0 / 6.0;
+const DECAY: f64 = 1.0 / 8.0;
 /// How fast the axis goes round the angular momentum at the start, rad/s, L/I₁.
 const ROUND: f64 = 1.2 * TAU;
 /// From moment to moment of the path, s.
@@ -62,6 +73,8 @@ const STEP: f64 = 1.0 / 60.0;
 const TRAIL: f64 = 2.5;
 /// Half the diagonal of the drawn body, units of the world.
 const REACH: f64 = 1.15;
+/// How long its axis is drawn, units of the world.
+const TIP: f64 = 1.55;
 
 /// A body that slows down, as it is seen in the room.
 struct Slowing {
@@ -82,11 +95,12 @@ impl Slowing {
         let moments = PrincipalMoments::symmetric(1.0, ratio)?;
         // C₁/I₁ over C₃/I₃; the larger of the two rates is DECAY.
         let clocks = settings.of("drag")? * ratio;
-        let drag = Drag { transverse: DECAY * clocks.min(1.0), axial: DECAY * ratio * (1.0 / clocks).min(1.0) };
+        let drag =
+            Drag { transverse: DECAY * clocks.min(1.0), axial: DECAY * ratio * (1.0 / clocks).min(1.0) };
         let (sin, cos) = if lean == 90.0 { (1.0, 0.0) } else { lean.to_radians().sin_cos() };
         let omega_body = Vector3::new(ROUND * sin, 0.0, ROUND * cos / ratio);
         let top = DraggedTop::new(Parameters { moments, drag, omega_body })?;
-        let duration = (1.3 * LN_10 / top.alignment_rate().abs()).clamp(18.0, 40.0);
+        let duration = (1.3 * LN_10 / top.alignment_rate().abs()).clamp(24.0, 50.0);
         let upright = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), -lean.to_radians());
         let times: Vec<f64> = (0..=(duration / STEP) as u32 + 2).map(|n| STEP * f64::from(n)).collect();
         let states = top.thrown(upright, &Dop853::new(1e-9)?)?.sample(&times)?;
@@ -161,11 +175,11 @@ impl Slowing {
             azimuth: 0.0,
             elevation: 0.0,
             distance,
-            centre: moment.room.of(at(170.0, 238.0), at(180.0, 158.0)),
-            scale: moment.room.of(96.0, 70.0),
+            centre: moment.room.of(at(170.0, 238.0), at(180.0, 172.0)),
+            scale: moment.room.of(100.0, 82.0),
         })?;
         let mut stage = Stage::new(camera);
-        stage.ground([-1.6, -1.6], [1.6, 1.6], -1.6, 0.4)?;
+        stage.ground([-1.2, -1.2], [1.2, 1.2], -1.5, 0.4)?;
         let (solid, radius, high) = self.body(axis)?;
         stage.solid(solid, Hue::Blue)?;
         // A mark on the face that is seen; a long body spins too fast for one.
@@ -178,29 +192,31 @@ impl Slowing {
                 let corner = Vector3::new(reach * radius * cos, reach * radius * sin, face);
                 <[f64; 3]>::from(now.world_from_body * corner)
             };
-            let rim = (-6..=6).map(|n| corner(0.06 * f64::from(n), 0.98));
-            let hub = (-6..=6).rev().map(|n| corner(0.06 * f64::from(n), 0.55));
+            let rim = (-6..=6).map(|n| corner(0.035 * f64::from(n), 0.98));
+            let hub = (-6..=6).rev().map(|n| corner(0.035 * f64::from(n), 0.55));
             stage.patch(rim.chain(hub), Fill::Solid, Hue::Blue)?;
         }
-        let reach = 1.55;
         let begin = self.before((moment.time - TRAIL).max(0.0));
         let path = self.states[begin..=self.before(moment.time)].iter().map(Turning::axis_3_world);
-        let path: Vec<[f64; 3]> = path.chain([axis]).map(|tip| (tip * reach).into()).collect();
+        let path: Vec<[f64; 3]> = path.chain([axis]).map(|tip| (tip * TIP).into()).collect();
         if path.len() > 2 && self.lean > 0.0 {
             stage.curve(Curve::smooth(path)?.hiding(Hiding::Pale), Stroke::Curve, Hue::Blue)?;
         }
-        let momentum = now.angular_momentum_world(&self.top.moments()).normalize() * 1.75;
-        let spin = now.omega_world().normalize() * 1.45;
-        stage.named_vector([0.0; 3], momentum, r"$\boldsymbol{L}$", Hue::Green)?;
-        if angle_between(&axis, &spin) > 0.05 {
-            stage.named_vector([0.0; 3], spin, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        } else {
-            stage.vector([0.0; 3], spin, Hue::Orange)?;
+        let momentum = now.angular_momentum_world(&self.top.moments()).normalize();
+        let spin = now.omega_world().normalize();
+        stage.named_vector([0.0; 3], momentum * 1.85, r"$\boldsymbol{L}$", Hue::Green)?;
+        stage.vector([0.0; 3], axis * TIP, Hue::Ink)?;
+        stage.vector([0.0; 3], spin * 1.3, Hue::Orange)?;
+        // Names stand away from L, and only where the arrows can be told apart.
+        let to_the_right = Vector3::new(-moment.azimuth.sin(), moment.azimuth.cos(), 0.0);
+        let side = |arrow: &Vector3<f64>| {
+            if (arrow - momentum).dot(&to_the_right) > 0.0 { Side::Right } else { Side::Left }
+        };
+        if angle_between(&axis, &momentum) > 0.12 {
+            stage.label(axis * TIP, side(&axis), r"$\hat{\mathbf{3}}$", Hue::Ink)?;
         }
-        let on_axis = angle_between(&axis, &momentum) < 0.1;
-        stage.vector([0.0; 3], axis * reach, Hue::Ink)?;
-        if !on_axis {
-            stage.label(axis * reach, Side::AboveRight, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
+        if angle_between(&spin, &axis).min(angle_between(&spin, &momentum)) > 0.08 {
+            stage.label(spin * 1.3, side(&spin), r"$\boldsymbol{\omega}$", Hue::Orange)?;
         }
         stage.write(drawing);
         Ok(())
@@ -217,11 +233,15 @@ impl Slowing {
         }
         map.curve(line(1.0), Stroke::Border, Hue::Ink);
         // eq:tangent-power with two drags: a tenth of the tangent costs so much of the spin.
-        for left in [0.5, 0.9] {
-            map.curve(line(1.0 + LN_10 / -f64::ln(left)), Stroke::Reference, Hue::Muted);
+        for (left, name) in [(0.5, "50 %"), (0.9, "90 %")] {
+            let line = line(1.0 + LN_10 / -f64::ln(left));
+            map.curve(line, Stroke::Reference, Hue::Muted);
+            map.label(line[1], Side::Right, name, Hue::Muted)?;
         }
-        map.label((0.06, 700.0), Side::Right, "wobble dies", Hue::Blue)?;
-        map.label((0.0035, 0.6), Side::Right, "spin dies", Hue::Orange)?;
+        map.label(line(1.0)[1], Side::Right, "0", Hue::Muted)?;
+        map.label((to, 80.0), Side::Right, room.of("spin left", "left"), Hue::Muted)?;
+        map.label((0.04, 900.0), Side::Right, room.of("wobble dies first", "wobble dies"), Hue::Blue)?;
+        map.label((0.0025, 0.3), Side::Right, room.of("spin dies first", "spin dies"), Hue::Orange)?;
         map.dot((self.ratio, self.drag_ratio()), 6.0, Hue::Pink);
         Ok(())
     }
@@ -234,7 +254,9 @@ impl Slowing {
     fn draw_parts(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let mut graph = Graph::new(drawing, parts_frame(moment.room), PARTS.0, PARTS.1)?;
         let curve = |from: f64, to: f64| {
-            (0..=120).map(|n| self.parts(from + (to - from) * f64::from(n) / 120.0)).collect::<Result<Vec<_>, _>>()
+            (0..=120)
+                .map(|n| self.parts(from + (to - from) * f64::from(n) / 120.0))
+                .collect::<Result<Vec<_>, _>>()
         };
         let start: Vec<(f64, f64)> = (0..=45).map(|n| (2.0 * f64::from(n)).to_radians().sin_cos()).collect();
         graph.curve(start, Stroke::Outline, Hue::Muted);
@@ -242,8 +264,11 @@ impl Slowing {
         graph.curve(curve(0.0, moment.time)?, Stroke::Curve, Hue::Green);
         if let Some(time) = self.settled() {
             let parts = self.parts(time)?;
-            let foot = graph.at(parts);
-            graph.drawing().circle(foot, 4.5, Role::Line(Stroke::Outline, Hue::Ink));
+            graph.curve([parts, (1.0, parts.1)], Stroke::Dotted, Hue::Muted);
+            let place = graph.at(parts);
+            graph.drawing().circle(place, 4.5, Role::Line(Stroke::Outline, Hue::Ink));
+            let percent = format!("{:.0} %", 100.0 * self.left(time)?);
+            graph.label((1.0, parts.1), Side::Right, &(percent + moment.room.of(" left", "")), Hue::Muted)?;
         }
         let [from, to] = [graph.at((0.0, 0.0)), graph.at(self.parts(moment.time)?)];
         if (to - from).length() > 1.0 {
@@ -254,19 +279,21 @@ impl Slowing {
     }
 }
 
-const MAP: (Axis<'_>, Axis<'_>) =
-    (Axis::log([RATIOS[0], RATIOS[1], 1.0], r"$I_3/I_1$"), Axis::log([DRAGS[0], DRAGS[1], 1.0], r"$C_1/C_3$"));
+const MAP: (Axis<'_>, Axis<'_>) = (
+    Axis::log([RATIOS[0], RATIOS[1], 1.0], r"$I_3/I_1$"),
+    Axis::log([DRAGS[0], DRAGS[1], 1.0], r"$C_1/C_3$"),
+);
 const PARTS: (Axis<'_>, Axis<'_>) = (
     Axis::linear([0.0, 1.0, 0.5], r"$\boldsymbol{L}$ across"),
     Axis::linear([0.0, 1.0, 0.5], r"$\boldsymbol{L}$ along the axis"),
 );
 
 fn map_frame(room: Room) -> Rect {
-    room.of(Rect::new(410.0, 34.0, 214.0, 150.0), Rect::new(44.0, 324.0, 130.0, 140.0))
+    room.of(Rect::new(390.0, 34.0, 180.0, 150.0), Rect::new(44.0, 340.0, 98.0, 126.0))
 }
 
 fn parts_frame(room: Room) -> Rect {
-    room.of(Rect::new(410.0, 268.0, 150.0, 150.0), Rect::new(214.0, 324.0, 132.0, 140.0))
+    room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(214.0, 358.0, 108.0, 108.0))
 }
 
 /// What has been added up of a quantity by each moment, by Simpson's rule over pairs of steps.
