@@ -6,11 +6,12 @@ use crate::{
 };
 use drawing::kit;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
+use drawing::{Drawing, Hue, Item, Point, Rect, Role, Side, Stroke, at};
 use mechanics::attitude::angle_between;
 use mechanics::free_rotation::FreeTop;
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
+use std::cell::OnceCell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
@@ -22,7 +23,7 @@ pub(crate) const SCENE: Scene = Scene {
                   line against the logarithm of that degree.",
     question: "The pin catches the hoop nearly at $90°$ from its axis. It turns like a door on its hinge, and then it turns over. \
                How long does it wait, at $80°$, $89°$ and $89.9°$? Why are the steps equal?",
-    size: [[640.0, 500.0], [360.0, 640.0]],
+    size: [[640.0, 505.0], [360.0, 640.0]],
     view: Some([-0.9, 0.3]),
     still: 17.0,
     controls: &[
@@ -59,8 +60,10 @@ const GAPS: [f64; 2] = [1e-4, 90.0];
 const BY_HAND: f64 = 0.1;
 /// For how long the path of the centre stays, s.
 const TRAIL: f64 = 7.0;
-/// How many points a path has.
-const POINTS: u32 = 160;
+/// How many points half a path has.
+const POINTS: u32 = 120;
+/// The axes of the body, in its own picture.
+const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// A body of mass, radius and spin one, pinned so many degrees from a right angle.
 fn pinned(shape: Shape, gap: f64) -> Result<Pinning, Cause> {
@@ -84,6 +87,8 @@ struct Pinned {
     path: Vec<Vector3<f64>>,
     /// How long it waits, s, against the gap, degrees.
     waits: Vec<(f64, f64)>,
+    /// What does not move of the picture of the ellipsoid, on a page and on a phone, once it has been drawn.
+    ellipsoid: [OnceCell<Vec<Item>>; 2],
 }
 
 impl Pinned {
@@ -104,7 +109,7 @@ impl Pinned {
                 waits.extend(wait(shape, gap)?.map(|wait| (gap, wait)));
             }
         }
-        Ok(Self { body, shape, gap, top, upright, period, path, waits })
+        Ok(Self { body, shape, gap, top, upright, period, path, waits, ellipsoid: Default::default() })
     }
 
     fn is_flat(&self) -> bool {
@@ -134,17 +139,17 @@ fn times_of_path(period: f64) -> impl Iterator<Item = f64> {
 
 /// The pendulum: its middle and its length, px.
 fn pendulum(room: Room) -> (Point, f64) {
-    room.of((at(268.0, 402.0), 46.0), (at(186.0, 378.0), 38.0))
+    room.of((at(268.0, 416.0), 46.0), (at(186.0, 378.0), 38.0))
 }
 
 /// The plane of the hoop at the snap: its centre and radius, px.
 fn plane(room: Room) -> (Point, f64) {
-    room.of((at(82.0, 408.0), 46.0), (at(62.0, 384.0), 36.0))
+    room.of((at(82.0, 420.0), 46.0), (at(62.0, 384.0), 36.0))
 }
 
 /// How long it waits, against how far the pin is from a right angle.
 fn plot(room: Room, shape: Shape) -> (Rect, Axis<'static>, Axis<'static>) {
-    let frame = room.of(Rect::new(412.0, 318.0, 200.0, 130.0), Rect::new(42.0, 500.0, 290.0, 92.0));
+    let frame = room.of(Rect::new(412.0, 325.0, 200.0, 130.0), Rect::new(42.0, 500.0, 290.0, 92.0));
     let gap = Axis::log([GAPS[0], 100.0, 2.0], r"$90° - \theta$, degrees");
     let most = if shape == Shape::Disk { 90.0 } else { 60.0 };
     (frame, gap, Axis::linear([0.0, most, 0.5 * most], "wait, s"))
@@ -158,8 +163,8 @@ impl Pinned {
             azimuth: 0.0,
             elevation: 0.0,
             distance: 12.0,
-            centre: moment.room.of(at(175.0, 175.0), at(180.0, 160.0)),
-            scale: moment.room.of(76.0, 68.0),
+            centre: moment.room.of(at(175.0, 165.0), at(180.0, 155.0)),
+            scale: moment.room.of(78.0, 70.0),
         })?;
         let now = self.top.at(moment.time)?;
         let room = self.upright * now.world_from_body;
@@ -172,7 +177,7 @@ impl Pinned {
         };
         stage.solid(solid, Hue::Blue)?;
         let begin = (moment.time - TRAIL).max(0.0);
-        let times = (0..=60).map(|n| begin + (moment.time - begin) * f64::from(n) / 60.0);
+        let times = (0..=40).map(|n| begin + (moment.time - begin) * f64::from(n) / 40.0);
         let path = times
             .map(|time| Ok((self.upright * (self.top.at(time)?.world_from_body * self.body.centre())).into()))
             .collect::<Result<Vec<[f64; 3]>, Cause>>()?;
@@ -185,9 +190,9 @@ impl Pinned {
         let right = Vector3::new(-moment.azimuth.sin(), moment.azimuth.cos(), 0.0);
         let side =
             |tip: &Vector3<f64>, least: f64| if tip.dot(&right) > least { Side::Right } else { Side::Left };
-        let (tangent, omega) = (room * Vector3::x() * 1.55, omega * (1.15 / rate));
+        let (tangent, omega) = (room * Vector3::x() * 1.45, omega * (1.1 / rate));
         let arrows = [
-            (Vector3::z() * 2.05, Side::Above, r"$\boldsymbol{L}_A$", Hue::Green),
+            (Vector3::z() * 1.8, Side::Above, r"$\boldsymbol{L}_A$", Hue::Green),
             (tangent, side(&tangent, 0.25), r"$\hat{\mathbf{1}}$", Hue::Ink),
             (omega, side(&omega, -0.25), r"$\boldsymbol{\omega}$", Hue::Orange),
         ];
@@ -197,31 +202,61 @@ impl Pinned {
             stage.label(tip, side, name, hue)?;
         }
         stage.dot_in_front([0.0; 3], 5.0, Hue::Pink)?;
-        stage.label_shifted([0.0; 3], at(0.0, 4.0), Side::BelowLeft, "$A$", Hue::Pink)?;
+        stage.label_shifted([0.0; 3], at(0.0, 4.0), Side::BelowLeft, r"$A$", Hue::Pink)?;
         stage.write(drawing);
         Ok(())
     }
 
-    /// ω in the body, on the ellipsoid of its energy.
+    /// ω in the body, on the ellipsoid of its energy. But for the dot nothing in it moves.
     fn draw_ellipsoid(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let cell = moment.room.of(&self.ellipsoid[0], &self.ellipsoid[1]);
+        if cell.get().is_none() {
+            let _ = cell.set(self.still_ellipsoid(moment.room)?);
+        }
+        let mut over = self.ellipsoid_alone(moment.room)?;
+        let omega = self.top.at(moment.time)?.omega_body * self.on_ellipsoid();
+        over.dot(omega, moment.room.of(5.0, 4.5), Hue::Orange)?;
+        let mut dotted = Drawing::new("", 0.0, 0.0);
+        over.write(&mut dotted);
+        let dot = dotted.items().last();
+        for Item { role, shape, .. } in cell.get().into_iter().flatten().chain(dot) {
+            drawing.push(*role, shape.clone());
+        }
+        Ok(())
+    }
+
+    /// From ω to its place on the drawn ellipsoid, whose longest semi-axis, the second, is 1.
+    fn on_ellipsoid(&self) -> f64 {
         let moments = self.body.moments_about_pin();
-        let [i1, i2, i3] = moments.to_array();
-        let scale = i2.sqrt(); // the longest semi-axis is drawn as 1
-        let semi = [i1, i2, i3].map(|moment| scale / moment.sqrt());
-        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        (moments.to_array()[1] / (2.0 * moments.kinetic_energy(&self.body.omega_after()))).sqrt()
+    }
+
+    fn semi_axes(&self) -> [f64; 3] {
+        let moments = self.body.moments_about_pin().to_array();
+        moments.map(|moment| (moments[1] / moment).sqrt())
+    }
+
+    fn ellipsoid_alone(&self, room: Room) -> Result<Stage, Cause> {
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0; 3],
-            azimuth: -1.05,
-            elevation: 0.4,
+            azimuth: -1.25,
+            elevation: 0.12,
             distance: 8.0,
-            centre: moment.room.of(at(500.0, 140.0), at(298.0, 378.0)),
-            scale: moment.room.of(112.0, 50.0),
+            centre: room.of(at(500.0, 128.0), at(296.0, 372.0)),
+            scale: room.of(125.0, 54.0),
         })?);
-        stage.solid(Solid::ellipsoid([0.0; 3], axes, semi)?, Hue::Blue)?;
+        stage.solid(Solid::ellipsoid([0.0; 3], AXES, self.semi_axes())?, Hue::Blue)?;
+        Ok(stage)
+    }
+
+    fn still_ellipsoid(&self, room: Room) -> Result<Vec<Item>, Cause> {
+        let mut stage = self.ellipsoid_alone(room)?;
+        let semi = self.semi_axes();
         if self.is_flat() {
             // The separatrix: L² = 2T I₁ on the ellipsoid, two plane curves through axis 1.
+            let [i1, i2, i3] = self.body.moments_about_pin().to_array();
             let slope = (i2 * (i1 - i2) / (i3 * (i3 - i1))).sqrt();
-            let across = scale / (i2 + i3 * slope * slope).sqrt();
+            let across = (1.0 + i3 / i2 * slope * slope).sqrt().recip();
             for slope in [slope, -slope] {
                 let point = |n: u32| {
                     let (sin, cos) = (TAU * f64::from(n) / 120.0).sin_cos();
@@ -231,26 +266,24 @@ impl Pinned {
                 stage.curve(border, Stroke::Border, Hue::Ink)?;
             }
         }
-        let size = scale / (2.0 * moments.kinetic_energy(&self.body.omega_after())).sqrt();
         if self.path.iter().any(|omega| (omega - self.path[0]).norm() > 1e-3) {
-            stage.curve(
-                Curve::smooth(self.path.iter().map(|omega| omega * size))?,
-                Stroke::Curve,
-                Hue::Orange,
-            )?;
+            let path = self.path.iter().map(|omega| omega * self.on_ellipsoid());
+            stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Orange)?;
         }
         for (k, sign, name) in [
             (0, 1.0, r"$\hat{\mathbf{1}}$"),
             (1, -1.0, r"$-\hat{\mathbf{2}}$"),
             (2, 1.0, r"$\hat{\mathbf{3}}$"),
         ] {
-            let direction = Vector3::from(axes[k]) * sign;
-            let more = moment.room.of(0.25, 0.4);
+            let direction = Vector3::from(AXES[k]) * sign;
+            let more = room.of(0.25, 0.4);
             stage.named_vector(direction * semi[k], direction * (semi[k] + more), name, Hue::Ink)?;
         }
-        stage.dot(self.top.at(moment.time)?.omega_body * size, moment.room.of(5.0, 4.0), Hue::Orange)?;
-        stage.write(drawing);
-        Ok(())
+        let mut drawing = Drawing::new("", 0.0, 0.0);
+        stage.write(&mut drawing);
+        let below = room.of(at(500.0, 262.0), at(296.0, 440.0));
+        drawing.label(below, Side::Over, r"$\boldsymbol{\omega}$ in the body", Hue::Orange)?;
+        Ok(drawing.items().to_vec())
     }
 
     /// The pendulum inside a flat body: 2χ from its upright balance (eq:hoop-pendulum).
@@ -266,8 +299,10 @@ impl Pinned {
         let (start, now) = (angle(&self.body.omega_after()), angle(&self.top.at(moment.time)?.omega_body));
         drawing.line(middle - at(0.0, length + 10.0), middle, Stroke::Reference, Hue::Muted);
         let swing = -(TAU - 2.0 * start);
-        if swing < -1e-3 {
-            drawing.arc(middle, length, FRAC_PI_2 - start, swing.max(1e-6 - TAU), Stroke::Orbit, Hue::Orange);
+        if swing < -0.98 * TAU {
+            drawing.circle(middle, length, Role::Line(Stroke::Orbit, Hue::Orange));
+        } else if swing < -1e-3 {
+            drawing.arc(middle, length, FRAC_PI_2 - start, swing, Stroke::Orbit, Hue::Orange);
         }
         drawing.line(middle, place(now), Stroke::Vector, Hue::Ink);
         if now > 0.3 {
@@ -313,7 +348,7 @@ impl Pinned {
         kit::arrow(drawing, pin, pin + omega, Hue::Orange);
         drawing.label(pin + omega, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
         drawing.dot(pin, 5.5, Hue::Pink);
-        drawing.label(pin + at(1.0, 8.0), Side::Right, "$A$", Hue::Pink)?;
+        drawing.label(pin + at(1.0, 8.0), Side::Right, r"$A$", Hue::Pink)?;
         let below = centre + at(0.0, radius + room.of(20.0, 18.0));
         drawing.label(below, Side::Over, "the snap", Hue::Muted)?;
         Ok(())
@@ -337,15 +372,18 @@ impl Pinned {
         for (gap, name) in [(10.0, "80°"), (1.0, "89°"), (0.1, "89.9°"), (0.01, "89.99°")] {
             let place = (gap, wait(self.shape, gap)?.unwrap_or_default());
             graph.dot(place, 3.0, Hue::Blue);
-            graph.label(place, Side::AboveRight, name, Hue::Blue)?;
+            let place = graph.at(place);
+            graph.drawing().label_set(place, Side::AboveRight, 8.0, 13.0, name, Role::Text(Hue::Blue))?;
         }
-        graph.dot(self.on_plot(), 6.0, Hue::Pink);
+        if self.gap > 0.0 {
+            graph.dot(self.on_plot(), 6.0, Hue::Pink);
+        }
         Ok(())
     }
 
     /// Where the pin stands in the plot.
     fn on_plot(&self) -> (f64, f64) {
-        (self.gap.max(GAPS[0]), self.period.map_or(0.0, |period| 0.25 * period))
+        (self.gap, self.period.map_or(0.0, |period| 0.25 * period))
     }
 }
 
@@ -424,7 +462,7 @@ impl Motion for Pinned {
     fn grips(&self, moment: &Moment) -> Vec<Point> {
         let (frame, x, y) = plot(moment.room, self.shape);
         let mut grips = vec![self.pin(moment.room)];
-        if self.is_flat() {
+        if self.is_flat() && self.gap > 0.0 {
             grips.push(point_at(frame, &x, &y, self.on_plot()));
         }
         grips
