@@ -1,6 +1,9 @@
 //! The scene of the chapter "The rolling wheel": a wheel on its circle is kicked.
 
-use crate::{Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, point_at, value_at};
+use crate::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, point_at,
+    value_at,
+};
 use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at};
@@ -22,12 +25,12 @@ pub(crate) const SCENE: Scene = Scene {
                   marble rolls below the level of the energy.",
     question: "Take a circle and a lean on the map, and kick the wheel. Where does the kick stay as small as it was, \
                where does it grow, and what becomes of the circle then? And why do circles get smaller?",
-    size: [[660.0, 440.0], [380.0, 580.0]],
-    view: Some([-1.15, 0.55]),
+    size: [[660.0, 440.0], [380.0, 550.0]],
+    view: Some([-1.15, 0.6]),
     still: 2.35,
     controls: &[
-        Control::slider("circle", r"radius of the centre's circle, $b/a$", [-0.2, 4.0, 0.01], "", 1.6),
-        Control::slider("lean", r"lean, $\theta$", [0.0, 60.0, 0.1], "°", 30.0),
+        Control::slider("circle", r"radius of the centre's circle, $b/a$", [-0.2, 4.0, 0.01], "", 1.0),
+        Control::slider("lean", r"lean, $\theta$", [0.0, 60.0, 0.1], "°", 28.0),
         Control::choice("wheel", "wheel", &["disc", "hoop"]),
         Control::slider("push", r"strength of the kick, $\dot\theta$", [-3.0, 3.0, 0.05], "rad/s", 1.0),
         Control { start: 0.0, ..Control::button("kick", "Kick") },
@@ -39,7 +42,7 @@ pub(crate) const SCENE: Scene = Scene {
         Preset { words: "a wide circle", settings: &[("lean", 10.0), ("circle", 4.0), ("push", 0.3)] },
         Preset {
             words: "slowing down: the spiral",
-            settings: &[("lean", 9.0), ("circle", 4.0), ("push", 0.0), ("loss", 0.2)],
+            settings: &[("lean", 9.0), ("circle", 4.0), ("push", 0.0), ("loss", 0.1)],
         },
         Preset { words: "beyond the axis", settings: &[("lean", 60.0), ("circle", -0.05), ("push", 0.5)] },
     ],
@@ -62,7 +65,7 @@ const GRAVITY: f64 = 9.81;
 const DURATION: f64 = 20.0;
 const STEP: f64 = 1.0 / 60.0;
 /// A wheel that is slowed or falls is followed down to this tilt from lying flat, rad.
-const FLAT: f64 = 0.03;
+const FLAT: f64 = 0.05;
 /// How much of the track is drawn heavy, s.
 const RECENT: f64 = 3.0;
 /// A track that reaches further from its middle, in radii, is not shown whole: the eye goes with the wheel.
@@ -77,25 +80,24 @@ static WHEELS: LazyLock<[Option<Wheel>; 2]> = LazyLock::new(|| {
 });
 
 /// The border of the tongue for both wheels: the largest unstable lean, degrees, for each b/a.
-static TONGUES: LazyLock<[Vec<(f64, f64)>; 2]> =
-    LazyLock::new(|| [0, 1].map(|which| WHEELS[which].map_or(Vec::new(), |wheel| tongue(&wheel))));
+static TONGUES: [LazyLock<Vec<(f64, f64)>>; 2] = [LazyLock::new(|| tongue(0)), LazyLock::new(|| tongue(1))];
 
-fn tongue(wheel: &Wheel) -> Vec<(f64, f64)> {
+fn tongue(which: usize) -> Vec<(f64, f64)> {
     let is_unstable = |circle: f64, lean: f64| {
-        wheel.steady(lean.to_radians(), circle * RADIUS).is_ok_and(|steady| !steady.is_stable())
+        let steady = WHEELS[which].map(|wheel| wheel.steady(lean.to_radians(), circle * RADIUS));
+        matches!(steady, Some(Ok(steady)) if !steady.is_stable())
     };
     let border = |step: u32| {
         // Closer together where the tongue rises steeply.
-        let circle = 4.0 * (f64::from(step) / 70.0).powi(3);
-        let mut low = (1..=80).map(|k| 0.25 * f64::from(k)).rfind(|&lean| is_unstable(circle, lean))?;
-        let mut high = low + 0.25;
-        for _ in 0..12 {
+        let circle = 4.0 * (f64::from(step) / 50.0).powi(3);
+        let (mut low, mut high) = (0.0, 25.0);
+        for _ in 0..14 {
             let middle = 0.5 * (low + high);
             *(if is_unstable(circle, middle) { &mut low } else { &mut high }) = middle;
         }
-        Some((circle, low))
+        (circle, low)
     };
-    (1..=70).filter_map(border).collect()
+    (1..=50).map(border).collect()
 }
 
 /// How the motion is known.
@@ -195,7 +197,7 @@ impl Rolled {
                     return Ok(states[before]);
                 }
                 let rates = |t: f64, state: &[f64; 8]| self.wheel.slowed_rates(self.loss, t, state);
-                let end = Dop853::new(1e-11)?.solve(rates, 0.0, states[before].to_array(), since)?;
+                let end = Dop853::new(1e-9)?.solve(rates, 0.0, states[before].to_array(), since)?;
                 Ok(Rolling::from_array(end.state))
             }
             _ => Ok(steady(time)),
@@ -225,9 +227,14 @@ fn wobble_states(wobble: Option<&Wobble>) -> Result<Vec<Rolling>, Error> {
 
 /// The motion step by step, [`STEP`] apart, with a kick at a time of a strength, to the end of the run or until the
 /// wheel lies flat.
-fn followed(wheel: &Wheel, start: Rolling, loss: f64, kick: Option<(f64, f64)>) -> Result<Vec<Rolling>, Cause> {
+fn followed(
+    wheel: &Wheel,
+    start: Rolling,
+    loss: f64,
+    kick: Option<(f64, f64)>,
+) -> Result<Vec<Rolling>, Cause> {
     let rates = |t: f64, state: &[f64; 8]| wheel.slowed_rates(loss, t, state);
-    let solver = Dop853::new(1e-11)?;
+    let solver = Dop853::new(1e-9)?;
     let mut states = vec![start];
     let follow = |from: &mut Vec<Rolling>, to: f64| -> Result<bool, Cause> {
         let (begin, mut is_flat) = ((from.len() - 1) as f64 * STEP, false);
@@ -291,7 +298,7 @@ impl Rolled {
         let (middle, reach) = if follows { (contact, 0.5 * MOST_REACH) } else { (middle, reach) };
         let reach = reach.max(1.0) + 0.25;
         let distance = 12.0 + 2.0 * reach;
-        let high = 2.0 * reach * 0.55_f64.sin() + 2.0;
+        let high = 2.0 * reach * 0.6_f64.sin() + 2.0;
         let target = Vector3::new(middle.re, middle.im, 0.55);
         let camera = moment.camera(View {
             target: target.into(),
@@ -299,7 +306,7 @@ impl Rolled {
             elevation: 0.0,
             distance,
             centre: frame.centre() + at(0.0, 0.02 * frame.height()),
-            scale: (0.4 * frame.width() / reach).min(0.86 * frame.height() / high),
+            scale: (0.43 * frame.width() / reach).min(0.86 * frame.height() / high),
         })?;
         let (sin, cos) = moment.elevation.sin_cos();
         let (sin_azimuth, cos_azimuth) = moment.azimuth.sin_cos();
@@ -309,6 +316,11 @@ impl Rolled {
         let mut table = Stage::new(camera);
         let corner = |way: f64| [middle.re, middle.im].map(|x| (x + way * (reach + 0.2)).round());
         table.ground(corner(-1.0), corner(1.0), 0.0, 1.0)?;
+        // The circle on which the contact would run undisturbed.
+        let circle = self.steady.map_or(0.0, |steady| (steady.contact_radius() / RADIUS).abs());
+        if self.loss == 0.0 && circle > 0.0 && circle + middle.norm() < 1.2 * reach {
+            table.curve(Curve::circle([0.0; 3], Vector3::z(), circle)?, Stroke::Reference, Hue::Muted)?;
+        }
         table.write(drawing);
         self.draw_track(moment.time, now, &camera, drawing)?;
         let mut stage = Stage::new(camera);
@@ -333,7 +345,8 @@ impl Rolled {
         let last = self.states.len() - 1;
         let reached = ((time / STEP) as usize).min(last);
         let recent = reached.saturating_sub((RECENT / STEP) as usize);
-        let way = |from: usize, to: usize| self.states[from..=to].iter().map(place).collect::<Result<Vec<_>, _>>();
+        let way =
+            |from: usize, to: usize| self.states[from..=to].iter().map(place).collect::<Result<Vec<_>, _>>();
         drawing.polyline(&way(reached, last)?, Stroke::Pale, Hue::Pink);
         drawing.polyline(&way(0, recent)?, Stroke::Orbit, Hue::Pink);
         let mut heavy = way(recent, reached)?;
@@ -370,6 +383,23 @@ impl Rolled {
             }
             stage.dot_in_front(on_face(0.94, 0.0), 3.0, Hue::Blue)?;
         }
+        // Its angular momentum, and what the table's push makes of it: the way that its tip goes.
+        let in_room = |vector: Vector3<f64>| first * vector.x + second * vector.y + third * vector.z;
+        let MomentFactors { transverse, axial } = self.wheel.parameters().moments;
+        let momentum = |state: &Rolling| {
+            Vector3::new(transverse * state.omega_1, transverse * state.omega_2, axial * state.omega_3)
+        };
+        let long = momentum(&self.start).norm();
+        let tip = centre + in_room(momentum(now)) * (1.5 / long);
+        if long > 0.0 && (tip - centre).norm() > 0.1 {
+            stage.named_vector(centre, tip, r"$\boldsymbol{L}$", Hue::Green)?;
+            if self.loss == 0.0 {
+                let torque = (-second).cross(&in_room(self.wheel.contact_force(now))) / (MASS * GRAVITY);
+                if torque.norm() > 0.02 {
+                    stage.named_vector(tip, tip + torque * 3.0, r"$\boldsymbol{\tau}$", Hue::Purple)?;
+                }
+            }
+        }
         Ok(())
     }
 
@@ -377,7 +407,8 @@ impl Rolled {
     fn reach(&self) -> (Complex<f64>, f64) {
         let places: Vec<Complex<f64>> =
             self.states.iter().map(|state| state.contact(RADIUS) / RADIUS).collect();
-        let end = |of: fn(&Complex<f64>) -> f64, pick: fn(f64, f64) -> f64| places.iter().map(of).reduce(pick);
+        let end =
+            |of: fn(&Complex<f64>) -> f64, pick: fn(f64, f64) -> f64| places.iter().map(of).reduce(pick);
         let middle = |of: fn(&Complex<f64>) -> f64| {
             0.5 * (end(of, f64::min).unwrap_or(0.0) + end(of, f64::max).unwrap_or(0.0))
         };
@@ -482,9 +513,9 @@ impl Motion for Rolled {
         let kicked = match &self.wobble {
             _ if self.loss > 0.0 => self.spiral(),
             Some(wobble) => format!(
-                "After the kick the lean swings between {:.1}° and {:.1}°, {:.2} times in a round.",
-                self.swings[0].to_degrees(),
-                self.swings[1].to_degrees(),
+                "After the kick the lean swings between {} and {}, {:.2} times in a round.",
+                degrees(self.swings[0]),
+                degrees(self.swings[1]),
                 TAU / wobble.heading_advance().abs(),
             ),
             None if self.push == 0.0 => "Nothing disturbs it: it rolls so for ever.".into(),
@@ -526,10 +557,14 @@ impl Rolled {
         let last = self.states[self.states.len() - 1];
         if last.tilt.min(PI - last.tilt) < FLAT {
             let time = (self.states.len() - 1) as f64 * STEP;
-            format!("Slowed, it leans more and more, its circle shrinks, and after {time:.1} s it lies all but flat.")
+            format!(
+                "Slowed, it leans more and more, its circle shrinks, and after {time:.1} s it lies all but flat."
+            )
         } else {
             let (circle, lean) = Self::on_map(&last);
-            format!("Slowed, it leans more and more: at the end by {lean:.1}°, on a circle of {circle:.2} radii.")
+            format!(
+                "Slowed, it leans more and more: at the end by {lean:.1}°, on a circle of {circle:.2} radii."
+            )
         }
     }
 
@@ -542,9 +577,10 @@ impl Rolled {
     /// The axes of the well: leans, degrees, and heights over the potential of the steady motion, in mga.
     fn well_axes(&self) -> (Axis<'static>, Axis<'static>) {
         let [low, high] = self.swings.map(f64::to_degrees);
-        let pad = (0.4 * (high - low)).max(8.0);
-        let step = if high - low + 2.0 * pad > 75.0 { 30.0 } else { 10.0 };
-        let [from, to] = [((low - pad) / step).floor() * step, ((high + pad) / step).ceil() * step];
+        // Room at the right for a word below the level.
+        let (before, after) = ((0.4 * (high - low)).max(8.0), (0.8 * (high - low)).max(16.0));
+        let step = if high - low + before + after > 75.0 { 45.0 } else { 10.0 };
+        let [from, to] = [((low - before) / step).floor() * step, ((high + after) / step).ceil() * step];
         let leans = Axis::linear([from.max(-90.0), to.min(90.0), step], r"lean $\theta$, °");
         let level = self.energy_of_rate(self.push);
         let depth = self.liveliest.max(level).max(2e-3);
@@ -561,7 +597,8 @@ impl Rolled {
         let unit = MASS * GRAVITY * RADIUS;
         let constants = self.wheel.constants(now);
         // Heights are counted so that the energy stays at one level, whatever is lost.
-        let is_kicked = now.omega_1 != 0.0 || !matches!(self.course, Course::Steady | Course::Wobbling { .. });
+        let is_kicked =
+            now.omega_1 != 0.0 || !matches!(self.course, Course::Steady | Course::Wobbling { .. });
         let kick = self.energy_of_rate(self.push);
         let level = if is_kicked { kick } else { 0.0 };
         let zero = self.wheel.energy(now) / unit - level;
@@ -578,10 +615,15 @@ impl Rolled {
         well.curve([here, (here.0, level)], Stroke::Outline, Hue::Muted);
         well.dot(here, 5.0, Hue::Blue);
         let end = well.at((leans.to, kick));
-        well.drawing().label(end + at(-4.0, -1.0), Side::AboveLeft, "energy", Hue::Muted)?;
+        well.drawing().label(end, Side::BelowLeft, "energy", Hue::Muted)?;
         kit::marker(well.drawing(), end, Marker::Ring, Hue::Ink);
         Ok(())
     }
+}
+
+/// An angle, rad, as it is written.
+fn degrees(angle: f64) -> String {
+    format!("{:.1}°", angle.to_degrees()).replace('-', "−")
 }
 
 /// The next larger step of 1, 2 or 5 times a power of ten.

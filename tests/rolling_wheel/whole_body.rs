@@ -32,11 +32,7 @@ pub(crate) fn solve(moments: MomentFactors, state: &State) -> ([f64; 13], Vector
 }
 
 /// The same with the torque −s ma² ω on the body.
-pub(crate) fn solve_slowed(
-    moments: MomentFactors,
-    slowing: f64,
-    state: &State,
-) -> ([f64; 13], Vector3<f64>) {
+pub(crate) fn solve_slowed(moments: MomentFactors, slowing: f64, state: &State) -> ([f64; 13], Vector3<f64>) {
     let (v, omega) = (vector(state, 7), vector(state, 10));
     let n = axle(state);
     let r = arm(&n);
