@@ -112,8 +112,8 @@ fn grips_follow_the_hand() {
     for (room, time, start, end) in [
         (Room::Wide, 1.0, vec![], vec![("place", 30.0)]),
         (Room::Narrow, 1.0, vec![], vec![("impulse", 7.5)]),
-        (Room::Wide, 20.0, vec![("fire", 9.0)], vec![("azimuth", 120.5)]),
-        (Room::Narrow, 5.0, vec![("fire", 9.0), ("camera", 1.0)], vec![("azimuth", 300.0)]),
+        (Room::Wide, 20.0, vec![("fire", 9.0)], vec![("thruster", 120.5)]),
+        (Room::Narrow, 5.0, vec![("fire", 9.0), ("camera", 1.0)], vec![("thruster", 300.0)]),
         (Room::Wide, 5.0, vec![("fire", 9.0)], vec![("fire", 33.0)]),
     ] {
         let moment = Moment { time, azimuth, elevation, room };
