@@ -58,7 +58,7 @@ const MOST: f64 = 15.0;
 const DURATION: f64 = 4.0;
 const PACE: f64 = 0.25;
 /// Lengths of the arrows in the room, in sizes of the body.
-const LENGTHS: [f64; 3] = [1.9, 1.55, 1.5];
+const LENGTHS: [f64; 3] = [1.85, 1.55, 1.5];
 /// How long the cones are along their sides.
 const SIDE: f64 = 1.4;
 /// Points of a curve for a wobble.
@@ -200,7 +200,7 @@ impl Throw {
             elevation: 0.0,
             distance: 8.0,
             centre: moment.room.of(at(205.0, 182.0), at(190.0, 174.0)),
-            scale: moment.room.of(102.0, 90.0),
+            scale: moment.room.of(97.0, 88.0),
         })?;
         let mut stage = Stage::new(camera);
         if !self.on_board {
