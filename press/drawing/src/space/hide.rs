@@ -7,6 +7,7 @@
 
 use super::camera::Camera;
 use super::form::Form;
+use super::order::put_in_order;
 use super::ray::{Ray, zeros};
 use super::track::Track;
 use super::vector::Vec3;
@@ -133,7 +134,7 @@ fn breaks(
         }
     }
     if breaks.len() > 2 {
-        breaks.sort_unstable_by(f64::total_cmp);
+        put_in_order(&mut breaks, |part| *part);
         breaks.dedup_by(|later, earlier| *later - *earlier < 1e-12);
         // Of two that nearly coincide the first stays; the end must be the end.
         if let Some(last) = breaks.last_mut() {

@@ -124,6 +124,18 @@ fn in_doubt(pieces: &[Piece], answers: &[Vec<(f64, f64)>], count: usize) -> Vec<
     doubtful
 }
 
+/// Sorts a few things by a measure. The sorting of the standard library, made for thousands, would be a sixth of the
+/// module that the pages load.
+pub(super) fn put_in_order<T>(things: &mut [T], measure: impl Fn(&T) -> f64) {
+    for end in 1..things.len() {
+        let mut place = end;
+        while place > 0 && measure(&things[place]) < measure(&things[place - 1]) {
+            things.swap(place, place - 1);
+            place -= 1;
+        }
+    }
+}
+
 /// Paints first what nothing unpainted is behind, and among such pieces the furthest.
 fn arrange(pieces: &[Piece], answers: &[Vec<(f64, f64)>], bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
     let count = pieces.len();
