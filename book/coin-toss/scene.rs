@@ -16,13 +16,15 @@ use std::sync::LazyLock;
 pub(crate) const SCENE: Scene = Scene {
     name: "coin-toss",
     title: "A tossed coin and the path of its normal",
-    description: "At the left a coin in the air, seen from straight above: tails is up, the normal 3 of heads points away to the right, as does the \
-                  angular momentum L. Beside it a sphere with its equator: the tip of the normal goes round L on a circle through the pole, of \
-                  which the part above the equator is blue and the part below grey. Below, the height of the normal through one precession, \
-                  which dips below zero in the middle, and the probability of the same face against the angle psi between the normal and L: \
-                  certainty up to 45 degrees, then falling to a half.",
-    question: "When does the circle of the normal clear the equator, so that heads shows and nothing but heads? And why does never less than half \
-               of it lie above?",
+    description: "At the left a coin in the air, seen from straight above: tails is up, the normal \
+                  3 of heads points away to the right, as does the angular momentum L. Beside it a \
+                  sphere with its equator: the tip of the normal goes round L on a circle through \
+                  the pole, of which the part above the equator is blue and the part below grey. Below, \
+                  the height of the normal through one precession, which dips below zero in the middle, \
+                  and the probability of the same face against the angle psi between the normal and \
+                  L: certainty up to 45 degrees, then falling to a half.",
+    question: "When does the circle of the normal clear the equator, so that heads shows and nothing \
+               but heads? And why does never less than half of it lie above?",
     size: [[640.0, 520.0], [380.0, 872.0]],
     view: Some([-0.35, 0.42]),
     still: 0.0366,
@@ -492,7 +494,9 @@ impl Motion for Throw {
             return "It does not turn at all: heads stays up, and up it stays.".into();
         };
         if self.tumble == 0.0 {
-            return "Twist and no tumble: the normal stands still, L along it, and the circle is a point at the pole.".into();
+            return "Twist and no tumble: the normal stands still, L along it, and the circle is a \
+                    point at the pole."
+                .into();
         }
         let (lean, part) = (2.0 * self.angle().to_degrees(), 100.0 * self.probability());
         let lowest = toss.lowest_normal();
@@ -501,20 +505,22 @@ impl Motion for Throw {
             1.0 / axial
         };
         let mut words = if lowest == 0.0 {
-            "Just twisted enough: the circle touches the equator, and the coin stands on edge for an instant and goes back. \
-             Heads shows all the time."
+            "Just twisted enough: the circle touches the equator, and the coin stands on edge for \
+             an instant and goes back. Heads shows all the time."
                 .into()
         } else if toss.keeps_its_face() {
             format!(
-                "Twisted {:.2} times as fast as it tumbles, more than {threshold:.2} times: the normal leans over by {lean:.0}° at most, \
-                 its circle clears the equator, and heads shows all the time.",
+                "Twisted {:.2} times as fast as it tumbles, more than {threshold:.2} times: the normal \
+                 leans over by {lean:.0}° at most, its circle clears the equator, and heads shows \
+                 all the time.",
                 self.twist / self.tumble
             )
         } else {
             format!(
-                "Twisted {:.2} times as fast as it tumbles, less than {threshold:.2} times: the normal leans over by up to {lean:.0}°, and \
-                 {part:.1} % of its circle lie above the equator. That is never less than half, as the middle of a circle through \
-                 the pole is never below the equator: here it is at the height {:.2}.",
+                "Twisted {:.2} times as fast as it tumbles, less than {threshold:.2} times: the normal \
+                 leans over by up to {lean:.0}°, and {part:.1} % of its circle lie above the equator. \
+                 That is never less than half, as the middle of a circle through the pole is never \
+                 below the equator: here it is at the height {:.2}.",
                 self.twist / self.tumble,
                 self.angle().cos().powi(2)
             )
