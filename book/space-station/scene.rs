@@ -30,14 +30,14 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("place", "its distance from the axis", [0.0, 50.0, 1.0], "m", 50.0),
         Control::choice("camera", "seen", &["in the room", "on board"]),
         Control::button("fire", "Fire the thruster now"),
-        Control::slider("azimuth", "thruster, round the rim from the blow", [0.0, 360.0, 0.5], "°", 0.0),
+        Control::slider("thruster", "thruster, round the rim from the blow", [0.0, 360.0, 0.5], "°", 0.0),
         Control::slider("thrust", "its impulse", [-10.0, 10.0, 0.1], "MN·s", -1.8),
     ],
     presets: &[
         Preset { words: "twice as hard", settings: &[("impulse", 3.6)] },
         Preset { words: "on the hub", settings: &[("place", 0.0)] },
         Preset { words: "fire where it struck, after 13.96 s", settings: &[("fire", 13.963)] },
-        Preset { words: "fire after one nod, at 176.5°", settings: &[("fire", 6.846), ("azimuth", 176.5)] },
+        Preset { words: "fire after one nod, at 176.5°", settings: &[("fire", 6.846), ("thruster", 176.5)] },
     ],
     readings: &[
         Reading { words: "nods, counted in the room", form: Form::Fixed(2), unit: "" },
@@ -273,7 +273,7 @@ impl Nodding {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
         let fired = settings.pressed("fire")?;
         let later = Blow { radius: RADIUS, impulse: settings.of("thrust")? * MEGA };
-        let azimuth = settings.of("azimuth")?.to_radians();
+        let azimuth = settings.of("thruster")?.to_radians();
         let blows = Blows {
             first: Blow { radius: settings.of("place")?, impulse: settings.of("impulse")? * MEGA },
             second: LaterBlow { time: fired.unwrap_or(0.0).min(DURATION), azimuth, blow: later },
@@ -532,7 +532,7 @@ impl Nodding {
             Grip::Thruster => {
                 let place = |degrees: f64| self.thruster_place(&camera, moment.time, degrees.to_radians());
                 nearest(&mut (0..720).map(|half| 0.5 * f64::from(half)), &place)
-                    .map(|value| ("azimuth", value))
+                    .map(|value| ("thruster", value))
             }
             Grip::Fire => {
                 let (time, _) = value_at(layout.graph, &time_axis(moment.room), &WAVES_AXIS, to);
