@@ -80,10 +80,13 @@ const RIM: f64 = 0.02;
 const MOUNT: f64 = -0.25;
 const FLOOR: f64 = -0.55;
 
+/// Points of a curve, (x, y).
+type Values = Vec<(f64, f64)>;
+
 /// How the shaft moves through a part of the motion, in a frame in which the load starts at azimuth zero.
 enum Way {
     Steady(Transient),
-    Ramp(Ramp),
+    Ramp(Box<Ramp>),
     /// With the damper that feels only the radius there is no closed form: states at equal steps.
     Stepped {
         machine: Machine,
@@ -143,7 +146,7 @@ impl Part {
         } else if acceleration == 0.0 {
             Way::Steady(machine.transient(start)?)
         } else {
-            Way::Ramp(machine.ramp(acceleration, start)?)
+            Way::Ramp(Box::new(machine.ramp(acceleration, start)?))
         };
         Ok(Self { from: span[0], azimuth, spin, acceleration, way })
     }
@@ -199,11 +202,11 @@ struct Washer {
     /// Times, and what the floor has been given until then, N s.
     given: Vec<(f64, Complex<f64>)>,
     /// Times, and how far the shaft is from O, m; the time and size of the largest distance.
-    swings: Vec<(f64, f64)>,
+    swings: Values,
     widest: (f64, f64),
     /// The steady force on the floor and the lead over the spin.
-    forces: Vec<(f64, f64)>,
-    leads: Vec<(f64, f64)>,
+    forces: Values,
+    leads: Values,
     quietest: Option<(f64, f64)>,
     words: String,
 }
@@ -459,7 +462,7 @@ fn steady(machine: &Machine, is_radial: bool) -> Option<SteadyMotion> {
 }
 
 /// The steady force on the floor, N, and the lead of the load, °, over the spin.
-fn over_spin(still: &Machine, is_radial: bool) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
+fn over_spin(still: &Machine, is_radial: bool) -> (Values, Values) {
     // Closer together about the resonance.
     let spins = (0..=140).map(f64::from).map(|n| if n < 100.0 { 0.2 * n } else { n - 80.0 });
     let values = spins.map(|spin| {
@@ -786,7 +789,9 @@ impl Washer {
         plot.curve(self.forces.iter().copied(), Stroke::Curve, Hue::Purple);
         if let Some((spin, force)) = self.quietest {
             plot.curve([(spin, force), (spin, 170.0)], Stroke::Dotted, Hue::Muted);
-            plot.label((spin - 2.5, 185.0), Side::Right, "quietest", Hue::Muted)?;
+            let (place, side) =
+                if spin < 40.0 { (spin - 2.5, Side::Right) } else { (spin + 2.5, Side::Left) };
+            plot.label((place, 185.0), side, "quietest", Hue::Muted)?;
         }
         let ring = plot.at(self.steady_force());
         kit::marker(plot.drawing(), ring, Marker::Ring, Hue::Ink);
@@ -794,7 +799,7 @@ impl Washer {
 
         let spin = Axis::linear(SPIN_AXIS, r"spin $\Omega$, rad/s");
         let mut plot =
-            Graph::new(drawing, layout.lead, spin, Axis::linear([0.0, 180.0, 90.0], r"lead $\phi_0$, °"))?;
+            Graph::new(drawing, layout.lead, spin, Axis::linear([-45.0, 225.0, 90.0], r"lead $\phi_0$, °"))?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
         plot.curve(self.leads.iter().copied(), Stroke::Curve, Hue::Blue);
         plot.dot((state.spin, state.lead().to_degrees()), 4.5, Hue::Blue);
