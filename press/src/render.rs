@@ -9,8 +9,8 @@ use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
 use crate::ties::{self, BLANK};
-use crate::{snippets, tables};
-use pulldown_cmark::{CowStr, Event, Parser, html::push_html};
+use crate::{faces, scenes, snippets, tables};
+use pulldown_cmark::{CowStr, Event, Parser, Tag, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -27,7 +27,8 @@ pub(crate) fn render(
 ) -> Result<Vec<String>, Faults> {
     let mut faults = Faults::default();
     let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
-    let registry = Registry::build(pages, &scans, &drawn.figures, &mut faults);
+    scenes::check(&drawn.scenes, &mut faults);
+    let registry = Registry::build(pages, &scans, drawn, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
     let maths = Maths::new(pages, &mut faults);
     let mut cited = BTreeSet::new();
@@ -154,6 +155,9 @@ impl Printer<'_, '_> {
             Item::InlineMaths { tex } => self.inline(tex, offset + 1),
             Item::DisplayMaths { tex, label } => self.display(tex, label.as_ref(), offset),
             Item::Figure { label, caption } => self.figure(label, caption),
+            Item::Scene { label, caption } => self.scene(label, caption, offset),
+            Item::Setting(Some(setting)) => Some(self.setting(setting, offset)),
+            Item::Setting(None) => Some("</a>".to_owned()),
             Item::Table { table, caption } => Some(self.table(table, caption)),
             Item::LibraryTable { name, caption } => self.library_table(name, caption, offset),
             Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
@@ -264,6 +268,51 @@ impl Printer<'_, '_> {
         ))
     }
 
+    /// A live scene: its question, its still, and the panel of its controls if there is a module that moves it.
+    fn scene(&mut self, label: &Label, caption: &Words<'_>, offset: usize) -> Option<String> {
+        let drawn = self.drawn;
+        let place = drawn.scenes.iter().position(|scene| scene.name == label.name)?;
+        let scene = &drawn.scenes[place];
+        let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
+        let caption = self.words_of(caption, "caption");
+        let mut html = |words: &str| {
+            let faces = words.split('$').step_by(2).map(|words| faces::Face::Text.check(words));
+            if let Err((_, message)) = faces.collect::<Result<Vec<_>, _>>() {
+                self.fault(offset, format!("in the scene, {message}"));
+            }
+            self.words_of(&scenes::words(words, offset), "scene")
+        };
+        let question = html(&scene.question);
+        let panel = if drawn.is_still { String::new() } else { scenes::panel(scene, html) };
+        let module = if drawn.is_still { "" } else { " data-module=\"live.js\"" };
+        Some(format!(
+            "<figure class=\"scene\" id=\"{}\" data-scene=\"{place}\"{module}>\n<p class=\"question\">{question}</p>\n\
+             <div class=\"drawing\">{}</div>\n{panel}\
+             <figcaption><span class=\"number\">Scene {number}.</span> {caption}</figcaption>\n</figure>",
+            label.id(),
+            scene.svg.trim(),
+        ))
+    }
+
+    /// The beginning of a link that sets the scene of the page: `turning?spin=3`.
+    fn setting(&mut self, setting: &str, offset: usize) -> String {
+        let (name, settings) = setting.split_once('?').unwrap_or((setting, ""));
+        let label = Label { kind: Kind::Scene, name: name.to_owned() };
+        let scene = self.drawn.scenes.iter().find(|scene| scene.name == name);
+        let checked = match (self.registry.find(&label), scene) {
+            (Ok(entry), Some(_)) if entry.page != self.page.path => {
+                Err(format!("scene:{name} stands on another page: refer to it as @scene:{name}"))
+            }
+            (Ok(_), Some(scene)) => scenes::check_settings(scene, settings),
+            (Err(message), _) => Err(message),
+            (_, None) => Ok(()), // said where it should stand
+        };
+        if let Err(message) = checked {
+            self.fault(offset, message);
+        }
+        format!("<a href=\"#{}\" data-set=\"{}\">", label.id(), escaped(settings))
+    }
+
     /// A table that the library gives.
     fn library_table(&mut self, name: &str, caption: &Words<'_>, offset: usize) -> Option<String> {
         let Some((_, text)) = self.drawn.tables.iter().find(|(known, _)| known == name) else {
@@ -351,6 +400,9 @@ impl Printer<'_, '_> {
                     before.push_str(text);
                     Event::InlineHtml(CowStr::from(tables::powers_of_ten(&html)))
                 }
+                Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with("scene:") => {
+                    Event::InlineHtml(CowStr::from(self.setting(&dest_url["scene:".len()..], offset)))
+                }
                 Event::SoftBreak => Event::Text(CowStr::from(" ")),
                 Event::FootnoteReference(name) => Event::InlineHtml(CowStr::from(self.note_mark(name))),
                 other => other.clone(),
@@ -429,6 +481,7 @@ impl Printer<'_, '_> {
                 return Err(format!("{} has no number by which to refer to it", label.written()));
             }
             Kind::Figure => format!("Figure{BLANK}{}", entry.number),
+            Kind::Scene => format!("Scene{BLANK}{}", entry.number),
             Kind::Exercise => format!("Exercise{BLANK}{}", entry.number),
             Kind::Solution => {
                 let exercise =
@@ -525,6 +578,7 @@ fn coloured(html: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rendered::Input;
 
     /// What becomes of one page, which is chapter 1.
     fn printed(text: &str) -> String {
@@ -655,6 +709,73 @@ mod tests {
     }
 
     #[test]
+    fn a_scene_has_its_question_still_and_panel_and_links_that_set_it() {
+        let control = |name: &str, words: &str, input, start| crate::rendered::Control {
+            name: name.to_owned(),
+            words: words.to_owned(),
+            input,
+            start,
+            unit: "rad/s".to_owned(),
+            shown: "SHOWN".to_owned(),
+        };
+        let scene = crate::rendered::Scene {
+            name: "plate".to_owned(),
+            chapter: "a.md".to_owned(),
+            question: "Why $x$?".to_owned(),
+            svg: "<svg></svg>".to_owned(),
+            view: Some([-30.0, 20.0]),
+            controls: vec![
+                control("spin", "spin, $x$", Input::Slider { from: -1.0, to: 4.0, step: 0.1 }, 2.0),
+                control("drag", "drag", Input::LogSlider { from: 1e-3, to: 1.0 }, 0.01),
+                control("camera", "camera", Input::Choice(vec!["room".to_owned(), "body".to_owned()]), 0.0),
+                control("cones", "cones", Input::Switch, 1.0),
+                control("kick", "Kick", Input::Button, -1.0),
+            ],
+            presets: vec![("a ball".to_owned(), "spin=1&drag=0.1".to_owned())],
+            readings: vec!["wobbles".to_owned()],
+        };
+        let mut drawn = Rendered { scenes: vec![scene], ..Rendered::default() };
+        let text = "# A\n\n![A *plate*.](scene:plate)\n\n[Set $x$](scene:plate?spin=3&kick=0).\n".to_owned();
+        let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
+        let print = |drawn: &Rendered| {
+            let printed = render(std::slice::from_ref(&page), drawn, &Items::default(), &[]);
+            printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
+        };
+        let x = maths("$x$");
+        let range = "<input type=\"range\" id=\"scene-plate-";
+        let moving = print(&drawn);
+        for part in [
+            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live.js\">\n<p class=\"question\">Why ",
+            "<div class=\"drawing\"><svg></svg></div>\n<div class=\"panel\">\n",
+            &format!(
+                "<label for=\"scene-plate-spin\">spin, {x}</label>{range}spin\" name=\"spin\" min=\"-1\" max=\"4\" \
+                 step=\"0.1\" value=\"2\" data-start=\"2\" data-unit=\"rad/s\"><output for=\"scene-plate-spin\">SHOWN</output>"
+            ),
+            &format!("{range}drag\" name=\"drag\" min=\"-3\" max=\"0\" step=\"any\" value=\"-2\""),
+            " data-log>",
+            "<input type=\"radio\" name=\"scene-plate-camera\" value=\"0\" data-name=\"camera\" checked data-start> room",
+            "<input type=\"radio\" name=\"scene-plate-camera\" value=\"1\" data-name=\"camera\"> body",
+            "<input type=\"checkbox\" id=\"scene-plate-cones\" name=\"cones\" checked data-start> cones",
+            "<button type=\"button\" class=\"press\" name=\"kick\">Kick</button>",
+            "name=\"azimuth\" min=\"-180\" max=\"180\" step=\"any\" value=\"-30\"",
+            "<div><dt>wobbles</dt><dd></dd></div>",
+            "<button type=\"button\" data-set=\"spin=1&amp;drag=0.1\">a ball</button>",
+            "<figcaption><span class=\"number\">Scene 1.1.</span> A <em>plate</em>.</figcaption>\n</figure>",
+            &format!("<a href=\"#scene-plate\" data-set=\"spin=3&amp;kick=0\">Set {}</a>.", maths("$x$")),
+        ] {
+            assert!(moving.contains(part), "{part} in {moving}");
+        }
+        let figure = &moving[moving.find("<figure").unwrap()..moving.find("</figure>").unwrap()];
+        assert!(!figure.contains("\n\n"), "Markdown would read on");
+        drawn.is_still = true;
+        let still = print(&drawn);
+        assert!(
+            !still.contains("panel") && !still.contains("data-module") && still.contains("<svg></svg>"),
+            "{still}"
+        );
+    }
+
+    #[test]
     fn a_note_of_a_caption_stands_below_the_figure() {
         let [svg, standalone] = [String::new(), String::new()];
         let figure = crate::rendered::Figure {
@@ -664,7 +785,7 @@ mod tests {
             standalone,
             wide: false,
         };
-        let drawn = Rendered { figures: vec![figure], tables: Vec::new() };
+        let drawn = Rendered { figures: vec![figure], ..Rendered::default() };
         let text = "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n".to_owned();
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
         let printed = render(&[page], &drawn, &Items::default(), &[]);
