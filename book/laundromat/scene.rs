@@ -14,13 +14,13 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 pub(crate) const SCENE: Scene = Scene {
     name: "laundromat",
     title: "A drum with its load, from above",
-    description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and in it a drum with a \
-                  heavy mat on one side. The drum turns at its natural frequency. The shaft stands to one side of the fixed point O, and the \
-                  load leads it by a quarter turn. Beside it three plots: the force on the floor against the spin, with a peak of 176 newtons \
-                  at the natural frequency and its least at 25 radians a second; the lead of the load, from 0 to 180 degrees; and \
-                  the distance of the shaft from O against time.",
-    question: "Where does the load go while the spin $\\Omega$ passes $\\omega_0$? At which spin is the floor quietest? And why does a kick die \
-               with one damper and grow with the other?",
+    description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and \
+                  in it a drum with a heavy mat on one side. The drum turns at its natural frequency. The shaft stands to one side of the fixed \
+                  point O, and the load leads it by a quarter turn. Beside it three plots: the force on the floor \
+                  against the spin, with a peak of 176 newtons at the natural frequency and its least at 25 radians \
+                  a second; the lead of the load, from 0 to 180 degrees; and the distance of the shaft from O against time.",
+    question: "Where does the load go while the spin $\\Omega$ passes $\\omega_0$? At which spin is the floor quietest? \
+               And why does a kick die with one damper and grow with the other?",
     size: [[640.0, 440.0], [380.0, 864.0]],
     view: Some([-FRAC_PI_2, 1.0]),
     still: 0.62,
@@ -266,8 +266,8 @@ impl Washer {
         steady(&self.machine, self.is_radial)
     }
 
-    /// Computes the motion: from rest if the drum has to speed up or there is no steady motion in the housing, and from the
-    /// steady motion otherwise.
+    /// Computes the motion: from rest if the drum has to speed up or there is no steady motion in the housing, and from
+    /// the steady motion otherwise.
     fn move_on(&mut self, run_up: f64) -> Result<(), Cause> {
         let largest = (LARGEST_SWING - 1.0) * self.machine.offset();
         let steady = self.steady().filter(|steady| run_up == 0.0 && steady.radius() < largest);
@@ -366,11 +366,13 @@ impl Washer {
         let mut words = Vec::new();
         match self.steady() {
             _ if spin == 0.0 => words.push(format!(
-                "The drum stands still: the shaft rests at O, the centre of mass {:.0} mm beside it, and the floor feels nothing.",
+                "The drum stands still: the shaft rests at O, the centre of mass {:.0} mm beside it, \
+                 and the floor feels nothing.",
                 1e3 * machine.offset()
             )),
             None => words.push(
-                "At its natural frequency, with nothing to resist the way round, there is no steady motion: the swing grows at every turn."
+                "At its natural frequency, with nothing to resist the way round, there is no steady motion: \
+                 the swing grows at every turn."
                     .into(),
             ),
             Some(steady) => {
@@ -384,8 +386,8 @@ impl Washer {
                 let force = mass * machine.total_mass() * spin * spin;
                 let rigid = machine.total_mass() * machine.offset() * spin * spin;
                 words.push(format!(
-                    "At {spin:.1} rad/s the load is {place}, with a lead of {lead:.0}°: the shaft goes round O at {}, the centre of mass \
-                     at {}.",
+                    "At {spin:.1} rad/s the load is {place}, with a lead of {lead:.0}°: the shaft goes round O at {}, \
+                     the centre of mass at {}.",
                     millimetres(shaft),
                     millimetres(mass)
                 ));
