@@ -425,7 +425,7 @@ impl Nodding {
             drawing.dot(pole, 4.0, Hue::Orange);
         }
         if inside(pole) && reach > 16.0 {
-            let name = pole + outwards * 13.0;
+            let name = pole + outwards * if reach < radius - 18.0 { 13.0 } else { -13.0 };
             drawing.label_set(
                 name,
                 Side::Over,
