@@ -402,7 +402,8 @@ impl Shaking {
         if longest > 0.0 {
             // With three and more it lies on the two arrows, and no word stands at the side of its end.
             let side = (of_plate - ring).unit().quarter_turned() * -sum.dot(&plate).signum();
-            let side = if self.count() < 3 { (of_both - ring).unit() } else { side };
+            let outwards = if (of_both - ring).length() < 0.55 * radius { 1.0 } else { -1.0 };
+            let side = if self.count() < 3 { (of_both - ring).unit() * outwards } else { side };
             let place = of_both + side * (12.0 + side.x.abs() * 8.0);
             drawing.label_set(place, Side::Over, 0.0, 13.0, "sum", Role::Text(Hue::Green))?;
         }
