@@ -240,7 +240,12 @@ impl Slowing {
         }
         map.label(line(1.0)[1], Side::Right, "0", Hue::Muted)?;
         map.label((to, 80.0), Side::Right, room.of("spin left", "left"), Hue::Muted)?;
-        map.label((0.04, 900.0), Side::Right, room.of("wobble dies first", "wobble dies"), Hue::Blue)?;
+        map.label(
+            (room.of(0.04, 0.008), 900.0),
+            Side::Right,
+            room.of("wobble dies first", "wobble dies"),
+            Hue::Blue,
+        )?;
         map.label((0.0025, 0.3), Side::Right, room.of("spin dies first", "spin dies"), Hue::Orange)?;
         map.dot((self.ratio, self.drag_ratio()), 6.0, Hue::Pink);
         Ok(())
@@ -293,7 +298,7 @@ fn map_frame(room: Room) -> Rect {
 }
 
 fn parts_frame(room: Room) -> Rect {
-    room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(214.0, 358.0, 108.0, 108.0))
+    room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(206.0, 364.0, 102.0, 102.0))
 }
 
 /// What has been added up of a quantity by each moment, by Simpson's rule over pairs of steps.
@@ -315,6 +320,10 @@ impl Motion for Slowing {
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         self.draw_body(moment, drawing)?;
+        if moment.room == Room::Wide {
+            let below = at(170.0, 448.0);
+            drawing.label(below, Side::Over, "in the room, arrows at one length", Hue::Muted)?;
+        }
         self.draw_map(moment.room, drawing)?;
         self.draw_parts(moment, drawing)
     }
