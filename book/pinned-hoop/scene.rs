@@ -17,10 +17,11 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 pub(crate) const SCENE: Scene = Scene {
     name: "pinned-hoop",
     title: "A pinned hoop turns over",
-    description: "A hoop that is pinned at A, in the middle of turning over, with the upright angular momentum. Beside it an ellipsoid with the \
-                  path of omega on it, a pendulum that falls from near its upright balance, and the plane of the hoop at the \
-                  moment of the snap, with A a degree from the place at a quarter of the circle. A plot: how long the hoop waits, a straight \
-                  line against the logarithm of that degree.",
+    description: "A hoop that is pinned at A, in the middle of turning over, with the upright angular momentum. \
+                  Beside it an ellipsoid with the path of omega on it, a pendulum that falls from near its upright \
+                  balance, and the plane of the hoop at the moment of the snap, with A a degree from the place at \
+                  a quarter of the circle. A plot: how long the hoop waits, a straight line against the logarithm \
+                  of that degree.",
     question: "The pin catches the hoop nearly at $90°$ from its axis. It turns like a door on its hinge, and then it turns over. \
                How long does it wait, at $80°$, $89°$ and $89.9°$? Why are the steps equal?",
     size: [[640.0, 505.0], [360.0, 640.0]],
