@@ -18,11 +18,12 @@ use std::f64::consts::{LN_10, TAU};
 pub(crate) const SCENE: Scene = Scene {
     name: "air-drag",
     title: "A body slows down in air",
-    description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the upright \
-                  angular momentum L. Beside it a map of the ratio of the drags against the ratio of the moments, \
-                  parted by a sloping line: above it the wobble dies first, below it the spin; the disc is a dot \
-                  above the line. Below the map the angular momentum as an arrow, its part along the axis upwards: \
-                  its tip follows a curve that comes to the origin upright.",
+    description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the \
+                  upright angular momentum L. Beside it a map of the ratio of the drags against the ratio \
+                  of the moments, parted by a sloping line: above it the wobble dies first, below it the \
+                  spin; the disc is a dot above the line. Below the map the angular momentum as an arrow, \
+                  its part along the axis upwards: its tip follows a curve that comes to the origin \
+                  upright.",
     question: "The air slows spin and wobble. Which of them dies first, and how much spin is left by then?",
     size: [[640.0, 470.0], [360.0, 520.0]],
     view: Some([-1.25, 0.3]),
@@ -347,14 +348,15 @@ impl Motion for Slowing {
         let degrees = self.lean;
         let Some((time, left)) = self.settled().and_then(|time| Some((time, self.left(time).ok()?))) else {
             return match degrees {
-                0.0 => "It turns exactly about its axis and keeps to it, whatever its shape and the air: there is \
-                        no wobble that could grow or die."
+                0.0 => "It turns exactly about its axis and keeps to it, whatever its shape and the air: \
+                        there is no wobble that could grow or die."
                     .into(),
-                90.0 => "It turns exactly across its axis, end over end, and keeps to that: it has no spin to lose."
+                90.0 => "It turns exactly across its axis, end over end, and keeps to that: it has no spin \
+                         to lose."
                     .into(),
                 _ => format!(
-                    "Wobble and spin die together. The axis stays at {degrees}° to the angular momentum until \
-                     nothing turns."
+                    "Wobble and spin die together. The axis stays at {degrees}° to the angular momentum \
+                     until nothing turns."
                 ),
             };
         };
