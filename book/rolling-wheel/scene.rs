@@ -6,7 +6,7 @@ use crate::{
 };
 use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at, clip};
 use mechanics::Error;
 use mechanics::integrate::{Dop853, Taylor};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
@@ -70,6 +70,8 @@ const FLAT: f64 = 0.05;
 const RECENT: f64 = 3.0;
 /// A track that reaches further from its middle, in radii, is not shown whole: the eye goes with the wheel.
 const MOST_REACH: f64 = 7.0;
+/// No arrow is longer, in radii.
+const LONGEST: f64 = 2.5;
 /// Half its thickness, in radii.
 const HALF: f64 = 0.045;
 
@@ -322,41 +324,45 @@ impl Rolled {
             table.curve(Curve::circle([0.0; 3], Vector3::z(), circle)?, Stroke::Reference, Hue::Muted)?;
         }
         table.write(drawing);
-        self.draw_track(moment.time, now, &camera, drawing)?;
+        self.draw_track(moment.time, now, &camera, &frame, drawing);
         let mut stage = Stage::new(camera);
-        self.draw_wheel(now, &eye, &mut stage)?;
+        self.draw_wheel(now, &eye, &frame, &mut stage)?;
         stage.dot_in_front([contact.re, contact.im, 0.0], 4.5, Hue::Pink)?;
         stage.write(drawing);
         Ok(())
     }
 
     /// The track of the contact: what is to come pale, the last seconds heavy.
-    fn draw_track(
-        &self,
-        time: f64,
-        now: &Rolling,
-        camera: &Camera,
-        drawing: &mut Drawing,
-    ) -> Result<(), Cause> {
+    fn draw_track(&self, time: f64, now: &Rolling, camera: &Camera, frame: &Rect, drawing: &mut Drawing) {
+        let here = now.contact(RADIUS) / RADIUS;
         let place = |state: &Rolling| {
             let contact = state.contact(RADIUS) / RADIUS;
-            camera.on_page([contact.re, contact.im, 0.0])
+            // Where the eye goes with the wheel, what is far off may lie behind it.
+            let near = (contact - here).norm() < 2.0 * MOST_REACH;
+            let seen = camera.on_page([contact.re, contact.im, 0.0]).ok().filter(|_| near);
+            seen.unwrap_or(at(f64::NAN, f64::NAN))
         };
         let last = self.states.len() - 1;
         let reached = ((time / STEP) as usize).min(last);
         let recent = reached.saturating_sub((RECENT / STEP) as usize);
-        let way =
-            |from: usize, to: usize| self.states[from..=to].iter().map(place).collect::<Result<Vec<_>, _>>();
-        drawing.polyline(&way(reached, last)?, Stroke::Pale, Hue::Pink);
-        drawing.polyline(&way(0, recent)?, Stroke::Orbit, Hue::Pink);
-        let mut heavy = way(recent, reached)?;
-        heavy.push(place(now)?);
-        drawing.polyline(&heavy, Stroke::Curve, Hue::Pink);
-        Ok(())
+        let way = |from: usize, to: usize| self.states[from..=to].iter().map(place).collect::<Vec<_>>();
+        let (coming, past, mut heavy) = (way(reached, last), way(0, recent), way(recent, reached));
+        heavy.push(place(now));
+        for (points, stroke) in [(coming, Stroke::Pale), (past, Stroke::Orbit), (heavy, Stroke::Curve)] {
+            for piece in clip(&points, frame) {
+                drawing.polyline(&piece, stroke, Hue::Pink);
+            }
+        }
     }
 
     /// The wheel with marks that show its turning, and its angular momentum.
-    fn draw_wheel(&self, now: &Rolling, eye: &Vector3<f64>, stage: &mut Stage) -> Result<(), Cause> {
+    fn draw_wheel(
+        &self,
+        now: &Rolling,
+        eye: &Vector3<f64>,
+        frame: &Rect,
+        stage: &mut Stage,
+    ) -> Result<(), Cause> {
         let [first, second, third] = axes(now);
         let centre = now.centre / RADIUS;
         let centre = Vector3::new(centre.re, centre.im, now.tilt.sin());
@@ -390,13 +396,20 @@ impl Rolled {
             Vector3::new(transverse * state.omega_1, transverse * state.omega_2, axial * state.omega_3)
         };
         let long = momentum(&self.start).norm();
-        let tip = centre + in_room(momentum(now)) * (1.5 / long);
-        if long > 0.0 && (tip - centre).norm() > 0.1 {
-            stage.named_vector(centre, tip, r"$\boldsymbol{L}$", Hue::Green)?;
+        let arrow = in_room(momentum(now)) * (1.5 / long);
+        if long > 0.0 && arrow.norm() > 0.1 {
+            let tip = centre + arrow.cap_magnitude(LONGEST);
+            named(stage, frame, [centre, tip], r"$\boldsymbol{L}$", Hue::Green)?;
             if self.loss == 0.0 {
                 let torque = (-second).cross(&in_room(self.wheel.contact_force(now))) / (MASS * GRAVITY);
                 if torque.norm() > 0.02 {
-                    stage.named_vector(tip, tip + torque * 3.0, r"$\boldsymbol{\tau}$", Hue::Purple)?;
+                    named(
+                        stage,
+                        frame,
+                        [tip, tip + (torque * 3.0).cap_magnitude(LONGEST)],
+                        r"$\boldsymbol{\tau}$",
+                        Hue::Purple,
+                    )?;
                 }
             }
         }
@@ -439,6 +452,22 @@ impl Rolled {
         kit::marker(map.drawing(), grip, Marker::Ring, Hue::Ink);
         Ok(())
     }
+}
+
+/// A vector with its name, or without where the name would be cut off.
+fn named(
+    stage: &mut Stage,
+    frame: &Rect,
+    [from, to]: [Vector3<f64>; 2],
+    name: &str,
+    hue: Hue,
+) -> Result<(), Cause> {
+    if frame.grown(-20.0).contains(stage.camera().on_page(to)?) {
+        stage.named_vector(from, to, name, hue)?;
+    } else {
+        stage.vector(from, to, hue)?;
+    }
+    Ok(())
 }
 
 /// Axes 1, 2, 3 in the room.
