@@ -38,7 +38,7 @@ pub(crate) const SCENE: Scene = Scene {
     ],
     presets: &[
         Preset { words: "inside the tongue", settings: &[("lean", 12.0), ("circle", 0.8), ("push", 0.1)] },
-        Preset { words: "above its tip", settings: &[("lean", 20.0), ("circle", 0.6), ("push", 0.5)] },
+        Preset { words: "above its tip", settings: &[("lean", 20.0), ("circle", 0.6), ("push", 0.05)] },
         Preset { words: "a wide circle", settings: &[("lean", 10.0), ("circle", 4.0), ("push", 0.3)] },
         Preset {
             words: "slowing down: the spiral",
@@ -406,7 +406,7 @@ impl Rolled {
                     named(
                         stage,
                         frame,
-                        [tip, tip + (torque * 3.0).cap_magnitude(LONGEST)],
+                        [tip, tip + (torque * 3.0).cap_magnitude(0.5 * LONGEST)],
                         r"$\boldsymbol{\tau}$",
                         Hue::Purple,
                     )?;
@@ -469,6 +469,10 @@ fn named(
     }
     Ok(())
 }
+
+/// Why circles get smaller.
+const SLOWED: &str =
+    "But it loses its spin, and with less of it a wheel stays up only on a smaller circle, leaning more.";
 
 /// Axes 1, 2, 3 in the room.
 fn axes(state: &Rolling) -> [Vector3<f64>; 3] {
@@ -542,7 +546,8 @@ impl Motion for Rolled {
         let kicked = match &self.wobble {
             _ if self.loss > 0.0 => self.spiral(),
             Some(wobble) => format!(
-                "After the kick the lean swings between {} and {}, {:.2} times in a round.",
+                "{}After the kick the lean swings between {} and {}, {:.2} times in a round.",
+                if self.is_thrown_over() { "This kick is too strong for that. " } else { "" },
                 degrees(self.swings[0]),
                 degrees(self.swings[1]),
                 TAU / wobble.heading_advance().abs(),
@@ -581,19 +586,23 @@ impl Rolled {
         self.states[0]
     }
 
+    /// Whether the kick is not a small one of a stable motion: the lean swings by more than a radian, or far wider
+    /// than in a small wobble.
+    fn is_thrown_over(&self) -> bool {
+        let square = self.steady.map_or(0.0, |steady| steady.wobble_square());
+        let width = self.swings[1] - self.swings[0];
+        square > 0.0 && (width > 1.0 || width > 3.0 * self.push.abs() / square.sqrt())
+    }
+
     /// What becomes of the circle when something slows the wheel.
     fn spiral(&self) -> String {
         let last = self.states[self.states.len() - 1];
         if last.tilt.min(PI - last.tilt) < FLAT {
             let time = (self.states.len() - 1) as f64 * STEP;
-            format!(
-                "Slowed, it leans more and more, its circle shrinks, and after {time:.1} s it lies all but flat."
-            )
+            format!("{SLOWED} After {time:.1} s it lies all but flat.")
         } else {
             let (circle, lean) = Self::on_map(&last);
-            format!(
-                "Slowed, it leans more and more: at the end by {lean:.1}°, on a circle of {circle:.2} radii."
-            )
+            format!("{SLOWED} At the end it leans by {lean:.1}°, on a circle of {circle:.2} radii.")
         }
     }
 
@@ -606,9 +615,12 @@ impl Rolled {
     /// The axes of the well: leans, degrees, and heights over the potential of the steady motion, in mga.
     fn well_axes(&self) -> (Axis<'static>, Axis<'static>) {
         let [low, high] = self.swings.map(f64::to_degrees);
-        // Room at the right for a word below the level.
-        let (before, after) = ((0.4 * (high - low)).max(8.0), (0.8 * (high - low)).max(16.0));
-        let step = if high - low + before + after > 75.0 { 45.0 } else { 10.0 };
+        let (before, after) = ((0.4 * (high - low)).max(8.0), (0.6 * (high - low)).max(12.0));
+        let step = match high - low + before + after {
+            wide if wide > 75.0 => 45.0,
+            wide if wide > 35.0 => 20.0,
+            _ => 10.0,
+        };
         let [from, to] = [((low - before) / step).floor() * step, ((high + after) / step).ceil() * step];
         let leans = Axis::linear([from.max(-90.0), to.min(90.0), step], r"lean $\theta$, °");
         let level = self.energy_of_rate(self.push);
@@ -644,7 +656,7 @@ impl Rolled {
         well.curve([here, (here.0, level)], Stroke::Outline, Hue::Muted);
         well.dot(here, 5.0, Hue::Blue);
         let end = well.at((leans.to, kick));
-        well.drawing().label(end, Side::BelowLeft, "energy", Hue::Muted)?;
+        well.drawing().label(end, Side::BelowLeft, r"$E$", Hue::Muted)?;
         kit::marker(well.drawing(), end, Marker::Ring, Hue::Ink);
         Ok(())
     }
