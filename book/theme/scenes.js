@@ -194,6 +194,8 @@ class Scene {
     [this.drawing, this.play, this.time, this.clock, this.says] =
       [".drawing", ".play", ".time", ".clock", ".says"].map(find);
     this.readings = [...figure.querySelectorAll(".readings dd")];
+    // A formula in a label is a part of its name, which no browser hears by itself.
+    for (const math of figure.querySelectorAll(".panel math")) math.ariaLabel = math.textContent;
     this.still = Number(this.time.defaultValue);
     [this.now, this.duration, this.pace] = [this.still, Infinity, 1];
   }

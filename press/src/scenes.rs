@@ -106,8 +106,9 @@ pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> Stri
     let mut out = format!(
         "<div class=\"panel\">\n<div class=\"transport\"><button type=\"button\" class=\"play\">Play</button>\
          <button type=\"button\" class=\"step\">Step</button><button type=\"button\" class=\"reset\">Reset</button>\
-         <input type=\"range\" class=\"time\" id=\"{id}-time\" min=\"0\" max=\"1\" step=\"any\" value=\"0\" aria-label=\"time\">\
-         <output class=\"clock\" for=\"{id}-time\"></output></div>\n<div class=\"controls\">\n"
+         <input type=\"range\" class=\"time\" id=\"{id}-time\" min=\"0\" max=\"1\" step=\"any\" value=\"{}\" aria-label=\"time\">\
+         <output class=\"clock\" for=\"{id}-time\"></output></div>\n<div class=\"controls\">\n",
+        scene.still
     );
     for control in &scene.controls {
         let words = html(&control.words);

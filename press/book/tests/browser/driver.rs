@@ -15,7 +15,9 @@ const PATIENCE: Duration = Duration::from_secs(60);
 fn program() -> Option<PathBuf> {
     let names = ["chromium", "chromium-browser", "google-chrome"];
     let folders: Vec<PathBuf> = env::split_paths(&env::var_os("PATH").unwrap_or_default()).collect();
-    let found = names.iter().find_map(|name| folders.iter().map(|folder| folder.join(name)).find(|path| path.is_file()));
+    let found = names
+        .iter()
+        .find_map(|name| folders.iter().map(|folder| folder.join(name)).find(|path| path.is_file()));
     if found.is_none() {
         assert!(env::var_os("CI").is_none(), "there is no Chromium, and CI has to have one");
         eprintln!("skipped: there is no Chromium");
@@ -43,7 +45,13 @@ impl Browser {
         let mut child = Command::new("sh")
             .args(["-c", "exec \"$@\" 3<&0 4>&1 0</dev/null 1>/dev/null", "sh"])
             .arg(program)
-            .args(["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--no-first-run"])
+            .args([
+                "--headless",
+                "--no-sandbox",
+                "--disable-gpu",
+                "--remote-debugging-pipe",
+                "--no-first-run",
+            ])
             .args(["--disable-background-networking", "--disable-component-update", "--disable-sync"])
             .args(["--force-device-scale-factor=1", "--hide-scrollbars", "--touch-events=enabled"])
             .arg(format!("--user-data-dir={}", profile.display()))
@@ -75,13 +83,13 @@ impl Browser {
         }
         self.input.write_all(format!("{message}\0").as_bytes()).expect("the browser listens");
         loop {
-            let mut message = self
-                .messages
-                .recv_timeout(PATIENCE)
-                .unwrap_or_else(|_| panic!("no answer to {method}"));
+            let mut message =
+                self.messages.recv_timeout(PATIENCE).unwrap_or_else(|_| panic!("no answer to {method}"));
             if message["id"] == self.asked {
                 let error = &message["error"]["message"];
-                return error.as_str().map_or_else(|| Ok(message["result"].clone()), |error| Err(error.to_owned()));
+                return error
+                    .as_str()
+                    .map_or_else(|| Ok(message["result"].clone()), |error| Err(error.to_owned()));
             }
             let session = message["sessionId"].as_str().unwrap_or_default().to_owned();
             self.events.push((session, message.take()));
@@ -187,7 +195,8 @@ impl Page<'_> {
     pub(crate) fn mouse(&mut self, kind: &str, [x, y]: [f64; 2]) {
         let button = if kind == "mouseMoved" { "none" } else { "left" };
         let buttons = u8::from(kind == "mousePressed");
-        let event = json!({ "type": kind, "x": x, "y": y, "button": button, "buttons": buttons, "clickCount": 1 });
+        let event =
+            json!({ "type": kind, "x": x, "y": y, "button": button, "buttons": buttons, "clickCount": 1 });
         self.tell("Input.dispatchMouseEvent", event);
     }
 
@@ -236,7 +245,11 @@ impl Page<'_> {
     /// What has happened since the page was made: the parameters of all events of a kind.
     pub(crate) fn happened(&mut self, method: &str) -> Vec<Value> {
         self.tell("Runtime.evaluate", json!({ "expression": "0" })); // reads what has come in
-        let own = self.browser.events.iter().filter(|(session, event)| *session == self.session && event["method"] == method);
+        let own = self
+            .browser
+            .events
+            .iter()
+            .filter(|(session, event)| *session == self.session && event["method"] == method);
         own.map(|(_, event)| event["params"].clone()).collect()
     }
 

@@ -38,7 +38,8 @@ fn answer(mut stream: TcpStream, folder: &Path) {
         Some("woff2") => "font/woff2",
         _ => "application/octet-stream",
     };
-    let (status, body) = fs::read(folder.join(path)).map_or(("404 Not Found", Vec::new()), |body| ("200 OK", body));
+    let (status, body) =
+        fs::read(folder.join(path)).map_or(("404 Not Found", Vec::new()), |body| ("200 OK", body));
     let head = format!(
         "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n",
         body.len()
