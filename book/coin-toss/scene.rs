@@ -16,28 +16,31 @@ use std::sync::LazyLock;
 pub(crate) const SCENE: Scene = Scene {
     name: "coin-toss",
     title: "A tossed coin and the path of its normal",
-    description: "At the left a coin in the air, heads up and leaning, with its normal 3 and the angular momentum L. Beside it a sphere with its \
-                  equator: the tip of the normal goes round L on a circle through the pole, of which the part above the equator is blue and the \
-                  part below grey. Below, the height of the normal through one precession, which dips below zero in the middle, and the \
-                  probability of the same face against the angle psi between the normal and L: certainty up to 45 degrees, then falling to a half.",
-    question: "When does the circle of the normal clear the equator, so that heads shows and nothing but heads? And why does never less than half \
-               of it lie above?",
+    description: "At the left a coin in the air, seen from straight above: tails is up, the normal \
+                  3 of heads points away to the right, as does the angular momentum L. Beside it a \
+                  sphere with its equator: the tip of the normal goes round L on a circle through \
+                  the pole, of which the part above the equator is blue and the part below grey. Below, \
+                  the height of the normal through one precession, which dips below zero in the middle, \
+                  and the probability of the same face against the angle psi between the normal and \
+                  L: certainty up to 45 degrees, then falling to a half.",
+    question: "When does the circle of the normal clear the equator, so that heads shows and nothing \
+               but heads? And why does never less than half of it lie above?",
     size: [[640.0, 520.0], [380.0, 872.0]],
     view: Some([-0.35, 0.42]),
-    still: 0.0178,
+    still: 0.0366,
     controls: &[
         Control::slider("tumble", r"tumble, $\omega_1$", [0.0, MOST, 0.5], "rad/s", 240.0),
         Control::slider("twist", r"twist, $\omega_3$", [0.0, MOST, 0.5], "rad/s", 60.0),
         Control::slider("ratio", r"ratio of the moments, $I_3/I_1$", [0.5, 2.0, 0.01], "", 2.0),
         Control::choice("hand", "tossed by", &["a hand", "a steady hand", "a machine"]),
-        Control::choice("camera", "the coin is seen", &["as the sphere", "from straight above"]),
+        Control::choice("camera", "the coin is seen", &["from straight above", "from the side"]),
         Control::button("toss", "Toss five thousand"),
     ],
     presets: &[
         Preset { words: "no twist", settings: &[("twist", 0.0)] },
         Preset { words: "a quarter", settings: &[] },
         Preset { words: "the threshold", settings: &[("twist", 120.0)] },
-        Preset { words: "never tails", settings: &[("twist", 144.0), ("camera", 1.0)] },
+        Preset { words: "never tails", settings: &[("twist", 144.0)] },
         Preset { words: "the mean tosser", settings: &[("twist", 19.0)] },
         Preset { words: "a thick puck", settings: &[("ratio", 1.0), ("twist", 144.0)] },
     ],
@@ -119,7 +122,7 @@ impl Throw {
             tumble,
             twist,
             duration: Flight::new(FLIGHT)?.duration(),
-            from_above: settings.choice("camera")? == 1,
+            from_above: settings.choice("camera")? == 0,
             paths: [Vec::new(), Vec::new()],
             unsure: UNSURE[settings.choice("hand")?],
             pressed: settings.pressed("toss")?,
@@ -174,7 +177,7 @@ impl Throw {
             if to - from < 1e-9 * period {
                 return Ok(Vec::new());
             }
-            let points = 8 + (72.0 * (to - from) / period) as u32;
+            let points = 6 + (64.0 * (to - from) / period) as u32;
             (0..=points).map(|k| toss.normal(from + (to - from) * f64::from(k) / f64::from(points))).collect()
         };
         Ok([path(-edge, edge)?, path(edge, period - edge)?])
@@ -208,22 +211,28 @@ impl Throw {
         self.caught[..count].iter().filter(|(_, heads)| *heads).count() as f64 / count as f64
     }
 
-    /// The coin of radius 1 about the origin: the half that was up in the hue of the body, the other grey, and a letter
-    /// on each face.
-    fn draw_coin(&self, stage: &mut Stage, attitude: &UnitQuaternion<f64>) -> Result<(), SpaceError> {
+    /// The coin of radius 1 about the origin as it is seen from a direction, in the hue of the face that is seen: that
+    /// which was up in the hue of the body, the other grey. Each has its letter.
+    fn draw_coin(
+        &self,
+        stage: &mut Stage,
+        attitude: &UnitQuaternion<f64>,
+        towards_eye: &Vector3<f64>,
+    ) -> Result<(), SpaceError> {
         // I₃/I₁ = 2/(1 + h²/3) of a cylinder of radius 1 and height h
         let [_, _, axial] = self.moments.to_array();
         let half = (0.5 * (3.0 * (2.0 / axial - 1.0)).sqrt()).max(HALF);
         let radius = 1.0_f64.min(1.2 / half.hypot(1.0));
         let (half, normal) = (half * radius, attitude * Vector3::z());
-        for (side, hue) in [(0.5, Hue::Blue), (-0.5, Hue::Muted)] {
-            stage.solid(Solid::disc(normal * (side * half), normal, radius, half)?, hue)?;
-        }
-        for (height, hue, letter) in [(half, Hue::Blue, &HEADS[..]), (-half, Hue::Ink, &TAILS[..])] {
-            for stroke in letter {
-                let [from, to] = stroke.map(|[x, y]| attitude * Vector3::new(x * radius, y * radius, height));
-                stage.curve(Curve::segment(from, to)?.hiding(Hiding::Omitted), Stroke::Curve, hue)?;
-            }
+        let (face, hue, pen, letter) = if normal.dot(towards_eye) >= 0.0 {
+            (half, Hue::Blue, Hue::Blue, &HEADS[..])
+        } else {
+            (-half, Hue::Muted, Hue::Ink, &TAILS[..])
+        };
+        stage.solid(Solid::disc([0.0; 3], normal, radius, 2.0 * half)?, hue)?;
+        for stroke in letter {
+            let [from, to] = stroke.map(|[x, y]| attitude * Vector3::new(x * radius, y * radius, face));
+            stage.curve(Curve::segment(from, to)?.hiding(Hiding::Omitted), Stroke::Curve, pen)?;
         }
         Ok(())
     }
@@ -253,17 +262,20 @@ impl Throw {
         if self.from_above {
             (view.azimuth, view.elevation) = (-FRAC_PI_2, FRAC_PI_2);
         }
+        let (sin, cos) = view.elevation.sin_cos();
+        let towards_eye = Vector3::new(cos * view.azimuth.cos(), cos * view.azimuth.sin(), sin);
         let mut stage = Stage::new(Camera::new(view)?);
-        self.draw_coin(&mut stage, &attitude)?;
+        self.draw_coin(&mut stage, &attitude, &towards_eye)?;
         self.draw_path(&mut stage, 1.4, Stroke::Outline)?;
         if self.toss.is_some() {
             stage.named_vector([0.0; 3], self.momentum() * 1.65, r"$\boldsymbol{L}$", Hue::Green)?;
         }
         stage.named_vector([0.0; 3], normal * 1.4, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
         stage.write(drawing);
-        let (name, hue) =
-            if normal.z >= 0.0 { ("heads is up", Hue::Blue) } else { ("tails is up", Hue::Muted) };
-        drawing.label(moment.room.of(at(212.0, 314.0), at(225.0, 284.0)), Side::Over, name, hue)?;
+        let (name, hue) = if normal.z >= 0.0 { ("heads", Hue::Blue) } else { ("tails", Hue::Muted) };
+        let below = moment.room.of(at(212.0, 314.0), at(225.0, 284.0));
+        drawing.label(below, Side::Left, "seen from above:", Hue::Ink)?;
+        drawing.label(below, Side::Right, name, hue)?;
         Ok(())
     }
 
@@ -273,6 +285,7 @@ impl Throw {
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
         stage.curve(Curve::circle([0.0; 3], Vector3::z(), 1.0)?, Stroke::Reference, Hue::Ink)?;
         self.draw_path(&mut stage, 1.0, Stroke::Curve)?;
+        stage.label([1.0, 0.0, 0.0], Side::Below, "equator", Hue::Muted)?;
         stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
         stage.label([0.0, 0.0, 1.0], Side::Above, "start, flat", Hue::Muted)?;
         if self.toss.is_some() {
@@ -363,7 +376,9 @@ impl Throw {
         graph.dot((part, height), 5.0, if height >= 0.0 { Hue::Blue } else { Hue::Muted });
         let place = graph.at((0.5, middle));
         let drawing = graph.drawing();
-        drawing.label_set(place, Side::Above, 3.0, 13.0, "its middle", Role::Text(Hue::Green))?;
+        if middle < 0.92 {
+            drawing.label_set(place, Side::Above, 3.0, 13.0, "its middle", Role::Text(Hue::Green))?;
+        }
         if made > 0 {
             let above = at(frame.right, frame.top - 16.0);
             drawing.label_set(above, Side::Left, 0.0, 13.0, "bars: the catches", Role::Text(Hue::Muted))?;
@@ -394,6 +409,9 @@ impl Throw {
     fn turned_to(&self, angle: f64) -> Vec<(&'static str, f64)> {
         let [_, _, ratio] = self.moments.to_array();
         let (sin, cos) = angle.clamp(0.0, FRAC_PI_2).sin_cos();
+        if self.toss.is_none() && angle < 0.02 {
+            return Vec::new();
+        }
         let rate = self.toss.map_or(120.0, |toss| toss.precession_rate());
         let rate = rate.min(MOST / sin.max(1e-9)).min(MOST * ratio / cos.max(1e-9));
         vec![("tumble", rate * sin), ("twist", rate * cos / ratio)]
@@ -476,7 +494,9 @@ impl Motion for Throw {
             return "It does not turn at all: heads stays up, and up it stays.".into();
         };
         if self.tumble == 0.0 {
-            return "Twist and no tumble: the normal stands still, L along it, and the circle is a point at the pole.".into();
+            return "Twist and no tumble: the normal stands still, L along it, and the circle is a \
+                    point at the pole."
+                .into();
         }
         let (lean, part) = (2.0 * self.angle().to_degrees(), 100.0 * self.probability());
         let lowest = toss.lowest_normal();
@@ -485,20 +505,22 @@ impl Motion for Throw {
             1.0 / axial
         };
         let mut words = if lowest == 0.0 {
-            "Just twisted enough: the circle touches the equator, and the coin stands on edge for an instant and goes back. \
-             Heads shows all the time."
+            "Just twisted enough: the circle touches the equator, and the coin stands on edge for \
+             an instant and goes back. Heads shows all the time."
                 .into()
         } else if toss.keeps_its_face() {
             format!(
-                "Twisted {:.2} times as fast as it tumbles, more than {threshold:.2} times: the normal leans over by {lean:.0}° at most, \
-                 its circle clears the equator, and heads shows all the time.",
+                "Twisted {:.2} times as fast as it tumbles, more than {threshold:.2} times: the normal \
+                 leans over by {lean:.0}° at most, its circle clears the equator, and heads shows \
+                 all the time.",
                 self.twist / self.tumble
             )
         } else {
             format!(
-                "Twisted {:.2} times as fast as it tumbles, less than {threshold:.2} times: the normal leans over by up to {lean:.0}°, and \
-                 {part:.1} % of its circle lie above the equator. That is never less than half, as the middle of a circle through \
-                 the pole is never below the equator: here it is at the height {:.2}.",
+                "Twisted {:.2} times as fast as it tumbles, less than {threshold:.2} times: the normal \
+                 leans over by up to {lean:.0}°, and {part:.1} % of its circle lie above the equator. \
+                 That is never less than half, as the middle of a circle through the pole is never \
+                 below the equator: here it is at the height {:.2}.",
                 self.twist / self.tumble,
                 self.angle().cos().powi(2)
             )

@@ -30,14 +30,14 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("place", "its distance from the axis", [0.0, 50.0, 1.0], "m", 50.0),
         Control::choice("camera", "seen", &["in the room", "on board"]),
         Control::button("fire", "Fire the thruster now"),
-        Control::slider("azimuth", "thruster, round the rim from the blow", [0.0, 360.0, 0.5], "°", 0.0),
+        Control::slider("thruster", "thruster, round the rim from the blow", [0.0, 360.0, 0.5], "°", 0.0),
         Control::slider("thrust", "its impulse", [-10.0, 10.0, 0.1], "MN·s", -1.8),
     ],
     presets: &[
         Preset { words: "twice as hard", settings: &[("impulse", 3.6)] },
         Preset { words: "on the hub", settings: &[("place", 0.0)] },
         Preset { words: "fire where it struck, after 13.96 s", settings: &[("fire", 13.963)] },
-        Preset { words: "fire after one nod, at 176.5°", settings: &[("fire", 6.846), ("azimuth", 176.5)] },
+        Preset { words: "fire after one nod, at 176.5°", settings: &[("fire", 6.846), ("thruster", 176.5)] },
     ],
     readings: &[
         Reading { words: "nods, counted in the room", form: Form::Fixed(2), unit: "" },
@@ -135,12 +135,12 @@ impl Layout {
             azimuth: 0.0,
             elevation: 0.0,
             distance: 9.0,
-            centre: room.of(at(185.0, 215.0), at(190.0, 160.0)),
-            scale: room.of(104.0, 92.0),
+            centre: room.of(at(190.0, 205.0), at(190.0, 160.0)),
+            scale: room.of(102.0, 94.0),
         };
         Self {
             view,
-            panel: room.of(Rect::new(0.0, 0.0, 370.0, 440.0), Rect::new(0.0, 0.0, 380.0, 330.0)),
+            panel: room.of(Rect::new(0.0, 0.0, 376.0, 440.0), Rect::new(0.0, 0.0, 380.0, 330.0)),
             sky: room.of(at(508.0, 126.0), at(86.0, 462.0)),
             radius: room.of(98.0, 80.0),
             graph: room.of(Rect::new(396.0, 262.0, 232.0, 130.0), Rect::new(188.0, 372.0, 182.0, 180.0)),
@@ -273,7 +273,7 @@ impl Nodding {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
         let fired = settings.pressed("fire")?;
         let later = Blow { radius: RADIUS, impulse: settings.of("thrust")? * MEGA };
-        let azimuth = settings.of("azimuth")?.to_radians();
+        let azimuth = settings.of("thruster")?.to_radians();
         let blows = Blows {
             first: Blow { radius: settings.of("place")?, impulse: settings.of("impulse")? * MEGA },
             second: LaterBlow { time: fired.unwrap_or(0.0).min(DURATION), azimuth, blow: later },
@@ -354,9 +354,9 @@ impl Nodding {
         // Round what stands still each of the others goes on a circle.
         let pivot = if self.on_board { axis } else { momentum };
         let directions = [
-            (axis, 1.25, r"$\hat{\mathbf{3}}$", Hue::Blue),
-            (momentum, 1.5, r"$\boldsymbol{L}$", Hue::Green),
-            (omega, 1.75, r"$\boldsymbol{\omega}$", Hue::Orange),
+            (axis, 1.1, r"$\hat{\mathbf{3}}$", Hue::Blue),
+            (momentum, 1.32, r"$\boldsymbol{L}$", Hue::Green),
+            (omega, 1.54, r"$\boldsymbol{\omega}$", Hue::Orange),
         ];
         for (direction, length, name, hue) in directions {
             let along = direction.dot(&pivot) * length;
@@ -513,7 +513,10 @@ impl Nodding {
     fn dragged(&self, grip: usize, to: Point, moment: &Moment) -> Result<Vec<(&'static str, f64)>, Cause> {
         let layout = Layout::of(moment.room);
         let camera = moment.camera(layout.view)?;
-        let Some((grip, _)) = self.held(moment)?.get(grip).copied() else { return Ok(Vec::new()) };
+        let Some((grip, place)) = self.held(moment)?.get(grip).copied() else { return Ok(Vec::new()) };
+        if (place - to).length() < 1e-6 {
+            return Ok(Vec::new()); // a touch
+        }
         let nearest = |values: &mut dyn Iterator<Item = f64>, place: &dyn Fn(f64) -> Result<Point, Cause>| {
             let places = values.filter_map(|value| Some((value, (place(value).ok()? - to).length())));
             places.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(value, _)| value)
@@ -532,7 +535,7 @@ impl Nodding {
             Grip::Thruster => {
                 let place = |degrees: f64| self.thruster_place(&camera, moment.time, degrees.to_radians());
                 nearest(&mut (0..720).map(|half| 0.5 * f64::from(half)), &place)
-                    .map(|value| ("azimuth", value))
+                    .map(|value| ("thruster", value))
             }
             Grip::Fire => {
                 let (time, _) = value_at(layout.graph, &time_axis(moment.room), &WAVES_AXIS, to);

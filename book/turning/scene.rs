@@ -15,11 +15,14 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 pub(crate) const SCENE: Scene = Scene {
     name: "turning",
     title: "A wobbling plate",
-    description: "A flat round plate in the air above a floor, leaning, with a stripe painted from its middle to its rim. The angular momentum L \
-                  points straight up; the axis of the plate and the angular velocity omega lean away from it on opposite sides, each on a \
-                  circle. Beside it the plane of the three arrows: L over I1 reaches twice as high along the axis as omega. Below, the axis \
-                  swings to the right twice between two passages of the stripe.",
-    question: "Why does a plate wobble twice in a turn? And what becomes of the wobble, and of the order of the three arrows, as $I_3/I_1$ passes 1?",
+    description: "A flat round plate in the air above a floor, leaning, with a stripe painted from \
+                  its middle to its rim. The angular momentum L points straight up; the axis of the \
+                  plate and the angular velocity omega lean away from it on opposite sides, each on \
+                  a circle. Beside it the plane of the three arrows: L over I1 reaches twice as high \
+                  along the axis as omega. Below, the axis swings to the right twice between two passages \
+                  of the stripe.",
+    question: "Why does a plate wobble twice in a turn? And what becomes of the wobble, and of the \
+               order of the three arrows, as $I_3/I_1$ passes 1?",
     size: [[640.0, 480.0], [380.0, 716.0]],
     view: Some([-1.35, 0.36]),
     still: 0.0,
@@ -58,7 +61,7 @@ const MOST: f64 = 15.0;
 const DURATION: f64 = 4.0;
 const PACE: f64 = 0.25;
 /// Lengths of the arrows in the room, in sizes of the body.
-const LENGTHS: [f64; 3] = [1.9, 1.55, 1.5];
+const LENGTHS: [f64; 3] = [1.85, 1.55, 1.5];
 /// How long the cones are along their sides.
 const SIDE: f64 = 1.4;
 /// Points of a curve for a wobble.
@@ -200,7 +203,7 @@ impl Throw {
             elevation: 0.0,
             distance: 8.0,
             centre: moment.room.of(at(205.0, 182.0), at(190.0, 174.0)),
-            scale: moment.room.of(102.0, 90.0),
+            scale: moment.room.of(97.0, 88.0),
         })?;
         let mut stage = Stage::new(camera);
         if !self.on_board {
@@ -381,27 +384,29 @@ impl Motion for Throw {
         let period = TAU / rate;
         if spin == 0.0 {
             return format!(
-                "No spin about its axis, so no turns to count: it tumbles about a diameter, once every {period:.2} s, whatever \
-                 I₃/I₁ is. Here too ω and L are one line."
+                "No spin about its axis, so no turns to count: it tumbles about a diameter, once every \
+                 {period:.2} s, whatever I₃/I₁ is. Here too ω and L are one line."
             );
         }
         let count = self.wobbles_a_turn();
         let mut words = format!(
-            "The axis goes round {count:.2} times while the body turns once about it: a wobble every {period:.2} s. "
+            "The axis goes round {count:.2} times while the body turns once about it: a wobble every \
+             {period:.2} s. "
         );
         words += &match self.ratio {
-            1.0 => "All moments are equal, so L lies along ω and stands still with it: it turns about one fixed line, as a ball \
-                    does, whatever it looks like."
+            1.0 => "All moments are equal, so L lies along ω and stands still with it: it turns about \
+                    one fixed line, as a ball does, whatever it looks like."
                 .into(),
-            2.0 => "For a flat body L/I₁ reaches twice as high along the axis as ω does, and the wobbles go with L/I₁, the turns with ω: \
-                    two to one. L lies between the axis and ω."
+            2.0 => "For a flat body L/I₁ reaches twice as high along the axis as ω does, and the wobbles \
+                    go with L/I₁, the turns with ω: two to one. L lies between the axis and ω."
                 .into(),
             ratio if ratio > 1.0 => format!(
-                "L/I₁ reaches {ratio:.2} times as high along the axis as ω does, and lies between the axis and ω: a flat body."
+                "L/I₁ reaches {ratio:.2} times as high along the axis as ω does, and lies between \
+                 the axis and ω: a flat body."
             ),
             ratio => format!(
-                "L/I₁ reaches only {ratio:.2} times as high along the axis as ω does, and ω has come between the axis and L: a long \
-                 body."
+                "L/I₁ reaches only {ratio:.2} times as high along the axis as ω does, and ω has come \
+                 between the axis and L: a long body."
             ),
         };
         let on_board = TAU / self.top.body_rate();
@@ -420,7 +425,8 @@ impl Motion for Throw {
             };
             let rims = rate / self.top.body_rate().abs();
             words += &format!(
-                " The blue cone is fixed in the body and rolls {place}, which is fixed in the room. Its rim is {rims:.2} times as long."
+                " The blue cone is fixed in the body and rolls {place}, which is fixed in the room. \
+                 Its rim is {rims:.2} times as long."
             );
         }
         words

@@ -146,7 +146,7 @@ fn grips_follow_the_hand() {
             assert_eq!(player.drag(grip, *place).expect("values"), player.values(), "grip {grip}");
         }
         // The mass along its axis, the tilt to where the grip of another tilt stands.
-        let mut follows = |grip: usize, to: Point, near: fn(Point) -> f64| {
+        let follows = |grip: usize, to: Point, near: fn(Point) -> f64| {
             let values = player.drag(grip, to).expect("values");
             assert_ne!(values, player.values());
             let mut moved = Player::with(scene(), values).expect("values in range");
