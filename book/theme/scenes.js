@@ -412,7 +412,8 @@ class Scene {
       const { x, y } = place(event);
       return machine.run.grip(x, y, (event.pointerType === "mouse" ? 12 : 24) / svg.getScreenCTM().a);
     };
-    svg.style.touchAction = view.length > 0 ? "pan-y" : ""; // up and down a finger moves the page, but not a grip
+    svg.style.touchAction = view.length > 0 ? "pan-y pinch-zoom" : ""; // up and down a finger moves the page,
+    // but on a grip the grip.
     this.on([svg], "touchstart", (event) => gripAt(event.touches[0]) >= 0 && event.preventDefault());
     this.on([svg], "mousedown", (event) => held && event.preventDefault()); // words are not selected
     this.on([svg], "pointerdown", (event) => {

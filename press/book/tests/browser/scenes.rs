@@ -9,6 +9,7 @@ use super::site;
 use driver::{Browser, Page};
 use live::{Form, Kind, Moment, Player, Room, Scene};
 use serde_json::{Value, json};
+use std::env;
 use std::sync::OnceLock;
 
 const WIDE: [u32; 2] = [1280, 900];
@@ -40,6 +41,16 @@ new PerformanceObserver((list) => {
   for (const entry of list.getEntries()) for (const { node } of entry.sources) if (node?.parentElement?.closest('figure.scene')) shifted.push(`${node.nodeName} ${node.className}`);
 }).observe({ type: 'layout-shift', buffered: true });
 ";
+
+/// A browser; `None`, and said so, where there is none or where no compiler could build the module of the pages.
+fn open(name: &str) -> Option<Browser> {
+    if !site().join("live.js").is_file() {
+        assert!(env::var_os("CI").is_none(), "CI has to have the module of the pages");
+        eprintln!("skipped: there is no module, see `BOOK_WASM_RUSTC`");
+        return None;
+    }
+    Browser::open(name)
+}
 
 /// The address of the site, served once for all tests.
 fn address() -> &'static str {
@@ -173,7 +184,7 @@ fn act(page: &mut Page<'_>, means: Means, element: &str, part: f64, key: &str) {
 
 #[test]
 fn scenes_wake_and_move_and_nothing_else_does() {
-    let Some(mut browser) = Browser::open("wake") else { return };
+    let Some(mut browser) = open("wake") else { return };
     for (scene, page_address, figure) in scenes() {
         let file = page_address.replace(address(), &format!("file://{}/", site().display()));
         for page_address in [page_address, file] {
@@ -206,8 +217,29 @@ fn scenes_wake_and_move_and_nothing_else_does() {
 }
 
 #[test]
+fn on_the_page_of_all_pages_each_scene_wakes_when_it_comes_near() {
+    let Some(mut browser) = open("print") else { return };
+    let mut page = browser.page(WIDE);
+    page.before_all(EYES);
+    page.before_all("window.print = () => {}");
+    page.go(&format!("{}print.html", address()));
+    page.get("frames(5)");
+    assert_eq!(page.get("document.querySelectorAll('figure.scene').length"), scenes().len());
+    assert_eq!(
+        page.get("document.querySelectorAll('figure.scene.awake').length"),
+        0,
+        "the first page has none"
+    );
+    for (_, _, figure) in scenes() {
+        page.get(&format!("{figure}.scrollIntoView({{ behavior: 'instant' }})"));
+        page.wait(&format!("unlike(still({figure}), drawn({figure})) !== ''"));
+    }
+    assert_eq!(page.console(), Vec::<String>::new());
+}
+
+#[test]
 fn the_still_is_the_first_picture_and_what_is_printed() {
-    let Some(mut browser) = Browser::open("still") else { return };
+    let Some(mut browser) = open("still") else { return };
     for (scene, page_address, figure) in scenes() {
         for size in [WIDE, PHONE] {
             let mut page = browser.page(size);
@@ -238,7 +270,7 @@ fn the_still_is_the_first_picture_and_what_is_printed() {
 
 #[test]
 fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
-    let Some(mut browser) = Browser::open("controls") else { return };
+    let Some(mut browser) = open("controls") else { return };
     for (scene, page_address, figure) in scenes() {
         let mut page = browser.page(WIDE);
         wake_still(&mut page, &page_address, &figure);
@@ -335,7 +367,7 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
 
 #[test]
 fn hands_turn_the_view_and_draw_the_grips() {
-    let Some(mut browser) = Browser::open("hands") else { return };
+    let Some(mut browser) = open("hands") else { return };
     for (scene, page_address, figure) in scenes() {
         let mut page = browser.page(WIDE);
         page.before_all(EYES);
@@ -397,7 +429,7 @@ fn hands_turn_the_view_and_draw_the_grips() {
 
 #[test]
 fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
-    let Some(mut browser) = Browser::open("links") else { return };
+    let Some(mut browser) = open("links") else { return };
     let mut links = 0;
     for (scene, page_address, figure) in scenes() {
         // The end of each slider, one after another, is the worst that a link can bring.
@@ -460,7 +492,7 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
 
 #[test]
 fn whatever_breaks_leaves_the_still_and_the_page() {
-    let Some(mut browser) = Browser::open("broken") else { return };
+    let Some(mut browser) = open("broken") else { return };
     let (scene, page_address, figure) = scenes().swap_remove(0);
     let breaks = [
         (
@@ -520,7 +552,7 @@ fn whatever_breaks_leaves_the_still_and_the_page() {
 
 #[test]
 fn everything_that_can_be_operated_has_a_name_and_an_id_of_its_own() {
-    let Some(mut browser) = Browser::open("names") else { return };
+    let Some(mut browser) = open("names") else { return };
     for (scene, page_address, figure) in scenes() {
         let mut page = browser.page(WIDE);
         wake_still(&mut page, &page_address, &figure);
