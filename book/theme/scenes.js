@@ -195,6 +195,8 @@ class Scene {
     this.readings = [...figure.querySelectorAll(".readings dd")];
     // A formula in a label is a part of its name, which no browser hears by itself.
     for (const math of figure.querySelectorAll(".panel math")) math.ariaLabel = math.textContent;
+    // Sliders say their values themselves; a clock that was read aloud would never stop.
+    for (const output of figure.querySelectorAll("output")) output.ariaLive = "off";
     this.still = Number(this.time.defaultValue);
     [this.now, this.duration, this.pace] = [this.still, Infinity, 1];
   }
@@ -269,7 +271,8 @@ class Scene {
       if (this.isPlaying) this.#advance(moment);
       this.now = within(this.now, 0, this.duration);
       this.#draw();
-      if (hasChanged || !this.isPlaying) this.#say(this.machine.text(this.machine.run.words(this.now)), false);
+      const isStale = hasChanged || !this.isPlaying || this.says.classList.contains("trouble");
+      if (isStale) this.#say(this.machine.text(this.machine.run.words(this.now)), false);
     } catch (error) {
       if (!(error instanceof Trouble)) return this.fail(error);
       this.#say(error.message, true); // and the last picture stays

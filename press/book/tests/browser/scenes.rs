@@ -558,6 +558,8 @@ fn everything_that_can_be_operated_has_a_name_and_an_id_of_its_own() {
         wake_still(&mut page, &page_address, &figure);
         let twice = "(() => { const ids = [...document.querySelectorAll('[id]')].map((node) => node.id); return ids.filter((id, index) => ids.indexOf(id) !== index); })()";
         assert_eq!(page.get(twice), json!([]), "{}", scene.name);
+        let loud = format!("{figure}.querySelectorAll('output:not([aria-live=off])').length");
+        assert_eq!(page.get(&loud), 0, "{}: a clock is read aloud", scene.name);
         let tree = page.tell("Accessibility.getFullAXTree", json!({}));
         let mut found = 0;
         for node in tree["nodes"].as_array().expect("nodes") {
