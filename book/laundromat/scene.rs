@@ -15,10 +15,11 @@ pub(crate) const SCENE: Scene = Scene {
     name: "laundromat",
     title: "A drum with its load, from above",
     description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and \
-                  in it a drum with a heavy mat on one side. The drum turns at its natural frequency. The shaft stands to one side of the fixed \
-                  point O, and the load leads it by a quarter turn. Beside it three plots: the force on the floor \
-                  against the spin, with a peak of 176 newtons at the natural frequency and its least at 25 radians \
-                  a second; the lead of the load, from 0 to 180 degrees; and the distance of the shaft from O against time.",
+                  in it a drum with a heavy mat on one side. The drum turns at its natural frequency. The shaft \
+                  stands to one side of the fixed point O, and the load leads it by a quarter turn. Beside it three \
+                  plots: the force on the floor against the spin, with a peak of 176 newtons at the natural \
+                  frequency and its least at 25 radians a second; the lead of the load, from 0 to 180 degrees; and \
+                  the distance of the shaft from O against time.",
     question: "Where does the load go while the spin $\\Omega$ passes $\\omega_0$? At which spin is the floor quietest? \
                And why does a kick die with one damper and grow with the other?",
     size: [[640.0, 440.0], [380.0, 864.0]],
@@ -137,11 +138,11 @@ impl Part {
         let way = if is_radial {
             let length = span[1] - span[0];
             let fastest = (spin + acceleration * length).max(machine.natural_frequency());
-            let steps = (length * fastest / 0.06).ceil().max(1.0);
+            let steps = (length * fastest / 0.1).ceil().max(1.0);
             let times: Vec<f64> = (0..=steps as u32).map(|n| length * f64::from(n) / steps).collect();
             let rates = |t: f64, state: &[f64; 4]| radial_rates(&machine, acceleration, t, state);
             let (states, _) =
-                Dop853::with_tolerances(1e-9, 1e-11)?.sample(rates, 0.0, start.to_array(), &times)?;
+                Dop853::with_tolerances(1e-8, 1e-9)?.sample(rates, 0.0, start.to_array(), &times)?;
             Way::Stepped { machine, step: length / steps, states }
         } else if acceleration == 0.0 {
             Way::Steady(machine.transient(start)?)
@@ -310,7 +311,7 @@ impl Washer {
                 if self.is_radial {
                     // The force turns with the radius, and quickly as the shaft passes O.
                     let Shaft { position, velocity } = part.at(from)?.shaft;
-                    to = to.min(from + (0.5 * position.norm() / velocity.norm().max(1e-9)).max(2e-3));
+                    to = to.min(from + (1.5 * position.norm() / velocity.norm().max(1e-9)).max(2e-3));
                 }
                 self.given.push((from, given));
                 for (place, weight) in GAUSS {
