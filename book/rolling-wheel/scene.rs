@@ -446,7 +446,8 @@ impl Rolled {
         let way = self.states[..=reached].iter().chain([now]).map(Self::on_map);
         map.curve(way, Stroke::Orbit, Hue::Blue);
         map.label((2.4, 44.0), Side::Over, "stays small", Hue::Ink)?;
-        map.label((1.3, 5.5), Side::Over, "grows", Hue::Orange)?;
+        let inside = map.at((1.3, 5.5));
+        map.drawing().label_on_face(inside, Side::Over, "grows", Hue::Ink)?;
         let grip = map.at((self.circle, self.lean.to_degrees()));
         map.dot(Self::on_map(now), 3.4, Hue::Blue);
         kit::marker(map.drawing(), grip, Marker::Ring, Hue::Ink);
