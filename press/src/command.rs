@@ -30,7 +30,11 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
         "check" => {
             none_left(name, rest)?;
             let pages = check::check(root, drawn).map_err(|faults| faults.to_string())?;
-            say(&format!("{pages} pages, {} figures: nothing wrong", drawn.figures.len()));
+            say(&format!(
+                "{pages} pages, {} figures, {} scenes: nothing wrong",
+                drawn.figures.len(),
+                drawn.scenes.len()
+            ));
             Ok(())
         }
         "figures" => {

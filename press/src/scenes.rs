@@ -101,7 +101,7 @@ pub(crate) fn words(text: &str, offset: usize) -> Words<'_> {
         .collect()
 }
 
-/// What a reader can change and read beside the picture; `html` makes HTML of words.
+/// What a reader can change and read beside the picture, and what is said and offered below it; `html` makes HTML of words.
 pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> String {
     let id = format!("scene-{}", scene.name);
     let mut out = format!(
@@ -137,7 +137,7 @@ pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> Stri
         }
         out.push_str("</dl>\n");
     }
-    out.push_str("<p class=\"says\" role=\"status\"></p>\n");
+    out.push_str("</div>\n<div class=\"panel answer\">\n<p class=\"says\" role=\"status\"></p>\n");
     if !scene.presets.is_empty() {
         out.push_str("<p class=\"presets\">");
         for (words, settings) in &scene.presets {
