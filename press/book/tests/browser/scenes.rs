@@ -16,7 +16,7 @@ const WIDE: [u32; 2] = [1280, 900];
 const PHONE: [u32; 2] = [360, 800];
 
 /// What the tests ask of a page, before its own scripts run.
-const EYES: &str = r"
+const EYES: &str = r#"
 addEventListener('DOMContentLoaded', () => {
   window.stills = [...document.querySelectorAll('figure.scene .drawing > svg')].map((svg) => [...svg.children].map((node) => node.outerHTML));
 });
@@ -53,7 +53,7 @@ window.shifted = [];
 new PerformanceObserver((list) => {
   for (const entry of list.getEntries()) for (const { node } of entry.sources) if (node?.nodeType === 1 && node.parentElement.closest('figure.scene')) shifted.push(`${node.nodeName} ${node.className}`);
 }).observe({ type: 'layout-shift', buffered: true });
-";
+"#;
 
 /// A browser; `None`, and said so, where there is none or where no compiler could build the module of the pages.
 fn open(name: &str) -> Option<Browser> {
