@@ -88,6 +88,7 @@ pub mod mdbook;
 pub mod preprocess;
 pub mod rendered;
 
+mod answers;
 mod api;
 mod checks;
 mod faces;
