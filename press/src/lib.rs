@@ -98,6 +98,7 @@ mod notes;
 mod outcome;
 mod outline;
 mod page;
+mod panel;
 mod printed;
 mod raw;
 mod references;
