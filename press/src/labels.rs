@@ -3,7 +3,7 @@
 use crate::book::Page;
 use crate::fault::{Faults, nearest};
 use crate::page::{Item, Kind, Label, Mention, Placed};
-use crate::rendered::Figure;
+use crate::rendered::{Figure, Rendered};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// How ids begin that mdBook puts on each page.
@@ -68,9 +68,10 @@ impl Registry {
     pub(crate) fn build(
         pages: &[Page],
         scans: &[Vec<Placed<'_>>],
-        figures: &[Figure],
+        drawn: &Rendered,
         faults: &mut Faults,
     ) -> Self {
+        let figures = &drawn.figures;
         let mut registry = Self::default();
         let mut counters: HashMap<(u32, Kind), u32> = HashMap::new();
         for (page, items) in pages.iter().zip(scans) {
@@ -80,7 +81,7 @@ impl Registry {
                 let line = page.lines.at(placed.range.start);
                 let (label, title) = match &placed.item {
                     Item::DisplayMaths { label: Some(equation), .. } => (&equation.label, String::new()),
-                    Item::Figure { label, .. } => (label, String::new()),
+                    Item::Figure { label, .. } | Item::Scene { label, .. } => (label, String::new()),
                     Item::Citation { label, short } => (label, (*short).to_owned()),
                     Item::Heading { label: Some(label), title, .. } => (label, (*title).to_owned()),
                     Item::Heading { label: None, id: Some(id), .. } => {
@@ -143,6 +144,7 @@ impl Registry {
             registry.anchors.insert(page.path.clone(), slugs.ids);
         }
         registry.check_figures(pages, scans, figures, faults);
+        registry.check_scenes(pages, scans, drawn, faults);
         registry.check_exercises(pages, scans, faults);
         check_ledger(pages, scans, faults);
         registry
@@ -157,7 +159,7 @@ impl Registry {
         counters: &mut HashMap<(u32, Kind), u32>,
         faults: &mut Faults,
     ) -> String {
-        if !matches!(label.kind, Kind::Equation | Kind::Figure | Kind::Exercise) {
+        if !matches!(label.kind, Kind::Equation | Kind::Figure | Kind::Scene | Kind::Exercise) {
             return String::new();
         }
         let Some(chapter) = page.chapter else {
@@ -207,6 +209,34 @@ impl Registry {
                     0,
                     format!("the figure {} is drawn, but no page shows it", figure.id),
                 );
+            }
+        }
+    }
+
+    fn check_scenes(&self, pages: &[Page], scans: &[Vec<Placed<'_>>], drawn: &Rendered, faults: &mut Faults) {
+        for (page, items) in pages.iter().zip(scans) {
+            for (n, placed) in items.iter().enumerate() {
+                let Item::Scene { label, .. } = &placed.item else {
+                    continue;
+                };
+                let mut fault = |message| faults.add(&page.file, page.lines.at(placed.range.start), message);
+                let Some(scene) = drawn.scenes.iter().find(|scene| scene.name == label.name) else {
+                    let names = drawn.scenes.iter().map(|scene| scene.name.as_str());
+                    let near = hint("scene", nearest(&label.name, names));
+                    fault(format!("there is no scene {}{near}", label.written()));
+                    continue;
+                };
+                if page.path.split('/').next() != Some(&scene.chapter) || page.part.is_some() {
+                    fault(format!("the scene {} opens the chapter in {}", label.written(), scene.chapter));
+                } else if items[..n].iter().any(|above| matches!(above.item, Item::DisplayMaths { .. })) {
+                    fault(format!("the scene {} stands above the first equation", label.written()));
+                }
+            }
+        }
+        for scene in &drawn.scenes {
+            if !self.entries.contains_key(&Label { kind: Kind::Scene, name: scene.name.clone() }) {
+                let message = format!("no page shows this scene: ![Caption.](scene:{})", scene.name);
+                faults.add(&scene.source(), 0, message);
             }
         }
     }

@@ -15,6 +15,8 @@
 //! | `![Caption.](fig:machine)` in a paragraph of its own | the figure, with number and caption |
 //! | `words[^name]`, and `[^name]: The note.` somewhere below | a note in the margin, with maths and references |
 //! | `![Caption.](fig:machine)[^name]` | the same, on a figure |
+//! | `![Caption.](scene:turning)` in a paragraph of its own | the live scene of the chapter, above its first equation |
+//! | `[set the spin to three](scene:turning?spin=3&kick=0)` | a link that sets the scene, on the page of the scene |
 //! | a Markdown table, and right below it a paragraph `Table: what it holds.` | a table with its caption |
 //! | `![Caption.](table:methods)` in a paragraph of its own | a table that the library gives |
 //! | `let r = wheel.rate(); // → 4.317 rad/s` in a snippet | a number that the test holds to every digit shown |
@@ -22,12 +24,12 @@
 //! | `## Title {#ex:peak}` | an exercise with a number; it holds a hint in `<details>` |
 //! | `## {#sol:peak}` | its solution, titled and linked both ways |
 //! | `- {#cite:key "Name 1999"} …` | an entry of the bibliography |
-//! | `@eq:steady-radius`, `@fig:machine`, `@ex:peak`, `@sol:peak`, `@sec:motion` | a link with number or title |
+//! | `@eq:steady-radius`, `@fig:machine`, `@scene:turning`, `@ex:peak`, `@sol:peak`, `@sec:motion` | a link with number or title |
 //! | `@source:19` | a link to the equation that has this number in the source |
 //! | `@cite:key` | a link with the entry's short name |
 //!
 //! Labels are made of lower-case letters, digits and hyphens, and are unique in the whole book. Counters run
-//! through all pages of a numbered chapter; equations, figures and exercises can stand in numbered chapters
+//! through all pages of a numbered chapter; equations, figures, scenes and exercises can stand in numbered chapters
 //! only. Notes are numbered on each page and stand behind the outermost block that refers to them. In a
 //! numbered chapter the title of a page stands below `Chapter 4`, or `Chapter 4 · Exercises`.
 //!
@@ -58,6 +60,8 @@
 //! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an
 //!   id that stands on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry
 //!   that nothing cites;
+//! - scenes: one that is unknown or that no page shows, that stands on a page of another chapter or below an equation, that
+//!   starts where none of its controls can stand; a link to settings that it does not have, or from another page;
 //! - colours: words in a colour that there is not; a colour or letter of the tables of conventions that is none;
 //! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`,
 //!   display mathematics that shares its paragraph, mathematics in a heading;
@@ -104,6 +108,7 @@ mod raw;
 mod references;
 mod render;
 mod scan;
+mod scenes;
 mod search;
 mod signs;
 mod site;

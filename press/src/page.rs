@@ -10,6 +10,7 @@ use std::ops::Range;
 pub(crate) enum Kind {
     Equation,
     Figure,
+    Scene,
     Exercise,
     Solution,
     Section,
@@ -17,13 +18,21 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Equation, Self::Figure, Self::Exercise, Self::Solution, Self::Section, Self::Citation];
+    pub(crate) const ALL: [Self; 7] = [
+        Self::Equation,
+        Self::Figure,
+        Self::Scene,
+        Self::Exercise,
+        Self::Solution,
+        Self::Section,
+        Self::Citation,
+    ];
 
     pub(crate) fn prefix(self) -> &'static str {
         match self {
             Self::Equation => "eq",
             Self::Figure => "fig",
+            Self::Scene => "scene",
             Self::Exercise => "ex",
             Self::Solution => "sol",
             Self::Section => "sec",
@@ -109,6 +118,10 @@ pub(crate) enum Item<'a> {
         label: Label,
         caption: Words<'a>,
     },
+    Scene {
+        label: Label,
+        caption: Words<'a>,
+    },
     Table {
         table: Table<'a>,
         caption: Words<'a>,
@@ -144,6 +157,9 @@ pub(crate) enum Item<'a> {
     Link {
         target: Cow<'a, str>,
     },
+    /// The beginning, `[`, of words that set a scene of the page, with the name of the scene and the settings behind it;
+    /// and their end, `](scene:…)`.
+    Setting(Option<Cow<'a, str>>),
     /// An id that raw HTML claims.
     Id(String),
     Hint,

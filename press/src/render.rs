@@ -9,8 +9,8 @@ use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
 use crate::ties::{self, BLANK};
-use crate::{answers, panel, snippets, tables};
-use pulldown_cmark::{CowStr, Event, Parser, html::push_html};
+use crate::{answers, faces, panel, scenes, snippets, tables};
+use pulldown_cmark::{CowStr, Event, Parser, Tag, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -27,7 +27,8 @@ pub(crate) fn render(
 ) -> Result<Vec<String>, Faults> {
     let mut faults = Faults::default();
     let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
-    let registry = Registry::build(pages, &scans, &drawn.figures, &mut faults);
+    scenes::check(&drawn.scenes, &mut faults);
+    let registry = Registry::build(pages, &scans, drawn, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
     let maths = Maths::new(pages, &mut faults);
     let mut cited = BTreeSet::new();
@@ -158,6 +159,9 @@ impl Printer<'_, '_> {
             Item::InlineMaths { tex } => self.inline(tex, offset + 1),
             Item::DisplayMaths { tex, label } => self.display(tex, label.as_ref(), offset),
             Item::Figure { label, caption } => self.figure(label, caption),
+            Item::Scene { label, caption } => self.scene(label, caption, offset),
+            Item::Setting(Some(setting)) => Some(self.setting(setting, offset)),
+            Item::Setting(None) => Some("</a>".to_owned()),
             Item::Table { table, caption } => Some(self.table(table, caption)),
             Item::LibraryTable { name, caption } => self.library_table(name, caption, offset),
             Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
@@ -209,7 +213,7 @@ impl Printer<'_, '_> {
     fn panel(&mut self, shown: &str) -> Option<String> {
         let lines: Vec<&str> = shown.lines().collect();
         let (answers, _) = answers::answers(&lines);
-        (!answers.live.is_empty()).then(|| {
+        (!answers.live.is_empty() && !self.drawn.is_still).then(|| {
             *self.live += 1;
             panel::panel(&answers, *self.live - 1)
         })
@@ -277,6 +281,51 @@ impl Printer<'_, '_> {
             figure.svg.trim(),
             figure.file_name(),
         ))
+    }
+
+    /// A live scene: its question, its still, and the panel of its controls if there is a module that moves it.
+    fn scene(&mut self, label: &Label, caption: &Words<'_>, offset: usize) -> Option<String> {
+        let drawn = self.drawn;
+        let place = drawn.scenes.iter().position(|scene| scene.name == label.name)?;
+        let scene = &drawn.scenes[place];
+        let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
+        let caption = self.words_of(caption, "caption");
+        let mut html = |words: &str| {
+            let faces = words.split('$').step_by(2).map(|words| faces::Face::Text.check(words));
+            if let Err((_, message)) = faces.collect::<Result<Vec<_>, _>>() {
+                self.fault(offset, format!("in the scene, {message}"));
+            }
+            self.words_of(&scenes::words(words, offset), "scene")
+        };
+        let question = html(&scene.question);
+        let panel = if drawn.is_still { String::new() } else { scenes::panel(scene, html) };
+        let module = if drawn.is_still { "" } else { " data-module=\"live.js\"" };
+        Some(format!(
+            "<figure class=\"scene\" id=\"{}\" data-scene=\"{place}\"{module}>\n<p class=\"question\">{question}</p>\n\
+             <div class=\"drawing\">{}</div>\n{panel}\
+             <figcaption><span class=\"number\">Scene {number}.</span> {caption}</figcaption>\n</figure>",
+            label.id(),
+            scene.svg.trim(),
+        ))
+    }
+
+    /// The beginning of a link that sets the scene of the page: `turning?spin=3`.
+    fn setting(&mut self, setting: &str, offset: usize) -> String {
+        let (name, settings) = setting.split_once('?').unwrap_or((setting, ""));
+        let label = Label { kind: Kind::Scene, name: name.to_owned() };
+        let scene = self.drawn.scenes.iter().find(|scene| scene.name == name);
+        let checked = match (self.registry.find(&label), scene) {
+            (Ok(entry), Some(_)) if entry.page != self.page.path => {
+                Err(format!("scene:{name} stands on another page: refer to it as @scene:{name}"))
+            }
+            (Ok(_), Some(scene)) => scenes::check_settings(scene, settings),
+            (Err(message), _) => Err(message),
+            (_, None) => Ok(()), // said where it should stand
+        };
+        if let Err(message) = checked {
+            self.fault(offset, message);
+        }
+        format!("<a href=\"#{}\" data-set=\"{}\">", label.id(), escaped(settings))
     }
 
     /// A table that the library gives.
@@ -366,6 +415,9 @@ impl Printer<'_, '_> {
                     before.push_str(text);
                     Event::InlineHtml(CowStr::from(tables::powers_of_ten(&html)))
                 }
+                Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with("scene:") => {
+                    Event::InlineHtml(CowStr::from(self.setting(&dest_url["scene:".len()..], offset)))
+                }
                 Event::SoftBreak => Event::Text(CowStr::from(" ")),
                 Event::FootnoteReference(name) => Event::InlineHtml(CowStr::from(self.note_mark(name))),
                 other => other.clone(),
@@ -444,6 +496,7 @@ impl Printer<'_, '_> {
                 return Err(format!("{} has no number by which to refer to it", label.written()));
             }
             Kind::Figure => format!("Figure{BLANK}{}", entry.number),
+            Kind::Scene => format!("Scene{BLANK}{}", entry.number),
             Kind::Exercise => format!("Exercise{BLANK}{}", entry.number),
             Kind::Solution => {
                 let exercise =
@@ -679,7 +732,7 @@ mod tests {
             standalone,
             wide: false,
         };
-        let drawn = Rendered { figures: vec![figure], tables: Vec::new() };
+        let drawn = Rendered { figures: vec![figure], ..Rendered::default() };
         let text = "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n".to_owned();
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
         let printed = render(&[page], &drawn, &Items::default(), &[]);

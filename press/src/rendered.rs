@@ -1,15 +1,92 @@
-//! The figures of the book and the tables of the library, as the build script of the crate `book` rendered them.
+//! What the pages show: the figures of the book and the tables of the library, as the build script of the crate `book`
+//! rendered them, and its live scenes.
 
 use std::path::Path;
 use std::{fs, io};
 
-/// What a build script has rendered, read from its folder.
+/// What a build script has rendered, read from its folder, and the scenes, which the program itself knows.
 #[derive(Debug, Clone, Default)]
 pub struct Rendered {
     /// Every figure.
     pub figures: Vec<Figure>,
     /// Tables in Markdown, each with its name: `methods`.
     pub tables: Vec<(String, String)>,
+    /// The live scenes, in the order in which the module of the pages counts them.
+    pub scenes: Vec<Scene>,
+    /// Whether there is no module that could move them, and pages show stills without controls.
+    pub is_still: bool,
+}
+
+/// A live scene: what its page prints of it.
+#[derive(Debug, Clone, Default)]
+pub struct Scene {
+    /// Its name: `turning` for `scene:turning`.
+    pub name: String,
+    /// The folder of the chapter that it opens.
+    pub chapter: String,
+    /// What it asks. Here and in other words of a scene formulas stand between `$` signs.
+    pub question: String,
+    /// Its still as SVGs for a page, on a wide one and on a phone.
+    pub svg: String,
+    /// Where the eye stands at first, azimuth and elevation in degrees, if a reader can turn the view.
+    pub view: Option<[f64; 2]>,
+    /// What a reader can change.
+    pub controls: Vec<Control>,
+    /// Words on buttons, and the settings that they bring: `ratio=1&spin=3`.
+    pub presets: Vec<(String, String)>,
+    /// What the numbers beside the picture are.
+    pub readings: Vec<String>,
+}
+
+/// Something that a reader can change.
+#[derive(Debug, Clone)]
+pub struct Control {
+    /// Its name in links and presets.
+    pub name: String,
+    /// What stands beside it.
+    pub words: String,
+    /// What kind of thing it is.
+    pub input: Input,
+    /// Its value when the page opens.
+    pub start: f64,
+    /// Its unit; empty for pure numbers.
+    pub unit: String,
+    /// That value with its unit, as the page shows it.
+    pub shown: String,
+}
+
+/// The kinds of controls.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Input {
+    /// A slider in steps from the first value.
+    Slider {
+        /// The least value.
+        from: f64,
+        /// The greatest value.
+        to: f64,
+        /// The step.
+        step: f64,
+    },
+    /// A slider over powers of ten.
+    LogSlider {
+        /// The least value, above zero.
+        from: f64,
+        /// The greatest value.
+        to: f64,
+    },
+    /// One of several; the value is its place.
+    Choice(Vec<String>),
+    /// On (1) or off (0).
+    Switch,
+    /// A button; its value is the time at which it was pressed, or −1.
+    Button,
+}
+
+impl Scene {
+    /// The file that makes it: `book/turning/scene.rs`.
+    pub(crate) fn source(&self) -> String {
+        format!("book/{}/scene.rs", self.chapter)
+    }
 }
 
 /// One rendered figure.

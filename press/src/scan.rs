@@ -303,21 +303,26 @@ impl<'a> Scan<'a, '_> {
             return;
         }
         let label = written::label(dest_url, range.start, &mut self.report);
-        let Some(label) = label.filter(|label| label.kind == Kind::Figure) else {
+        let Some(label) = label.filter(|label| matches!(label.kind, Kind::Figure | Kind::Scene)) else {
             self.fault(
                 range.start,
-                format!("the image `{dest_url}` is not a figure of the book (`fig:name`)"),
+                format!("the image `{dest_url}` is not a figure of the book (`fig:name`), nor a scene"),
             );
             return;
         };
+        let what = if label.kind == Kind::Scene { "scene" } else { "figure" };
         if !alone {
-            self.fault(range.start, format!("the figure {dest_url} must stand in a paragraph of its own"));
+            self.fault(range.start, format!("the {what} {dest_url} must stand in a paragraph of its own"));
         }
         let caption = self.caption(next, if alone { marks } else { "" });
         if caption.is_empty() {
-            self.fault(range.start, format!("the figure {dest_url} has no caption that says what it shows"));
+            self.fault(range.start, format!("the {what} {dest_url} has no caption that says what it shows"));
         }
-        self.place(range.start..range.end + marks.len(), Item::Figure { label, caption });
+        let item = match label.kind {
+            Kind::Scene => Item::Scene { label, caption },
+            _ => Item::Figure { label, caption },
+        };
+        self.place(range.start..range.end + marks.len(), item);
     }
 
     /// The words of a figure, or of a table of the library, and the `marks` of notes behind it.
@@ -361,7 +366,14 @@ impl<'a> Scan<'a, '_> {
         } else if let Some(at) = written.rfind(dest_url.as_ref()) {
             // The target as it is written, which outlives the parser's copy.
             let target = Cow::Borrowed(&written[at..at + dest_url.len()]);
-            self.place(range.clone(), Item::Link { target });
+            match dest_url.strip_prefix("scene:") {
+                Some(setting) if written.starts_with('[') && written[..at].ends_with("](") => {
+                    let setting = Cow::Owned(setting.to_owned());
+                    self.place(range.start..range.start + 1, Item::Setting(Some(setting)));
+                    self.place(range.start + at - 2..range.end, Item::Setting(None));
+                }
+                _ => self.place(range.clone(), Item::Link { target }),
+            }
         } else {
             self.fault(range.start, format!("the link to `{dest_url}` should spell out its target"));
         }

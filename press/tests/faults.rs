@@ -12,7 +12,8 @@ fn drawn() -> Rendered {
     let [svg, standalone] = [String::new(), String::new()];
     let figure =
         Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone, wide: false };
-    Rendered { figures: vec![figure], tables: vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())] }
+    let tables = vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())];
+    Rendered { figures: vec![figure], tables, ..Rendered::default() }
 }
 
 /// A book in a temporary folder, removed when dropped.

@@ -1,6 +1,8 @@
 //! The press as a program: called by mdBook as preprocessor (`book`) and renderer (`book finish`), and by people as
 //! `cargo book`. It is a package of its own, so that a figure which is drawn again compiles only this file.
 
+mod scenes;
+
 use press::rendered::Rendered;
 use press::{command, finish, preprocess};
 use std::io::{self, IsTerminal, Read};
@@ -23,7 +25,8 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &[String]) -> Result<(), String> {
-    let drawn = Rendered::read(Path::new(DRAWN)).map_err(|error| format!("error: {error}"))?;
+    let mut drawn = Rendered::read(Path::new(DRAWN)).map_err(|error| format!("error: {error}"))?;
+    drawn.scenes = scenes::all().map_err(|error| format!("error: {error}"))?;
     match arguments.first().map(String::as_str) {
         None if !io::stdin().is_terminal() => answer(&drawn),
         Some("supports") => Ok(()), // html and test; book.toml names them

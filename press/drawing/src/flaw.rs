@@ -45,9 +45,13 @@ impl Error for Flaw {}
 
 /// The flaw of a shape, if it has one.
 pub(crate) fn of(item: &Item) -> Option<Flaw> {
-    let point =
-        numbers(&item.shape).into_iter().find(|point| !(point.x.is_finite() && point.y.is_finite()))?;
-    Some(Flaw::NoNumber { what: what(item), place: (point.x, point.y) })
+    let mut found = None;
+    each_number(&item.shape, &mut |point| {
+        if found.is_none() && !(point.x.is_finite() && point.y.is_finite()) {
+            found = Some(point);
+        }
+    });
+    found.map(|point| Flaw::NoNumber { what: what(item), place: (point.x, point.y) })
 }
 
 /// What a shape is, by name if it has one.
@@ -68,33 +72,42 @@ pub(crate) fn what(item: &Item) -> String {
     }
 }
 
-/// All numbers that a shape is made of, in pairs.
-fn numbers(shape: &Shape) -> Vec<Point> {
+/// Gives all numbers that a shape is made of, in pairs.
+fn each_number(shape: &Shape, give: &mut impl FnMut(Point)) {
     let pair = |x, y| Point { x, y };
     match shape {
-        Shape::Polyline(points) | Shape::Polygon(points) => points.clone(),
-        Shape::Circle { centre, radius } => vec![*centre, pair(*radius, 0.0)],
-        Shape::Arc { centre, radius, from, sweep } => vec![*centre, pair(*radius, 0.0), pair(*from, *sweep)],
-        Shape::Ellipse { centre, radii, turn } => vec![*centre, pair(radii.0, radii.1), pair(*turn, 0.0)],
-        Shape::Rounded { centre, radii, turn, light } => {
-            vec![*centre, pair(radii.0, radii.1), pair(*turn, 0.0), *light]
+        Shape::Polyline(points) | Shape::Polygon(points) => points.iter().for_each(|&point| give(point)),
+        Shape::Circle { centre, radius } => [*centre, pair(*radius, 0.0)].into_iter().for_each(give),
+        Shape::Arc { centre, radius, from, sweep } => {
+            [*centre, pair(*radius, 0.0), pair(*from, *sweep)].into_iter().for_each(give);
         }
-        Shape::Label(label) => label.pieces.iter().flat_map(corners).collect(),
+        Shape::Ellipse { centre, radii, turn } => {
+            [*centre, pair(radii.0, radii.1), pair(*turn, 0.0)].into_iter().for_each(give);
+        }
+        Shape::Rounded { centre, radii, turn, light } => {
+            [*centre, pair(radii.0, radii.1), pair(*turn, 0.0), *light].into_iter().for_each(give);
+        }
+        Shape::Label(label) => label.pieces.iter().for_each(|piece| each_corner(piece, give)),
     }
 }
 
-fn corners(piece: &Piece) -> Vec<Point> {
+fn each_corner(piece: &Piece, give: &mut impl FnMut(Point)) {
     match piece {
-        Piece::Words { start, width, size, .. } => vec![*start, Point { x: *width, y: *size }],
-        Piece::Outline(segments) => segments
-            .iter()
-            .flat_map(|segment| match *segment {
-                Segment::Move(end) | Segment::Line(end) => vec![end],
-                Segment::Quadratic(control, end) => vec![control, end],
-                Segment::Cubic(first, second, end) => vec![first, second, end],
-                Segment::Close => Vec::new(),
-            })
-            .collect(),
+        Piece::Words { start, width, size, .. } => {
+            [*start, Point { x: *width, y: *size }].into_iter().for_each(give);
+        }
+        Piece::Outline(segments) => {
+            for segment in segments {
+                match *segment {
+                    Segment::Move(end) | Segment::Line(end) => give(end),
+                    Segment::Quadratic(control, end) => [control, end].into_iter().for_each(&mut *give),
+                    Segment::Cubic(first, second, end) => {
+                        [first, second, end].into_iter().for_each(&mut *give)
+                    }
+                    Segment::Close => {}
+                }
+            }
+        }
     }
 }
 

@@ -25,7 +25,7 @@ impl Point {
 
     /// The length of the step, px.
     pub fn length(self) -> f64 {
-        self.x.hypot(self.y)
+        (self.x * self.x + self.y * self.y).sqrt()
     }
 
     /// The direction of the step, counter-clockwise on the page from the right, rad.

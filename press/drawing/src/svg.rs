@@ -6,6 +6,7 @@ use crate::label::{Label, Piece};
 use crate::layout::{self, Pages};
 use crate::point::{Point, Rect, at};
 use crate::role::{RIM, Role, STOPS};
+use crate::trace::number;
 use crate::{style, trace};
 use std::fmt::Write as _;
 
@@ -232,13 +233,6 @@ fn write_piece(out: &mut String, name: &str, class: &str, piece: &Piece) {
 
 fn pair(point: Point) -> String {
     format!("{},{}", number(point.x), number(point.y))
-}
-
-/// A number with two digits after the point, without trailing zeros; one hundredth of a pixel cannot be seen.
-fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let short = text.trim_end_matches('0').trim_end_matches('.');
-    if short == "-0" { "0".into() } else { short.into() }
 }
 
 fn escaped(text: &str) -> String {

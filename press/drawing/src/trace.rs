@@ -83,27 +83,59 @@ impl Trace {
 
     fn numbers(&mut self, hundredths: &[i64]) {
         for &value in hundredths {
-            let number = short(value);
-            let is_apart = number.starts_with('-') || self.is_broken && number.starts_with('.');
+            let (whole, part) = (value.unsigned_abs() / 100, value.unsigned_abs() % 100);
+            let begins_with_point = whole == 0 && part != 0 && value > 0;
+            let is_apart = value < 0 || self.is_broken && begins_with_point;
             if self.data.ends_with(|c: char| c.is_ascii_digit()) && !is_apart {
                 self.data.push(' ');
             }
-            self.is_broken = number.contains('.');
-            self.data.push_str(&number);
+            self.is_broken = part != 0;
+            push_hundredths(&mut self.data, value);
         }
     }
 }
 
-/// A number of hundredths, without zeros that say nothing.
-fn short(hundredths: i64) -> String {
-    let sign = if hundredths < 0 { "-" } else { "" };
-    let (whole, part) = (hundredths.abs() / 100, hundredths.abs() % 100);
-    let whole = if whole == 0 && part != 0 { String::new() } else { whole.to_string() };
-    let part = format!("{part:02}");
-    match part.trim_end_matches('0') {
-        "" => format!("{sign}{whole}"),
-        digits => format!("{sign}{whole}.{digits}"),
+/// Writes a number of hundredths, without zeros that say nothing. This is where most of the time of a moving picture would
+/// go if it were done by `format!`.
+fn push_hundredths(out: &mut String, hundredths: i64) {
+    if hundredths < 0 {
+        out.push('-');
     }
+    let (whole, part) = (hundredths.unsigned_abs() / 100, (hundredths.unsigned_abs() % 100) as u8);
+    if whole != 0 || part == 0 {
+        let mut digits = [0; 20];
+        let (mut rest, mut first) = (whole, digits.len());
+        loop {
+            first -= 1;
+            digits[first] = b'0' + (rest % 10) as u8;
+            rest /= 10;
+            if rest == 0 {
+                break;
+            }
+        }
+        out.extend(digits[first..].iter().map(|&digit| char::from(digit)));
+    }
+    if part != 0 {
+        out.extend(['.', char::from(b'0' + part / 10)]);
+        if part % 10 != 0 {
+            out.push(char::from(b'0' + part % 10));
+        }
+    }
+}
+
+/// A number with two digits after the point, without zeros that say nothing.
+pub(crate) fn number(value: f64) -> String {
+    let mut out = String::new();
+    let hundredths = (value * FINENESS).round() as i64;
+    if hundredths.unsigned_abs() < 100 && hundredths != 0 {
+        // With a zero before the point, as everywhere but in paths.
+        let sign = if hundredths < 0 { "-0" } else { "0" };
+        out.push_str(sign);
+        push_hundredths(&mut out, hundredths.abs());
+    } else {
+        push_hundredths(&mut out, hundredths);
+    }
+    out
 }
 
 #[cfg(test)]

@@ -23,17 +23,25 @@ pub struct Axis<'a> {
     pub is_logarithmic: bool,
     /// Its title; empty for none.
     pub title: &'a str,
+    /// Whether numbers stand at the ticks.
+    pub is_numbered: bool,
 }
 
 impl<'a> Axis<'a> {
     /// A linear axis from a value to a value, with a tick every `step`.
     pub const fn linear([from, to, step]: [f64; 3], title: &'a str) -> Self {
-        Self { from, to, step, is_logarithmic: false, title }
+        Self { from, to, step, is_logarithmic: false, title, is_numbered: true }
     }
 
     /// A logarithmic axis from a value to a value, with a tick every `decades` powers of ten.
     pub const fn log([from, to, decades]: [f64; 3], title: &'a str) -> Self {
-        Self { from, to, step: decades, is_logarithmic: true, title }
+        Self { from, to, step: decades, is_logarithmic: true, title, is_numbered: true }
+    }
+
+    /// The axis without numbers, where those of a plot below serve.
+    #[must_use]
+    pub const fn unnumbered(self) -> Self {
+        Self { is_numbered: false, ..self }
     }
 
     /// Where a value stands on the scale.
@@ -120,11 +128,17 @@ impl<'a> Graph<'a> {
         for (value, text) in x.ticks()? {
             let foot = at(left + x.part(value) * (right - left), bottom);
             self.drawing.line(foot, foot + at(0.0, TICK), Stroke::Axis, Hue::Ink);
+            if !x.is_numbered {
+                continue;
+            }
             self.drawing.label_set(foot, Side::Below, TICK + 4.0, NUMBERS, &text, Role::Text(Hue::Ink))?;
         }
         for (value, text) in y.ticks()? {
             let foot = at(left, bottom - y.part(value) * (bottom - top));
             self.drawing.line(foot, foot - at(TICK, 0.0), Stroke::Axis, Hue::Ink);
+            if !y.is_numbered {
+                continue;
+            }
             self.drawing.label_set(foot, Side::Left, TICK + 3.0, NUMBERS, &text, Role::Text(Hue::Ink))?;
         }
         for (title, is_x) in [(x.title, true), (y.title, false)] {

@@ -122,8 +122,8 @@ fn start(built: &mut Built, name: &str, tag: &StartTag<()>) {
 /// What looks like our dialect and is still there.
 fn unresolved(text: &str) -> Option<String> {
     let suspicious = [
-        "{#eq", "{#fig", "{#sec", "{#ex", "{#sol", "{#cite", "@eq:", "@fig:", "@ex:", "@sol:", "@sec:",
-        "@source:", "@cite:", "$$",
+        "{#eq", "{#fig", "{#scene", "{#sec", "{#ex", "{#sol", "{#cite", "@eq:", "@fig:", "@scene:", "@ex:",
+        "@sol:", "@sec:", "@source:", "@cite:", "$$",
     ];
     suspicious.iter().find_map(|mark| {
         let at = text.find(mark)?;

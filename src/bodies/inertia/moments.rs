@@ -45,9 +45,9 @@ impl PrincipalMoments {
         for moment in moments {
             InvalidQuantity::check_positive("principal moment", moment, UNIT)?;
         }
-        let mut sorted = moments;
-        sorted.sort_by(f64::total_cmp);
-        let [smallest, middle, largest] = sorted;
+        let [a, b, c] = moments;
+        let (smallest, largest) = (a.min(b).min(c), a.max(b).max(c));
+        let middle = a.max(b).min(a.min(b).max(c));
         let others = smallest + middle;
         let rule = Rule::NotAbove { what: "the sum of the other two", limit: others };
         let is_body = largest <= others * (1.0 + FLAT); // eq:triangle

@@ -66,6 +66,16 @@ impl Camera {
         Ok(Self { target, right, up, back, nearness, centre: view.centre, scale })
     }
 
+    /// Where a point of the world lands on the page.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for a point that is not finite or lies behind the eye.
+    pub fn on_page(&self, point: impl Into<[f64; 3]>) -> Result<Point, SpaceError> {
+        let point = finite("point", point)?;
+        self.check(point)?;
+        Ok(self.land(point))
+    }
+
     /// Where the eye is; none for an eye at infinity.
     pub(super) fn eye(&self) -> Option<Vec3> {
         (self.nearness > 0.0).then(|| self.target + self.back * (1.0 / self.nearness))

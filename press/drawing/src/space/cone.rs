@@ -2,7 +2,7 @@
 
 use super::camera::Camera;
 use super::form::{Edge, Form, Part, Patch};
-use super::ray::{Ray, Span, roots};
+use super::ray::{Ray, Span, Spans, roots};
 use super::rim::{self, steps};
 use super::track::Track;
 use super::vector::Vec3;
@@ -10,6 +10,7 @@ use crate::drawing::Shape;
 use crate::point::Point;
 use crate::role::Fill;
 use crate::simplify::{TOLERANCE, simplify};
+use arrayvec::ArrayVec;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The shell of a cone from its apex to its rim, open at the rim; or half of it.
@@ -79,17 +80,21 @@ impl Cone {
     }
 
     /// Where a ray meets the shell, in order, and whether from outside.
-    fn meets(&self, ray: &Ray) -> Vec<(f64, bool)> {
+    fn meets(&self, ray: &Ray) -> ArrayVec<(f64, bool), 2> {
         let (step, direction) = (ray.origin - self.apex, ray.direction);
         let (a, b, c) = (self.form(direction, direction), self.form(step, direction), self.form(step, step));
-        let mut meets: Vec<(f64, bool)> = roots(a, b, c)
+        let mut meets: ArrayVec<(f64, bool), 2> = roots(a, b, c)
             .into_iter()
             .filter(|&t| (0.0..=self.height()).contains(&(step + direction * t).dot(self.axis)))
             .filter(|&t| self.keeps(step + direction * t))
             // Inside the cone the form is positive, so a ray that comes from outside meets it where the form grows.
             .map(|t| (t, b + a * t > 0.0))
             .collect();
-        meets.sort_by(|first, second| first.0.total_cmp(&second.0));
+        if let [first, second] = &meets[..]
+            && first.0 > second.0
+        {
+            meets.swap(0, 1);
+        }
         meets
     }
 }
@@ -115,7 +120,7 @@ impl Form for Cone {
         height > 0.0 && height < self.height() && self.form(step, step) > 0.0
     }
 
-    fn spans(&self, ray: &Ray) -> Vec<Span> {
+    fn spans(&self, ray: &Ray) -> Spans {
         self.meets(ray).into_iter().map(|(t, _)| Span { enter: t, leave: t }).collect()
     }
 

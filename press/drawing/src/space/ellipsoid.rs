@@ -2,7 +2,7 @@
 
 use super::camera::Camera;
 use super::form::{Edge, Form, Part, Patch};
-use super::ray::{Ray, Span, below_zero};
+use super::ray::{Ray, Spans, below_zero};
 use super::rim;
 use super::track::Track;
 use super::vector::Vec3;
@@ -83,7 +83,7 @@ impl Form for Ellipsoid {
         self.shrunk(point - self.centre).square() < 1.0
     }
 
-    fn spans(&self, ray: &Ray) -> Vec<Span> {
+    fn spans(&self, ray: &Ray) -> Spans {
         let (step, slope) = (self.shrunk(ray.origin - self.centre), self.shrunk(ray.direction));
         below_zero(slope.square(), step.dot(slope), step.square() - 1.0).into_iter().collect()
     }

@@ -1,7 +1,7 @@
 //! What every solid can say of itself to those who draw it.
 
 use super::camera::Camera;
-use super::ray::{Ray, Span};
+use super::ray::{Ray, Spans};
 use super::track::Track;
 use super::vector::Vec3;
 use crate::drawing::Shape;
@@ -23,7 +23,7 @@ pub(super) trait Form {
     fn contains(&self, point: Vec3) -> bool;
 
     /// Where a ray is inside, in order.
-    fn spans(&self, ray: &Ray) -> Vec<Span>;
+    fn spans(&self, ray: &Ray) -> Spans;
 
     /// The values, at a point, of polynomials of at most second degree in the point, whose zeros hold all
     /// boundaries between what the solid hides and what it does not: its surfaces and the cones that the eye

@@ -7,10 +7,11 @@
 
 use super::camera::Camera;
 use super::form::Form;
+use super::order::put_in_order;
 use super::ray::{Ray, zeros};
 use super::track::Track;
 use super::vector::Vec3;
-use crate::point::Point;
+use crate::point::{Point, Rect};
 
 /// What lies this little behind a surface counts as lying on it, in least thicknesses of the solid.
 const SURFACE: f64 = 3e-3;
@@ -37,25 +38,60 @@ pub(super) struct Run {
     pub(super) probes: (f64, f64),
 }
 
-/// Whether a solid stands between a point and the eye. A point on its surface, or just below, is not hidden
-/// by it. No solid is behind the eye, so what is met on the way to it hides.
-pub(super) fn hides(form: &dyn Form, camera: &Camera, point: Vec3) -> bool {
-    let direction = camera.sight(point);
-    let surface = SURFACE * form.thinnest() / direction.length();
-    let spans = form.spans(&Ray { origin: point, direction });
-    spans.iter().any(|span| span.leave > surface)
+/// A solid as something that may hide lines.
+pub(super) struct Shield<'a> {
+    form: &'a dyn Form,
+    /// Whether it hides at all: a ghost does not.
+    is_solid: bool,
+    /// The part of the page that it can hide.
+    bounds: Rect,
+}
+
+impl<'a> Shield<'a> {
+    pub(super) fn new(form: &'a dyn Form, is_solid: bool, camera: &Camera) -> Self {
+        let corners = form.corners().into_iter().map(|corner| camera.land(corner));
+        Self { form, is_solid, bounds: bounds(corners).grown(1.0) }
+    }
+
+    pub(super) fn form(&self) -> &'a dyn Form {
+        self.form
+    }
+
+    pub(super) fn is_solid(&self) -> bool {
+        self.is_solid
+    }
+
+    /// Whether the solid stands between a point and the eye. A point on its surface, or just below, is not hidden by
+    /// it. No solid is behind the eye, so what is met on the way to it hides.
+    pub(super) fn hides(&self, camera: &Camera, point: Vec3) -> bool {
+        if !self.bounds.contains(camera.land(point)) {
+            return false;
+        }
+        let direction = camera.sight(point);
+        let surface = SURFACE * self.form.thinnest() / direction.length();
+        let spans = self.form.spans(&Ray { origin: point, direction });
+        spans.iter().any(|span| span.leave > surface)
+    }
+}
+
+/// The smallest rectangle that holds all points.
+fn bounds(points: impl Iterator<Item = Point>) -> Rect {
+    let nothing =
+        Rect { left: f64::INFINITY, top: f64::INFINITY, right: f64::NEG_INFINITY, bottom: f64::NEG_INFINITY };
+    points.fold(nothing, |all, Point { x, y }| all.union(&Rect { left: x, top: y, right: x, bottom: y }))
 }
 
 /// The pieces of a line, given all solids, and what hides a point of the line.
 pub(super) fn runs(
     track: &Track,
     camera: &Camera,
-    forms: &[&dyn Form],
+    shields: &[Shield<'_>],
     judge: impl Fn(Vec3) -> Sight,
 ) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
+    let mut values = [const { Vec::new() }; 3];
     for chord in 0..track.chords() {
-        let ends = breaks(track.points[chord], track.points[chord + 1], camera, forms);
+        let ends = breaks(track.points[chord], track.points[chord + 1], camera, shields, &mut values);
         for pair in ends.windows(2) {
             let middle = 0.5 * (pair[0] + pair[1]);
             let sight = judge(track.on_chord(chord, middle));
@@ -77,25 +113,33 @@ pub(super) fn runs(
     runs
 }
 
-/// The fractions of a chord at which what hides it may change, from 0 to 1, in order.
-fn breaks(start: Vec3, end: Vec3, camera: &Camera, forms: &[&dyn Form]) -> Vec<f64> {
+/// The fractions of a chord at which what hides it may change, from 0 to 1, in order. `values` is room to work in.
+fn breaks(
+    start: Vec3,
+    end: Vec3,
+    camera: &Camera,
+    shields: &[Shield<'_>],
+    values: &mut [Vec<f64>; 3],
+) -> Vec<f64> {
     let mut breaks = vec![0.0, 1.0];
     let middle = start.towards(end, 0.5);
-    for form in forms {
-        let [first, second, third] = [start, middle, end].map(|point| {
-            let mut values = Vec::new();
-            form.boundaries(camera, point, &mut values);
-            values
-        });
-        for ((first, second), third) in first.into_iter().zip(second).zip(third) {
-            breaks.extend(zeros(first, second, third));
+    let seen = bounds([start, end].into_iter().map(|point| camera.land(point)));
+    for shield in shields.iter().filter(|shield| shield.bounds.overlaps(&seen.grown(1.0))) {
+        for (values, point) in values.iter_mut().zip([start, middle, end]) {
+            values.clear();
+            shield.form.boundaries(camera, point, values);
+        }
+        for ((first, second), third) in values[0].iter().zip(&values[1]).zip(&values[2]) {
+            breaks.extend(zeros(*first, *second, *third));
         }
     }
-    breaks.sort_by(f64::total_cmp);
-    breaks.dedup_by(|later, earlier| *later - *earlier < 1e-12);
-    // Of two that nearly coincide the first stays; the end must be the end.
-    if let Some(last) = breaks.last_mut() {
-        *last = 1.0;
+    if breaks.len() > 2 {
+        put_in_order(&mut breaks, |part| *part);
+        breaks.dedup_by(|later, earlier| *later - *earlier < 1e-12);
+        // Of two that nearly coincide the first stays; the end must be the end.
+        if let Some(last) = breaks.last_mut() {
+            *last = 1.0;
+        }
     }
     breaks
 }

@@ -3,7 +3,7 @@
 use super::camera::Camera;
 use super::curve::{Curve, Hiding};
 use super::form::Form;
-use super::hide::{Run, Sight, hides, landed, length, runs};
+use super::hide::{Run, Shield, Sight, landed, length, runs};
 use super::pierce::Junction;
 use super::solid::{Edges, Solid};
 use super::track::Track;
@@ -26,8 +26,8 @@ pub(super) struct Stroked {
 /// All lines, the hidden ones apart: they are painted first.
 pub(super) struct Ink<'a> {
     camera: &'a Camera,
-    /// All solids, and whether each hides lines.
-    forms: Vec<(&'a dyn Form, bool)>,
+    /// All solids.
+    shields: Vec<Shield<'a>>,
     hidden: Vec<(Role, Shape)>,
     seen: Vec<(Role, Shape)>,
     heads: Vec<(Point, Point, f64, Hue)>,
@@ -41,26 +41,28 @@ struct Piece {
 
 impl<'a> Ink<'a> {
     pub(super) fn new(camera: &'a Camera, forms: Vec<(&'a dyn Form, bool)>) -> Self {
-        Self { camera, forms, hidden: Vec::new(), seen: Vec::new(), heads: Vec::new() }
+        let shield = |(form, is_solid): (&'a dyn Form, bool)| Shield::new(form, is_solid, camera);
+        let shields = forms.into_iter().map(shield).collect();
+        Self { camera, shields, hidden: Vec::new(), seen: Vec::new(), heads: Vec::new() }
     }
 
     /// Whether any solid stands before a point.
     pub(super) fn hidden(&self, point: Vec3) -> bool {
-        self.forms.iter().any(|&(form, solid)| solid && hides(form, self.camera, point))
+        self.shields.iter().any(|shield| shield.is_solid() && shield.hides(self.camera, point))
     }
 
     /// The edges and the outline of a solid, and the lines where it passes through others.
     pub(super) fn solid(&mut self, index: usize, solid: &Solid, junctions: &[Vec<Junction>], hue: Hue) {
         let others = |point: Vec3| {
-            let mut others = self.forms.iter().enumerate().filter(|&(other, _)| other != index);
-            others.any(|(_, &(form, solid))| solid && hides(form, self.camera, point))
+            let mut others = self.shields.iter().enumerate().filter(|&(other, _)| other != index);
+            others.any(|(_, other)| other.is_solid() && other.hides(self.camera, point))
         };
-        let (own, is_solid) = self.forms[index];
-        let all: Vec<&dyn Form> = self.forms.iter().map(|&(form, _)| form).collect();
+        let own = &self.shields[index];
+        let stroke = if own.is_solid() { Stroke::Outline } else { Stroke::Pale };
         let mut found: Vec<(Track, Vec<Run>)> = Vec::new();
-        for edge in own.edges(self.camera) {
+        for edge in own.form().edges(self.camera) {
             let judge = |point: Vec3| {
-                if !edge.outline && hides(own, self.camera, point) {
+                if !edge.outline && own.hides(self.camera, point) {
                     Sight::BehindSelf
                 } else if others(point) {
                     Sight::BehindOther
@@ -68,12 +70,12 @@ impl<'a> Ink<'a> {
                     Sight::Seen
                 }
             };
-            let runs = runs(&edge.track, self.camera, &all, judge);
+            let runs = runs(&edge.track, self.camera, &self.shields, judge);
             found.push((edge.track, runs));
         }
         for junction in junctions.iter().flatten() {
             let judge = |point: Vec3| if self.hidden(point) { Sight::BehindSelf } else { Sight::Seen };
-            let runs = runs(&junction.track, self.camera, &all, judge);
+            let runs = runs(&junction.track, self.camera, &self.shields, judge);
             found.push((junction.track.clone(), runs));
         }
         for (track, runs) in found {
@@ -81,7 +83,6 @@ impl<'a> Ink<'a> {
             let kept: Vec<Run> =
                 runs.into_iter().filter(|run| run.sight == Sight::Seen || dashed(run.sight)).collect();
             let pieces = self.pieces(&track, &kept);
-            let stroke = if is_solid { Stroke::Outline } else { Stroke::Pale };
             self.put(pieces, stroke, Stroke::Hidden, hue);
         }
     }
@@ -92,8 +93,7 @@ impl<'a> Ink<'a> {
         let judge = |point: Vec3| {
             if *hiding != Hiding::Ignored && self.hidden(point) { Sight::BehindOther } else { Sight::Seen }
         };
-        let all: Vec<&dyn Form> = self.forms.iter().map(|&(form, _)| form).collect();
-        let mut pieces = self.pieces(track, &runs(track, self.camera, &all, judge));
+        let mut pieces = self.pieces(track, &runs(track, self.camera, &self.shields, judge));
         let whole: f64 = pieces.iter().map(|piece| length(&piece.points)).sum();
         let ends = match heads {
             Heads::None => 0,

@@ -11,8 +11,10 @@ use super::form::{Form, Part, Patch};
 use crate::point::{Point, Rect, at};
 use std::cmp::Ordering;
 
-/// How many lines of sight in each direction compare two parts.
-const GRID: u32 = 24;
+/// How many lines of sight in each direction compare two parts: few at first, and many if so many of the few do not say
+/// the same.
+const GRIDS: [u32; 2] = [7, 24];
+const AGREED: u32 = 6;
 /// A pair answers both ways if the lesser answer is more than this part of the greater.
 const DOUBT: f64 = 0.02;
 
@@ -32,6 +34,8 @@ pub(super) struct Coat {
 
 struct Piece {
     body: usize,
+    /// Its place among the undivided parts, if it is one of them.
+    whole: Option<usize>,
     part: Part,
     patches: Vec<Patch>,
     bounds: Rect,
@@ -43,7 +47,15 @@ pub(super) fn coats(bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
     for (body, solid) in bodies.iter().enumerate() {
         pieces.extend(solid.parts.iter().filter_map(|part| piece(body, solid.form, part, camera)));
     }
-    let doubtful = in_doubt(&pieces, bodies, camera);
+    for (index, piece) in pieces.iter_mut().enumerate() {
+        piece.whole = Some(index);
+    }
+    let answers: Vec<Vec<(f64, f64)>> = (0..pieces.len())
+        .map(|later| {
+            (0..later).map(|earlier| in_front(&pieces[later], &pieces[earlier], bodies, camera)).collect()
+        })
+        .collect();
+    let doubtful = in_doubt(&pieces, &answers, bodies.len());
     for (body, solid) in bodies.iter().enumerate().filter(|&(body, _)| doubtful[body]) {
         let sectors = solid.form.sectors();
         if !sectors.is_empty() {
@@ -51,7 +63,7 @@ pub(super) fn coats(bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
             pieces.extend(sectors.iter().filter_map(|part| piece(body, solid.form, part, camera)));
         }
     }
-    arrange(&pieces, bodies, camera)
+    arrange(&pieces, &answers, bodies, camera)
 }
 
 fn piece(body: usize, form: &dyn Form, part: &Part, camera: &Camera) -> Option<Piece> {
@@ -60,7 +72,7 @@ fn piece(body: usize, form: &dyn Form, part: &Part, camera: &Camera) -> Option<P
     let first = points.next()?;
     let point = |point: Point| Rect { left: point.x, top: point.y, right: point.x, bottom: point.y };
     let bounds = points.fold(point(first), |bounds, next| bounds.union(&point(next)));
-    Some(Piece { body, part: part.clone(), patches, bounds })
+    Some(Piece { body, whole: None, part: part.clone(), patches, bounds })
 }
 
 /// By how much the first part is in front of the second, and the second in front of the first, summed over
@@ -74,27 +86,36 @@ fn in_front(first: &Piece, second: &Piece, bodies: &[Body<'_>], camera: &Camera)
     let top = first.bounds.top.max(second.bounds.top);
     let width = first.bounds.right.min(second.bounds.right) - left;
     let height = first.bounds.bottom.min(second.bounds.bottom) - top;
-    let part = |index: u32| (f64::from(index) + 0.5) / f64::from(GRID);
-    for row in 0..GRID {
-        for column in 0..GRID {
-            let ray = camera.ray(at(left + width * part(column), top + height * part(row)));
-            let enters = |piece: &Piece| bodies[piece.body].form.enters(&ray, &piece.part);
-            if let (Some(near), Some(far)) = (enters(first), enters(second)) {
-                sums.0 += (far - near).max(0.0);
-                sums.1 += (near - far).max(0.0);
+    for grid in GRIDS {
+        let part = |index: u32| (f64::from(index) + 0.5) / f64::from(grid);
+        sums = (0.0, 0.0);
+        let mut met = 0;
+        for row in 0..grid {
+            for column in 0..grid {
+                let ray = camera.ray(at(left + width * part(column), top + height * part(row)));
+                let enters = |piece: &Piece| bodies[piece.body].form.enters(&ray, &piece.part);
+                if let Some(near) = enters(first)
+                    && let Some(far) = enters(second)
+                {
+                    met += 1;
+                    sums.0 += (far - near).max(0.0);
+                    sums.1 += (near - far).max(0.0);
+                }
             }
+        }
+        if met >= AGREED && (sums.0 == 0.0) != (sums.1 == 0.0) {
+            break;
         }
     }
     sums
 }
 
 /// The solids that are partly before and partly behind another.
-fn in_doubt(pieces: &[Piece], bodies: &[Body<'_>], camera: &Camera) -> Vec<bool> {
-    let mut doubtful = vec![false; bodies.len()];
-    for (index, first) in pieces.iter().enumerate() {
-        for second in pieces[..index].iter().filter(|second| second.body != first.body) {
-            let (before, behind) = in_front(first, second, bodies, camera);
-            if before.min(behind) > DOUBT * before.max(behind) {
+fn in_doubt(pieces: &[Piece], answers: &[Vec<(f64, f64)>], count: usize) -> Vec<bool> {
+    let mut doubtful = vec![false; count];
+    for (first, answers) in pieces.iter().zip(answers) {
+        for (second, &(before, behind)) in pieces.iter().zip(answers) {
+            if second.body != first.body && before.min(behind) > DOUBT * before.max(behind) {
                 doubtful[first.body] = true;
                 doubtful[second.body] = true;
             }
@@ -103,13 +124,28 @@ fn in_doubt(pieces: &[Piece], bodies: &[Body<'_>], camera: &Camera) -> Vec<bool>
     doubtful
 }
 
+/// Sorts a few things by a measure. The sorting of the standard library, made for thousands, would be a sixth of the
+/// module that the pages load.
+pub(super) fn put_in_order<T>(things: &mut [T], measure: impl Fn(&T) -> f64) {
+    for end in 1..things.len() {
+        let mut place = end;
+        while place > 0 && measure(&things[place]) < measure(&things[place - 1]) {
+            things.swap(place, place - 1);
+            place -= 1;
+        }
+    }
+}
+
 /// Paints first what nothing unpainted is behind, and among such pieces the furthest.
-fn arrange(pieces: &[Piece], bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
+fn arrange(pieces: &[Piece], answers: &[Vec<(f64, f64)>], bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
     let count = pieces.len();
     let mut behind = vec![vec![false; count]; count];
     for later in 0..count {
         for earlier in 0..later {
-            let (before, after) = in_front(&pieces[later], &pieces[earlier], bodies, camera);
+            let (before, after) = match (pieces[later].whole, pieces[earlier].whole) {
+                (Some(one), Some(other)) => answers[one][other],
+                _ => in_front(&pieces[later], &pieces[earlier], bodies, camera),
+            };
             behind[later][earlier] = before > after;
             behind[earlier][later] = after > before;
         }

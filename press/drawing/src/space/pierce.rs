@@ -1,6 +1,7 @@
 //! Rods that pierce other solids: the lines where they enter and leave, and what of them stands outside.
 
 use super::form::{Belt, Form, Part};
+use super::order::put_in_order;
 use super::ray::Ray;
 use super::track::{CHORDS, Track};
 use super::tube::Tube;
@@ -79,7 +80,7 @@ pub(super) fn parts(pierced: &[Vec<Junction>]) -> Vec<Part> {
         return vec![Part::Whole];
     }
     let height = |junction: &Junction| junction.belt.0.iter().sum::<f64>();
-    ends.sort_by(|first, second| height(first).total_cmp(&height(second)));
+    put_in_order(&mut ends, |junction| height(junction));
     let mut parts = Vec::new();
     let mut low = None;
     for junction in ends {

@@ -1,6 +1,7 @@
 //! Lines in space, as points with what lies between them.
 
 use super::vector::Vec3;
+use arrayvec::ArrayVec;
 use std::f64::consts::TAU;
 
 /// Into how many chords a full turn is divided.
@@ -75,7 +76,8 @@ impl Track {
         }
         let nearest = self.neighbours(chord);
         let step = (to - from).length();
-        let mut knots = vec![0.0; nearest.len()];
+        let mut knots = [0.0; 4];
+        let knots = &mut knots[..nearest.len()];
         for index in 1..nearest.len() {
             knots[index] = knots[index - 1] + (nearest[index].0 - nearest[index - 1].0).length();
         }
@@ -94,7 +96,7 @@ impl Track {
     }
 
     /// Up to four points about a chord, in order; the one where the chord begins is marked.
-    fn neighbours(&self, chord: usize) -> Vec<(Vec3, bool)> {
+    fn neighbours(&self, chord: usize) -> ArrayVec<(Vec3, bool), 4> {
         let chords = self.chords();
         let marked = |index: usize| (self.points[index], index == chord);
         if self.closed() {

@@ -2,7 +2,7 @@
 
 use super::camera::Camera;
 use super::form::{Edge, Form, Part, Patch};
-use super::ray::{Ray, Span, below_zero, slab};
+use super::ray::{Ray, Spans, below_zero, slab};
 use super::rim::{self, common_arcs, steps};
 use super::track::Track;
 use super::vector::Vec3;
@@ -152,14 +152,14 @@ impl Form for Tube {
         height < self.half && radius < self.outer && radius > self.inner
     }
 
-    fn spans(&self, ray: &Ray) -> Vec<Span> {
+    fn spans(&self, ray: &Ray) -> Spans {
         let (step, direction) = (ray.origin - self.centre, ray.direction);
         let (level, slope) = (step.across(self.axis), direction.across(self.axis));
         let within =
             |radius: f64| below_zero(slope.square(), level.dot(slope), level.square() - radius * radius);
         let ends = slab(step.dot(self.axis), direction.dot(self.axis), self.half);
-        let Some(span) = ends.and_then(|ends| ends.common(within(self.outer)?)) else { return Vec::new() };
-        if self.inner > 0.0 { span.without(within(self.inner)) } else { vec![span] }
+        let Some(span) = ends.and_then(|ends| ends.common(within(self.outer)?)) else { return Spans::new() };
+        if self.inner > 0.0 { span.without(within(self.inner)) } else { Spans::from_iter([span]) }
     }
 
     fn boundaries(&self, camera: &Camera, point: Vec3, values: &mut Vec<f64>) {

@@ -30,8 +30,7 @@ impl Vec3 {
     }
 
     pub(super) fn length(self) -> f64 {
-        let [x, y, z] = self.0;
-        x.hypot(y).hypot(z)
+        self.square().sqrt()
     }
 
     /// The vector of length 1 in this direction; none if the vector has no length.

@@ -1,0 +1,507 @@
+// Live scenes. The library that computes and draws them is a WebAssembly module; this script carries numbers in and
+// pictures out, and knows nothing of any one scene.
+//
+//   1 the module   2 the picture   3 the controls   4 a scene   5 hands on the picture   6 the beginning, and links
+//
+// The page holds a still of each scene, which stays if anything here fails. A scene wakes when it is nearly on screen
+// and sleeps off it: no frame is asked for then. Nothing is remembered but the values of the controls, the time and the
+// view; the module has the whole motion for given settings, so any moment can be drawn at once.
+(() => {
+"use strict";
+
+// 1 — The module
+
+/** What the library says of settings to which it has no answer, in words for the reader. */
+class Trouble extends Error {}
+
+/** Loads a packed module from below the root of the site: a script that calls `spin`, as `fetch` fails on file://. */
+const load = (address) => new Promise((done, fail) => {
+  window.spin = done;
+  const script = document.createElement("script");
+  script.src = path_to_root + address;
+  script.onload = () => fail(new Error(`${address} holds no module`)); // unless it has called `spin`
+  script.onerror = () => fail(new Error(`${address} cannot be read`));
+  document.head.append(script);
+});
+
+const unpack = async (packed) => {
+  const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+};
+
+/** Compiled modules, by their addresses. */
+const modules = new Map();
+
+/** An instance of the module. Numbers go in, texts come out; a length below zero is that of an error. */
+class Machine {
+  static async at(address) {
+    if (!modules.has(address)) modules.set(address, load(address).then(unpack));
+    const machine = new Machine();
+    machine.run = (await WebAssembly.instantiate(await modules.get(address), {})).exports;
+    return machine;
+  }
+  /** The places of the first numbers of the input. Any call may move the memory, so they are looked up each time. */
+  numbers(count) {
+    return new Float64Array(this.run.memory.buffer, this.run.input(), count);
+  }
+  /** The text that a call has left. */
+  text(length) {
+    const bytes = new Uint8Array(this.run.memory.buffer, this.run.text(), Math.abs(length));
+    const text = new TextDecoder().decode(bytes);
+    if (length < 0) throw new Trouble(text);
+    return text;
+  }
+  /** Why it failed, as the program itself said if it gave up. */
+  cause(error) {
+    try {
+      return error instanceof WebAssembly.RuntimeError ? this.text(this.run.last_words()) : error.message;
+    } catch {
+      return error.message; // it has no last words
+    }
+  }
+}
+
+const within = (value, least, most) => Math.min(Math.max(value, least), most);
+const calm = matchMedia("(prefers-reduced-motion: reduce)");
+
+// 2 — The picture
+
+const ELEMENT = /^<(\w+)((?: [\w-]+="[^"&]*")*)(?:\/>|>([^<&]*)<\/\1>)$/;
+const ATTRIBUTE = / ([\w-]+)="([^"]*)"/g;
+const CHILD = /<(?!g)(\w+)[^>]*?(?:\/>|>[^<]*<\/\1>)/g;
+
+/** Gives a node the attributes and words of a line, if the line is an element of the same shape. */
+function patched(node, line) {
+  if (line.startsWith("<g>") && node.localName === "g") {
+    const lines = line.match(CHILD) ?? [];
+    const { children } = node;
+    return lines.length === children.length && lines.every((child, index) => patched(children[index], child));
+  }
+  const [, tag, attributes, words] = ELEMENT.exec(line) ?? [];
+  if (tag !== node.localName) return false;
+  let count = 0;
+  for (const [, name, value] of attributes.matchAll(ATTRIBUTE)) {
+    if (node.getAttribute(name) !== value) node.setAttribute(name, value);
+    count += 1;
+  }
+  if (words !== undefined && node.textContent !== words) node.textContent = words;
+  return count === node.attributes.length;
+}
+
+/** An SVG of the page: its still, and the nodes that take its place, one for each line of the module's drawing. */
+class Picture {
+  #lines = [];
+  #nodes = [];
+  #isLive = false;
+
+  constructor(svg) {
+    this.svg = svg;
+    this.still = [...svg.childNodes];
+    this.words = this.still.filter((node) => ["title", "desc"].includes(node.localName));
+  }
+  draw(text) {
+    if (!this.#isLive) this.svg.replaceChildren(...this.words, ...this.#nodes);
+    this.#isLive = true;
+    const lines = text.trimEnd().split("\n");
+    lines.forEach((line, index) => {
+      const node = this.#nodes[index];
+      if (line === this.#lines[index] || (node && patched(node, line))) return;
+      const holder = document.createElementNS("http://www.w3.org/2000/svg", "g");
+      holder.innerHTML = line;
+      this.#nodes[index] = holder.firstChild;
+      if (node) node.replaceWith(holder.firstChild);
+      else this.svg.append(holder.firstChild);
+    });
+    this.#nodes.splice(lines.length).forEach((node) => node.remove());
+    this.#lines = lines;
+  }
+  /** Puts the still back. */
+  rest() {
+    if (this.#isLive) this.svg.replaceChildren(...this.still);
+    this.#isLive = false;
+  }
+}
+
+// 3 — The controls
+
+/** A number as a reader writes it, with a true minus (and none before a zero) and its unit. */
+function written(value, digits, unit = "") {
+  const text = value.toFixed(within(digits, 0, 15));
+  return text.replace("-", Number(text) === 0 ? "" : "−") + (/^°?$/.test(unit) ? "" : "\u00a0") + unit;
+}
+
+/** A control: its name, its value at the start and now, and the elements that change it. */
+function control(name, elements) {
+  const [first] = elements;
+  const { type, step, dataset, defaultValue } = first;
+  const isLog = "log" in dataset; // a slider over powers of ten, with values of three digits
+  const output = first.parentElement.querySelector("output");
+  let pressed = -1; // the time at which a button was pressed
+  const [get, set] = {
+    range: [
+      () => (isLog ? Number((10 ** first.valueAsNumber).toPrecision(3)) : first.valueAsNumber),
+      (value) => (first.value = isLog ? Math.log10(value) : value),
+    ],
+    radio: [() => elements.findIndex((radio) => radio.checked), (place) => elements[place] && (elements[place].checked = true)],
+    checkbox: [() => Number(first.checked), (isOn) => (first.checked = isOn !== 0)],
+    button: [() => pressed, (time) => (pressed = time)],
+  }[type];
+  const show = () => {
+    if (type !== "range") return;
+    const digits = isLog ? 2 - Math.floor(Math.log10(get())) : (step.split(".")[1] ?? "").length;
+    const text = written(get(), digits, dataset.unit ?? "°");
+    if (output) output.textContent = text;
+    first.setAttribute("aria-valuetext", text);
+  };
+  // A page that is loaded again begins anew, whatever the browser remembers.
+  for (const radio of elements) if ("defaultChecked" in radio) radio.checked = radio.defaultChecked;
+  if (type === "range") first.value = defaultValue;
+  show();
+  const own = { name, elements, show, isButton: type === "button", start: get() };
+  return Object.defineProperty(own, "value", { get, set: (value) => [set(value), show()] });
+}
+
+/** The controls below a selector, in the order in which the module takes their values. */
+function controlsIn(figure, selector) {
+  const groups = new Map();
+  for (const element of figure.querySelectorAll(`${selector} :is([name], [data-name])`)) {
+    const name = element.dataset.name ?? element.name;
+    groups.set(name, [...(groups.get(name) ?? []), element]);
+  }
+  return [...groups].map(([name, elements]) => control(name, elements));
+}
+
+// 4 — A scene
+
+class Scene {
+  #frame = 0; // that is asked for
+  #before = null; // when the frame before was drawn, if it plays
+  #isChanged = true; // since the module computed the motion
+  #isAtStill = true; // at the moment of the still: it plays from the beginning
+  #isOnScreen = false;
+  #shown = []; // readings
+  isPlaying = false;
+  hasFailed = false;
+
+  constructor(figure) {
+    const find = (selector) => figure.querySelector(selector);
+    this.figure = figure;
+    this.pictures = [...figure.querySelectorAll(".drawing > svg")].map((svg) => new Picture(svg));
+    this.controls = controlsIn(figure, ".controls");
+    this.view = controlsIn(figure, ".view");
+    this.angles = this.view.map(({ start }) => start);
+    [this.drawing, this.play, this.time, this.clock, this.says] =
+      [".drawing", ".play", ".time", ".clock", ".says"].map(find);
+    this.readings = [...figure.querySelectorAll(".readings dd")];
+    this.still = Number(this.time.defaultValue);
+    [this.now, this.duration, this.pace] = [this.still, Infinity, 1];
+  }
+
+  /** Loads the library, draws the first moment and begins to listen. */
+  async wake() {
+    try {
+      this.machine = await Machine.at(this.figure.dataset.module);
+    } catch (error) {
+      return this.fail(error);
+    }
+    this.#show();
+    if (this.hasFailed) return undefined;
+    this.figure.classList.add("awake");
+    this.#listen();
+    hands(this);
+    return this.follow();
+  }
+
+  /** Gives the still back, for good. */
+  fail(error) {
+    this.hasFailed = true;
+    this.isPlaying = false;
+    cancelAnimationFrame(this.#frame);
+    console.warn(`${this.figure.id}: ${this.machine?.cause(error) ?? error.message}`);
+    for (const picture of this.pictures) picture.rest();
+    this.figure.classList.remove("awake");
+    this.figure.classList.add("failed");
+    this.#say("This picture cannot move here: its program did not run. The text does not need it.", true);
+  }
+
+  /** Computes the motion for the present settings. */
+  #begin() {
+    const { run } = this.machine;
+    const values = this.controls.map(({ value }) => value);
+    this.machine.numbers(values.length).set(values);
+    this.machine.text(run.start(Number(this.figure.dataset.scene), values.length));
+    this.#isChanged = false;
+    [this.duration, this.pace, this.repeats] = [run.duration(), run.pace(), run.repeats() !== 0];
+    this.time.max = this.duration;
+    this.digits = Math.ceil(0.7 - Math.log10(this.pace)); // of the clock: one can see them change
+  }
+
+  /** Draws the present moment, in the picture for the page or for the phone, and writes what is beside it. */
+  #draw() {
+    const { machine, now, pictures } = this;
+    const picture = pictures.find(({ svg }) => svg.getClientRects().length > 0) ?? pictures[0];
+    const [azimuth, elevation] = this.angles.map((angle) => (angle * Math.PI) / 180);
+    const isNarrow = picture.svg.classList.contains("narrow");
+    picture.draw(machine.text(machine.run.draw(now, azimuth ?? 0, elevation ?? 0, isNarrow)));
+    const values = machine.text(machine.run.readings(now)).split("\n");
+    this.readings.forEach((place, index) => {
+      if (this.#shown[index] !== values[index]) place.innerHTML = values[index];
+    });
+    this.#shown = values;
+    this.time.value = now;
+    this.clock.textContent = written(now, this.digits, "s");
+    if (!this.isPlaying) this.time.setAttribute("aria-valuetext", this.clock.textContent);
+  }
+
+  /** Asks for one frame. */
+  ask() {
+    if (this.machine && !this.hasFailed) this.#frame ||= requestAnimationFrame((moment) => this.#show(moment));
+  }
+
+  /** A frame: takes in what the reader has changed, lets time pass, draws, and asks for the next if it plays. */
+  #show(moment) {
+    this.#frame = 0;
+    try {
+      this.drag?.();
+      const hasChanged = this.#isChanged;
+      if (hasChanged) this.#begin();
+      if (this.isPlaying) this.#advance(moment);
+      this.now = within(this.now, 0, this.duration);
+      this.#draw();
+      if (hasChanged || !this.isPlaying) this.#say(this.machine.text(this.machine.run.words(this.now)), false);
+    } catch (error) {
+      if (!(error instanceof Trouble)) return this.fail(error);
+      this.#say(error.message, true); // and the last picture stays
+    }
+    if (this.isPlaying && this.#isOnScreen && !this.#isChanged) this.ask();
+    return undefined;
+  }
+  #advance(moment) {
+    this.now += (within(moment - (this.#before ?? moment), 0, 100) / 1000) * this.pace;
+    this.#before = moment;
+    if (this.now < this.duration) return;
+    if (this.repeats) this.now %= this.duration;
+    else this.#setPlaying(false);
+  }
+  /** What is read aloud to those who cannot see: nothing while it stays the same. */
+  #say(words, isTrouble) {
+    if (this.says.textContent !== words) this.says.textContent = words;
+    this.says.classList.toggle("trouble", isTrouble);
+    this.figure.classList.toggle("pale", isTrouble && !this.hasFailed);
+  }
+
+  /** Settings have changed; they take effect in the next frame, however often they change until then. */
+  change() {
+    this.#isChanged = true;
+    this.ask();
+  }
+  /** Plays on; from the beginning if it stands at its end, or still at the moment of the still. */
+  start() {
+    if (this.#isAtStill || this.now >= this.duration) this.now = 0;
+    this.#setPlaying(true);
+  }
+  #setPlaying(isPlaying) {
+    this.#isAtStill = false;
+    this.isPlaying = isPlaying;
+    this.#before = null;
+    this.play.textContent = isPlaying ? "Pause" : "Play";
+    this.ask();
+  }
+  /** Goes to a moment, and stays there. */
+  seek(time) {
+    this.now = time;
+    this.#setPlaying(false);
+  }
+  /** A button of the scene is pressed now, and the motion goes on from there. */
+  press(button) {
+    button.value = this.now;
+    this.#setPlaying(true);
+    this.change();
+  }
+  /** Sets controls and the view by name, the other controls (if `isAll`) to their starts. It begins anew if no time is named. */
+  set(settings, isAll) {
+    const number = (name) => (settings.get(name) ? Number(settings.get(name)) : NaN);
+    for (const control of this.controls) {
+      if (Number.isFinite(number(control.name))) control.value = number(control.name);
+      else if (isAll) control.value = control.start;
+    }
+    this.look((angle, { name }) => (Number.isFinite(number(name)) ? number(name) : angle));
+    this.change();
+    this.#isAtStill = true;
+    if (Number.isFinite(number("t"))) this.seek(number("t"));
+    else if (!calm.matches || this.isPlaying) this.start();
+    else this.now = this.still;
+  }
+  /** Changes the angles of the view, in degrees. */
+  look(to) {
+    this.angles = this.view.map((control, index) => {
+      control.value = to(this.angles[index], control);
+      return control.value;
+    });
+    this.ask();
+  }
+  /** The address of the present settings, time and view. */
+  address() {
+    const changed = [...this.controls, ...this.view].filter(({ value, start }) => value !== start);
+    const settings = [...changed, { name: "t", value: this.now }];
+    return `#${this.figure.id}?` + settings.map(({ name, value }) => `${name}=${+value.toPrecision(6)}`).join("&");
+  }
+  /** Does what the page's address says, if it is of this scene. */
+  follow() {
+    const target = addressed(location.hash);
+    if (target?.figure === this.figure && this.machine && !this.hasFailed) this.set(target.settings, false);
+  }
+
+  #listen() {
+    const { figure } = this;
+    const on = (selector, events, act) => {
+      for (const element of figure.querySelectorAll(selector)) {
+        for (const event of events.split(" ")) element.addEventListener(event, () => act(element));
+      }
+    };
+    on(".play", "click", () => (this.isPlaying ? this.#setPlaying(false) : this.start()));
+    on(".step", "click", () => this.seek(this.now + this.pace / 10));
+    on(".time", "input", (time) => this.seek(time.valueAsNumber));
+    on(".reset", "click", () => {
+      this.look((_, { start }) => start);
+      this.set(new Map(), true);
+    });
+    on(".presets [data-set]", "click", (preset) => this.set(new URLSearchParams(preset.dataset.set), true));
+    // Before the link is followed, or copied.
+    on(".share a", "pointerdown focus keydown", (link) => (link.href = this.address()));
+    for (const control of this.controls) {
+      for (const element of control.elements) {
+        if (control.isButton) element.addEventListener("click", () => this.press(control));
+        else element.addEventListener("input", () => this.change(control.show()));
+      }
+    }
+    on(".view input", "input", () => this.look((_, { value }) => value));
+    // The arrow keys belong to the slider that has them, and not to the book, whose pages they would turn.
+    figure.addEventListener("keydown", (event) => {
+      if (event.target.matches("input") && /^(Arrow|Home|End|Page)/.test(event.key)) event.stopPropagation();
+    });
+    new ResizeObserver(() => this.ask()).observe(this.drawing);
+    let isNew = true;
+    new IntersectionObserver(([{ isIntersecting, intersectionRatio, intersectionRect }]) => {
+      this.#isOnScreen = isIntersecting;
+      this.#before = null;
+      if (isNew && (intersectionRatio >= 0.5 || intersectionRect.height >= innerHeight / 2)) {
+        isNew = false;
+        if (!calm.matches && this.#isAtStill) this.start();
+      }
+      if (this.isPlaying && isIntersecting) this.ask();
+    }, { threshold: [0, 0.5] }).observe(this.drawing);
+    // Paper has the still.
+    addEventListener("beforeprint", () => this.pictures.forEach((picture) => picture.rest()));
+    addEventListener("afterprint", () => this.ask());
+  }
+}
+
+// 5 — Hands on the picture: they draw its grips, and turn the view
+
+function hands(scene) {
+  const { drawing, machine, view } = scene;
+  let held = null; // a grip, or the view
+  for (const { svg } of scene.pictures) {
+    const on = (events, act) => {
+      const guarded = (event) => {
+        try {
+          if (!scene.hasFailed) act(event);
+        } catch (error) {
+          scene.fail(error);
+        }
+      };
+      for (const name of events.split(" ")) svg.addEventListener(name, guarded, { passive: false });
+    };
+    const matrix = () => svg.getScreenCTM();
+    const place = ({ clientX, clientY }) => new DOMPoint(clientX, clientY).matrixTransform(matrix().inverse());
+    const gripAt = (event, reach) => { // px of the screen
+      const { x, y } = place(event);
+      return machine.run.grip(x, y, reach / matrix().a);
+    };
+    const reach = ({ pointerType }) => (pointerType === "mouse" ? 12 : 24);
+    svg.style.touchAction = view.length > 0 ? "pan-y" : ""; // up and down a finger moves the page,
+    on("touchstart", (event) => { // unless it is on a grip
+      if (event.touches.length === 1 && gripAt(event.touches[0], 24) >= 0) event.preventDefault();
+    });
+    on("pointerdown", (event) => {
+      const grip = gripAt(event, reach(event));
+      if (!event.isPrimary || event.button !== 0 || (grip < 0 && view.length === 0)) return;
+      held = { grip, at: place(event), angles: scene.angles, width: svg.viewBox.baseVal.width };
+      svg.setPointerCapture(event.pointerId);
+      drawing.style.cursor = "grabbing";
+    });
+    on("pointermove", (event) => {
+      if (held) {
+        const [to, from] = [place(event), held];
+        scene.drag = () => {
+          scene.drag = null;
+          if (from.grip < 0) turn(from, to);
+          else pull(from.grip, to);
+        };
+        scene.ask();
+      } else if (event.pointerType === "mouse") {
+        drawing.style.cursor = view.length > 0 || gripAt(event, reach(event)) >= 0 ? "grab" : "";
+      }
+    });
+    on("pointerup pointercancel", () => {
+      held = null;
+      drawing.style.cursor = "";
+    });
+    on("mousedown", (event) => held && event.preventDefault()); // no words are selected meanwhile
+  }
+  /** The eye goes all the way round, and not over the top. */
+  const turn = ({ at, angles, width }, { x, y }) => {
+    const azimuth = angles[0] - ((x - at.x) / width) * 180;
+    const elevation = angles[1] + ((y - at.y) / width) * 180;
+    const turned = { azimuth: azimuth - 360 * Math.floor((azimuth + 180) / 360), elevation };
+    scene.look((_, { name }) => turned[name]); // a slider keeps to its ends
+  };
+  /** The controls take the values at which the grip is where the hand has drawn it. */
+  const pull = (grip, { x, y }) => {
+    const values = [...machine.numbers(machine.run.drag(grip, x, y))];
+    values.forEach((value, index) => (scene.controls[index].value = value));
+    if (values.length > 0) scene.change();
+  };
+}
+
+// 6 — The beginning, and links
+
+/** The figure and the settings in an address like `#scene-turning?spin=3&t=1.2`. */
+function addressed(hash) {
+  const [, id, settings] = /^#(scene-[\w-]+)\?(.*)$/.exec(hash) ?? [];
+  const figure = id && document.getElementById(id);
+  return figure && { figure, settings: new URLSearchParams(settings) };
+}
+
+/** Does something when an element is nearly on screen. */
+function whenNear(element, act) {
+  const watch = new IntersectionObserver((entries) => {
+    if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+    watch.disconnect();
+    act();
+  }, { rootMargin: "100% 0px" });
+  watch.observe(element);
+}
+
+const scenes = [...document.querySelectorAll("figure.scene[data-module]")].map((figure) => new Scene(figure));
+for (const scene of scenes) whenNear(scene.figure, () => scene.wake());
+
+/** Goes to the scene that the page's address names: the eye, and with it the place from which the Tab key goes on. */
+function visit() {
+  const target = addressed(location.hash);
+  if (!target) return;
+  target.figure.tabIndex = -1;
+  target.figure.focus({ preventScroll: true });
+  target.figure.scrollIntoView();
+  for (const scene of scenes) scene.follow();
+}
+visit();
+addEventListener("hashchange", visit);
+// A link that is followed again changes no address.
+document.addEventListener("click", ({ target }) => {
+  const link = target.closest?.("a[href]");
+  if (link && link.href === location.href) visit();
+});
+})();
