@@ -51,7 +51,19 @@ fn value(value: &Value<'_>) -> String {
     let Value { code, numbers, unit } = value;
     let gap = if unit.is_empty() { "" } else { "\u{a0}" };
     let (code, unit) = (escaped(code), escaped(unit));
-    format!("<div><dt><code>{code}</code></dt><dd><output>{numbers}</output>{gap}{unit}</dd></div>\n")
+    format!(
+        "<div><dt><code>{code}</code></dt><dd><output data-value=\"{numbers}\">{}</output>{gap}{unit}</dd></div>\n",
+        pretty(numbers)
+    )
+}
+
+/// Numbers in the page's form: a true minus, and powers of ten.
+fn pretty(numbers: &str) -> String {
+    let one = |number: &str| match number.split_once('e') {
+        Some((digits, power)) => format!("{digits}\u{202f}×\u{202f}10<sup>{power}</sup>"),
+        None => number.to_owned(),
+    };
+    numbers.split(", ").map(one).collect::<Vec<_>>().join(", ").replace('-', "−")
 }
 
 /// How many digits a number has behind its point.
