@@ -181,12 +181,22 @@ fn words(lines: &[&str], at: usize) -> String {
     let end = (at..lines.len())
         .find(|n| lines[*n].split("//").next().unwrap_or_default().trim_end().ends_with(");"));
     if let Some((_, words)) = end.and_then(|end| lines[end].split_once("//")) {
-        return words.trim().to_owned();
+        return clause(words.trim());
     }
     let above = lines[..at].iter().rev().map(|line| line.trim_start());
     let mut above: Vec<&str> = above.map_while(|line| line.strip_prefix("//")).map(str::trim).collect();
     above.reverse();
-    above.join(" ")
+    clause(&above.join(" "))
+}
+
+/// A sentence as it stands behind a colon: no capital, but of a single letter or a name in capitals, and no full stop.
+fn clause(sentence: &str) -> String {
+    let sentence = sentence.trim_end_matches('.');
+    let mut letters = sentence.chars();
+    match (letters.next(), letters.clone().next()) {
+        (Some(first), Some(second)) if second.is_lowercase() => first.to_lowercase().chain(letters).collect(),
+        _ => sentence.to_owned(),
+    }
 }
 
 /// The snippets of a page that have live numbers: the line of each fence, counted from one, and the code.
@@ -272,8 +282,8 @@ mod tests {
         "let count = 4; // live: 1..9",
         "f(spin, tilt); // → 4.317 rad/s, twice",
         "assert!(f(spin, tilt) > 4.0); // it is fast",
-        "// eq:x holds,",
-        "// nearly",
+        "// Equation eq:x holds,",
+        "// nearly.",
         "for n in 0..count { assert_eq!(n, n); assert_relative_eq!(1.0, g(n)); }",
     ];
 
@@ -295,7 +305,10 @@ mod tests {
             ]
         );
         assert_eq!(found.values, [Value { code: "f(spin, tilt)", numbers: "4.317", unit: "rad/s" }]);
-        assert_eq!(found.checks, ["it is fast", "eq:x holds, nearly", "eq:x holds, nearly"]);
+        assert_eq!(
+            found.checks,
+            ["it is fast", "equation eq:x holds, nearly", "equation eq:x holds, nearly"]
+        );
     }
 
     #[test]
@@ -307,7 +320,7 @@ mod tests {
             body(&found[0].1),
             "use x::f;\nlet spin = live[0];\nlet tilt = live[1].to_radians();\nlet count = live[2] as _;\n \
              record::printed(0, &(f(spin, tilt)), \"4.317\");\nassert!(0; f(spin, tilt) > 4.0); // it is fast\n\
-             // eq:x holds,\n// nearly\n\
+             // Equation eq:x holds,\n// nearly.\n\
              for n in 0..count { assert_eq!(1; n, n); assert_relative_eq!(2; 1.0, g(n)); }\n\
              Ok::<(), std::convert::Infallible>(())\n"
         );
@@ -317,7 +330,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_is_nice_and_a_hidden_line_is_no_fence() {
+    fn a_step_is_nice() {
         for (range, whole, step) in
             [(60.0, false, 0.5), (1.0, false, 0.005), (9.0, true, 1.0), (400.0, false, 2.0)]
         {

@@ -72,8 +72,8 @@
 //!   paragraph of words, or hangs on a heading or another note;
 //! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
 //! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
-//!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, text
-//!   indented into a code block;
+//!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, a
+//!   live number without a range that holds it, or to which nothing answers, text indented into a code block;
 //! - exercises without hint or solution;
 //! - tables without a caption, or with a column that has no name, or in a list; a caption of no table;
 //! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are

@@ -37,12 +37,13 @@ pub(crate) fn panel(answers: &Answers<'_>, snippet: usize) -> String {
 fn field(live: &Live<'_>, id: &str) -> String {
     let Live { name, literal, least, most, step, unit, .. } = live;
     let decimals = decimals(literal).max(decimals(&step.to_string()));
-    let (gap, comma) = if unit.is_empty() { ("", "") } else { ("\u{a0}", ", ") };
+    let comma = if unit.is_empty() { "" } else { ", " };
     let unit = escaped(unit);
     let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{literal}\"");
     format!(
         "<div class=\"number\"><label for=\"{id}\"><code>{name}</code></label><span><input type=\"number\" id=\"{id}\" \
-         inputmode=\"decimal\" data-name=\"{name}\" data-decimals=\"{decimals}\" {range}>{gap}{unit}</span>\
+         inputmode=\"decimal\" data-name=\"{name}\" data-decimals=\"{decimals}\" {range}>\
+         <span class=\"unit\">{unit}</span></span>\
          <input type=\"range\" {range} aria-label=\"{name}{comma}{unit}\"></div>\n"
     )
 }
