@@ -7,7 +7,7 @@ use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::{Body, Cylinder};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::space_station::{Blow, Parameters, Station, StruckStation};
+use mechanics::scenes::space_station::{Blow, LaterBlow, Parameters, Station, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
 use printed::corrected_holds_and_printed_fails;
 use std::f64::consts::TAU;
@@ -254,4 +254,36 @@ fn solid_stations_nod_at_their_own_rate() {
         0.5 / (0.25 + 100.0 / 12.0),
         max_relative = 1e-9
     );
+}
+
+/// In the room a later blow adds `r × P` to the angular momentum, and turns nothing while it strikes.
+#[test]
+fn a_later_blow_adds_its_moment() {
+    let mut random = fastrand::Rng::with_seed(17);
+    let (mass, radius, _) = RING;
+    let moments = Body::hoop(mass, radius).expect("a ring").moments();
+    for _ in 0..100 {
+        let struck = struck(4e6 * random.f64());
+        let (time, azimuth) = (100.0 * random.f64(), TAU * random.f64());
+        let blow = Blow { radius: radius * random.f64(), impulse: 4e6 * (random.f64() - 0.5) };
+        let before = struck.at(time).expect("a time");
+        let top = struck.struck_again(LaterBlow { time, azimuth, blow }).expect("a blow");
+        let after = top.start();
+        assert_eq!(after.world_from_body, before.world_from_body);
+        // Axis 2 turned about axis 3.
+        let arm = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), azimuth) * Vector3::y() * blow.radius;
+        let arm = before.world_from_body * arm;
+        let twist = arm.cross(&(before.axis_3_world() * blow.impulse));
+        let gained = after.angular_momentum_world(&moments) - before.angular_momentum_world(&moments);
+        assert_relative_eq!(gained, twist, epsilon = ROUNDING * struck.angular_momentum_world().norm());
+    }
+    let blow = Blow { radius, impulse: 1e6 };
+    for bad in [
+        LaterBlow { time: f64::NAN, azimuth: 0.0, blow },
+        LaterBlow { time: 1.0, azimuth: f64::INFINITY, blow },
+        LaterBlow { time: 1.0, azimuth: 0.0, blow: Blow { radius: -1.0, ..blow } },
+        LaterBlow { time: 1.0, azimuth: 0.0, blow: Blow { impulse: f64::NAN, ..blow } },
+    ] {
+        assert!(struck(1e6).struck_again(bad).is_err(), "{bad:?}");
+    }
 }

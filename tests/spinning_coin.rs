@@ -135,14 +135,42 @@ fn the_reference_disc_is_met() {
     assert_relative_eq!(fast.turn_rate(), value("Omega_Mach1"), max_relative = 1e-13);
 }
 
+/// The way down by a loss in proportion to α^{−p} that takes a hundred seconds.
+fn for_a_hundred_seconds(start: SpinningCoin, p: f64) -> SpinDown {
+    let life_of_one = SpinDown::new(start, Loss::new(1.0, p).unwrap()).unwrap().life();
+    SpinDown::new(start, Loss::new(life_of_one / 100.0, p).unwrap()).unwrap()
+}
+
+#[test]
+fn the_contact_goes_round_by_the_sum_of_its_rates() {
+    for (p, tilt) in [(0.0, 0.1), (0.5, 1.4), (1.25, 0.3), (2.0, 0.1), (10.0, 0.7)] {
+        let down = for_a_hundred_seconds(SpinningCoin::new(TOY, tilt).unwrap(), p);
+        for left in [99.0, 50.0, 1.0, 1e-6] {
+            // Midpoints of steps in the logarithm of the time left.
+            let (count, all) = (4000, (left / 100.0_f64).ln());
+            let sum: f64 = (0..count)
+                .map(|k| {
+                    let middle = 100.0 * (all * (f64::from(k) + 0.5) / f64::from(count)).exp();
+                    -down.with_time_left(middle).unwrap().turn_rate() * middle * all / f64::from(count)
+                })
+                .sum();
+            assert_relative_eq!(down.gone_round(left).unwrap(), sum, max_relative = 1e-5);
+        }
+        assert_eq!(down.gone_round(down.life()).unwrap(), 0.0);
+        assert!(down.gone_round(101.0).is_err() && down.gone_round(f64::NAN).is_err());
+    }
+    // A loss that stays the same pulls the coin down evenly: it never falls.
+    let even = for_a_hundred_seconds(SpinningCoin::new(TOY, 0.1).unwrap(), 0.0);
+    assert_eq!(even.time_left_at_free_fall(), 0.0);
+}
+
 #[test]
 fn the_table_is_left_before_mach_one_by_every_loss_but_rolling_friction_alone() {
     // The toy lives for a hundred seconds from a tilt of 0.1 with a loss that goes like α^{−p}. Where the fall of its
     // centre would outrun g the table could only pull: that is where the law ends. How fast is the contact there?
     let (sound, start) = (343.0, SpinningCoin::new(TOY, 0.1).unwrap());
     let mach_at_the_end = |p: f64| {
-        let life_of_one = SpinDown::new(start, Loss::new(1.0, p).unwrap()).unwrap().life();
-        let spin_down = SpinDown::new(start, Loss::new(life_of_one / 100.0, p).unwrap()).unwrap();
+        let spin_down = for_a_hundred_seconds(start, p);
         assert_relative_eq!(spin_down.life(), 100.0, max_relative = 1e-12);
         let height = |left: f64| 0.0375 * spin_down.with_time_left(left).unwrap().tilt().sin();
         let fall = |left: f64| {
@@ -155,6 +183,7 @@ fn the_table_is_left_before_mach_one_by_every_loss_but_rolling_friction_alone() 
             let middle = (early * late).sqrt();
             if fall(middle) < G { early = middle } else { late = middle }
         }
+        assert_relative_eq!(spin_down.time_left_at_free_fall(), late, max_relative = 1e-5);
         spin_down.with_time_left(late).unwrap().contact_speed() / sound
     };
     for (p, mach) in [(2.0, 0.07), (1.25, 0.157), (1.0, 0.243)] {

@@ -8,7 +8,7 @@ use mechanics::InvalidQuantity;
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::spinning_coin::{EulersDisk, Loss, SpinDown, SpinningCoin};
-use nalgebra::{UnitQuaternion, Vector2, Vector3};
+use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
 /// The disc of the text at a tilt.
@@ -16,29 +16,6 @@ fn disc(tilt: f64) -> Result<SpinningCoin, InvalidQuantity> {
     let (mass, radius, gravity) = (0.4, 0.0375, 9.81);
     SpinningCoin::new(DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity }, tilt)
 }
-
-/// The profile of a head on the face of a coin of radius one: to the right and up.
-const HEAD: [(f64, f64); 19] = [
-    (0.12, -0.64),
-    (0.12, -0.44),
-    (0.24, -0.41),
-    (0.33, -0.36),
-    (0.34, -0.26),
-    (0.31, -0.20),
-    (0.35, -0.13),
-    (0.32, -0.06),
-    (0.45, -0.01),
-    (0.33, 0.20),
-    (0.32, 0.32),
-    (0.24, 0.48),
-    (0.04, 0.60),
-    (-0.20, 0.55),
-    (-0.37, 0.36),
-    (-0.41, 0.10),
-    (-0.30, -0.14),
-    (-0.26, -0.36),
-    (-0.36, -0.64),
-];
 
 /// Draws a head on the upper face of a coin that stands with this attitude, with its normal along the body's third
 /// axis and the head upright along its second; `thick` is the coin's thickness.
@@ -49,22 +26,7 @@ fn draw_head(
     thick: f64,
 ) -> Result<(), Cause> {
     let on_face = |(u, v): (f64, f64)| centre + attitude * Vector3::new(u, v, 0.5 * thick);
-    // A smooth line through the points of the profile, but straight across the neck.
-    let last = HEAD.len() - 1;
-    let mut profile = Vec::new();
-    for n in 0..last {
-        let [before, from, to, after] =
-            [n.saturating_sub(1), n, n + 1, (n + 2).min(last)].map(|n| Vector2::new(HEAD[n].0, HEAD[n].1));
-        for part in linear_steps(0.0, 1.0, 6) {
-            let (one, two) = ((to - before) * 0.5, (after - from) * 0.5);
-            let (square, cube) = (part * part, part * part * part);
-            let place = from * (2.0 * cube - 3.0 * square + 1.0)
-                + one * (cube - 2.0 * square + part)
-                + to * (3.0 * square - 2.0 * cube)
-                + two * (cube - square);
-            profile.push(on_face((place.x, place.y)));
-        }
-    }
+    let profile: Vec<Vector3<f64>> = kit::portrait().into_iter().map(on_face).collect();
     stage.patch(profile.clone(), Fill::Side, Hue::Blue)?;
     let outline = Curve::smooth(profile)?;
     Ok(stage.curve(outline.hiding(Hiding::Omitted), Stroke::Outline, Hue::Blue)?)

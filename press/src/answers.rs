@@ -226,10 +226,7 @@ pub(crate) fn snippets(page: &str) -> Vec<(usize, Vec<&str>)> {
 }
 
 /// A snippet as the body of a function of its `live` numbers, which tells `record` what it prints and finds.
-#[cfg_attr(
-    not(test),
-    allow(dead_code, reason = "for build scripts, and for who asks whether the module is old")
-)]
+#[cfg_attr(not(test), allow(dead_code, reason = "for the build script of the module"))]
 pub(crate) fn body(lines: &[&str]) -> String {
     let (mut body, mut live_count, mut values, mut checks) = (String::new(), 0, 0, 0);
     for (n, line) in lines.iter().enumerate() {
@@ -265,7 +262,7 @@ pub(crate) fn body(lines: &[&str]) -> String {
 }
 
 /// All that the module holds of the snippets of some pages: nothing else on them makes it old.
-#[allow(dead_code, reason = "for who asks whether the module is old")]
+#[allow(dead_code, reason = "for the press, which asks whether the module is old")]
 pub(crate) fn matter<'a>(pages: impl IntoIterator<Item = &'a str>) -> String {
     let snippets = pages.into_iter().flat_map(snippets);
     snippets.map(|(_, code)| code.join("\n")).collect::<Vec<_>>().join("\n\n")

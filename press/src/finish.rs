@@ -1,6 +1,7 @@
 //! The mdBook renderer that runs after `html`: adds what mdBook does not know of, and checks the site.
 
 use crate::fault::{Faults, Lines};
+use crate::module::{self, Module};
 use crate::preprocess::Failed;
 use crate::rendered::Rendered;
 use crate::{api, outcome, search, site};
@@ -29,7 +30,11 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
         Failed::Other(format!("the site in {} cannot be finished: {error}", site.display()))
     };
     let unfinished = outcome::put_aside(&site).map_err(cannot)?;
-    match finished(&unfinished, &context, drawn) {
+    let module = match module::build(&context.root) {
+        Ok(Module::Built(script)) => Some(script),
+        _ => None, // as the preprocessor has said
+    };
+    match finished(&unfinished, &context, drawn, module.as_deref()) {
         Ok(faults) if faults.is_empty() => outcome::bring_back(&unfinished, &site).map_err(cannot),
         other => {
             let failed = other.map_or_else(cannot, Failed::Faults);
@@ -40,9 +45,18 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
 }
 
 /// Finishes the site; what is wrong with it.
-fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
+fn finished(
+    site: &Path,
+    context: &RenderContext,
+    drawn: &Rendered,
+    module: Option<&Path>,
+) -> io::Result<Faults> {
     remove_sources_of_theme(site, &context.config)?;
+    remove_programs(site)?;
     add(site, &context.root, drawn)?;
+    if let Some(script) = module {
+        fs::copy(script, site.join(module::FILE))?;
+    }
     search::write(site, context)?;
     let found = site::check(site)?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
@@ -62,6 +76,19 @@ fn remove_sources_of_theme(site: &Path, config: &Config) -> io::Result<()> {
         Some(Err(error)) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),
     }
+}
+
+/// The figures and scenes of a chapter lie among its pages, so that mdBook has copied their programs.
+fn remove_programs(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            remove_programs(&path)?;
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            fs::remove_file(path)?;
+        }
+    }
+    Ok(())
 }
 
 /// Adds figures, the library's documentation and licences.

@@ -98,6 +98,7 @@ mod checks;
 mod faces;
 mod labels;
 mod maths;
+mod module;
 mod notes;
 mod outcome;
 mod outline;

@@ -2,6 +2,7 @@
 
 use crate::book::from_mdbook;
 use crate::fault::Faults;
+use crate::module::{self, Module};
 use crate::rendered::Rendered;
 use crate::{check, outcome, snippets};
 use mdbook_preprocessor::PreprocessorContext;
@@ -40,7 +41,7 @@ impl fmt::Display for Failed {
 ///
 /// # Errors
 /// [`Failed`], for the caller to report.
-pub fn run(input: impl Read, mut output: impl Write, drawn: &Rendered) -> Result<(), Failed> {
+pub fn run(input: impl Read, mut output: impl Write, drawn: Rendered) -> Result<(), Failed> {
     let (context, mut book) = mdbook_preprocessor::parse_input(input).map_err(|error| {
         Failed::Other(format!(
             "this is not a request of mdBook 0.5 ({error:#}); `cargo book help` lists what else the press can do"
@@ -60,14 +61,21 @@ pub fn run(input: impl Read, mut output: impl Write, drawn: &Rendered) -> Result
 }
 
 /// Puts what mdBook is to print, or to test, in the place of the pages.
-fn answer(context: &PreprocessorContext, book: &mut Book, drawn: &Rendered) -> Result<(), Failed> {
+fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -> Result<(), Failed> {
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let pages = from_mdbook(book, &source);
-    let mut texts = check::rendered(&pages, &context.root, &source, drawn).map_err(Failed::Faults)?;
-    if context.renderer == "test" {
+    let is_test = context.renderer == "test";
+    // What is wrong with the pages is said before anything is compiled.
+    let mut texts = check::rendered(&pages, &context.root, &source, &drawn).map_err(Failed::Faults)?;
+    if is_test {
         test_snippets(&context.root)?;
         texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
     } else {
+        if let Module::Missing(why) = module::build(&context.root).map_err(Failed::Other)? {
+            why.iter().for_each(|why| eprintln!("{why}"));
+            drawn.is_still = true;
+            texts = check::rendered(&pages, &context.root, &source, &drawn).map_err(Failed::Faults)?;
+        }
         install_finisher(&context.root)
             .map_err(|error| Failed::Other(format!("the press cannot be put at {FINISHER}: {error}")))?;
     }

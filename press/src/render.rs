@@ -593,6 +593,7 @@ fn coloured(html: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rendered::Input;
 
     /// What becomes of one page, which is chapter 1.
     fn printed(text: &str) -> String {
@@ -720,6 +721,73 @@ mod tests {
         assert_eq!(print(Some(4), None), kicker("Chapter 4"));
         assert_eq!(print(Some(4), Some("Exercises")), kicker("Chapter 4 · Exercises"));
         assert_eq!(print(None, None), "# A {#sec-a}\n");
+    }
+
+    #[test]
+    fn a_scene_has_its_question_still_and_panel_and_links_that_set_it() {
+        let control = |name: &str, words: &str, input, start| crate::rendered::Control {
+            name: name.to_owned(),
+            words: words.to_owned(),
+            input,
+            start,
+            unit: "rad/s".to_owned(),
+            shown: "SHOWN".to_owned(),
+        };
+        let scene = crate::rendered::Scene {
+            name: "plate".to_owned(),
+            chapter: "a.md".to_owned(),
+            question: "Why $x$?".to_owned(),
+            svg: "<svg></svg>".to_owned(),
+            view: Some([-30.0, 20.0]),
+            controls: vec![
+                control("spin", "spin, $x$", Input::Slider { from: -1.0, to: 4.0, step: 0.1 }, 2.0),
+                control("drag", "drag", Input::LogSlider { from: 1e-3, to: 1.0 }, 0.01),
+                control("camera", "camera", Input::Choice(vec!["room".to_owned(), "body".to_owned()]), 0.0),
+                control("cones", "cones", Input::Switch, 1.0),
+                control("kick", "Kick", Input::Button, -1.0),
+            ],
+            presets: vec![("a ball".to_owned(), "spin=1&drag=0.1".to_owned())],
+            readings: vec!["wobbles".to_owned()],
+        };
+        let mut drawn = Rendered { scenes: vec![scene], ..Rendered::default() };
+        let text = "# A\n\n![A *plate*.](scene:plate)\n\n[Set $x$](scene:plate?spin=3&kick=0).\n".to_owned();
+        let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
+        let print = |drawn: &Rendered| {
+            let printed = render(std::slice::from_ref(&page), drawn, &Items::default(), &[]);
+            printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
+        };
+        let x = maths("$x$");
+        let range = "<input type=\"range\" id=\"scene-plate-";
+        let moving = print(&drawn);
+        for part in [
+            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live.js\">\n<p class=\"question\">Why ",
+            "<div class=\"drawing\"><svg></svg></div>\n<div class=\"panel\">\n",
+            &format!(
+                "<label for=\"scene-plate-spin\">spin, {x}</label>{range}spin\" name=\"spin\" min=\"-1\" max=\"4\" \
+                 step=\"0.1\" value=\"2\" data-start=\"2\" data-unit=\"rad/s\"><output for=\"scene-plate-spin\">SHOWN</output>"
+            ),
+            &format!("{range}drag\" name=\"drag\" min=\"-3\" max=\"0\" step=\"any\" value=\"-2\""),
+            " data-log>",
+            "<input type=\"radio\" name=\"scene-plate-camera\" value=\"0\" data-name=\"camera\" checked data-start> room",
+            "<input type=\"radio\" name=\"scene-plate-camera\" value=\"1\" data-name=\"camera\"> body",
+            "<input type=\"checkbox\" id=\"scene-plate-cones\" name=\"cones\" checked data-start> cones",
+            "<button type=\"button\" class=\"press\" name=\"kick\">Kick</button>",
+            "name=\"azimuth\" min=\"-180\" max=\"180\" step=\"any\" value=\"-30\"",
+            "<div><dt>wobbles</dt><dd></dd></div>",
+            "<button type=\"button\" data-set=\"spin=1&amp;drag=0.1\">a ball</button>",
+            "<figcaption><span class=\"number\">Scene 1.1.</span> A <em>plate</em>.</figcaption>\n</figure>",
+            &format!("<a href=\"#scene-plate\" data-set=\"spin=3&amp;kick=0\">Set {}</a>.", maths("$x$")),
+        ] {
+            assert!(moving.contains(part), "{part} in {moving}");
+        }
+        let figure = &moving[moving.find("<figure").unwrap()..moving.find("</figure>").unwrap()];
+        assert!(!figure.contains("\n\n"), "Markdown would read on");
+        drawn.is_still = true;
+        let still = print(&drawn);
+        assert!(
+            !still.contains("panel") && !still.contains("data-module") && still.contains("<svg></svg>"),
+            "{still}"
+        );
     }
 
     #[test]

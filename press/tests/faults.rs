@@ -3,17 +3,35 @@
 //! Each case is a small book of its own: a SUMMARY.md, a book.toml and a few pages, written to a temporary folder.
 
 use press::check::check;
-use press::rendered::{Figure, Rendered};
+use press::rendered::{Control, Figure, Input, Rendered, Scene};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The only figure and the only table that these books can show.
+/// The only figure, the only table and the only scene that these books can show.
 fn drawn() -> Rendered {
     let [svg, standalone] = [String::new(), String::new()];
     let figure =
         Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone, wide: false };
     let tables = vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())];
-    Rendered { figures: vec![figure], tables, ..Rendered::default() }
+    Rendered { figures: vec![figure], tables, scenes: vec![scene()], ..Rendered::default() }
+}
+
+/// A scene of the chapter `a.md`, with a control of each kind.
+fn scene() -> Scene {
+    let control = |name: &str, input, start: f64| {
+        let [name, words] = [name, "Some words"].map(str::to_owned);
+        Control { name, words, input, start, unit: String::new(), shown: String::new() }
+    };
+    let controls = vec![
+        control("spin", Input::Slider { from: -1.0, to: 4.0, step: 0.1 }, 2.0),
+        control("drag", Input::LogSlider { from: 1e-3, to: 1.0 }, 0.01),
+        control("camera", Input::Choice(vec!["one".to_owned(), "two".to_owned()]), 0.0),
+        control("cones", Input::Switch, 1.0),
+        control("kick", Input::Button, -1.0),
+    ];
+    let [name, chapter, question] = ["plate", "a.md", "Why $x$?"].map(str::to_owned);
+    let presets = vec![("fast".to_owned(), "spin=4&cones=0".to_owned())];
+    Scene { name, chapter, question, controls, presets, ..Scene::default() }
 }
 
 /// A book in a temporary folder, removed when dropped.
@@ -42,7 +60,8 @@ impl Book {
             return Vec::new();
         };
         let lines = faults.sorted().iter().map(ToString::to_string).collect::<Vec<_>>();
-        lines.into_iter().filter(|line| !line.contains("is drawn, but no page shows it")).collect()
+        let is_unused = ["is drawn, but no page shows it", "no page shows this scene"];
+        lines.into_iter().filter(|line| !is_unused.iter().any(|words| line.contains(words))).collect()
     }
 }
 
@@ -152,6 +171,51 @@ const CASES: &[Case] = &[
         "table-in-text",
         "# A\n\nA ![Words.](table:methods)\n",
         &[(3, "the table methods must stand in a paragraph")],
+    ),
+    (
+        "scene",
+        "# A\n\n![A plate.](scene:plate)[^a]\n\n[Set $x$](scene:plate?spin=-0.9&drag=0.5&camera=1&cones=0&kick=0&t=1.5), \
+         @scene:plate.\n\n$$\na\n$$\n\n[^a]: [Set](scene:plate?spin=4).\n",
+        &[],
+    ),
+    (
+        "unknown-scene",
+        "# A\n\n![A plate.](scene:plates)\n\n[Set](scene:top?spin=1).\n",
+        &[
+            (3, "there is no scene scene:plates; is scene:plate meant?"),
+            (5, "no page defines the label scene:top"),
+        ],
+    ),
+    (
+        "scene-below",
+        "# A\n\n$$\na\n$$\n\n![A plate.](scene:plate)\n",
+        &[(7, "the scene scene:plate stands above the first equation")],
+    ),
+    (
+        "scene-in-text",
+        "# A\n\nSo ![](scene:plate)\n",
+        &[
+            (3, "the scene scene:plate has no caption"),
+            (3, "the scene scene:plate must stand in a paragraph"),
+        ],
+    ),
+    (
+        "settings",
+        "# A\n\n![A plate.](scene:plate)\n\n[A](scene:plate?spun=1)\n[B](scene:plate?spin=5)\n[C](scene:plate?spin=1.25)\n\
+         [D](scene:plate?camera=2)\n[E](scene:plate?kick=now)\n[F](scene:plate?drag=0)\n[G](scene:plate)\n\
+         [H](scene:plate?t=-1)\n[I](scene:plate?cones=2)\n\n| [J](scene:plate?kick=-2) |\n|---|\n\nTable: T.\n",
+        &[
+            (5, "the scene plate has no control `spun`; is `spin` meant?"),
+            (6, "`spin=5`, which must be from -1 to 4 in steps of 0.1"),
+            (7, "`spin=1.25`, which must be from -1 to 4 in steps of 0.1"),
+            (8, "`camera=2`, which must be from 0 to 1"),
+            (9, "`kick=now` is no setting"),
+            (10, "`drag=0`, which must be from 0.001 to 1"),
+            (11, "`` is no setting"),
+            (12, "no control `t`"),
+            (13, "`cones=2`"),
+            (15, "`kick=-2`, which must be at least -1"),
+        ],
     ),
     ("image", "# A\n\n![A cat](cat.png)\n", &[(3, "not a figure of the book")]),
     ("citation", "# A\n\nSee [@cite:nobody-1999].\n", &[(3, "no page defines the label cite:nobody-1999")]),
@@ -545,6 +609,47 @@ fn every_number_of_the_source_has_a_row_in_the_ledger_and_every_row_an_equation(
         "error: book/ledger.md:6: no equation carries the source's number (2)",
     ];
     assert_eq!(book.faults(), expected);
+}
+
+#[test]
+fn a_scene_opens_its_chapter_and_is_set_from_its_page_alone() {
+    let b = "# B\n\n[Set](scene:plate?spin=3) or see @scene:plate.\n";
+    let book = Book::new("scene-elsewhere", "# A\n\n![A plate.](scene:plate)\n", b, "# C\n");
+    let said = "error: book/b.md:3: scene:plate stands on another page: refer to it as @scene:plate";
+    assert_eq!(book.faults(), [said]);
+    for (n, pages) in [["# A\n", b, "# C\n"], ["# A\n", "# B\n", b]].into_iter().enumerate() {
+        let [a, b, c] = pages.map(|page| page.replace(b, "# B\n\n![A plate.](scene:plate)\n"));
+        let faults = Book::new(&format!("scene-moved-{n}"), &a, &b, &c).faults();
+        assert!(faults.iter().any(|fault| fault.contains("opens the chapter in a.md")), "{faults:?}");
+    }
+}
+
+#[test]
+fn a_scene_that_contradicts_itself_is_a_fault() {
+    type Spoil = fn(&mut Scene);
+    let cases: [(Spoil, &str); 8] = [
+        (|scene| scene.question.clear(), "the scene plate asks nothing"),
+        (|scene| scene.name = "Plate".into(), "digits and hyphens, not `Plate`"),
+        (|scene| scene.controls[0].name = "t".into(), "cannot have the name `t`"),
+        (|scene| scene.controls[1].name = "spin".into(), "cannot have the name `spin`"),
+        (|scene| scene.controls[2].words.clear(), "nothing says what the control `camera`"),
+        (|scene| scene.controls[3].start = 0.5, "starts with `cones=0.5`, which must be from 0 to 1"),
+        (
+            |scene| scene.presets[0].1 = "spun=4".into(),
+            "the preset “fast” of the scene plate: the scene plate has no",
+        ),
+        (|_| (), "no page shows this scene: ![Caption.](scene:plate)"),
+    ];
+    let book = Book::new("spoiled", "# A\n\n![A.](fig:machine)\n", "# B\n", "# C\n");
+    for (spoil, words) in cases {
+        let mut drawn = drawn();
+        spoil(&mut drawn.scenes[0]);
+        let faults = check(&book.root, &drawn).unwrap_err().to_string();
+        assert!(
+            faults.contains("error: book/a.md/scene.rs: ") && faults.contains(words),
+            "{words}: {faults}"
+        );
+    }
 }
 
 #[test]

@@ -32,6 +32,17 @@ pub struct Blow {
     pub impulse: f64,
 }
 
+/// A later blow along axis 3, anywhere on the station: a thruster that is fired once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LaterBlow {
+    /// When it strikes, s after the first.
+    pub time: f64,
+    /// Its azimuth about axis 3 from axis 2, where the first one struck, rad.
+    pub azimuth: f64,
+    /// How far from axis 3 it strikes, and its impulse.
+    pub blow: Blow,
+}
+
 /// The station after the blow: a free symmetric top whose centre drifts. Its angles and rates are good to 9e-16 of
 /// themselves.
 ///
@@ -155,6 +166,26 @@ impl StruckStation {
     /// The velocity of the centre, m/s: `P/m` along the old axis, constant (`eq:drift`).
     pub fn centre_velocity(&self) -> Vector3<f64> {
         Vector3::new(0.0, 0.0, self.drift)
+    }
+
+    /// The station as a free top after a later blow, in the frame that moves along with its centre. The times of the top
+    /// begin at that blow. As the first does (`eq:struck-rate`), the blow adds `r × P` to the angular momentum.
+    ///
+    /// # Errors
+    /// As [`StruckStation::at`], and [`InvalidQuantity`] for a negative radius and for numbers that are not finite or
+    /// of a size that cannot be computed with.
+    pub fn struck_again(&self, later: LaterBlow) -> Result<FreeSymmetricTop, InvalidQuantity> {
+        let LaterBlow { time, azimuth, blow: Blow { radius, impulse } } = later;
+        InvalidQuantity::check("azimuth of the blow", azimuth, "rad")?;
+        InvalidQuantity::check_not_negative("radius of the blow", radius, "m")?;
+        InvalidQuantity::check("impulse", impulse, "N·s")?;
+        let Turning { world_from_body, omega_body } = self.at(time)?;
+        let added = radius * impulse / self.top.moments().as_symmetric()?.transverse; // eq:struck-rate
+        let gained = Vector3::new(azimuth.cos(), azimuth.sin(), 0.0) * added;
+        FreeSymmetricTop::new(
+            self.top.moments(),
+            Turning { world_from_body, omega_body: omega_body + gained },
+        )
     }
 
     /// The position at `time`, s, of the point of the station that was at `point_body`, m, along its axes, in the room.

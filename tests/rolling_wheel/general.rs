@@ -1,6 +1,6 @@
 //! The general motion: against the whole body with its contact force, against its constants, and against references.
 
-use crate::whole_body::{axle, placed, solve};
+use crate::whole_body::{axle, placed, solve, solve_slowed};
 use crate::{GRAVITY, MASS, RADIUS, parameters, wheel};
 use approx::assert_relative_eq;
 use mechanics::conical::Conical;
@@ -75,6 +75,42 @@ fn the_reduced_motion_is_that_of_the_whole_body_and_so_is_the_contact_force() {
         let size = MASS * 9.81 + force.norm();
         assert_relative_eq!(wheel.normal_force(&reduced), force.z, epsilon = 1e-7 * size);
         assert_relative_eq!(wheel.contact_force(&reduced).norm(), force.norm(), epsilon = 1e-7 * size);
+        compared += 1;
+    }
+    assert!(compared > 40, "{compared}");
+}
+
+#[test]
+fn a_wheel_that_slows_down_is_the_whole_body_with_that_torque_and_loses_its_power() {
+    let mut random = fastrand::Rng::with_seed(74);
+    let mut compared = 0;
+    for n in 0..60 {
+        let moments = MOMENTS[n % 5];
+        let wheel = Wheel::new(parameters(moments)).unwrap();
+        let (state, slowing) = (start(&mut random), 2.0 * random.f64());
+        let omega = [state.omega_1, state.omega_2, state.omega_3];
+        let solver = Dop853::new(1e-12).unwrap();
+        let rates = |t: f64, y: &[f64; 8]| wheel.slowed_rates(slowing, t, y);
+        let Ok(reduced) = solver.solve(rates, 0.0, state.to_array(), 0.6) else { continue };
+        let reduced = Rolling::from_array(reduced.state);
+        if reduced.lean().abs() > 1.4 {
+            continue;
+        }
+        let whole = placed(state.lean(), state.heading, omega, state.centre);
+        let judge = |_: f64, y: &[f64; 13]| solve_slowed(moments, slowing, y).0;
+        let judge = solver.solve(judge, 0.0, whole, 0.6).unwrap().state;
+        assert_relative_eq!(reduced.lean(), (-axle(&judge).z).asin(), epsilon = 1e-8);
+        assert_relative_eq!(reduced.centre.re, judge[0], epsilon = 1e-8);
+        assert_relative_eq!(reduced.centre.im, judge[1], epsilon = 1e-8);
+        // The power, from the energy a moment later and a moment before.
+        let h = 1e-4;
+        let energy = |time: f64| {
+            let end = solver.solve(rates, 0.0, state.to_array(), time).unwrap();
+            wheel.energy(&Rolling::from_array(end.state))
+        };
+        let square: f64 = omega.iter().map(|omega| omega * omega).sum();
+        let power = (energy(h) - energy(-h)) / (2.0 * h);
+        assert_relative_eq!(power, -slowing * MASS * RADIUS * RADIUS * square, max_relative = 1e-5);
         compared += 1;
     }
     assert!(compared > 40, "{compared}");

@@ -28,6 +28,11 @@ pub(crate) fn arm(axle: &Vector3<f64>) -> Vector3<f64> {
 
 /// Rates of the state, and the contact force, from the nine equations.
 pub(crate) fn solve(moments: MomentFactors, state: &State) -> ([f64; 13], Vector3<f64>) {
+    solve_slowed(moments, 0.0, state)
+}
+
+/// The same with the torque −s ma² ω on the body.
+pub(crate) fn solve_slowed(moments: MomentFactors, slowing: f64, state: &State) -> ([f64; 13], Vector3<f64>) {
     let (v, omega) = (vector(state, 7), vector(state, 10));
     let n = axle(state);
     let r = arm(&n);
@@ -50,10 +55,10 @@ pub(crate) fn solve(moments: MomentFactors, state: &State) -> ([f64; 13], Vector
     matrix.fixed_view_mut::<3, 3>(0, 0).copy_from(&(Matrix3::identity() * MASS));
     matrix.fixed_view_mut::<3, 3>(0, 6).copy_from(&-Matrix3::identity());
     given.fixed_rows_mut::<3>(0).copy_from(&Vector3::new(0.0, 0.0, -MASS * GRAVITY));
-    // I ω̇ − r × F = −ω × Iω  (the inertia turns with the body)
+    // I ω̇ − r × F = −ω × Iω − s ma² ω  (the inertia turns with the body)
     matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(&inertia);
     matrix.fixed_view_mut::<3, 3>(3, 6).copy_from(&-cross(&r));
-    given.fixed_rows_mut::<3>(3).copy_from(&-omega.cross(&momentum));
+    given.fixed_rows_mut::<3>(3).copy_from(&(-omega.cross(&momentum) - omega * (slowing * unit)));
     // v̇ − r × ω̇ = −ω × ṙ
     matrix.fixed_view_mut::<3, 3>(6, 0).copy_from(&Matrix3::identity());
     matrix.fixed_view_mut::<3, 3>(6, 3).copy_from(&-cross(&r));

@@ -28,7 +28,7 @@ fn run(arguments: &[String]) -> Result<(), String> {
     let mut drawn = Rendered::read(Path::new(DRAWN)).map_err(|error| format!("error: {error}"))?;
     drawn.scenes = scenes::all().map_err(|error| format!("error: {error}"))?;
     match arguments.first().map(String::as_str) {
-        None if !io::stdin().is_terminal() => answer(&drawn),
+        None if !io::stdin().is_terminal() => answer(drawn),
         Some("supports") => Ok(()), // html and test; book.toml names them
         Some("finish") => finish::run(io::stdin().lock(), &drawn).map_err(|failed| failed.to_string()),
         _ => command::run(&root(), arguments, &drawn),
@@ -36,11 +36,11 @@ fn run(arguments: &[String]) -> Result<(), String> {
 }
 
 /// Answers mdBook's request on standard input; without one, somebody has typed `cargo book` alone.
-fn answer(drawn: &Rendered) -> Result<(), String> {
+fn answer(drawn: Rendered) -> Result<(), String> {
     let mut request = Vec::new();
     io::stdin().lock().read_to_end(&mut request).map_err(|error| format!("error: {error}"))?;
     if request.is_empty() {
-        return command::run(&root(), &[], drawn);
+        return command::run(&root(), &[], &drawn);
     }
     preprocess::run(request.as_slice(), io::stdout().lock(), drawn).map_err(|failed| failed.to_string())
 }

@@ -4,6 +4,8 @@
 mod contrast;
 #[path = "book/key.rs"]
 mod key;
+#[path = "../src/scenes.rs"]
+mod scenes;
 #[path = "book/vision.rs"]
 mod vision;
 
@@ -19,10 +21,13 @@ fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the package lies two folders down")
 }
 
-/// The figures as the build script has drawn them.
+/// The figures as the build script has drawn them, and the scenes.
 fn drawn() -> &'static Rendered {
     static DRAWN: OnceLock<Rendered> = OnceLock::new();
-    DRAWN.get_or_init(|| Rendered::read(Path::new(env!("OUT_DIR"))).expect("they are there"))
+    DRAWN.get_or_init(|| {
+        let drawn = Rendered::read(Path::new(env!("OUT_DIR"))).expect("they are there");
+        Rendered { scenes: scenes::all().expect("they can be drawn"), ..drawn }
+    })
 }
 
 /// mdBook, found or installed; its progress goes to standard error, where a waiting reader sees it.
@@ -158,6 +163,40 @@ fn no_page_keeps_its_reader_waiting() {
     }
 }
 
+/// A script of the site, by the beginning of its name.
+fn script(name: &str) -> Option<String> {
+    let is_it = |path: &Path| path.file_name().unwrap().to_string_lossy().starts_with(name);
+    files(site(), ".js").into_iter().find(|(path, _)| is_it(path)).map(|(_, text)| text)
+}
+
+#[test]
+fn scenes_weigh_little_and_no_page_waits_for_them() {
+    let mut shown = 0;
+    let module = script("live");
+    for (path, html) in pages() {
+        shown += html.matches("<figure class=\"scene\"").count();
+        let moving = html.matches("data-module=\"live.js\"").count();
+        let panels = html.matches("<div class=\"panel\">").count();
+        assert!(moving == panels && (moving == 0 || module.is_some()), "{}", path.display());
+        assert!(!html.contains("<script src=\"live.js"), "{}: a script asks for it", path.display());
+    }
+    assert_eq!(shown, 2 * drawn().scenes.len(), "each on its page and on print.html");
+    // Without a compiler for it there is none, and where it is required there is no site then.
+    let Some(module) = module else { return };
+    let script = script("scenes").expect("the script of the scenes");
+    let [module, script] = [module, script].map(|text| packed(&text));
+    eprintln!("the module of the pages: {module} bytes, its script: {script} bytes, both as they travel");
+    assert!(module + script < 150 * 1024, "{module} + {script} bytes");
+}
+
+#[test]
+fn the_site_holds_no_programs_of_figures_and_scenes() {
+    assert_eq!(
+        files(site(), ".rs").into_iter().map(|(path, _)| path).collect::<Vec<_>>(),
+        Vec::<PathBuf>::new()
+    );
+}
+
 #[test]
 fn the_search_finds_words_of_pages_and_is_small() {
     let (_, index) = files(site(), ".js")
@@ -183,16 +222,20 @@ fn small_book(name: &str, page: &str) -> PathBuf {
     fs::write(folder.join("LICENSE-CC-BY-4.0"), "licence").unwrap();
     fs::copy(root().join("book.toml"), folder.join("book.toml")).unwrap();
     copy(&root().join("book/theme"), &folder.join("book/theme"));
-    // Every figure has to be shown somewhere.
+    // Every figure has to be shown somewhere, and every scene opens its chapter.
     let figures: String =
         drawn().figures.iter().map(|figure| format!("\n![A caption.]({})\n", figure.id)).collect();
     // The frontispiece leads to the chapters.
-    let chapters: BTreeSet<&str> = drawn().figures.iter().map(|figure| figure.chapter.as_str()).collect();
+    let mut chapters: BTreeSet<&str> = drawn().figures.iter().map(|figure| figure.chapter.as_str()).collect();
+    chapters.extend(drawn().scenes.iter().map(|scene| scene.chapter.as_str()));
     let mut summary = "- [A](a.md)\n- [Figures](figures.md)\n".to_owned();
     for chapter in chapters.iter().filter(|chapter| !chapter.is_empty()) {
         summary += &format!("- [{chapter}]({chapter}/index.md)\n");
         fs::create_dir_all(folder.join("book").join(chapter)).unwrap();
-        fs::write(folder.join("book").join(chapter).join("index.md"), format!("# {chapter}\n")).unwrap();
+        let scenes = drawn().scenes.iter().filter(|scene| scene.chapter == *chapter);
+        let scenes: String = scenes.map(|scene| format!("\n![A caption.](scene:{})\n", scene.name)).collect();
+        fs::write(folder.join("book").join(chapter).join("index.md"), format!("# {chapter}\n{scenes}"))
+            .unwrap();
     }
     fs::write(folder.join("book/SUMMARY.md"), summary).unwrap();
     fs::write(folder.join("book/a.md"), page).unwrap();

@@ -53,8 +53,9 @@ fn a_stamp_changes_with_what_its_figures_are_drawn_from_and_with_nothing_else() 
     let before = stamps_with(&root, &[]);
     let uses_both = ("src/scenes/wheel.rs", "use super::two_coins;\n");
     for (changes, expected) in [
-        // Pages and tests draw nothing.
+        // Pages, tests and live scenes draw no figures.
         (&[("book/two-coins/index.md", "new"), ("press/figures/tests/a.rs", "new")][..], [false, false]),
+        (&[("book/two-coins/scene.rs", "use mechanics::scenes::wheel;")], [false, false]),
         // What all figures share.
         (&[("src/shared.rs", "pub fn wheel() { new() }\n")], [true, true]),
         (&[("press/drawing/src/lib.rs", "new")], [true, true]),

@@ -5,8 +5,10 @@
 mod arrow;
 mod device;
 mod marker;
+mod portrait;
 
 pub(crate) use arrow::{HEAD, size};
 pub use arrow::{Heads, angle, arrow, dimension, head};
 pub use device::{damper, ground, spring};
 pub use marker::{Marker, marker};
+pub use portrait::portrait;

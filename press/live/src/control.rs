@@ -88,7 +88,9 @@ impl Control {
     pub fn nearest(&self, value: f64) -> Option<f64> {
         let nearest = match self.kind {
             Kind::Slider { from, to, step, .. } => {
-                from + ((value.clamp(from, to) - from) / step).round() * step
+                let stepped = from + ((value.clamp(from, to) - from) / step).round() * step;
+                // -10 and 82 steps of 0.1 are -1.8, whatever is lost in between.
+                (stepped * 1e9).round() / 1e9
             }
             Kind::LogSlider { from, to, .. } => value.clamp(from, to),
             Kind::Choice(choices) => value.round().clamp(0.0, choices.len() as f64 - 1.0),

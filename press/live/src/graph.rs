@@ -162,9 +162,8 @@ impl<'a> Graph<'a> {
     }
 
     /// Where a pair of values lies in the drawing, px.
-    pub fn at(&self, (x, y): (f64, f64)) -> Point {
-        let Rect { left, top, right, bottom } = self.frame;
-        at(left + self.x.part(x) * (right - left), bottom - self.y.part(y) * (bottom - top))
+    pub fn at(&self, value: (f64, f64)) -> Point {
+        point_at(self.frame, &self.x, &self.y, value)
     }
 
     /// The pair of values that lies at a point of the drawing.
@@ -217,6 +216,11 @@ impl<'a> Graph<'a> {
         let point = self.at(value);
         self.drawing.label(point, side, text, hue)
     }
+}
+
+/// Where a pair of values lies in a plot with this frame and these axes, px: where its grip is.
+pub fn point_at(frame: Rect, x: &Axis<'_>, y: &Axis<'_>, value: (f64, f64)) -> Point {
+    at(frame.left + x.part(value.0) * frame.width(), frame.bottom - y.part(value.1) * frame.height())
 }
 
 /// The pair of values that lies at a point of a plot with this frame and these axes: what a drawn grip means.

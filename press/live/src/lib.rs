@@ -24,7 +24,7 @@ include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
 pub use control::{Control, Kind, Settings};
 pub use drawing::Room;
-pub use graph::{Axis, Graph, value_at};
+pub use graph::{Axis, Graph, point_at, value_at};
 pub use player::Player;
 pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene};
 pub use written::written;

@@ -93,15 +93,24 @@ impl Player {
         Ok(wide.with_narrow(self.draw(narrow)?))
     }
 
-    /// The numbers beside the picture, as HTML.
+    /// The numbers beside the picture.
     ///
     /// # Errors
     /// What the scene says, and if it gives another number of readings than it has promised.
-    pub fn readings(&self, time: f64) -> Result<Vec<String>, Cause> {
+    pub fn numbers(&self, time: f64) -> Result<Vec<f64>, Cause> {
         let values = self.motion.readings(time)?;
         if values.len() != self.scene.readings.len() {
             return Err(format!("{} values for {} readings", values.len(), self.scene.readings.len()).into());
         }
+        Ok(values)
+    }
+
+    /// The numbers beside the picture, as HTML.
+    ///
+    /// # Errors
+    /// As for [`numbers`](Self::numbers).
+    pub fn readings(&self, time: f64) -> Result<Vec<String>, Cause> {
+        let values = self.numbers(time)?;
         let with_unit = self.scene.readings.iter().zip(values);
         Ok(with_unit.map(|(reading, value)| written(value, reading.form, reading.unit)).collect())
     }

@@ -2,14 +2,15 @@
 
 use super::DraggedTop;
 use crate::Error;
-use crate::attitude::{check_attitude, quaternion_rate};
+use crate::attitude::{check_attitude, quaternion_rate, turn};
 use crate::euler::Turning;
 use crate::integrate::Dop853;
 use crate::quantity::InvalidQuantity;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// A body that spins down, with its attitude: the angular velocity is the closed form, and only the four numbers of the
-/// attitude are integrated.
+/// A body that spins down, with its attitude: the angular velocity is the closed form, and only four numbers are
+/// integrated, the attitude of a frame that shares the body's axis and in which the wobble keeps its direction. It turns
+/// with **L**/I₁ (`eq:split`), so a long body's quick spin costs no steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThrownTop {
     top: DraggedTop,
@@ -41,7 +42,7 @@ impl ThrownTop {
     pub fn at(&self, time: f64) -> Result<Turning, Error> {
         let omega_body = self.top.at(time)?;
         let end = self.solver.solve(|time, q| self.rates(time, q), 0.0, self.start(), time)?;
-        Ok(turning(end.state, omega_body))
+        Ok(self.turning(time, end.state, omega_body))
     }
 
     /// Attitudes and angular velocities at `times`, s, in ascending order, in one integration: the states of
@@ -52,7 +53,8 @@ impl ThrownTop {
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, Error> {
         let omegas = self.top.sample(times)?;
         let (states, _) = self.solver.sample(|time, q| self.rates(time, q), 0.0, self.start(), times)?;
-        Ok(states.into_iter().zip(omegas).map(|(q, omega_body)| turning(q, omega_body)).collect())
+        let states = times.iter().zip(states).zip(omegas);
+        Ok(states.map(|((time, q), omega_body)| self.turning(*time, q, omega_body)).collect())
     }
 
     /// The four numbers that the solver steps, at time zero.
@@ -61,12 +63,22 @@ impl ThrownTop {
         [q.w, q.i, q.j, q.k]
     }
 
+    /// The rates of the frame's attitude.
     fn rates(&self, time: f64, &[w, i, j, k]: &[f64; 4]) -> [f64; 4] {
-        let rate = quaternion_rate(&Quaternion::new(w, i, j, k), &self.top.omega_body(time));
+        let DraggedTop { start, transverse_decay, axial_decay, .. } = self.top;
+        let [i1, _, i3] = self.top.moments.to_array();
+        // L/I₁ by eq:spin-decay and eq:wobble-decay.
+        let wobble = start.xy() * (-transverse_decay * time).exp();
+        let omega_frame = Vector3::new(wobble.x, wobble.y, i3 / i1 * start.z * (-axial_decay * time).exp());
+        let rate = quaternion_rate(&Quaternion::new(w, i, j, k), &omega_frame);
         [rate.w, rate.i, rate.j, rate.k]
     }
-}
 
-fn turning([w, i, j, k]: [f64; 4], omega_body: Vector3<f64>) -> Turning {
-    Turning { world_from_body: UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k)), omega_body }
+    /// The body in the frame that the solver has turned: the wobble goes round in it (`eq:wobble-phase`), so in the
+    /// frame, where the wobble rests, it goes round the other way.
+    fn turning(&self, time: f64, [w, i, j, k]: [f64; 4], omega_body: Vector3<f64>) -> Turning {
+        let world_from_frame = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
+        let frame_from_body = turn(&Vector3::z(), -self.top.wobble_phase(time));
+        Turning { world_from_body: world_from_frame * frame_from_body, omega_body }
+    }
 }

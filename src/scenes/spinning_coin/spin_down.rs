@@ -135,6 +135,26 @@ impl SpinDown {
         self.coin(left, self.life - left)
     }
 
+    /// The angle, rad, through which the contact has gone round from the start until so much time, s, is left: the
+    /// integral of Ω, which is finite to the very end, `Ω₀t₀ (1 − (left/t₀)^(1 − s/2))/(1 − s/2)` with `s = 1/(p + 1)`.
+    ///
+    /// # Errors
+    /// As [`SpinDown::with_time_left`].
+    pub fn gone_round(&self, left: f64) -> Result<f64, InvalidQuantity> {
+        self.with_time_left(left)?;
+        let power = 1.0 - 0.5 / (self.loss.exponent + 1.0);
+        Ok(-self.start.turn_rate() * self.life / power * (power * (left / self.life).ln()).exp_m1())
+    }
+
+    /// The time left, s, at which the centre would have to fall faster than g for the law to hold on: the height
+    /// `a sin α ∝ leftˢ` then has `s(1 − s) a sin α/left² = g`. Zero if that is never, for a loss that does not grow.
+    pub fn time_left_at_free_fall(&self) -> f64 {
+        let DiskParameters { radius: a, gravity: g, .. } = self.start.parameters();
+        let power = 1.0 / (self.loss.exponent + 1.0);
+        let fall = power * (1.0 - power) * a * self.start.sin / (g * self.life * self.life);
+        self.life * fall.powf(1.0 / (2.0 - power))
+    }
+
     /// The coin when so much of its life, s, is left, and so much gone; the smaller of the two is the exact one.
     fn coin(&self, left: f64, gone: f64) -> Result<SpinningCoin, InvalidQuantity> {
         let SpinningCoin { sin: sin_start, cos: cos_start, .. } = self.start;

@@ -91,7 +91,7 @@ pub(super) struct Theme {
 
 impl Theme {
     pub(super) fn new(name: &'static str) -> Self {
-        let (own, figures) = ([sheet("page"), sheet("maths")].concat(), sheet("figures"));
+        let (own, figures) = ([sheet("page"), sheet("maths"), sheet("live")].concat(), sheet("figures"));
         let mut variables = BTreeMap::new();
         // In the order of their weight: a class, then an element with it.
         let [class, element] = [format!(".{name}"), format!("html.{name}")];
@@ -210,6 +210,10 @@ impl Theme {
                 (".figure .panel > span", "var(--links)"),
                 (".figure figcaption", "var(--fg)"),
                 (".note", "var(--fg)"),
+                (".scene button", "var(--fg)"),
+                (".scene .press", "var(--fg)"),
+                (".scene .view", "var(--fg)"),
+                (".scene .says.trouble", "var(--fg)"),
                 (".note-number", "var(--links)"),
                 (".kicker", "var(--fg)"),
                 (".content main h2::before", "var(--fg)"),
@@ -257,6 +261,9 @@ impl Theme {
             ("--sidebar-active", "--sidebar-bg", TEXT),
             ("--searchresults-header-fg", "--bg", TEXT),
             ("--icons", "--bg", SIGN),
+            ("--accent", "--bg", SIGN),
+            ("--track", "--bg", SIGN),
+            ("--bg", "--accent", TEXT),
             ("--icons", "--theme-popup-bg", SIGN),
         ] {
             let [text_colour, ground] = [text, on].map(|name| self.colour(&format!("var({name})")));

@@ -66,7 +66,7 @@ impl Camera {
         Ok(Self { target, right, up, back, nearness, centre: view.centre, scale })
     }
 
-    /// Where a point of the world lands on the page.
+    /// Where a point of the world lands on the page: for what is drawn there by hand, and for grips.
     ///
     /// # Errors
     /// [`SpaceError`] for a point that is not finite or lies behind the eye.

@@ -1,0 +1,572 @@
+//! The scene of the chapter "The coin toss": a coin in slow motion beside the path of its normal on a sphere.
+
+use crate::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at,
+    value_at,
+};
+use drawing::space::{Camera, Curve, Hiding, Solid, SpaceError, Stage, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at, kit::Heads};
+use mechanics::InvalidQuantity;
+use mechanics::inertia::PrincipalMoments;
+use mechanics::scenes::coin_toss::{Flight, FlightParameters, Toss, TossParameters};
+use nalgebra::{UnitQuaternion, Vector3};
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::sync::LazyLock;
+
+pub(crate) const SCENE: Scene = Scene {
+    name: "coin-toss",
+    title: "A tossed coin and the path of its normal",
+    description: "At the left a coin in the air, seen from straight above: tails is up, the normal \
+                  3 of heads points away to the right, as does the angular momentum L. Beside it a \
+                  sphere with its equator: the tip of the normal goes round L on a circle through \
+                  the pole, of which the part above the equator is blue and the part below grey. Below, \
+                  the height of the normal through one precession, which dips below zero in the middle, \
+                  and the probability of the same face against the angle psi between the normal and \
+                  L: certainty up to 45 degrees, then falling to a half.",
+    question: "When does the circle of the normal clear the equator, so that heads shows and nothing \
+               but heads? And why does never less than half of it lie above?",
+    size: [[640.0, 520.0], [380.0, 872.0]],
+    view: Some([-0.35, 0.42]),
+    still: 0.0366,
+    controls: &[
+        Control::slider("tumble", r"tumble, $\omega_1$", [0.0, MOST, 0.5], "rad/s", 240.0),
+        Control::slider("twist", r"twist, $\omega_3$", [0.0, MOST, 0.5], "rad/s", 60.0),
+        Control::slider("ratio", r"ratio of the moments, $I_3/I_1$", [0.5, 2.0, 0.01], "", 2.0),
+        Control::choice("hand", "tossed by", &["a hand", "a steady hand", "a machine"]),
+        Control::choice("camera", "the coin is seen", &["from straight above", "from the side"]),
+        Control::button("toss", "Toss five thousand"),
+    ],
+    presets: &[
+        Preset { words: "no twist", settings: &[("twist", 0.0)] },
+        Preset { words: "a quarter", settings: &[] },
+        Preset { words: "the threshold", settings: &[("twist", 120.0)] },
+        Preset { words: "never tails", settings: &[("twist", 144.0)] },
+        Preset { words: "the mean tosser", settings: &[("twist", 19.0)] },
+        Preset { words: "a thick puck", settings: &[("ratio", 1.0), ("twist", 144.0)] },
+    ],
+    readings: &[
+        Reading { words: r"height of the normal, $n_z$", form: Form::Fixed(3), unit: "" },
+        Reading { words: "precessions", form: Form::Fixed(2), unit: "" },
+        Reading { words: r"part of the circle above, $p$", form: Form::Fixed(4), unit: "" },
+        Reading { words: "tosses", form: Form::Fixed(0), unit: "" },
+        Reading { words: "part of them heads", form: Form::Fixed(4), unit: "" },
+        Reading { words: r"drift of $\boldsymbol{L}$", form: Form::Power(1), unit: "" },
+    ],
+    start: |settings| Ok(Box::new(Throw::new(settings)?)),
+};
+
+/// The greatest tumble and twist, rad/s.
+const MOST: f64 = 300.0;
+/// The coin is thrown at 2.4 m/s and caught where it was thrown.
+const FLIGHT: FlightParameters = FlightParameters { speed: 2.4, gravity: 9.81, catch_height: 0.0 };
+/// A precession takes this long for the reader, s.
+const SLOW: f64 = 1.6;
+/// At full speed the toss is seen anew every so often, s.
+const AGAIN: f64 = 1.2;
+/// What the eye takes for one instant, s, and how many images of the coin stand for it.
+const BLINK: f64 = 0.02;
+const IMAGES: u32 = 6;
+/// How many tosses are made, how many of them at once, and how long the others take, s of the reader.
+const TOSSES: u32 = 5000;
+const AT_ONCE: u32 = 250;
+const TOSSING: f64 = 5.0;
+/// How unsure a hand, a steady hand and a machine are: of the moment of the catch, s, and of the spin, as a part of it.
+const UNSURE: [[f64; 2]; 3] = [[0.05, 0.1], [0.004, 0.01], [0.0, 0.0]];
+/// Bars of the histogram.
+const BARS: usize = 36;
+/// Half the thickness of the coin that is drawn, if it is thin, in radii.
+const HALF: f64 = 0.06;
+/// The letters on its faces, as strokes along axes 1 and 2, in radii. That of tails reads well from below.
+const HEADS: [[[f64; 2]; 2]; 3] =
+    [[[-0.3, -0.42], [-0.3, 0.42]], [[0.3, -0.42], [0.3, 0.42]], [[-0.3, 0.0], [0.3, 0.0]]];
+const TAILS: [[[f64; 2]; 2]; 2] = [[[0.0, -0.4], [0.0, 0.4]], [[-0.34, -0.4], [0.34, -0.4]]];
+
+/// Probability of the same face against ψ, degrees: the twists divide the curve most finely where it leaves one.
+static PROBABILITIES: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
+    let coin = |ratio: f64| -> Result<_, InvalidQuantity> {
+        let moments = PrincipalMoments::symmetric(1.0, 2.0)?;
+        let toss = Toss::new(TossParameters { moments, omega_1: 1.0, omega_3: 0.5 * ratio })?;
+        Ok((toss.momentum_angle().to_degrees(), toss.same_face_probability()))
+    };
+    let steps = (0..=60).map(|k| 1.0 - (f64::from(k) / 60.0).powi(2));
+    [(0.0, 1.0)].into_iter().chain(steps.filter_map(|ratio| coin(ratio).ok())).collect()
+});
+
+/// A coin as it is thrown. Its moment about a diameter is 1 kg·m².
+struct Throw {
+    /// None if it does not turn.
+    toss: Option<Toss>,
+    moments: PrincipalMoments,
+    tumble: f64,
+    twist: f64,
+    duration: f64,
+    from_above: bool,
+    /// The path of the tip of the normal: heads, then tails.
+    paths: [Vec<Vector3<f64>>; 2],
+    unsure: [f64; 2],
+    pressed: Option<f64>,
+    /// The tosses that were made: the part of a precession at which each was caught, and whether heads showed.
+    caught: Vec<(f64, bool)>,
+}
+
+impl Throw {
+    fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
+        let [tumble, twist] = [settings.of("tumble")?, settings.of("twist")?];
+        let moments = PrincipalMoments::symmetric(1.0, settings.of("ratio")?)?;
+        let turns = tumble > 0.0 || twist > 0.0;
+        let parameters = TossParameters { moments, omega_1: tumble, omega_3: twist };
+        let toss = if turns { Some(Toss::new(parameters)?) } else { None };
+        let mut throw = Self {
+            toss,
+            moments,
+            tumble,
+            twist,
+            duration: Flight::new(FLIGHT)?.duration(),
+            from_above: settings.choice("camera")? == 0,
+            paths: [Vec::new(), Vec::new()],
+            unsure: UNSURE[settings.choice("hand")?],
+            pressed: settings.pressed("toss")?,
+            caught: Vec::new(),
+        };
+        throw.paths = throw.paths()?;
+        if let Some(pressed) = throw.pressed {
+            throw.caught = throw.tosses(pressed)?;
+        }
+        Ok(throw)
+    }
+
+    /// How long a precession takes, s; none for a coin whose normal stands still.
+    fn period(&self) -> Option<f64> {
+        self.toss.filter(|_| self.tumble > 0.0).map(|toss| TAU / toss.precession_rate())
+    }
+
+    fn pace(&self) -> f64 {
+        self.period().map_or(0.1, |period| (period / SLOW).min(1.0))
+    }
+
+    /// The angle between the normal at the start and the angular momentum, rad.
+    fn angle(&self) -> f64 {
+        self.toss.map_or(0.0, |toss| toss.momentum_angle())
+    }
+
+    /// The direction of the angular momentum, which lies in the plane of x and z.
+    fn momentum(&self) -> Vector3<f64> {
+        let (sin, cos) = self.angle().sin_cos();
+        Vector3::new(sin, 0.0, cos)
+    }
+
+    fn attitude(&self, time: f64) -> Result<UnitQuaternion<f64>, InvalidQuantity> {
+        self.toss.map_or(Ok(UnitQuaternion::identity()), |toss| Ok(toss.at(time)?.world_from_body))
+    }
+
+    fn height(&self, time: f64) -> Result<f64, InvalidQuantity> {
+        self.toss.map_or(Ok(1.0), |toss| toss.normal_height(time))
+    }
+
+    /// The part of the time for which heads shows.
+    fn probability(&self) -> f64 {
+        self.toss.map_or(1.0, |toss| toss.same_face_probability())
+    }
+
+    fn paths(&self) -> Result<[Vec<Vector3<f64>>; 2], InvalidQuantity> {
+        let (Some(toss), Some(period)) = (self.toss, self.period()) else {
+            return Ok([Vec::new(), Vec::new()]);
+        };
+        let edge = toss.first_edge().unwrap_or(0.5 * period);
+        let path = |from: f64, to: f64| {
+            if to - from < 1e-9 * period {
+                return Ok(Vec::new());
+            }
+            let points = 6 + (64.0 * (to - from) / period) as u32;
+            (0..=points).map(|k| toss.normal(from + (to - from) * f64::from(k) / f64::from(points))).collect()
+        };
+        Ok([path(-edge, edge)?, path(edge, period - edge)?])
+    }
+
+    /// Many tosses that differ by as much as the hand is unsure: always the same ones for one press of the button.
+    fn tosses(&self, pressed: f64) -> Result<Vec<(f64, bool)>, InvalidQuantity> {
+        let mut chance = Chance(pressed.to_bits());
+        let [unsure_time, unsure_spin] = self.unsure;
+        let toss = |_| {
+            let spin = 1.0 + unsure_spin * chance.between_ends();
+            let time = self.duration + unsure_time * chance.between_ends();
+            // So much faster in all, it is where the mean toss is so much later.
+            let heads = self.height(spin * time)? >= 0.0;
+            Ok((self.period().map_or(0.0, |period| (spin * time / period).rem_euclid(1.0)), heads))
+        };
+        (0..TOSSES).map(toss).collect()
+    }
+
+    /// How many tosses have been made at a time.
+    fn made(&self, time: f64) -> usize {
+        let since = self.pressed.map_or(0.0, |pressed| time - pressed) / (self.pace() * TOSSING);
+        // Those that begin again at the start, or look back, see all of them.
+        let part = if since < 0.0 { 1.0 } else { since.min(1.0) };
+        let made = f64::from(AT_ONCE) + part * f64::from(TOSSES - AT_ONCE);
+        self.caught.len().min(made as usize)
+    }
+
+    /// The part of the first tosses that showed heads.
+    fn heads(&self, count: usize) -> f64 {
+        self.caught[..count].iter().filter(|(_, heads)| *heads).count() as f64 / count as f64
+    }
+
+    /// The coin of radius 1 about the origin as it is seen from a direction, in the hue of the face that is seen: that
+    /// which was up in the hue of the body, the other grey. Each has its letter.
+    fn draw_coin(
+        &self,
+        stage: &mut Stage,
+        attitude: &UnitQuaternion<f64>,
+        towards_eye: &Vector3<f64>,
+    ) -> Result<(), SpaceError> {
+        // I₃/I₁ = 2/(1 + h²/3) of a cylinder of radius 1 and height h
+        let [_, _, axial] = self.moments.to_array();
+        let half = (0.5 * (3.0 * (2.0 / axial - 1.0)).sqrt()).max(HALF);
+        let radius = 1.0_f64.min(1.2 / half.hypot(1.0));
+        let (half, normal) = (half * radius, attitude * Vector3::z());
+        let (face, hue, pen, letter) = if normal.dot(towards_eye) >= 0.0 {
+            (half, Hue::Blue, Hue::Blue, &HEADS[..])
+        } else {
+            (-half, Hue::Muted, Hue::Ink, &TAILS[..])
+        };
+        stage.solid(Solid::disc([0.0; 3], normal, radius, 2.0 * half)?, hue)?;
+        for stroke in letter {
+            let [from, to] = stroke.map(|[x, y]| attitude * Vector3::new(x * radius, y * radius, face));
+            stage.curve(Curve::segment(from, to)?.hiding(Hiding::Omitted), Stroke::Curve, pen)?;
+        }
+        Ok(())
+    }
+
+    /// The way of the tip of the normal, blue where heads shows and grey where tails does.
+    fn draw_path(&self, stage: &mut Stage, size: f64, stroke: Stroke) -> Result<(), SpaceError> {
+        for (path, hue) in self.paths.iter().zip([Hue::Blue, Hue::Muted]) {
+            if path.len() > 1 {
+                stage.curve(Curve::smooth(path.iter().map(|tip| tip * size))?, stroke, hue)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The coin in slow motion.
+    fn draw_flight(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let attitude = self.attitude(moment.time)?;
+        let normal = attitude * Vector3::z();
+        let mut view = View {
+            target: [0.0; 3],
+            azimuth: moment.azimuth,
+            elevation: moment.elevation,
+            distance: 9.0,
+            centre: moment.room.of(at(212.0, 158.0), at(225.0, 148.0)),
+            scale: moment.room.of(84.0, 76.0),
+        };
+        if self.from_above {
+            (view.azimuth, view.elevation) = (-FRAC_PI_2, FRAC_PI_2);
+        }
+        let (sin, cos) = view.elevation.sin_cos();
+        let towards_eye = Vector3::new(cos * view.azimuth.cos(), cos * view.azimuth.sin(), sin);
+        let mut stage = Stage::new(Camera::new(view)?);
+        self.draw_coin(&mut stage, &attitude, &towards_eye)?;
+        self.draw_path(&mut stage, 1.4, Stroke::Outline)?;
+        if self.toss.is_some() {
+            stage.named_vector([0.0; 3], self.momentum() * 1.65, r"$\boldsymbol{L}$", Hue::Green)?;
+        }
+        stage.named_vector([0.0; 3], normal * 1.4, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
+        stage.write(drawing);
+        let (name, hue) = if normal.z >= 0.0 { ("heads", Hue::Blue) } else { ("tails", Hue::Muted) };
+        let below = moment.room.of(at(212.0, 314.0), at(225.0, 284.0));
+        drawing.label(below, Side::Left, "seen from above:", Hue::Ink)?;
+        drawing.label(below, Side::Right, name, hue)?;
+        Ok(())
+    }
+
+    /// The sphere with the equator and the path of the normal.
+    fn draw_sphere(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut stage = Stage::new(sphere(moment)?);
+        stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
+        stage.curve(Curve::circle([0.0; 3], Vector3::z(), 1.0)?, Stroke::Reference, Hue::Ink)?;
+        self.draw_path(&mut stage, 1.0, Stroke::Curve)?;
+        stage.label([1.0, 0.0, 0.0], Side::Below, "equator", Hue::Muted)?;
+        stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
+        stage.label([0.0, 0.0, 1.0], Side::Above, "start, flat", Hue::Muted)?;
+        if self.toss.is_some() {
+            let momentum = self.momentum();
+            stage.arrow(
+                Curve::segment(momentum, momentum * REACH)?,
+                Stroke::Vector,
+                Heads::End,
+                Hue::Green,
+            )?;
+            stage.dot(momentum, 3.5, Hue::Green)?;
+            stage.label(momentum * REACH, Side::Right, r"$\boldsymbol{L}$", Hue::Green)?;
+        }
+        let normal = self.attitude(moment.time)? * Vector3::z();
+        stage.dot(normal, 5.5, if normal.z >= 0.0 { Hue::Blue } else { Hue::Muted })?;
+        stage.write(drawing);
+        Ok(())
+    }
+
+    /// The same toss from the side and at full speed, where the eye sees several images of the coin at once.
+    fn draw_full_speed(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let flight = Flight::new(FLIGHT)?;
+        let (x, [hand, top]) = moment.room.of((40.0, [270.0, 48.0]), (40.0, [250.0, 46.0]));
+        let highest = FLIGHT.speed * FLIGHT.speed / (2.0 * FLIGHT.gravity);
+        let page_y = |time: f64| hand - (hand - top) * flight.height(time).clamp(0.0, highest) / highest;
+        drawing.line(at(x, hand), at(x, top), Stroke::Dotted, Hue::Muted);
+        drawing.line(at(x - 20.0, hand + 6.0), at(x + 20.0, hand + 6.0), Stroke::Axis, Hue::Ink);
+        let slow = at(x + 18.0, page_y(moment.time));
+        drawing.line(slow, slow + at(8.0, 0.0), Stroke::Vector, Hue::Ink);
+        drawing.label_set(slow, Side::Right, 11.0, 13.0, "slow", Role::Text(Hue::Ink))?;
+        let (clock, radius) = ((moment.time / self.pace()).rem_euclid(AGAIN), 15.0);
+        for image in (0..IMAGES).rev() {
+            let time = (clock - BLINK * f64::from(image) / f64::from(IMAGES)).clamp(0.0, self.duration);
+            let normal = self.attitude(time)? * Vector3::z();
+            // A circle seen along y: across the normal it has its radius, along it less.
+            let thin = (radius * normal.y.abs()).max(1.5);
+            let turn = normal.x.atan2(-normal.z);
+            let shape = Shape::Ellipse { centre: at(x, page_y(time)), radii: (radius, thin), turn };
+            let hue = if normal.z >= 0.0 { Hue::Blue } else { Hue::Muted };
+            drawing.push(Role::Area(Fill::Side, hue), shape.clone());
+            drawing.push(Role::Line(Stroke::Pale, hue), shape);
+        }
+        let below = at(x, hand + 24.0);
+        drawing.label_set(below, Side::Over, 0.0, 13.0, "full speed", Role::Text(Hue::Ink))?;
+        Ok(())
+    }
+
+    /// The height of the normal through a precession, and at which parts of it coins were caught.
+    fn draw_heights(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let frame =
+            moment.room.of(Rect::new(48.0, 364.0, 320.0, 104.0), Rect::new(48.0, 562.0, 310.0, 100.0));
+        let y = Axis::linear([-1.0, 1.0, 1.0], r"height of the normal, $n_z$");
+        let mut graph =
+            Graph::new(drawing, frame, Axis::linear([0.0, 1.0, 0.25], "part of a precession"), y)?;
+        let made = self.made(moment.time);
+        let mut bars = [[0_u32; 2]; BARS];
+        for &(part, heads) in &self.caught[..made] {
+            bars[((part * BARS as f64) as usize).min(BARS - 1)][usize::from(heads)] += 1;
+        }
+        // As many in each bar as in all others would reach up to −0.4 when all are made; the highest stays inside.
+        let highest = bars.iter().map(|[tails, heads]| tails + heads).max().unwrap_or(0).max(1);
+        let unit = (0.6 * BARS as f64 / f64::from(TOSSES)).min(1.9 / f64::from(highest));
+        for (bar, [tails, heads]) in bars.into_iter().enumerate() {
+            let [left, right] = [bar, bar + 1].map(|edge| edge as f64 / BARS as f64);
+            let mut foot = -1.0;
+            for (count, hue) in [(tails, Hue::Muted), (heads, Hue::Blue)] {
+                let top = foot + unit * f64::from(count);
+                if count > 0 {
+                    graph.area([(left, foot), (right, foot), (right, top), (left, top)], Fill::Face, hue);
+                }
+                foot = top;
+            }
+        }
+        graph.level(0.0, Stroke::Reference, Hue::Ink);
+        let middle = self.angle().cos().powi(2);
+        graph.level(middle, Stroke::Dotted, Hue::Green);
+        let period = self.period().unwrap_or(1.0);
+        let edge = self.toss.and_then(|toss| toss.first_edge()).map_or(0.5, |edge| edge / period);
+        for (from, to, hue) in
+            [(0.0, edge, Hue::Blue), (edge, 1.0 - edge, Hue::Muted), (1.0 - edge, 1.0, Hue::Blue)]
+        {
+            let parts = (0..=32).map(|k| from + (to - from) * f64::from(k) / 32.0);
+            let wave = parts.map(|part| Ok((part, self.height(part * period)?)));
+            graph.curve(wave.collect::<Result<Vec<_>, InvalidQuantity>>()?, Stroke::Curve, hue);
+        }
+        let part = self.period().map_or(0.0, |period| (moment.time / period).rem_euclid(1.0));
+        let height = self.height(moment.time)?;
+        graph.dot((part, height), 5.0, if height >= 0.0 { Hue::Blue } else { Hue::Muted });
+        let place = graph.at((0.5, middle));
+        let drawing = graph.drawing();
+        if middle < 0.92 {
+            drawing.label_set(place, Side::Above, 3.0, 13.0, "its middle", Role::Text(Hue::Green))?;
+        }
+        if made > 0 {
+            let above = at(frame.right, frame.top - 16.0);
+            drawing.label_set(above, Side::Left, 0.0, 13.0, "bars: the catches", Role::Text(Hue::Muted))?;
+        }
+        Ok(())
+    }
+
+    /// The probability of the same face against ψ, and what the tosses gave.
+    fn draw_probability(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (frame, x, y) = probability(moment.room);
+        let mut graph = Graph::new(drawing, frame, x, y)?;
+        graph.area([(0.0, 0.5), (45.0, 0.5), (45.0, 1.0), (0.0, 1.0)], Fill::Ground, Hue::Blue);
+        graph.curve(PROBABILITIES.iter().copied(), Stroke::Curve, Hue::Blue);
+        let angle = self.angle().to_degrees();
+        let here = graph.at((angle, self.probability()));
+        graph.drawing().dot(here, 4.5, Hue::Ink);
+        graph.drawing().circle(here, 8.0, Role::Line(Stroke::Outline, Hue::Ink));
+        let made = self.made(moment.time);
+        if made > 0 {
+            let (heads, error) = (self.heads(made), 1.0 / f64::from(made as u32).sqrt());
+            graph.curve([(angle, heads - error), (angle, heads + error)], Stroke::Curve, Hue::Pink);
+            graph.dot((angle, heads), 3.5, Hue::Pink);
+        }
+        Ok(())
+    }
+
+    /// Tumble and twist that give the momentum another angle, and leave the rate of the precession if they can.
+    fn turned_to(&self, angle: f64) -> Vec<(&'static str, f64)> {
+        let [_, _, ratio] = self.moments.to_array();
+        let (sin, cos) = angle.clamp(0.0, FRAC_PI_2).sin_cos();
+        if self.toss.is_none() && angle < 0.02 {
+            return Vec::new();
+        }
+        let rate = self.toss.map_or(120.0, |toss| toss.precession_rate());
+        let rate = rate.min(MOST / sin.max(1e-9)).min(MOST * ratio / cos.max(1e-9));
+        vec![("tumble", rate * sin), ("twist", rate * cos / ratio)]
+    }
+}
+
+/// How far the arrow of the momentum reaches beyond the sphere.
+const REACH: f64 = 1.4;
+
+/// The eye that looks at the sphere.
+fn sphere(moment: &Moment) -> Result<Camera, SpaceError> {
+    moment.camera(View {
+        target: [0.0; 3],
+        azimuth: 0.0,
+        elevation: 0.0,
+        distance: 9.0,
+        centre: moment.room.of(at(490.0, 160.0), at(190.0, 412.0)),
+        scale: moment.room.of(112.0, 92.0),
+    })
+}
+
+/// The plot of probabilities: its frame on the page, ψ to the right and p upwards.
+fn probability(room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
+    let x = Axis::linear([0.0, 90.0, 45.0], r"$\psi$, degrees");
+    let y = Axis::linear([0.5, 1.0, 0.25], r"heads, $p$");
+    (room.of(Rect::new(444.0, 364.0, 170.0, 104.0), Rect::new(60.0, 744.0, 220.0, 84.0)), x, y)
+}
+
+/// Numbers as good as random (splitmix64), the same from the same seed.
+struct Chance(u64);
+
+impl Chance {
+    /// A number from −1 to 1.
+    fn between_ends(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((bits ^ (bits >> 31)) >> 11) as f64 / 2_f64.powi(52) - 1.0
+    }
+}
+
+impl Motion for Throw {
+    fn run(&self) -> Run {
+        Run { duration: self.duration, pace: self.pace(), repeats: true }
+    }
+
+    fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        self.draw_full_speed(moment, drawing)?;
+        self.draw_flight(moment, drawing)?;
+        self.draw_sphere(moment, drawing)?;
+        self.draw_heights(moment, drawing)?;
+        self.draw_probability(moment, drawing)
+    }
+
+    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
+        let made = self.made(time);
+        // From the attitude and ω of this moment, against the start.
+        let drift = match self.toss {
+            Some(toss) => {
+                let [start, now] = [0.0, time].map(|time| toss.at(time));
+                let [start, now] =
+                    [start?, now?].map(|turning| turning.angular_momentum_world(&self.moments));
+                (now - start).norm() / start.norm()
+            }
+            None => 0.0,
+        };
+        Ok(vec![
+            (self.attitude(time)? * Vector3::z()).z,
+            self.period().map_or(0.0, |period| time / period),
+            self.probability(),
+            f64::from(made as u32),
+            if made > 0 { self.heads(made) } else { f64::NAN },
+            drift,
+        ])
+    }
+
+    fn words(&self, _time: f64) -> String {
+        let Some(toss) = self.toss else {
+            return "It does not turn at all: heads stays up, and up it stays.".into();
+        };
+        if self.tumble == 0.0 {
+            return "Twist and no tumble: the normal stands still, L along it, and the circle is a \
+                    point at the pole."
+                .into();
+        }
+        let (lean, part) = (2.0 * self.angle().to_degrees(), 100.0 * self.probability());
+        let lowest = toss.lowest_normal();
+        let threshold = {
+            let [_, _, axial] = self.moments.to_array();
+            1.0 / axial
+        };
+        let mut words = if lowest == 0.0 {
+            "Just twisted enough: the circle touches the equator, and the coin stands on edge for \
+             an instant and goes back. Heads shows all the time."
+                .into()
+        } else if toss.keeps_its_face() {
+            format!(
+                "Twisted {:.2} times as fast as it tumbles, more than {threshold:.2} times: the normal \
+                 leans over by {lean:.0}° at most, its circle clears the equator, and heads shows \
+                 all the time.",
+                self.twist / self.tumble
+            )
+        } else {
+            format!(
+                "Twisted {:.2} times as fast as it tumbles, less than {threshold:.2} times: the normal \
+                 leans over by up to {lean:.0}°, and {part:.1} % of its circle lie above the equator. \
+                 That is never less than half, as the middle of a circle through the pole is never \
+                 below the equator: here it is at the height {:.2}.",
+                self.twist / self.tumble,
+                self.angle().cos().powi(2)
+            )
+        };
+        if !self.caught.is_empty() {
+            let heads = 100.0 * self.heads(self.caught.len());
+            words += &format!(" Of {TOSSES} tosses {heads:.1} % show heads");
+            words += match self.unsure {
+                [0.0, _] => ": a machine tosses the same toss each time, and there is no chance in it.",
+                _ if (heads - part).abs() > 3.0 => {
+                    ": this hand is too sure of itself for chance to have its way."
+                }
+                _ => ", as chance will have it to within 1.4 %.",
+            };
+        }
+        words
+    }
+
+    fn grips(&self, moment: &Moment) -> Vec<Point> {
+        let (frame, x, y) = probability(moment.room);
+        let mut grips = vec![point_at(frame, &x, &y, (self.angle().to_degrees(), self.probability()))];
+        let tip = sphere(moment).and_then(|camera| camera.on_page(self.momentum() * REACH));
+        grips.extend(tip.ok());
+        grips
+    }
+
+    fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+        if grip == 0 {
+            let (frame, x, y) = probability(moment.room);
+            return self.turned_to(value_at(frame, &x, &y, to).0.to_radians());
+        }
+        // The angle at which the tip of the momentum comes nearest to the hand.
+        let Ok(camera) = sphere(moment) else { return Vec::new() };
+        let distance = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            let tip = camera.on_page(Vector3::new(sin, 0.0, cos) * REACH);
+            tip.map_or(f64::INFINITY, |tip| (tip - to).length())
+        };
+        let nearest = |from: f64, to: f64| {
+            let angles = (0..=90).map(|k| from + (to - from) * f64::from(k) / 90.0);
+            angles.min_by(|one, other| distance(*one).total_cmp(&distance(*other))).unwrap_or(from)
+        };
+        if distance(self.angle()) < 0.5 {
+            return self.turned_to(self.angle());
+        }
+        let (coarse, step) = (nearest(0.0, FRAC_PI_2), FRAC_PI_2 / 90.0);
+        self.turned_to(nearest((coarse - step).max(0.0), (coarse + step).min(FRAC_PI_2)))
+    }
+}

@@ -1,0 +1,485 @@
+//! The scene of the chapter "The pinned hoop": a hoop is caught by a point of its rim, and waits before it turns over.
+
+use crate::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at,
+    value_at,
+};
+use drawing::kit;
+use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
+use drawing::{Drawing, Hue, Item, Point, Rect, Role, Side, Stroke, at};
+use mechanics::attitude::angle_between;
+use mechanics::free_rotation::FreeTop;
+use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+use nalgebra::{UnitQuaternion, Vector3};
+use std::cell::OnceCell;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+pub(crate) const SCENE: Scene = Scene {
+    name: "pinned-hoop",
+    title: "A pinned hoop turns over",
+    description: "A hoop that is pinned at A, in the middle of turning over, with the upright angular momentum. Beside it an ellipsoid with the \
+                  path of omega on it, a pendulum that has fallen from near its upright balance and swings, and the plane of the hoop at the \
+                  moment of the snap, with A a degree from the place at a quarter of the circle. A plot: how long the hoop waits, a straight \
+                  line against the logarithm of that degree.",
+    question: "The pin catches the hoop nearly at $90°$ from its axis. It turns like a door on its hinge, and then it turns over. \
+               How long does it wait, at $80°$, $89°$ and $89.9°$? Why are the steps equal?",
+    size: [[640.0, 505.0], [360.0, 640.0]],
+    view: Some([-0.9, 0.3]),
+    still: 17.0,
+    controls: &[
+        Control::log_slider("gap", r"how far the pin is from a right angle, $90° - \theta$", GAPS, "°", 1.0),
+        Control::switch("exact", r"exactly at $\theta = 90°$", false),
+        Control::choice("shape", "what is pinned", &["a hoop", "a disc", "a ball"]),
+    ],
+    presets: &[
+        Preset { words: "30°", settings: &[("gap", 60.0)] },
+        Preset { words: "60°", settings: &[("gap", 30.0)] },
+        Preset { words: "80°", settings: &[("gap", 10.0)] },
+        Preset { words: "89°", settings: &[("gap", 1.0)] },
+        Preset { words: "89.9°", settings: &[("gap", 0.1)] },
+        Preset { words: "89.99°", settings: &[("gap", 0.01)] },
+        Preset { words: "a ball at 60°", settings: &[("gap", 30.0), ("shape", 2.0)] },
+    ],
+    readings: &[
+        Reading { words: "times it has turned over", form: Form::Fixed(0), unit: "" },
+        Reading {
+            words: r"angle between tangent $\hat{\mathbf 1}$ and $\boldsymbol L_A$",
+            form: Form::Fixed(1),
+            unit: "°",
+        },
+        Reading { words: "energy that the snap took", form: Form::Fixed(1), unit: "%" },
+        Reading { words: r"drift of the energy $T$", form: Form::Power(1), unit: "" },
+        Reading { words: r"drift of $\boldsymbol L_A$ in the room", form: Form::Power(1), unit: "" },
+    ],
+    start: |settings| Ok(Box::new(Pinned::new(settings)?)),
+};
+
+/// How far from a right angle the pin can be, degrees.
+const GAPS: [f64; 2] = [1e-4, 90.0];
+/// A hand cannot pin the drawn rim more exactly, degrees.
+const BY_HAND: f64 = 0.1;
+/// For how long the path of the centre stays, s.
+const TRAIL: f64 = 7.0;
+/// How many points half a path has.
+const POINTS: u32 = 120;
+/// The axes of the body, in its own picture.
+const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// A body of mass, radius and spin one, pinned so many degrees from a right angle.
+fn pinned(shape: Shape, gap: f64) -> Result<Pinning, Cause> {
+    // Sine and cosine of 90° − gap; near a right angle everything hangs on the small one.
+    let (cos, sin) = gap.to_radians().sin_cos();
+    let pin = if gap == 90.0 { Pin::Angle(0.0) } else { Pin::Point { from_axis: sin, height: cos } };
+    Ok(Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })?)
+}
+
+/// A body that was pinned at time zero.
+struct Pinned {
+    body: Pinning,
+    shape: Shape,
+    gap: f64,
+    top: FreeTop,
+    /// The room's upright lies along the angular momentum.
+    upright: UnitQuaternion<f64>,
+    /// The period of its pendulum; none if it never turns over.
+    period: Option<f64>,
+    /// The path of ω in the body over a period.
+    path: Vec<Vector3<f64>>,
+    /// How long it waits, s, against the gap, degrees.
+    waits: Vec<(f64, f64)>,
+    /// What does not move of the picture of the ellipsoid, on a page and on a phone, once it has been drawn.
+    ellipsoid: [OnceCell<Vec<Item>>; 2],
+}
+
+impl Pinned {
+    fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
+        let shape = [Shape::Hoop, Shape::Disk, Shape::Sphere][settings.choice("shape")?.min(2)];
+        let gap = if settings.is_on("exact")? { 0.0 } else { settings.of("gap")? };
+        let body = pinned(shape, gap)?;
+        let top = body.free_motion()?;
+        let upright = UnitQuaternion::rotation_between(&body.angular_momentum(), &Vector3::z())
+            .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI));
+        let period = top.period();
+        let path = times_of_path(period.unwrap_or(0.0)).map(|time| Ok(top.at(time)?.omega_body));
+        let path = path.collect::<Result<Vec<_>, Cause>>()?;
+        let mut waits = Vec::new();
+        if shape != Shape::Sphere {
+            for n in 0..=40 {
+                let gap = GAPS[0] * (89.0 / GAPS[0]).powf(f64::from(n) / 40.0);
+                waits.extend(wait(shape, gap)?.map(|wait| (gap, wait)));
+            }
+        }
+        Ok(Self { body, shape, gap, top, upright, period, path, waits, ellipsoid: Default::default() })
+    }
+
+    fn is_flat(&self) -> bool {
+        self.shape != Shape::Sphere
+    }
+
+    fn theta(&self) -> f64 {
+        90.0 - self.gap
+    }
+}
+
+/// The time from the snap to the moment when the tangent is passed: a quarter of the period.
+fn wait(shape: Shape, gap: f64) -> Result<Option<f64>, Cause> {
+    Ok(pinned(shape, gap)?.free_motion()?.period().map(|period| 0.25 * period))
+}
+
+/// Moments of a period, the closer together the faster ω moves: about a quarter of it and three quarters.
+fn times_of_path(period: f64) -> impl Iterator<Item = f64> {
+    let quarter = 0.25 * period;
+    // As in the motion next to a balance: exponential steps, of a quarter second or so in the middle.
+    let steep = (quarter / 3.0).max(1.0).ln() * 1.3 + 0.01;
+    (0..=2 * POINTS).map(move |n| {
+        let (half, part) = (f64::from(n / POINTS), f64::from(n % POINTS) / f64::from(POINTS));
+        quarter * (1.0 + (steep * (2.0 * part - 1.0)).sinh() / steep.sinh() + 2.0 * half)
+    })
+}
+
+/// The pendulum: its middle and its length, px.
+fn pendulum(room: Room) -> (Point, f64) {
+    room.of((at(268.0, 416.0), 46.0), (at(186.0, 378.0), 38.0))
+}
+
+/// The plane of the hoop at the snap: its centre and radius, px.
+fn plane(room: Room) -> (Point, f64) {
+    room.of((at(82.0, 420.0), 46.0), (at(62.0, 384.0), 36.0))
+}
+
+/// How long it waits, against how far the pin is from a right angle.
+fn plot(room: Room, shape: Shape) -> (Rect, Axis<'static>, Axis<'static>) {
+    let frame = room.of(Rect::new(412.0, 325.0, 200.0, 130.0), Rect::new(42.0, 500.0, 290.0, 92.0));
+    let gap = Axis::log([GAPS[0], 100.0, 2.0], r"$90° - \theta$, degrees");
+    let most = if shape == Shape::Disk { 90.0 } else { 60.0 };
+    (frame, gap, Axis::linear([0.0, most, 0.5 * most], "wait, s"))
+}
+
+impl Pinned {
+    /// The body in the room, with the pin in the origin.
+    fn draw_body(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let camera = moment.camera(View {
+            target: [0.0; 3],
+            azimuth: 0.0,
+            elevation: 0.0,
+            distance: 12.0,
+            centre: moment.room.of(at(175.0, 165.0), at(180.0, 155.0)),
+            scale: moment.room.of(78.0, 70.0),
+        })?;
+        let now = self.top.at(moment.time)?;
+        let room = self.upright * now.world_from_body;
+        let (centre, normal) = (room * self.body.centre(), room * Vector3::z());
+        let mut stage = Stage::new(camera);
+        let solid = match self.shape {
+            Shape::Hoop => Solid::ring(centre, normal, 1.0, 0.87, 0.12)?,
+            Shape::Disk => Solid::disc(centre, normal, 1.0, 0.06)?,
+            Shape::Sphere => Solid::sphere(centre, 1.0)?,
+        };
+        stage.solid(solid, Hue::Blue)?;
+        let begin = (moment.time - TRAIL).max(0.0);
+        let times = (0..=40).map(|n| begin + (moment.time - begin) * f64::from(n) / 40.0);
+        let path = times
+            .map(|time| Ok((self.upright * (self.top.at(time)?.world_from_body * self.body.centre())).into()))
+            .collect::<Result<Vec<[f64; 3]>, Cause>>()?;
+        if moment.time > 0.0 && self.gap < GAPS[1] {
+            stage.curve(Curve::smooth(path)?.hiding(Hiding::Pale), Stroke::Curve, Hue::Blue)?;
+        }
+        stage.dot_in_front(centre, 3.0, Hue::Blue)?;
+        let omega = room * now.omega_body;
+        let rate = self.body.omega_after().norm();
+        let right = Vector3::new(-moment.azimuth.sin(), moment.azimuth.cos(), 0.0);
+        let side =
+            |tip: &Vector3<f64>, least: f64| if tip.dot(&right) > least { Side::Right } else { Side::Left };
+        let (tangent, omega) = (room * Vector3::x() * 1.45, omega * (1.1 / rate));
+        let arrows = [
+            (Vector3::z() * 1.8, Side::Above, r"$\boldsymbol{L}_A$", Hue::Green),
+            (tangent, side(&tangent, 0.25), r"$\hat{\mathbf{1}}$", Hue::Ink),
+            (omega, side(&omega, -0.25), r"$\boldsymbol{\omega}$", Hue::Orange),
+        ];
+        for (tip, side, name, hue) in arrows {
+            let arrow = Curve::segment([0.0; 3], tip)?.hiding(Hiding::Ignored);
+            stage.arrow(arrow, Stroke::Vector, kit::Heads::End, hue)?;
+            stage.label(tip, side, name, hue)?;
+        }
+        stage.dot_in_front([0.0; 3], 5.0, Hue::Pink)?;
+        stage.label_shifted([0.0; 3], at(0.0, 4.0), Side::BelowLeft, r"$A$", Hue::Pink)?;
+        stage.write(drawing);
+        Ok(())
+    }
+
+    /// ω in the body, on the ellipsoid of its energy. But for the dot nothing in it moves.
+    fn draw_ellipsoid(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let cell = moment.room.of(&self.ellipsoid[0], &self.ellipsoid[1]);
+        if cell.get().is_none() {
+            let _ = cell.set(self.still_ellipsoid(moment.room)?);
+        }
+        let mut over = self.ellipsoid_alone(moment.room)?;
+        let omega = self.top.at(moment.time)?.omega_body * self.on_ellipsoid();
+        over.dot(omega, moment.room.of(5.0, 4.5), Hue::Orange)?;
+        let mut dotted = Drawing::new("", 0.0, 0.0);
+        over.write(&mut dotted);
+        let dot = dotted.items().last();
+        for Item { role, shape, .. } in cell.get().into_iter().flatten().chain(dot) {
+            drawing.push(*role, shape.clone());
+        }
+        Ok(())
+    }
+
+    /// From ω to its place on the drawn ellipsoid, whose longest semi-axis, the second, is 1.
+    fn on_ellipsoid(&self) -> f64 {
+        let moments = self.body.moments_about_pin();
+        (moments.to_array()[1] / (2.0 * moments.kinetic_energy(&self.body.omega_after()))).sqrt()
+    }
+
+    fn semi_axes(&self) -> [f64; 3] {
+        let moments = self.body.moments_about_pin().to_array();
+        moments.map(|moment| (moments[1] / moment).sqrt())
+    }
+
+    fn ellipsoid_alone(&self, room: Room) -> Result<Stage, Cause> {
+        let mut stage = Stage::new(Camera::new(View {
+            target: [0.0; 3],
+            azimuth: -1.25,
+            elevation: 0.12,
+            distance: 8.0,
+            centre: room.of(at(500.0, 128.0), at(296.0, 372.0)),
+            scale: room.of(125.0, 54.0),
+        })?);
+        stage.solid(Solid::ellipsoid([0.0; 3], AXES, self.semi_axes())?, Hue::Blue)?;
+        Ok(stage)
+    }
+
+    fn still_ellipsoid(&self, room: Room) -> Result<Vec<Item>, Cause> {
+        let mut stage = self.ellipsoid_alone(room)?;
+        let semi = self.semi_axes();
+        if self.is_flat() {
+            // The separatrix: L² = 2T I₁ on the ellipsoid, two plane curves through axis 1.
+            let [i1, i2, i3] = self.body.moments_about_pin().to_array();
+            let slope = (i2 * (i1 - i2) / (i3 * (i3 - i1))).sqrt();
+            let across = (1.0 + i3 / i2 * slope * slope).sqrt().recip();
+            for slope in [slope, -slope] {
+                let point = |n: u32| {
+                    let (sin, cos) = (TAU * f64::from(n) / 120.0).sin_cos();
+                    [semi[0] * cos, across * sin, slope * across * sin]
+                };
+                let border = Curve::smooth((0..=120).map(point))?.hiding(Hiding::Omitted);
+                stage.curve(border, Stroke::Border, Hue::Ink)?;
+            }
+        }
+        if self.path.iter().any(|omega| (omega - self.path[0]).norm() > 1e-3) {
+            let path = self.path.iter().map(|omega| omega * self.on_ellipsoid());
+            stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Orange)?;
+        }
+        for (k, sign, name) in [
+            (0, 1.0, r"$\hat{\mathbf{1}}$"),
+            (1, -1.0, r"$-\hat{\mathbf{2}}$"),
+            (2, 1.0, r"$\hat{\mathbf{3}}$"),
+        ] {
+            let direction = Vector3::from(AXES[k]) * sign;
+            let more = room.of(0.25, 0.4);
+            stage.named_vector(direction * semi[k], direction * (semi[k] + more), name, Hue::Ink)?;
+        }
+        let mut drawing = Drawing::new("", 0.0, 0.0);
+        stage.write(&mut drawing);
+        let below = room.of(at(500.0, 262.0), at(296.0, 440.0));
+        drawing.label(below, Side::Over, r"$\boldsymbol{\omega}$ in the body", Hue::Orange)?;
+        Ok(drawing.items().to_vec())
+    }
+
+    /// The pendulum inside a flat body: 2χ from its upright balance (eq:hoop-pendulum).
+    fn draw_pendulum(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (middle, length) = pendulum(moment.room);
+        let below = middle + at(0.0, length + moment.room.of(26.0, 24.0));
+        if !self.is_flat() {
+            drawing.label(middle, Side::Over, "no pendulum", Hue::Muted)?;
+            return Ok(());
+        }
+        let angle = |omega: &Vector3<f64>| 2.0 * (-omega.y).atan2(omega.x);
+        let place = |angle: f64| middle + Point::polar(length, FRAC_PI_2 - angle);
+        let (start, now) = (angle(&self.body.omega_after()), angle(&self.top.at(moment.time)?.omega_body));
+        drawing.line(middle - at(0.0, length + 10.0), middle, Stroke::Reference, Hue::Muted);
+        let swing = -(TAU - 2.0 * start);
+        if swing < -0.98 * TAU {
+            drawing.circle(middle, length, Role::Line(Stroke::Orbit, Hue::Orange));
+        } else if swing < -1e-3 {
+            drawing.arc(middle, length, FRAC_PI_2 - start, swing, Stroke::Orbit, Hue::Orange);
+        }
+        drawing.line(middle, place(now), Stroke::Vector, Hue::Ink);
+        if now > 0.3 {
+            kit::angle(drawing, middle, 0.45 * length, FRAC_PI_2, -now, kit::Heads::End, Hue::Ink);
+        }
+        drawing.dot(middle, 3.0, Hue::Ink);
+        drawing.disc(place(now), moment.room.of(8.0, 7.0), Hue::Orange);
+        drawing.dot(place(start), 3.5, Hue::Pink);
+        drawing.label(below, Side::Over, r"pendulum, $2\chi$", Hue::Muted)?;
+        Ok(())
+    }
+
+    /// The plane of the hoop at the snap.
+    fn draw_plane(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (centre, radius) = plane(room);
+        let theta = self.theta().to_radians();
+        drawing.disc(centre, radius, Hue::Blue);
+        if self.shape == Shape::Hoop {
+            drawing.circle(centre, radius - 6.0, Role::Area(drawing::Fill::Page, Hue::Blue));
+            drawing.circle(centre, radius - 6.0, Role::Line(Stroke::Outline, Hue::Blue));
+        }
+        drawing.line(
+            centre - at(0.0, radius + 6.0),
+            centre + at(0.0, radius + 6.0),
+            Stroke::Reference,
+            Hue::Muted,
+        );
+        let pin = self.pin(room);
+        drawing.line(centre, pin, Stroke::Outline, Hue::Muted);
+        if theta > 0.3 {
+            kit::angle(drawing, centre, 0.4 * radius, FRAC_PI_2, -theta, kit::Heads::End, Hue::Ink);
+            let middle = centre + Point::polar(0.4 * radius, FRAC_PI_2 - 0.5 * theta);
+            drawing.label_set(middle, Side::AboveRight, 1.0, 13.0, r"$\theta$", Role::PlainText(Hue::Ink))?;
+        }
+        // The axes at A: 2 to the centre, 1 along the tangent.
+        let (first, second) = (Point::polar(1.0, PI - theta), Point::polar(1.0, -FRAC_PI_2 - theta));
+        let long = 1.4 * radius;
+        let omega = self.body.omega_after();
+        let omega = (first * omega.x + second * omega.y) * long;
+        let top = centre - at(0.0, radius);
+        kit::arrow(drawing, top, top - at(0.0, 0.62 * long), Hue::Orange);
+        drawing.label(top - at(0.0, 0.5 * long), Side::Left, r"$\boldsymbol{\omega}_0$", Hue::Orange)?;
+        kit::arrow(drawing, pin, pin + omega, Hue::Orange);
+        drawing.label(pin + omega, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+        drawing.dot(pin, 5.5, Hue::Pink);
+        drawing.label(pin + at(1.0, 8.0), Side::Right, r"$A$", Hue::Pink)?;
+        let below = centre + at(0.0, radius + room.of(20.0, 18.0));
+        drawing.label(below, Side::Over, "the snap", Hue::Muted)?;
+        Ok(())
+    }
+
+    /// Where A is drawn in the plane of the hoop.
+    fn pin(&self, room: Room) -> Point {
+        let (centre, radius) = plane(room);
+        centre + Point::polar(radius, self.gap.to_radians())
+    }
+
+    /// How long it waits.
+    fn draw_waits(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (frame, x, y) = plot(room, self.shape);
+        let mut graph = Graph::new(drawing, frame, x, y)?;
+        if !self.is_flat() {
+            graph.label((0.1, 30.0), Side::Over, "it never turns over", Hue::Muted)?;
+            return Ok(());
+        }
+        graph.curve(self.waits.iter().copied(), Stroke::Curve, Hue::Blue);
+        for (gap, name) in [(10.0, "80°"), (1.0, "89°"), (0.1, "89.9°"), (0.01, "89.99°")] {
+            let place = (gap, wait(self.shape, gap)?.unwrap_or_default());
+            graph.dot(place, 3.0, Hue::Blue);
+            let place = graph.at(place);
+            graph.drawing().label_set(place, Side::AboveRight, 8.0, 13.0, name, Role::Text(Hue::Blue))?;
+        }
+        if self.gap > 0.0 {
+            graph.dot(self.on_plot(), 6.0, Hue::Pink);
+        }
+        Ok(())
+    }
+
+    /// Where the pin stands in the plot.
+    fn on_plot(&self) -> (f64, f64) {
+        (self.gap, self.period.map_or(0.0, |period| 0.25 * period))
+    }
+}
+
+impl Motion for Pinned {
+    fn run(&self) -> Run {
+        let duration = self.period.map_or(44.0, |period| (1.25 * period).clamp(24.0, 400.0));
+        Run { duration, pace: 3.0, repeats: false }
+    }
+
+    fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        self.draw_body(moment, drawing)?;
+        self.draw_ellipsoid(moment, drawing)?;
+        self.draw_plane(moment.room, drawing)?;
+        self.draw_pendulum(moment, drawing)?;
+        self.draw_waits(moment.room, drawing)
+    }
+
+    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
+        let now = self.top.at(time)?;
+        let moments = self.body.moments_about_pin();
+        let energy = |omega: &Vector3<f64>| moments.kinetic_energy(omega);
+        let momentum = now.angular_momentum_world(&moments);
+        let start = self.body.angular_momentum();
+        let turned = match self.period {
+            Some(period) if self.is_flat() => (2.0 * time / period + 0.5).floor(),
+            _ => 0.0,
+        };
+        let taken = self.body.energy_lost();
+        Ok(vec![
+            turned,
+            angle_between(&(now.world_from_body * Vector3::x()), &momentum).to_degrees(),
+            100.0 * taken / (taken + energy(&self.body.omega_after())),
+            energy(&now.omega_body) / energy(&self.body.omega_after()) - 1.0,
+            (momentum - start).norm() / start.norm(),
+        ])
+    }
+
+    fn words(&self, _time: f64) -> String {
+        let theta = self.theta();
+        if self.gap == GAPS[1] {
+            return "A lies on the axis and was at rest: the body turns on as if nothing had happened."
+                .into();
+        }
+        if !self.is_flat() {
+            let rate = self.body.angular_momentum().norm() / self.body.moments_about_pin().to_array()[0];
+            return format!(
+                "A ball has two equal moments about A, so no axis is a middle one, and it never turns over: its centre goes \
+                 round the angular momentum once in {:.0} s.",
+                TAU / rate
+            );
+        }
+        let (Some(period), Ok(Some(nearer))) = (self.period, wait(self.shape, 0.1 * self.gap.max(1e-3)))
+        else {
+            return "Exactly at 90° it turns about the tangent, its middle axis, for ever: the pendulum stands on its head. \
+                    No pin is that exact."
+                .into();
+        };
+        let wait = 0.25 * period;
+        let digits = (2.0 - self.gap.log10().floor()).clamp(0.0, 6.0) as usize;
+        let shown = format!("{theta:.digits$}");
+        let shown = shown.trim_end_matches('0').trim_end_matches('.');
+        if self.gap > 30.0 {
+            return format!(
+                "Pinned at {shown}°, it turns nearly about its diameter through A and only nods, once in {:.1} s.",
+                0.5 * period
+            );
+        }
+        format!(
+            "Pinned at {shown}°, it turns over after {wait:.1} s and then every {:.1} s. Ten times as near to 90° it would wait \
+             {:.1} s longer: each tenfold growth of the tilt of its pendulum takes as long as the last.",
+            0.5 * period,
+            nearer - wait
+        )
+    }
+
+    fn grips(&self, moment: &Moment) -> Vec<Point> {
+        let (frame, x, y) = plot(moment.room, self.shape);
+        let mut grips = vec![self.pin(moment.room)];
+        if self.is_flat() && self.gap > 0.0 {
+            grips.push(point_at(frame, &x, &y, self.on_plot()));
+        }
+        grips
+    }
+
+    fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+        let stands = self.grips(moment).get(grip).is_some_and(|stands| (to - *stands).length() < 0.01);
+        if stands {
+            return Vec::new();
+        }
+        let gap = if grip == 0 {
+            let aside = to - plane(moment.room).0;
+            (-aside.y).atan2(aside.x.abs()).to_degrees().max(BY_HAND)
+        } else {
+            let (frame, x, y) = plot(moment.room, self.shape);
+            value_at(frame, &x, &y, to).0
+        };
+        vec![("gap", gap), ("exact", 0.0)]
+    }
+}

@@ -1,0 +1,633 @@
+//! The scene of the chapter "The rolling wheel": a wheel on its circle is kicked.
+
+use crate::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, point_at,
+    value_at,
+};
+use drawing::kit::{self, Marker};
+use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at};
+use mechanics::Error;
+use mechanics::integrate::{Dop853, Taylor};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel, Wobble};
+use nalgebra::{Complex, Vector3};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::ops::ControlFlow;
+use std::sync::LazyLock;
+
+pub(crate) const SCENE: Scene = Scene {
+    name: "rolling-wheel",
+    title: "A wheel on its circle, kicked",
+    description: "A disc leans inward and rolls round on a table. Its contact leaves a scalloped track about the circle \
+                  on which it would roll undisturbed. Beside it a map of circles and leans, with a shaded tongue of \
+                  unstable ones and a dot for this one above it, and the potential of the lean: a well, in which a \
+                  marble rolls below the level of the energy.",
+    question: "Take a circle and a lean on the map, and kick the wheel. Where does the kick stay as small as it was, \
+               where does it grow, and what becomes of the circle then? And why do circles get smaller?",
+    size: [[660.0, 440.0], [380.0, 550.0]],
+    view: Some([-1.15, 0.6]),
+    still: 2.35,
+    controls: &[
+        Control::slider("circle", r"radius of the centre's circle, $b/a$", [-0.2, 4.0, 0.01], "", 1.0),
+        Control::slider("lean", r"lean, $\theta$", [0.0, 60.0, 0.1], "°", 28.0),
+        Control::choice("wheel", "wheel", &["disc", "hoop"]),
+        Control::slider("push", r"strength of the kick, $\dot\theta$", [-3.0, 3.0, 0.05], "rad/s", 1.0),
+        Control { start: 0.0, ..Control::button("kick", "Kick") },
+        Control::slider("loss", "what slows its turning", [0.0, 0.5, 0.01], "1/s", 0.0),
+    ],
+    presets: &[
+        Preset { words: "inside the tongue", settings: &[("lean", 12.0), ("circle", 0.8), ("push", 0.1)] },
+        Preset { words: "above its tip", settings: &[("lean", 20.0), ("circle", 0.6), ("push", 0.5)] },
+        Preset { words: "a wide circle", settings: &[("lean", 10.0), ("circle", 4.0), ("push", 0.3)] },
+        Preset {
+            words: "slowing down: the spiral",
+            settings: &[("lean", 9.0), ("circle", 4.0), ("push", 0.0), ("loss", 0.1)],
+        },
+        Preset { words: "beyond the axis", settings: &[("lean", 60.0), ("circle", -0.05), ("push", 0.5)] },
+    ],
+    readings: &[
+        Reading { words: r"lean $\theta$", form: Form::Fixed(1), unit: "°" },
+        Reading { words: "times round the circle", form: Form::Fixed(2), unit: "" },
+        Reading { words: "wobbles since the kick", form: Form::Fixed(2), unit: "" },
+        Reading { words: "friction it needs now", form: Form::Fixed(2), unit: "" },
+        Reading { words: r"change of the energy, $E/E_0 - 1$", form: Form::Power(1), unit: "" },
+        Reading { words: r"change of Chaplygin's $A$ and $B$", form: Form::Power(1), unit: "" },
+    ],
+    start: |settings| Ok(Box::new(Rolled::new(settings)?)),
+};
+
+/// The wheel: a disc or a hoop of this mass, kg, and radius, m, on Earth.
+const MASS: f64 = 1.0;
+const RADIUS: f64 = 0.3;
+const GRAVITY: f64 = 9.81;
+/// How long the scene runs, s, and how far apart its track is known, s.
+const DURATION: f64 = 20.0;
+const STEP: f64 = 1.0 / 60.0;
+/// A wheel that is slowed or falls is followed down to this tilt from lying flat, rad.
+const FLAT: f64 = 0.05;
+/// How much of the track is drawn heavy, s.
+const RECENT: f64 = 3.0;
+/// A track that reaches further from its middle, in radii, is not shown whole: the eye goes with the wheel.
+const MOST_REACH: f64 = 7.0;
+/// Half its thickness, in radii.
+const HALF: f64 = 0.045;
+
+static WHEELS: LazyLock<[Option<Wheel>; 2]> = LazyLock::new(|| {
+    [MomentFactors::DISK, MomentFactors::HOOP].map(|moments| {
+        Wheel::new(DiskParameters { mass: MASS, radius: RADIUS, moments, gravity: GRAVITY }).ok()
+    })
+});
+
+/// The border of the tongue for both wheels: the largest unstable lean, degrees, for each b/a.
+static TONGUES: [LazyLock<Vec<(f64, f64)>>; 2] = [LazyLock::new(|| tongue(0)), LazyLock::new(|| tongue(1))];
+
+fn tongue(which: usize) -> Vec<(f64, f64)> {
+    let is_unstable = |circle: f64, lean: f64| {
+        let steady = WHEELS[which].map(|wheel| wheel.steady(lean.to_radians(), circle * RADIUS));
+        matches!(steady, Some(Ok(steady)) if !steady.is_stable())
+    };
+    let border = |step: u32| {
+        // Closer together where the tongue rises steeply.
+        let circle = 4.0 * (f64::from(step) / 50.0).powi(3);
+        let (mut low, mut high) = (0.0, 25.0);
+        for _ in 0..14 {
+            let middle = 0.5 * (low + high);
+            *(if is_unstable(circle, middle) { &mut low } else { &mut high }) = middle;
+        }
+        (circle, low)
+    };
+    (1..=50).map(border).collect()
+}
+
+/// How the motion is known.
+enum Course {
+    /// It is steady.
+    Steady,
+    /// It is steady up to a kick, and wobbles from then on.
+    Wobbling { kicked: f64 },
+    /// It was followed step by step, the states being [`STEP`] apart, until it lay flat at the time of the last.
+    Followed(Vec<Rolling>),
+}
+
+/// A wheel, and how it rolls.
+struct Rolled {
+    wheel: Wheel,
+    which: usize,
+    lean: f64,
+    circle: f64,
+    push: f64,
+    loss: f64,
+    steady: Option<SteadyRolling>,
+    /// What the kick makes of the steady motion, if the lean swings.
+    wobble: Option<Wobble>,
+    course: Course,
+    start: Rolling,
+    /// The states of the run, [`STEP`] apart.
+    states: Vec<Rolling>,
+    /// The smallest and the largest lean of the run, and the largest energy of the rate of lean, in mga.
+    swings: [f64; 2],
+    liveliest: f64,
+}
+
+impl Rolled {
+    fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
+        let which = settings.choice("wheel")?;
+        let wheel = WHEELS[which].ok_or("there is no such wheel")?;
+        let (lean, circle) = (settings.of("lean")?.to_radians(), settings.of("circle")?);
+        let (push, loss, kicked) = (settings.of("push")?, settings.of("loss")?, settings.pressed("kick")?);
+        let steady = wheel.steady(lean, circle * RADIUS).ok();
+        let rest = Rolling { tilt: FRAC_PI_2 - lean, ..Rolling::UPRIGHT };
+        let start = steady.map_or(rest, |steady| steady.state());
+        let kick = |state: Rolling| Rolling { omega_1: state.omega_1 + push, ..state };
+        let wobble = steady.filter(|_| push != 0.0).and_then(|steady| {
+            let start = kick(steady_at(&steady, kicked.unwrap_or(0.0)));
+            wheel.wobble(start, &Taylor::new(1e-13).ok()?).ok()
+        });
+        let course = match (steady, wobble.is_some(), kicked) {
+            (Some(_), true, Some(kicked)) if loss == 0.0 => Course::Wobbling { kicked },
+            (Some(_), _, None) if loss == 0.0 => Course::Steady,
+            (Some(_), false, _) if loss == 0.0 && push == 0.0 => Course::Steady,
+            _ => Course::Followed(followed(&wheel, start, loss, kicked.map(|time| (time, push)))?),
+        };
+        let unknown = f64::NAN;
+        let mut rolled = Self {
+            wheel,
+            which,
+            lean,
+            circle,
+            push,
+            loss,
+            steady,
+            wobble,
+            course,
+            start,
+            states: Vec::new(),
+            swings: [unknown; 2],
+            liveliest: 0.0,
+        };
+        let count = (rolled.run().duration / STEP).round() as u32;
+        rolled.states = (0..=count).map(|k| rolled.at(f64::from(k) * STEP)).collect::<Result<_, _>>()?;
+        // What a kick would do is shown before it is given.
+        let coming = wobble_states(rolled.wobble.as_ref().filter(|_| rolled.loss == 0.0))?;
+        let mut swings = [lean; 2];
+        for state in rolled.states.iter().chain(&coming) {
+            swings = [swings[0].min(state.lean()), swings[1].max(state.lean())];
+            rolled.liveliest = rolled.liveliest.max(rolled.energy_of_rate(state.omega_1));
+        }
+        rolled.swings = swings;
+        Ok(rolled)
+    }
+
+    /// The energy of a rate of lean, in mga: ½(1 + I₁)θ̇² a/g.
+    fn energy_of_rate(&self, rate: f64) -> f64 {
+        let swinging = Rolling { omega_1: rate, ..Rolling::UPRIGHT };
+        (self.wheel.energy(&swinging) - self.wheel.energy(&Rolling::UPRIGHT)) / (MASS * GRAVITY * RADIUS)
+    }
+
+    fn at(&self, time: f64) -> Result<Rolling, Error> {
+        let steady = |time: f64| self.steady.map_or(self.start, |steady| steady_at(&steady, time));
+        match (&self.course, &self.wobble) {
+            (Course::Wobbling { kicked }, Some(wobble)) if time >= *kicked => Ok(wobble.at(time - kicked)?),
+            (Course::Followed(states), _) => {
+                let last = states.len() - 1;
+                let before = ((time / STEP) as usize).min(last);
+                let since = time - before as f64 * STEP;
+                if before == last || since <= 0.0 {
+                    return Ok(states[before]);
+                }
+                let rates = |t: f64, state: &[f64; 8]| self.wheel.slowed_rates(self.loss, t, state);
+                let end = Dop853::new(1e-9)?.solve(rates, 0.0, states[before].to_array(), since)?;
+                Ok(Rolling::from_array(end.state))
+            }
+            _ => Ok(steady(time)),
+        }
+    }
+
+    /// b/a and the lean, degrees, of a state: where it stands on the map. For a wheel that does not turn b is infinite.
+    fn on_map(state: &Rolling) -> (f64, f64) {
+        (state.omega_3 * state.tilt.sin() / state.omega_2, state.lean().to_degrees())
+    }
+}
+
+/// The steady motion at a time, s.
+fn steady_at(steady: &SteadyRolling, time: f64) -> Rolling {
+    let state = steady.state();
+    let heading = steady.turn_rate() * time;
+    let centre = state.centre * Complex::cis(heading);
+    Rolling { heading, roll_angle: steady.relative_spin() * time, centre, ..state }
+}
+
+/// One wobble, from the kick on.
+fn wobble_states(wobble: Option<&Wobble>) -> Result<Vec<Rolling>, Error> {
+    let Some(wobble) = wobble else { return Ok(Vec::new()) };
+    let times: Vec<f64> = (0..=120).map(|k| wobble.period() * f64::from(k) / 120.0).collect();
+    Ok(wobble.sample(&times)?)
+}
+
+/// The motion step by step, [`STEP`] apart, with a kick at a time of a strength, to the end of the run or until the
+/// wheel lies flat.
+fn followed(
+    wheel: &Wheel,
+    start: Rolling,
+    loss: f64,
+    kick: Option<(f64, f64)>,
+) -> Result<Vec<Rolling>, Cause> {
+    let rates = |t: f64, state: &[f64; 8]| wheel.slowed_rates(loss, t, state);
+    let solver = Dop853::new(1e-9)?;
+    let mut states = vec![start];
+    let follow = |from: &mut Vec<Rolling>, to: f64| -> Result<bool, Cause> {
+        let (begin, mut is_flat) = ((from.len() - 1) as f64 * STEP, false);
+        let here = from[from.len() - 1].to_array();
+        solver.solve_with(rates, begin, here, to.max(begin), |step| {
+            while from.len() as f64 * STEP <= step.end() + 1e-9 {
+                let state = Rolling::from_array(step.at((from.len() as f64 * STEP).min(step.end())));
+                is_flat = state.tilt.min(PI - state.tilt) < FLAT;
+                from.push(if is_flat {
+                    Rolling { omega_1: 0.0, omega_2: 0.0, omega_3: 0.0, ..state }
+                } else {
+                    state
+                });
+                if is_flat {
+                    return ControlFlow::Break(());
+                }
+            }
+            ControlFlow::Continue(())
+        })?;
+        Ok(is_flat)
+    };
+    if let Some((time, push)) = kick {
+        if follow(&mut states, (time / STEP).round() * STEP)? {
+            return Ok(states);
+        }
+        if let Some(last) = states.last_mut() {
+            last.omega_1 += push;
+        }
+    }
+    follow(&mut states, DURATION)?;
+    Ok(states)
+}
+
+/// Where the parts of the picture stand.
+struct Layout {
+    stage: Rect,
+    map: Rect,
+    well: Rect,
+}
+
+impl Layout {
+    fn of(room: Room) -> Self {
+        Self {
+            stage: room.of(Rect::new(4.0, 4.0, 396.0, 432.0), Rect::new(4.0, 4.0, 372.0, 300.0)),
+            map: room.of(Rect::new(448.0, 36.0, 200.0, 150.0), Rect::new(42.0, 350.0, 132.0, 150.0)),
+            well: room.of(Rect::new(448.0, 252.0, 200.0, 140.0), Rect::new(236.0, 350.0, 132.0, 150.0)),
+        }
+    }
+}
+
+/// The axes of the map.
+const CIRCLES: Axis<'_> = Axis::linear([-0.5, 4.0, 1.0], r"circle $b/a$");
+const LEANS: Axis<'_> = Axis::linear([0.0, 60.0, 20.0], r"lean $\theta$, °");
+
+impl Rolled {
+    fn draw_stage(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
+        let frame = Layout::of(moment.room).stage;
+        let (middle, reach) = self.reach();
+        let follows = reach > MOST_REACH;
+        let contact = now.contact(RADIUS) / RADIUS;
+        let (middle, reach) = if follows { (contact, 0.5 * MOST_REACH) } else { (middle, reach) };
+        let reach = reach.max(1.0) + 0.25;
+        let distance = 12.0 + 2.0 * reach;
+        let high = 2.0 * reach * 0.6_f64.sin() + 2.0;
+        let target = Vector3::new(middle.re, middle.im, 0.55);
+        let camera = moment.camera(View {
+            target: target.into(),
+            azimuth: 0.0,
+            elevation: 0.0,
+            distance,
+            centre: frame.centre() + at(0.0, 0.02 * frame.height()),
+            scale: (0.43 * frame.width() / reach).min(0.86 * frame.height() / high),
+        })?;
+        let (sin, cos) = moment.elevation.sin_cos();
+        let (sin_azimuth, cos_azimuth) = moment.azimuth.sin_cos();
+        let eye = target + Vector3::new(cos * cos_azimuth, cos * sin_azimuth, sin) * distance;
+
+        // The track lies on the table, and the wheel stands on both.
+        let mut table = Stage::new(camera);
+        let corner = |way: f64| [middle.re, middle.im].map(|x| (x + way * (reach + 0.2)).round());
+        table.ground(corner(-1.0), corner(1.0), 0.0, 1.0)?;
+        // The circle on which the contact would run undisturbed.
+        let circle = self.steady.map_or(0.0, |steady| (steady.contact_radius() / RADIUS).abs());
+        if self.loss == 0.0 && circle > 0.0 && circle + middle.norm() < 1.2 * reach {
+            table.curve(Curve::circle([0.0; 3], Vector3::z(), circle)?, Stroke::Reference, Hue::Muted)?;
+        }
+        table.write(drawing);
+        self.draw_track(moment.time, now, &camera, drawing)?;
+        let mut stage = Stage::new(camera);
+        self.draw_wheel(now, &eye, &mut stage)?;
+        stage.dot_in_front([contact.re, contact.im, 0.0], 4.5, Hue::Pink)?;
+        stage.write(drawing);
+        Ok(())
+    }
+
+    /// The track of the contact: what is to come pale, the last seconds heavy.
+    fn draw_track(
+        &self,
+        time: f64,
+        now: &Rolling,
+        camera: &Camera,
+        drawing: &mut Drawing,
+    ) -> Result<(), Cause> {
+        let place = |state: &Rolling| {
+            let contact = state.contact(RADIUS) / RADIUS;
+            camera.on_page([contact.re, contact.im, 0.0])
+        };
+        let last = self.states.len() - 1;
+        let reached = ((time / STEP) as usize).min(last);
+        let recent = reached.saturating_sub((RECENT / STEP) as usize);
+        let way =
+            |from: usize, to: usize| self.states[from..=to].iter().map(place).collect::<Result<Vec<_>, _>>();
+        drawing.polyline(&way(reached, last)?, Stroke::Pale, Hue::Pink);
+        drawing.polyline(&way(0, recent)?, Stroke::Orbit, Hue::Pink);
+        let mut heavy = way(recent, reached)?;
+        heavy.push(place(now)?);
+        drawing.polyline(&heavy, Stroke::Curve, Hue::Pink);
+        Ok(())
+    }
+
+    /// The wheel with marks that show its turning, and its angular momentum.
+    fn draw_wheel(&self, now: &Rolling, eye: &Vector3<f64>, stage: &mut Stage) -> Result<(), Cause> {
+        let [first, second, third] = axes(now);
+        let centre = now.centre / RADIUS;
+        let centre = Vector3::new(centre.re, centre.im, now.tilt.sin());
+        let side = third.dot(&(eye - centre)).signum();
+        let face = centre + third * (side * HALF);
+        let on_face = |radius: f64, angle: f64| {
+            let (sin, cos) = (angle + now.roll_angle).sin_cos();
+            face + (first * cos + second * sin) * radius
+        };
+        if self.which == 0 {
+            stage.solid(Solid::disc(centre, third, 1.0, 2.0 * HALF)?, Hue::Blue)?;
+            for quarter in [0.0, PI] {
+                let arc = (0..=24).map(|k| on_face(0.82, quarter + FRAC_PI_2 * f64::from(k) / 24.0));
+                stage.patch([face].into_iter().chain(arc), Fill::Side, Hue::Blue)?;
+            }
+            let ring = Curve::circle(face, third, 0.82)?;
+            stage.curve(ring.hiding(Hiding::Omitted), Stroke::Outline, Hue::Blue)?;
+        } else {
+            stage.solid(Solid::ring(centre, third, 1.0, 0.88, 2.0 * HALF)?, Hue::Blue)?;
+            for spoke in 0..3 {
+                let angle = PI * f64::from(spoke) / 3.0;
+                let [from, to] = [0.0, PI].map(|half| on_face(0.88, angle + half) - third * (side * HALF));
+                stage.curve(Curve::segment(from, to)?, Stroke::Outline, Hue::Blue)?;
+            }
+            stage.dot_in_front(on_face(0.94, 0.0), 3.0, Hue::Blue)?;
+        }
+        // Its angular momentum, and what the table's push makes of it: the way that its tip goes.
+        let in_room = |vector: Vector3<f64>| first * vector.x + second * vector.y + third * vector.z;
+        let MomentFactors { transverse, axial } = self.wheel.parameters().moments;
+        let momentum = |state: &Rolling| {
+            Vector3::new(transverse * state.omega_1, transverse * state.omega_2, axial * state.omega_3)
+        };
+        let long = momentum(&self.start).norm();
+        let tip = centre + in_room(momentum(now)) * (1.5 / long);
+        if long > 0.0 && (tip - centre).norm() > 0.1 {
+            stage.named_vector(centre, tip, r"$\boldsymbol{L}$", Hue::Green)?;
+            if self.loss == 0.0 {
+                let torque = (-second).cross(&in_room(self.wheel.contact_force(now))) / (MASS * GRAVITY);
+                if torque.norm() > 0.02 {
+                    stage.named_vector(tip, tip + torque * 3.0, r"$\boldsymbol{\tau}$", Hue::Purple)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The middle of the track and how far it reaches from there, in radii.
+    fn reach(&self) -> (Complex<f64>, f64) {
+        let places: Vec<Complex<f64>> =
+            self.states.iter().map(|state| state.contact(RADIUS) / RADIUS).collect();
+        let end =
+            |of: fn(&Complex<f64>) -> f64, pick: fn(f64, f64) -> f64| places.iter().map(of).reduce(pick);
+        let middle = |of: fn(&Complex<f64>) -> f64| {
+            0.5 * (end(of, f64::min).unwrap_or(0.0) + end(of, f64::max).unwrap_or(0.0))
+        };
+        let middle = Complex::new(middle(|place| place.re), middle(|place| place.im));
+        (middle, places.iter().map(|place| (place - middle).norm()).fold(0.0, f64::max))
+    }
+
+    /// The map of circles and leans, with the tongue, this motion's way and where it is now.
+    fn draw_map(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
+        let frame = Layout::of(moment.room).map;
+        let mut map = Graph::new(drawing, frame, CIRCLES, LEANS)?;
+        let tongue = &TONGUES[self.which];
+        let below = [(0.0, 0.0)].into_iter().chain(tongue.iter().copied()).chain([(4.0, 0.0)]);
+        map.area(below, Fill::Face, Hue::Orange);
+        map.curve(tongue.iter().copied(), Stroke::Border, Hue::Orange);
+        let leans = (0..=30).map(|k| 2.0 * f64::from(k));
+        let border: Vec<(f64, f64)> = leans.map(|lean| (self.bound(lean.to_radians()), lean)).collect();
+        let none = [(-0.5, 60.0), (-0.5, 0.0)].into_iter().chain(border.iter().copied());
+        map.area(none, Fill::Ground, Hue::Ink);
+        map.curve(border, Stroke::Border, Hue::Muted);
+        let reached = ((moment.time / STEP) as usize).min(self.states.len() - 1);
+        let way = self.states[..=reached].iter().chain([now]).map(Self::on_map);
+        map.curve(way, Stroke::Orbit, Hue::Blue);
+        map.label((2.4, 44.0), Side::Over, "stays small", Hue::Ink)?;
+        map.label((1.3, 5.5), Side::Over, "grows", Hue::Orange)?;
+        let grip = map.at((self.circle, self.lean.to_degrees()));
+        map.dot(Self::on_map(now), 3.4, Hue::Blue);
+        kit::marker(map.drawing(), grip, Marker::Ring, Hue::Ink);
+        Ok(())
+    }
+}
+
+/// Axes 1, 2, 3 in the room.
+fn axes(state: &Rolling) -> [Vector3<f64>; 3] {
+    let ((sin, cos), (rise, level)) = (state.heading.sin_cos(), state.tilt.sin_cos());
+    let outward = Vector3::new(-sin, cos, 0.0);
+    let second = Vector3::z() * rise - outward * level;
+    [Vector3::new(cos, sin, 0.0), second, -outward * rise - Vector3::z() * level]
+}
+
+impl Motion for Rolled {
+    fn run(&self) -> Run {
+        let duration = match &self.course {
+            Course::Followed(states) => (states.len() - 1) as f64 * STEP,
+            _ => DURATION,
+        };
+        Run { duration: duration.max(1.0), pace: 1.0, repeats: matches!(self.course, Course::Steady) }
+    }
+
+    fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let now = self.at(moment.time)?;
+        self.draw_stage(moment, &now, drawing)?;
+        self.draw_map(moment, &now, drawing)?;
+        self.draw_well(moment, &now, drawing)
+    }
+
+    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
+        let now = self.at(time)?;
+        let wobbles = match (&self.course, &self.wobble) {
+            (Course::Wobbling { kicked }, Some(wobble)) => (time - kicked).max(0.0) / wobble.period(),
+            (Course::Steady, _) => 0.0,
+            _ => f64::NAN,
+        };
+        // Its formula is that of a wheel that nothing slows.
+        let friction = if self.loss == 0.0 && now.omega_2 != 0.0 {
+            let [first, second, third] = axes(&now);
+            let force = self.wheel.contact_force(&now);
+            let force = first * force.x + second * force.y + third * force.z;
+            force.xy().norm() / force.z
+        } else {
+            f64::NAN
+        };
+        let energy = self.wheel.energy(&now) / self.wheel.energy(&self.first()) - 1.0;
+        let [before, after] = [self.first(), now].map(|state| self.wheel.constants(&state));
+        let change = (after.even - before.even).hypot(after.odd - before.odd) / before.even.hypot(before.odd);
+        Ok(vec![now.lean().to_degrees(), now.heading / TAU, wobbles, friction, energy, change])
+    }
+
+    fn words(&self, _time: f64) -> String {
+        let what = ["disc", "hoop"][self.which];
+        let (lean, circle) = (self.lean.to_degrees(), self.circle);
+        let Some(steady) = self.steady else {
+            return if self.lean == 0.0 {
+                "Upright and without speed the wheel goes round on no circle. It stands, until a kick fells it.".into()
+            } else {
+                format!(
+                    "No rate of turning holds a {what} that leans by {lean:.1}° with its centre {:.2} radii beyond the \
+                     axis: it would have to be less than {:.3}. Let go at rest, it falls.",
+                    -circle,
+                    -self.bound(self.lean),
+                )
+            };
+        };
+        let round = TAU / steady.turn_rate();
+        let on = format!("On this circle the {what} goes round in {round:.2} s.");
+        let square = steady.wobble_square();
+        let fate = if square > 0.0 {
+            format!("It is stable: small wobbles take {:.2} s each and stay small.", TAU / square.sqrt())
+        } else {
+            format!("It is unstable: whatever disturbs it grows e-fold in {:.2} s.", 1.0 / (-square).sqrt())
+        };
+        let kicked = match &self.wobble {
+            _ if self.loss > 0.0 => self.spiral(),
+            Some(wobble) => format!(
+                "After the kick the lean swings between {} and {}, {:.2} times in a round.",
+                degrees(self.swings[0]),
+                degrees(self.swings[1]),
+                TAU / wobble.heading_advance().abs(),
+            ),
+            None if self.push == 0.0 => "Nothing disturbs it: it rolls so for ever.".into(),
+            None => "The kick fells it.".into(),
+        };
+        format!("{on} {fate} {kicked}")
+    }
+
+    fn grips(&self, moment: &Moment) -> Vec<Point> {
+        let Layout { map, well, .. } = Layout::of(moment.room);
+        let (leans, heights) = self.well_axes();
+        vec![
+            point_at(map, &CIRCLES, &LEANS, (self.circle, self.lean.to_degrees())),
+            point_at(well, &leans, &heights, (leans.to, self.energy_of_rate(self.push))),
+        ]
+    }
+
+    fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+        let Layout { map, well, .. } = Layout::of(moment.room);
+        if grip == 0 {
+            let (circle, lean) = value_at(map, &CIRCLES, &LEANS, to);
+            return vec![("circle", circle), ("lean", lean)];
+        }
+        let (leans, heights) = self.well_axes();
+        let (_, energy) = value_at(well, &leans, &heights, to);
+        let push = (energy.max(0.0) / self.energy_of_rate(1.0)).sqrt();
+        vec![("push", if self.push < 0.0 { -push } else { push })]
+    }
+}
+
+impl Rolled {
+    /// The state at the start, just after a kick that was given then.
+    fn first(&self) -> Rolling {
+        self.states[0]
+    }
+
+    /// What becomes of the circle when something slows the wheel.
+    fn spiral(&self) -> String {
+        let last = self.states[self.states.len() - 1];
+        if last.tilt.min(PI - last.tilt) < FLAT {
+            let time = (self.states.len() - 1) as f64 * STEP;
+            format!(
+                "Slowed, it leans more and more, its circle shrinks, and after {time:.1} s it lies all but flat."
+            )
+        } else {
+            let (circle, lean) = Self::on_map(&last);
+            format!(
+                "Slowed, it leans more and more: at the end by {lean:.1}°, on a circle of {circle:.2} radii."
+            )
+        }
+    }
+
+    /// b/a beyond which no circle exists at a lean (`eq:existence`).
+    fn bound(&self, lean: f64) -> f64 {
+        let MomentFactors { transverse, axial } = self.wheel.parameters().moments;
+        -transverse * lean.sin() / (1.0 + axial)
+    }
+
+    /// The axes of the well: leans, degrees, and heights over the potential of the steady motion, in mga.
+    fn well_axes(&self) -> (Axis<'static>, Axis<'static>) {
+        let [low, high] = self.swings.map(f64::to_degrees);
+        // Room at the right for a word below the level.
+        let (before, after) = ((0.4 * (high - low)).max(8.0), (0.8 * (high - low)).max(16.0));
+        let step = if high - low + before + after > 75.0 { 45.0 } else { 10.0 };
+        let [from, to] = [((low - before) / step).floor() * step, ((high + after) / step).ceil() * step];
+        let leans = Axis::linear([from.max(-90.0), to.min(90.0), step], r"lean $\theta$, °");
+        let level = self.energy_of_rate(self.push);
+        let depth = self.liveliest.max(level).max(2e-3);
+        let [low, high] = [(level - 1.3 * depth).min(-0.25 * depth), level + 0.8 * depth];
+        let step = nice_step((high - low) / 3.0);
+        let [low, high] = [(low / step).floor() * step, (high / step).ceil() * step];
+        (leans, Axis::linear([low, high, step], r"potential $V$, in $mga$"))
+    }
+
+    /// The potential of the lean as it is now, the level of the energy, and the lean that rolls in it.
+    fn draw_well(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
+        let frame = Layout::of(moment.room).well;
+        let (leans, heights) = self.well_axes();
+        let unit = MASS * GRAVITY * RADIUS;
+        let constants = self.wheel.constants(now);
+        // Heights are counted so that the energy stays at one level, whatever is lost.
+        let is_kicked =
+            now.omega_1 != 0.0 || !matches!(self.course, Course::Steady | Course::Wobbling { .. });
+        let kick = self.energy_of_rate(self.push);
+        let level = if is_kicked { kick } else { 0.0 };
+        let zero = self.wheel.energy(now) / unit - level;
+        let height = |lean: f64| self.wheel.potential(&constants, FRAC_PI_2 - lean) / unit - zero;
+        let values = (0..=90).map(|k| {
+            let degrees = leans.from + (leans.to - leans.from) * f64::from(k) / 90.0;
+            (degrees, height(degrees.to_radians().clamp(-1.57, 1.57)))
+        });
+        let values: Vec<(f64, f64)> = values.collect();
+        let mut well = Graph::new(drawing, frame, leans, heights)?;
+        well.level(kick, Stroke::Reference, Hue::Muted);
+        well.curve(values, Stroke::Curve, Hue::Blue);
+        let here = (now.lean().to_degrees(), height(now.lean()));
+        well.curve([here, (here.0, level)], Stroke::Outline, Hue::Muted);
+        well.dot(here, 5.0, Hue::Blue);
+        let end = well.at((leans.to, kick));
+        well.drawing().label(end, Side::BelowLeft, "energy", Hue::Muted)?;
+        kit::marker(well.drawing(), end, Marker::Ring, Hue::Ink);
+        Ok(())
+    }
+}
+
+/// An angle, rad, as it is written.
+fn degrees(angle: f64) -> String {
+    format!("{:.1}°", angle.to_degrees()).replace('-', "−")
+}
+
+/// The next larger step of 1, 2 or 5 times a power of ten.
+fn nice_step(least: f64) -> f64 {
+    let power = 10_f64.powf(least.log10().floor());
+    [1.0, 2.0, 5.0].map(|times| times * power).into_iter().find(|&step| step >= least).unwrap_or(10.0 * power)
+}

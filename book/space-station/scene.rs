@@ -1,0 +1,625 @@
+//! The scene of the chapter "The struck space station": a blow, what three observers count, and a second blow.
+
+use crate::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, value_at,
+};
+use drawing::kit::{self, Marker};
+use drawing::space::{Camera, Curve, Solid, Stage, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use mechanics::euler::Turning;
+use mechanics::free_rotation::FreeSymmetricTop;
+use mechanics::inertia::Body;
+use mechanics::scenes::space_station::{Blow, LaterBlow, Parameters, Station, StruckStation};
+use nalgebra::{UnitQuaternion, Vector3};
+use std::f64::consts::TAU;
+use std::sync::LazyLock;
+
+pub(crate) const SCENE: Scene = Scene {
+    name: "space-station",
+    title: "A station nods after a blow",
+    description: "A wheel with hub and spokes, a moment after a blow on its rim. Its axis 3 goes round the angular momentum L on a circle; the \
+                  angular velocity omega goes round on the other side. Beside it the crew’s sky: star trails curl round omega, away from \
+                  the cross where axis 3 points. Below, two waves against time: in four turns the axis nods 8.2 times in the room, and \
+                  omega goes round four times on board.",
+    question: "Which rate does each observer count: the stars, the crew, a mark on the rim? And when does a second blow leave nothing of the nod?",
+    size: [[640.0, 440.0], [380.0, 600.0]],
+    view: Some([0.75, 0.40]),
+    still: 1.7,
+    controls: &[
+        Control::slider("impulse", r"impulse of the blow, $P$", [0.0, 10.0, 0.1], "MN·s", 1.8),
+        Control::slider("place", "its distance from the axis", [0.0, 50.0, 1.0], "m", 50.0),
+        Control::choice("camera", "seen", &["in the room", "on board"]),
+        Control::button("fire", "Fire the thruster now"),
+        Control::slider("thruster", "thruster, round the rim from the blow", [0.0, 360.0, 0.5], "°", 0.0),
+        Control::slider("thrust", "its impulse", [-10.0, 10.0, 0.1], "MN·s", -1.8),
+    ],
+    presets: &[
+        Preset { words: "twice as hard", settings: &[("impulse", 3.6)] },
+        Preset { words: "on the hub", settings: &[("place", 0.0)] },
+        Preset { words: "fire where it struck, after 13.96 s", settings: &[("fire", 13.963)] },
+        Preset { words: "fire after one nod, at 176.5°", settings: &[("fire", 6.846), ("thruster", 176.5)] },
+    ],
+    readings: &[
+        Reading { words: "nods, counted in the room", form: Form::Fixed(2), unit: "" },
+        Reading { words: "turns of the mark in the room", form: Form::Fixed(2), unit: "" },
+        Reading { words: r"turns of $\boldsymbol\omega$, counted on board", form: Form::Fixed(2), unit: "" },
+        Reading { words: "drift of the centre", form: Form::Fixed(2), unit: "m/s" },
+        Reading { words: r"change of $L$ since the last blow", form: Form::Power(1), unit: "" },
+        Reading { words: r"change of $T$ since the last blow", form: Form::Power(1), unit: "" },
+    ],
+    start: |settings| Ok(Box::new(Nodding::new(settings)?)),
+};
+
+/// The chapter's ring: mass, kg, radius, m, spin, rad/s.
+const MASS: f64 = 4e5;
+const RADIUS: f64 = 50.0;
+const SPIN: f64 = 0.45;
+/// A million newton seconds, the unit of the sliders.
+const MEGA: f64 = 1e6;
+/// Four turns of the old spin, s.
+const DURATION: f64 = 4.0 * TAU / SPIN;
+/// How long a blow stays in the picture, s, and the length of its arrow, radii a MN·s.
+const SHOWN: f64 = 2.5;
+const ARROW: f64 = 0.14;
+/// The drawn wheel, in radii: inner radius and half the height of the rim, radius of the hub.
+const INNER: f64 = 0.86;
+const HALF_HEIGHT: f64 = 0.08;
+const HUB: f64 = 0.15;
+/// A motion whose axis is no further from its angular momentum than this, rad, does not nod.
+const STILL: f64 = 2e-3;
+/// How long the shutter of the camera at the hub is open, s, and half its field of view, rad.
+const EXPOSURE: f64 = 1.7;
+const FIELD: f64 = 50.0 * TAU / 360.0;
+/// Steps of the waves.
+const STEPS: u32 = 240;
+
+/// Directions spread evenly over the sky: steps of the golden angle, equal areas.
+fn sky(count: u32) -> Vec<Vector3<f64>> {
+    let star = |k: u32| {
+        let z = 1.0 - (2.0 * f64::from(k) + 1.0) / f64::from(count);
+        let (sin, cos) = (2.399_963 * f64::from(k)).sin_cos();
+        let across = (1.0 - z * z).sqrt();
+        Vector3::new(across * cos, across * sin, z)
+    };
+    (0..count).map(star).collect()
+}
+
+static STARS: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| sky(260));
+static BACKGROUND: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| sky(2400));
+
+/// The two blows.
+#[derive(Clone, Copy)]
+struct Blows {
+    first: Blow,
+    second: LaterBlow,
+    is_fired: bool,
+}
+
+/// The station, struck once or twice.
+struct Struck {
+    first: StruckStation,
+    second: Option<(f64, FreeSymmetricTop, Vector3<f64>)>,
+}
+
+struct Nodding {
+    blows: Blows,
+    station: Struck,
+    on_board: bool,
+    /// How far axis 3 is to one side in the room and the angular velocity on board, against time; at most 1.
+    waves: [Vec<(f64, f64)>; 2],
+    scales: [f64; 2],
+}
+
+/// What a hand can take hold of.
+#[derive(Clone, Copy, PartialEq)]
+enum Grip {
+    Impulse,
+    Place,
+    Thruster,
+    Fire,
+}
+
+struct Layout {
+    view: View,
+    /// The part of the page for the station.
+    panel: Rect,
+    sky: Point,
+    radius: f64,
+    graph: Rect,
+}
+
+impl Layout {
+    fn of(room: Room) -> Self {
+        let view = View {
+            target: [0.0, 0.0, 0.45],
+            azimuth: 0.0,
+            elevation: 0.0,
+            distance: 9.0,
+            centre: room.of(at(190.0, 205.0), at(190.0, 160.0)),
+            scale: room.of(102.0, 94.0),
+        };
+        Self {
+            view,
+            panel: room.of(Rect::new(0.0, 0.0, 376.0, 440.0), Rect::new(0.0, 0.0, 380.0, 330.0)),
+            sky: room.of(at(508.0, 126.0), at(86.0, 462.0)),
+            radius: room.of(98.0, 80.0),
+            graph: room.of(Rect::new(396.0, 262.0, 232.0, 130.0), Rect::new(188.0, 372.0, 182.0, 180.0)),
+        }
+    }
+}
+
+const TIME_AXIS: Axis<'_> = Axis::linear([0.0, DURATION, 10.0], "time, s");
+const NARROW_TIME_AXIS: Axis<'_> = Axis::linear([0.0, DURATION, 20.0], "time, s");
+/// Two waves one above the other, and their middles.
+const WAVES_AXIS: Axis<'_> = Axis::linear([1.0, 7.4, 10.0], "");
+const MIDDLES: [f64; 2] = [5.2, 2.1];
+
+fn time_axis(room: Room) -> Axis<'static> {
+    room.of(TIME_AXIS, NARROW_TIME_AXIS)
+}
+
+impl Struck {
+    fn new(blows: &Blows) -> Result<Self, Cause> {
+        let station = Station::new(Parameters { body: Body::hoop(MASS, RADIUS)?, spin: SPIN })?;
+        let first = station.struck(blows.first)?;
+        let Blows { second, is_fired, .. } = *blows;
+        let second = if is_fired {
+            let push = first.at(second.time)?.axis_3_world() * (second.blow.impulse / MASS); // eq:drift
+            Some((second.time, first.struck_again(second)?, first.centre_velocity() + push))
+        } else {
+            None
+        };
+        Ok(Self { first, second })
+    }
+
+    /// The blow of which the station is turning at a time: when it came, and the motion since.
+    fn last(&self, time: f64) -> Option<&(f64, FreeSymmetricTop, Vector3<f64>)> {
+        self.second.as_ref().filter(|(fired, ..)| time >= *fired)
+    }
+
+    /// Attitude and angular velocity; before the first blow the station turns about its axis.
+    fn at(&self, time: f64) -> Result<Turning, Cause> {
+        if time < 0.0 {
+            let world_from_body = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), SPIN * time);
+            return Ok(Turning { world_from_body, omega_body: Vector3::z() * SPIN });
+        }
+        Ok(match self.last(time) {
+            Some((fired, top, _)) => top.at(time - fired)?,
+            None => self.first.at(time)?,
+        })
+    }
+
+    fn momentum(&self, time: f64) -> Vector3<f64> {
+        self.last(time)
+            .map_or(self.first.angular_momentum_world(), |(_, top, _)| top.angular_momentum_world())
+    }
+
+    /// How far axis 3 is to one side of the first angular momentum in the room, and how far the axis of rotation is to
+    /// one side of axis 3 on board: sines.
+    fn aside(&self, time: f64) -> Result<[f64; 2], Cause> {
+        let now = self.at(time)?;
+        let momentum = self.first.angular_momentum_world().normalize();
+        let aside = Vector3::new(momentum.z, 0.0, -momentum.x);
+        Ok([-now.axis_3_world().dot(&aside), now.omega_body.x / now.omega_body.norm()])
+    }
+
+    /// Counts until a time, in turns: nods, turns of a mark on the rim, turns of the axis of rotation on board.
+    fn counts(&self, time: f64) -> [f64; 3] {
+        let first = rates(self.first.momentum_angle(), self.first.nodding_rate(), self.first.body_rate());
+        let end = self.last(time).map_or(time, |(fired, ..)| *fired);
+        let second = self.last(time).map_or([0.0; 3], |(_, top, _)| {
+            rates(top.momentum_angle(), top.precession_rate(), top.body_rate())
+        });
+        [0, 1, 2].map(|index| (first[index] * end + second[index] * (time - end)) / TAU)
+    }
+}
+
+/// Rates of nodding, of a mark, and of the axis of rotation on board; without a nod only the mark goes round.
+fn rates(lean: f64, nodding: f64, on_board: f64) -> [f64; 3] {
+    let mark = nodding - on_board;
+    if lean > STILL { [nodding, mark, on_board] } else { [0.0, mark, 0.0] }
+}
+
+/// The direction from the target to the eye.
+fn eye_direction(moment: &Moment, view: View) -> Vector3<f64> {
+    let ((sin, cos), (up, across)) = (moment.azimuth.sin_cos(), moment.elevation.sin_cos());
+    (Vector3::new(cos * across, sin * across, up) * view.distance + Vector3::from(view.target)).normalize()
+}
+
+/// The station as it is seen.
+struct Wheel {
+    attitude: UnitQuaternion<f64>,
+    /// The direction to the eye.
+    sight: Vector3<f64>,
+}
+
+impl Wheel {
+    fn draw(&self, camera: &Camera, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut stage = Stage::new(*camera);
+        let axis = self.attitude * Vector3::z();
+        stage.solid(Solid::ring([0.0; 3], axis, 1.0, INNER, 2.0 * HALF_HEIGHT)?, Hue::Blue)?;
+        stage.solid(Solid::sphere([0.0; 3], HUB)?, Hue::Blue)?;
+        stage.write(drawing);
+        for quarter in 0..4 {
+            let (sin, cos) = (0.25 * TAU * (f64::from(quarter) + 0.5)).sin_cos();
+            let outwards = self.attitude * Vector3::new(cos, sin, 0.0);
+            let Some((from, to)) = self.seen_part(&outwards) else { continue };
+            let side = outwards.cross(&self.sight).normalize() * 0.03;
+            let corner = |along: f64, sign: f64| camera.on_page(outwards * along + side * sign);
+            let corners = [corner(from, 1.0)?, corner(to, 1.0)?, corner(to, -1.0)?, corner(from, -1.0)?];
+            drawing.polygon(corners.to_vec(), Fill::Page, Hue::Blue);
+            drawing.polygon(corners.to_vec(), Fill::Side, Hue::Blue);
+            drawing.line(corners[0], corners[1], Stroke::Outline, Hue::Blue);
+            drawing.line(corners[2], corners[3], Stroke::Outline, Hue::Blue);
+        }
+        Ok(())
+    }
+
+    /// Which part of a spoke is seen: not what lies behind the hub, and not that from which the line of sight meets
+    /// the rim on its way through the opening of the wheel.
+    fn seen_part(&self, outwards: &Vector3<f64>) -> Option<(f64, f64)> {
+        let axis = self.attitude * Vector3::z();
+        let (through, along) = (self.sight.dot(&axis).abs(), self.sight.dot(outwards));
+        let step = (self.sight - axis * self.sight.dot(&axis)) * (HALF_HEIGHT / through);
+        let middle = -step.dot(outwards);
+        let half = (middle * middle - step.norm_squared() + INNER * INNER).sqrt();
+        let hub = if along > 0.0 { HUB } else { HUB / (1.0 - along * along).sqrt() };
+        let (from, to) = (hub.max(middle - half), INNER.min(middle + half));
+        (from < to).then_some((from, to))
+    }
+}
+
+impl Nodding {
+    fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
+        let fired = settings.pressed("fire")?;
+        let later = Blow { radius: RADIUS, impulse: settings.of("thrust")? * MEGA };
+        let azimuth = settings.of("thruster")?.to_radians();
+        let blows = Blows {
+            first: Blow { radius: settings.of("place")?, impulse: settings.of("impulse")? * MEGA },
+            second: LaterBlow { time: fired.unwrap_or(0.0).min(DURATION), azimuth, blow: later },
+            is_fired: fired.is_some(),
+        };
+        let station = Struck::new(&blows)?;
+        let on_board = settings.choice("camera")? == 1;
+        let (mut waves, mut scales) = ([Vec::new(), Vec::new()], [1.0; 2]);
+        for step in 0..=STEPS {
+            let time = DURATION * f64::from(step) / f64::from(STEPS);
+            for (wave, aside) in waves.iter_mut().zip(station.aside(time)?) {
+                wave.push((time, aside));
+            }
+        }
+        for (wave, scale) in waves.iter_mut().zip(&mut scales) {
+            let largest = wave.iter().map(|(_, aside)| aside.abs()).fold(0.0, f64::max);
+            *scale = 1.0 / largest.max(STILL);
+            wave.iter_mut().for_each(|(_, aside)| *aside *= *scale);
+        }
+        Ok(Self { blows, station, on_board, waves, scales })
+    }
+
+    /// What the camera of the picture turns with.
+    fn seen(&self, now: &Turning) -> UnitQuaternion<f64> {
+        if self.on_board { now.world_from_body.inverse() } else { UnitQuaternion::identity() }
+    }
+
+    /// Foot and tip of the arrow of the first blow, which stays where the blow was.
+    fn impulse_arrow(&self) -> [Vector3<f64>; 2] {
+        let Blow { radius, impulse } = self.blows.first;
+        let foot = Vector3::new(0.0, radius / RADIUS * 0.93, 0.08);
+        [foot, foot + Vector3::z() * (0.1 + ARROW * impulse / MEGA)]
+    }
+
+    /// Where the thruster is on the rim, along the body's axes.
+    fn thruster(azimuth: f64) -> Vector3<f64> {
+        Vector3::new(-azimuth.sin() * 0.93, azimuth.cos() * 0.93, 0.08)
+    }
+
+    fn draw_station(&self, moment: &Moment, layout: &Layout, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (camera, now) = (moment.camera(layout.view)?, self.station.at(moment.time)?);
+        let seen = self.seen(&now);
+        let attitude = seen * now.world_from_body;
+        for star in BACKGROUND.iter() {
+            let far = seen * star * 40.0;
+            if let Ok(place) = camera.on_page(far)
+                && layout.panel.grown(-4.0).contains(place)
+            {
+                drawing.dot(place, 0.8, Hue::Muted);
+            }
+        }
+        // What points out of the wheel lies above its plane: from above it is painted last, from below first.
+        let wheel = Wheel { attitude, sight: eye_direction(moment, layout.view) };
+        let from_below = wheel.sight.dot(&(attitude * Vector3::z())) < 0.0;
+        if !from_below {
+            wheel.draw(&camera, drawing)?;
+        }
+        self.draw_marks(&camera, moment.time, &now, drawing)?;
+        if from_below {
+            wheel.draw(&camera, drawing)?;
+        }
+        Ok(())
+    }
+
+    /// The three directions and their circles, the marks on the rim, and the blows.
+    fn draw_marks(
+        &self,
+        camera: &Camera,
+        time: f64,
+        now: &Turning,
+        drawing: &mut Drawing,
+    ) -> Result<(), Cause> {
+        let seen = self.seen(now);
+        let attitude = seen * now.world_from_body;
+        let mut stage = Stage::new(*camera);
+        let (axis, omega) = (attitude * Vector3::z(), (attitude * now.omega_body).normalize());
+        let momentum = seen * self.station.momentum(time).normalize();
+        // Round what stands still each of the others goes on a circle.
+        let pivot = if self.on_board { axis } else { momentum };
+        let directions = [
+            (axis, 1.1, r"$\hat{\mathbf{3}}$", Hue::Blue),
+            (momentum, 1.32, r"$\boldsymbol{L}$", Hue::Green),
+            (omega, 1.54, r"$\boldsymbol{\omega}$", Hue::Orange),
+        ];
+        for (direction, length, name, hue) in directions {
+            let along = direction.dot(&pivot) * length;
+            let aside = (length * length - along * along).max(0.0).sqrt();
+            if aside > 0.02 {
+                stage.curve(Curve::circle(pivot * along, pivot, aside)?, Stroke::Outline, hue)?;
+            }
+            stage.named_vector(direction * HUB, direction * length, name, hue)?;
+        }
+        stage.dot(attitude * Vector3::new(0.0, 0.93, 0.08), 4.5, Hue::Pink)?;
+        if time < SHOWN && self.blows.first.impulse > 0.0 {
+            let [foot, tip] = self.impulse_arrow();
+            stage.named_vector(foot, tip, r"$\boldsymbol{P}$", Hue::Pink)?;
+        }
+        let Blows { second, is_fired, .. } = self.blows;
+        let thruster = Self::thruster(second.azimuth);
+        let since = time - second.time;
+        if is_fired && (0.0..SHOWN).contains(&since) && second.blow.impulse != 0.0 {
+            let push = Vector3::z() * (ARROW * second.blow.impulse / MEGA);
+            stage.vector(attitude * thruster, attitude * (thruster + push), Hue::Pink)?;
+        }
+        stage.write(drawing);
+        if is_fired {
+            kit::marker(drawing, camera.on_page(attitude * thruster)?, Marker::Ring, Hue::Pink);
+        }
+        Ok(())
+    }
+
+    /// What a camera at the hub sees that looks along axis 3: star trails, the pole about which they turn.
+    fn draw_sky(&self, layout: &Layout, time: f64, drawing: &mut Drawing) -> Result<(), Cause> {
+        let Layout { sky, radius, .. } = *layout;
+        let in_picture = |direction: &Vector3<f64>| {
+            let scale = radius / ((1.0 + direction.z) * (0.5 * FIELD).tan());
+            sky + at(direction.y, -direction.x) * scale
+        };
+        let steps = (0..=8).map(|step| time - EXPOSURE * f64::from(step) / 8.0);
+        let attitudes = steps.map(|time| Ok(self.station.at(time)?.world_from_body.inverse()));
+        let attitudes = attitudes.collect::<Result<Vec<_>, Cause>>()?;
+        let inside = |point: Point| (point - sky).length() < radius - 2.0;
+        for star in STARS.iter() {
+            let now = attitudes[0] * star;
+            if now.z < 0.5 || !inside(in_picture(&now)) {
+                continue;
+            }
+            let trail = attitudes.iter().map(|body_from_world| in_picture(&(body_from_world * star)));
+            let trail: Vec<Point> = trail.take_while(|point| inside(*point)).collect();
+            drawing.polyline(&trail, Stroke::Outline, Hue::Ink);
+            drawing.dot(trail[0], 1.5, Hue::Ink);
+        }
+        drawing.circle(sky, radius, Role::Line(Stroke::Outline, Hue::Muted));
+        let now = self.station.at(time)?;
+        let pole = in_picture(&now.omega_body.normalize());
+        let momentum = in_picture(&(attitudes[0] * self.station.momentum(time).normalize()));
+        let reach = (pole - sky).length();
+        if reach > 3.0 && reach < radius - 4.0 {
+            drawing.circle(sky, reach, Role::Line(Stroke::Outline, Hue::Orange));
+        }
+        for step in [at(5.0, 0.0), at(0.0, 5.0)] {
+            drawing.line(sky - step, sky + step, Stroke::Vector, Hue::Blue);
+        }
+        if inside(momentum) {
+            drawing.dot(momentum, 3.5, Hue::Green);
+        }
+        let outwards = (pole - sky).unit();
+        if inside(pole) {
+            drawing.dot(pole, 4.0, Hue::Orange);
+        }
+        if inside(pole) && reach > 16.0 {
+            let name = pole + outwards * 13.0;
+            drawing.label_set(
+                name,
+                Side::Over,
+                0.0,
+                14.0,
+                r"$\boldsymbol{\omega}$",
+                Role::Text(Hue::Orange),
+            )?;
+        }
+        if reach > 16.0 {
+            drawing.label_set(
+                sky - outwards * 15.0,
+                Side::Over,
+                0.0,
+                14.0,
+                r"$\hat{\mathbf{3}}$",
+                Role::Text(Hue::Blue),
+            )?;
+        }
+        let title = sky - at(0.0, radius + 4.0);
+        drawing.label_set(title, Side::Above, 4.0, 13.0, "the crew’s sky", Role::Text(Hue::Ink))?;
+        Ok(())
+    }
+
+    fn draw_waves(&self, layout: &Layout, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut graph = Graph::new(drawing, layout.graph, time_axis(moment.room), WAVES_AXIS)?;
+        let names = [
+            r"in the room, $\hat{\mathbf{3}}$ about $\boldsymbol{L}$",
+            r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$",
+        ];
+        let now = self.station.aside(moment.time)?;
+        for (index, hue) in [(0, Hue::Blue), (1, Hue::Orange)] {
+            let middle = MIDDLES[index];
+            graph.level(middle, Stroke::Dotted, Hue::Muted);
+            let wave = self.waves[index].iter().map(|&(time, aside)| (time, middle + 0.85 * aside));
+            graph.curve(wave, Stroke::Curve, hue);
+            let place = graph.at((0.0, middle + 1.0)) + at(2.0, -2.0);
+            graph.drawing().label_set(place, Side::AboveRight, 2.0, 13.0, names[index], Role::Text(hue))?;
+        }
+        graph.upright(moment.time, Stroke::Outline, Hue::Muted);
+        for (index, hue) in [(0, Hue::Blue), (1, Hue::Orange)] {
+            graph.dot((moment.time, MIDDLES[index] + 0.85 * now[index] * self.scales[index]), 4.0, hue);
+        }
+        if self.blows.is_fired {
+            graph.upright(self.blows.second.time, Stroke::Reference, Hue::Pink);
+            kit::marker(drawing, self.fire_place(layout, moment.room), Marker::Ring, Hue::Pink);
+        }
+        Ok(())
+    }
+
+    /// Where the time of the second blow stands in the graph.
+    fn fire_place(&self, layout: &Layout, room: Room) -> Point {
+        let axis = time_axis(room);
+        let part = (self.blows.second.time - axis.from) / (axis.to - axis.from);
+        at(layout.graph.left + part * layout.graph.width(), layout.graph.bottom)
+    }
+
+    /// What can be held in the picture of a moment, and where.
+    fn held(&self, moment: &Moment) -> Result<Vec<(Grip, Point)>, Cause> {
+        let layout = Layout::of(moment.room);
+        let camera = moment.camera(layout.view)?;
+        let mut held = Vec::new();
+        if moment.time < SHOWN && self.blows.first.impulse > 0.0 {
+            let [foot, tip] = self.impulse_arrow();
+            held.push((Grip::Place, camera.on_page(foot)?));
+            held.push((Grip::Impulse, camera.on_page(tip)?));
+        }
+        if self.blows.is_fired {
+            held.push((
+                Grip::Thruster,
+                self.thruster_place(&camera, moment.time, self.blows.second.azimuth)?,
+            ));
+            held.push((Grip::Fire, self.fire_place(&layout, moment.room)));
+        }
+        Ok(held)
+    }
+
+    /// Where a thruster at another azimuth would be on the page at a time.
+    fn thruster_place(&self, camera: &Camera, time: f64, azimuth: f64) -> Result<Point, Cause> {
+        let second = LaterBlow { azimuth, ..self.blows.second };
+        let now = Struck::new(&Blows { second, ..self.blows })?.at(time)?;
+        Ok(camera.on_page(self.seen(&now) * (now.world_from_body * Self::thruster(azimuth)))?)
+    }
+
+    fn dragged(&self, grip: usize, to: Point, moment: &Moment) -> Result<Vec<(&'static str, f64)>, Cause> {
+        let layout = Layout::of(moment.room);
+        let camera = moment.camera(layout.view)?;
+        let Some((grip, place)) = self.held(moment)?.get(grip).copied() else { return Ok(Vec::new()) };
+        if (place - to).length() < 1e-6 {
+            return Ok(Vec::new()); // a touch
+        }
+        let nearest = |values: &mut dyn Iterator<Item = f64>, place: &dyn Fn(f64) -> Result<Point, Cause>| {
+            let places = values.filter_map(|value| Some((value, (place(value).ok()? - to).length())));
+            places.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(value, _)| value)
+        };
+        let [foot, _] = self.impulse_arrow();
+        let found = match grip {
+            Grip::Impulse => {
+                let tip = |impulse| Ok(camera.on_page(foot + Vector3::z() * (0.1 + ARROW * impulse))?);
+                nearest(&mut (1..=100).map(|tenth| 0.1 * f64::from(tenth)), &tip)
+                    .map(|value| ("impulse", value))
+            }
+            Grip::Place => {
+                let foot = |metres| Ok(camera.on_page([0.0, metres / RADIUS * 0.93, 0.08])?);
+                nearest(&mut (0..=50).map(f64::from), &foot).map(|value| ("place", value))
+            }
+            Grip::Thruster => {
+                let place = |degrees: f64| self.thruster_place(&camera, moment.time, degrees.to_radians());
+                nearest(&mut (0..720).map(|half| 0.5 * f64::from(half)), &place)
+                    .map(|value| ("thruster", value))
+            }
+            Grip::Fire => {
+                let (time, _) = value_at(layout.graph, &time_axis(moment.room), &WAVES_AXIS, to);
+                Some(("fire", time.clamp(0.0, DURATION)))
+            }
+        };
+        Ok(found.into_iter().collect())
+    }
+}
+
+impl Motion for Nodding {
+    fn run(&self) -> Run {
+        Run { duration: DURATION, pace: 3.0, repeats: true }
+    }
+
+    fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let layout = Layout::of(moment.room);
+        self.draw_station(moment, &layout, drawing)?;
+        self.draw_sky(&layout, moment.time, drawing)?;
+        self.draw_waves(&layout, moment, drawing)
+    }
+
+    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
+        let now = self.station.at(time)?;
+        let moments = Body::hoop(MASS, RADIUS)?.moments();
+        let [nods, mark, on_board] = self.station.counts(time);
+        let last = self.station.last(time);
+        let drift = last.map_or(self.station.first.centre_velocity(), |(_, _, velocity)| *velocity);
+        // From the state, against what the last blow left.
+        let momentum = self.station.momentum(time);
+        let start = last.map_or(self.station.first.at(0.0)?, |(_, top, _)| top.start());
+        let energy = |turning: &Turning| moments.kinetic_energy(&turning.omega_body);
+        Ok(vec![
+            nods,
+            mark,
+            on_board,
+            drift.norm(),
+            (now.angular_momentum_world(&moments) - momentum).norm() / momentum.norm(),
+            energy(&now) / energy(&start) - 1.0,
+        ])
+    }
+
+    fn words(&self, _time: f64) -> String {
+        let first = &self.station.first;
+        if let Some((time, top, velocity)) = &self.station.second {
+            let nod = 2.0 * top.momentum_angle().to_degrees();
+            let after = Vector3::z().angle(&top.angular_momentum_world()).to_degrees();
+            let drift = velocity.norm();
+            let nodding = if nod < 0.1 { "no nod".into() } else { format!("a nod of {nod:.1}°") };
+            if nod < 0.1 && after < 0.1 && drift < 0.01 {
+                return format!(
+                    "The second blow, after {time:.2} s, leaves nothing: no nod, the axis where it was, no drift."
+                );
+            }
+            return format!(
+                "The second blow, after {time:.2} s, leaves {nodding}. The angular momentum points {after:.1}° away from the old axis, and the \
+                 centre drifts at {drift:.2} m/s."
+            );
+        }
+        let lean = first.momentum_angle();
+        if lean <= STILL {
+            return if self.blows.first.impulse > 0.0 {
+                let drift = first.centre_velocity().z;
+                format!(
+                    "A push on the axis turns nothing: the station drifts off at {drift:.2} m/s, and the stars go round the cross as before."
+                )
+            } else {
+                "No blow: the stars go round the cross as before, once in 13.96 s.".into()
+            };
+        }
+        let (nod, mark) = (TAU / first.nodding_rate(), TAU / (first.nodding_rate() - first.body_rate()));
+        let ratio = first.nodding_rate() / SPIN;
+        format!(
+            "In the room the axis goes round L once in {nod:.2} s: {ratio:.2} nods in the time of one old turn. A mark on the rim comes round every \
+             {mark:.2} s. On board ω goes round axis 3 once in {:.2} s, whatever the blow.",
+            TAU / first.body_rate()
+        )
+    }
+
+    fn grips(&self, moment: &Moment) -> Vec<Point> {
+        self.held(moment).unwrap_or_default().into_iter().map(|(_, point)| point).collect()
+    }
+
+    fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+        self.dragged(grip, to, moment).unwrap_or_default()
+    }
+}

@@ -1,0 +1,489 @@
+//! The scene of the chapter "The spinning coin": ink on its rim, and how near it comes to sound.
+
+use crate::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, point_at,
+    value_at,
+};
+use drawing::kit::{self, Marker};
+use drawing::space::{Curve, Solid, Stage, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Room, Side, Stroke, at};
+use mechanics::InvalidQuantity;
+use mechanics::rolling::{DiskParameters, MomentFactors};
+use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
+use nalgebra::{UnitQuaternion, Vector3};
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+pub(crate) const SCENE: Scene = Scene {
+    name: "spinning-coin",
+    title: "A spinning coin with ink on its rim",
+    description: "A coin with a head on its face leans on a table. Its lowest point has run most of the way round a circle on the table, and ink marks \
+                  that way on the table and the same length on the rim. Beside it the two lengths lie side by side: the rim is longer than the circle, and what \
+                  it has left over is the angle by which the head has turned. Below, against the tilt, the rates of contact and head.",
+    question: "The contact is back after a round, but the rim is longer than the circle it ran: where does the rest, $2\\pi(1 - \\cos\\alpha)$, go? \
+               And as a coin goes down, ever faster: does its contact reach the speed of sound?",
+    size: [[660.0, 440.0], [380.0, 664.0]],
+    view: Some([-FRAC_PI_2, 0.8]),
+    still: 5.6,
+    controls: &[
+        Control::log_slider("tilt", r"tilt from lying flat, $\alpha$", [1e-5, 1.5], "rad", 0.6),
+        Control::choice(
+            "loss",
+            r"what it loses, in proportion to $\alpha^{-p}$",
+            &["nothing", r"$p = 2$", r"$p = 5/4$", r"$p = 1$", r"$p = 1/2$"],
+        ),
+        Control::choice("coin", "what spins", &["disc", "hoop"]),
+    ],
+    presets: &[
+        Preset { words: "45°", settings: &[("tilt", 0.785)] },
+        Preset { words: "nearly upright", settings: &[("tilt", 1.5)] },
+        Preset { words: "nearly flat", settings: &[("tilt", 0.05)] },
+        Preset { words: "going down on a film of air", settings: &[("tilt", 0.1), ("loss", 1.0)] },
+        Preset { words: "by rolling friction alone", settings: &[("tilt", 0.1), ("loss", 4.0)] },
+    ],
+    readings: &[
+        Reading { words: r"tilt $\alpha$", form: Form::Power(3), unit: "rad" },
+        Reading { words: r"of the contact, $\Omega$", form: Form::Power(3), unit: "rad/s" },
+        Reading { words: "of the head", form: Form::Power(3), unit: "rad/s" },
+        Reading { words: "whir", form: Form::Fixed(1), unit: "Hz" },
+        Reading { words: "contact, in speeds of sound", form: Form::Power(2), unit: "" },
+        Reading { words: "rounds so far", form: Form::Fixed(2), unit: "" },
+        Reading { words: "head turned so far", form: Form::Fixed(1), unit: "°" },
+        Reading { words: "real time gone", form: Form::Power(3), unit: "s" },
+        Reading { words: "real time left", form: Form::Power(3), unit: "s" },
+        Reading { words: "slip: ink on the table less ink on the rim", form: Form::Power(1), unit: "radii" },
+    ],
+    start: |settings| Ok(Box::new(Spinning::new(settings)?)),
+};
+
+/// The toy of the shops: its mass, kg, and radius, m, on Earth; and the speed of sound, m/s.
+const MASS: f64 = 0.4;
+const RADIUS: f64 = 0.0375;
+const GRAVITY: f64 = 9.81;
+const SOUND: f64 = 343.0;
+/// The powers p of the losses, with which the coin lives for so long, s, from this tilt, rad.
+const POWERS: [f64; 4] = [2.0, 1.25, 1.0, 0.5];
+const NAMES: [&str; 4] = [r"$p = 2$", r"$p = 5/4$", r"$p = 1$", r"$p = 1/2$"];
+const LIFE: (f64, f64) = (100.0, 0.1);
+/// The film: how long it shows a round, s, and how many; and on the way down, how long a tenth of the time left, s.
+const ROUND: f64 = 6.0;
+const ROUNDS: f64 = 4.0;
+const DECADE: f64 = 6.0;
+/// Thickness of the coin, in radii.
+const THICK: f64 = 0.06;
+
+/// A coin, and how it goes down.
+struct Spinning {
+    parameters: DiskParameters,
+    start: SpinningCoin,
+    /// The law by which it goes down, its place in [`POWERS`], and the time left at which it asks for free fall, s.
+    down: Option<(SpinDown, usize, f64)>,
+    /// On the way down: the angle by which the head has turned, rad, at equal steps of the film.
+    head: Vec<f64>,
+}
+
+/// What is seen at a time of the film.
+struct Now {
+    coin: SpinningCoin,
+    /// Rounds of the contact since the start, and the angle by which the head has turned, rad.
+    rounds: f64,
+    head: f64,
+    /// Real time that is gone and, if there is an end, left, s.
+    gone: f64,
+    left: f64,
+}
+
+/// The way down of such a coin by a law of loss, from any tilt.
+fn law(start: SpinningCoin, power: f64) -> Result<SpinDown, InvalidQuantity> {
+    let (life, tilt) = LIFE;
+    let from = SpinningCoin::new(start.parameters(), tilt)?;
+    let unit = SpinDown::new(from, Loss::new(1.0, power)?)?.life();
+    SpinDown::new(start, Loss::new(unit / life, power)?)
+}
+
+impl Spinning {
+    fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
+        let moments = [MomentFactors::DISK, MomentFactors::HOOP][settings.choice("coin")?];
+        let parameters = DiskParameters { mass: MASS, radius: RADIUS, moments, gravity: GRAVITY };
+        let start = SpinningCoin::new(parameters, settings.of("tilt")?)?;
+        let down = match settings.choice("loss")? {
+            0 => None,
+            which => {
+                let down = law(start, POWERS[which - 1])?;
+                Some((down, which - 1, down.time_left_at_free_fall().min(down.life())))
+            }
+        };
+        let mut spinning = Self { parameters, start, down, head: Vec::new() };
+        spinning.head = spinning.head_on_the_way()?;
+        Ok(spinning)
+    }
+
+    /// The time left at a time of the film, s.
+    fn left(down: &SpinDown, end: f64, time: f64) -> f64 {
+        (down.life() * 10_f64.powf(-time / DECADE)).clamp(end, down.life())
+    }
+
+    /// The integral of the head's rate over the way down, by the rule of the midpoint over equal steps of the film.
+    fn head_on_the_way(&self) -> Result<Vec<f64>, InvalidQuantity> {
+        let Some((down, _, end)) = &self.down else { return Ok(Vec::new()) };
+        let (count, mut turned) = (600, vec![0.0]);
+        let duration = self.run().duration;
+        for step in 0..count {
+            let [from, middle, to] = [0.0, 0.5, 1.0]
+                .map(|part| Self::left(down, *end, duration * (f64::from(step) + part) / f64::from(count)));
+            let rate = down.with_time_left(middle)?.figure_rate();
+            turned.push(turned[turned.len() - 1] + rate * (from - to));
+        }
+        Ok(turned)
+    }
+
+    fn at(&self, time: f64) -> Result<Now, InvalidQuantity> {
+        let Some((down, _, end)) = &self.down else {
+            let coin = self.start;
+            let rounds = time / ROUND;
+            let gone = rounds * TAU / coin.turn_rate();
+            let head = coin.figure_rate() * gone;
+            return Ok(Now { coin, rounds, head, gone, left: f64::NAN });
+        };
+        let left = Self::left(down, *end, time);
+        let place = (time / self.run().duration).clamp(0.0, 1.0) * (self.head.len() - 1) as f64;
+        let before = (place as usize).min(self.head.len() - 2);
+        let part = place - before as f64;
+        let head = self.head[before] * (1.0 - part) + self.head[before + 1] * part;
+        let rounds = down.gone_round(left)? / TAU;
+        Ok(Now { coin: down.with_time_left(left)?, rounds, head, gone: down.life() - left, left })
+    }
+
+    /// How the coin stands: as it is or, on the way down, as a lamp shows it that flashes once a round.
+    fn attitude(&self, now: &Now) -> UnitQuaternion<f64> {
+        match self.down {
+            None => now.coin.attitude(now.rounds),
+            Some(_) => now.coin.attitude(0.0) * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), now.head),
+        }
+    }
+}
+
+/// From the centre to the lowest point of a coin of radius one.
+fn lowest(attitude: &UnitQuaternion<f64>) -> Vector3<f64> {
+    let normal = attitude * Vector3::z();
+    (normal * normal.z - Vector3::z()).normalize()
+}
+
+/// Where the parts of the picture stand.
+struct Layout {
+    stage: Rect,
+    lengths: Rect,
+    rates: Rect,
+}
+
+impl Layout {
+    fn of(room: Room) -> Self {
+        Self {
+            stage: room.of(Rect::new(4.0, 4.0, 400.0, 432.0), Rect::new(4.0, 4.0, 372.0, 290.0)),
+            lengths: room.of(Rect::new(430.0, 30.0, 216.0, 130.0), Rect::new(20.0, 322.0, 340.0, 130.0)),
+            rates: room.of(Rect::new(474.0, 214.0, 172.0, 174.0), Rect::new(64.0, 490.0, 296.0, 124.0)),
+        }
+    }
+}
+
+/// The axes of the rates.
+const TILTS: Axis<'_> = Axis::log([1e-6, 1.6, 2.0], r"tilt $\alpha$, rad");
+const RATES: Axis<'_> = Axis::log([1e-4, 1e5, 3.0], "rate, rad/s");
+
+impl Spinning {
+    fn draw_stage(&self, moment: &Moment, now: &Now, drawing: &mut Drawing) -> Result<(), Cause> {
+        let frame = Layout::of(moment.room).stage;
+        let target = Vector3::new(0.0, 0.0, 0.4);
+        let distance = 9.0;
+        let camera = moment.camera(View {
+            target: target.into(),
+            azimuth: 0.0,
+            elevation: 0.0,
+            distance,
+            centre: frame.centre(),
+            scale: moment.room.of(132.0, 108.0),
+        })?;
+        let (sin, cos) = moment.elevation.sin_cos();
+        let (sin_azimuth, cos_azimuth) = moment.azimuth.sin_cos();
+        let eye = target + Vector3::new(cos * cos_azimuth, cos * sin_azimuth, sin) * distance;
+
+        let (sin, cos) = now.coin.tilt().sin_cos();
+        let centre = Vector3::new(0.0, 0.0, sin);
+        let attitude = self.attitude(now);
+        let normal = attitude * Vector3::z();
+        let contact = centre + lowest(&attitude);
+        let mut stage = Stage::new(camera);
+        stage.ground([-1.5, -1.5], [1.5, 1.5], 0.0, 0.25)?;
+        stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos.max(1e-3))?, Stroke::Pale, Hue::Pink)?;
+        stage.solid(Solid::disc(centre, normal, 1.0, THICK)?, Hue::Blue)?;
+        if normal.dot(&(eye - centre)) > 0.5 * THICK {
+            draw_head(&mut stage, centre, attitude)?;
+        }
+        // What has touched since the round began, where it lies on the table and where it is on the rim now.
+        let (begun, reached) = match self.down {
+            None => (now.rounds.floor(), now.rounds),
+            Some(_) => (0.0, 1.0),
+        };
+        let stands = now.coin.attitude(reached);
+        // What lies on the table at a time, in rounds, and on the rim, as the coin is shown.
+        let touch = |rounds: f64| {
+            let then = now.coin.attitude(rounds);
+            let touching = lowest(&then);
+            let on_rim = then.inverse() * touching * 1.003 + Vector3::z() * (0.5 * THICK);
+            (Vector3::new(touching.x, touching.y, 0.0), centre + self.as_shown(&stands, &attitude) * on_rim)
+        };
+        let ink = |from: f64, to: f64| {
+            let count = (90.0 * (to - from).min(1.0)).ceil().max(2.0) as u32;
+            let places = (0..=count).map(|k| touch(from + (to - from) * f64::from(k) / f64::from(count)));
+            places.unzip::<_, _, Vec<_>, Vec<_>>()
+        };
+        let is_long =
+            |points: &[Vector3<f64>]| points.windows(2).all(|pair| (pair[1] - pair[0]).norm() > 1e-7);
+        let (table, rim) = ink(begun, reached);
+        // Of the rim, what the next round will not ink either.
+        let (_, rest) = ink(begun + 1.0, begun + 1.0 / cos);
+        for (points, hue) in [(&rest, Hue::Blue), (&table, Hue::Pink), (&rim, Hue::Pink)] {
+            if is_long(points) {
+                stage.curve(Curve::smooth(points.iter().copied())?, Stroke::Curve, hue)?;
+            }
+        }
+        stage.dot(table[0], 3.4, Hue::Ink)?;
+        stage.dot(rim[0], 3.4, Hue::Ink)?;
+        stage.dot_in_front(contact, 5.0, Hue::Pink)?;
+        stage.write(drawing);
+        let how = match self.down {
+            None => format!("slowed down {} times", few(ROUND * self.start.turn_rate() / TAU)),
+            Some(_) => "seen by a lamp that flashes once a round".into(),
+        };
+        let place = at(frame.left + 8.0, frame.bottom - 12.0);
+        drawing.label_set(place, Side::Right, 0.0, 13.0, &how, Role::Text(Hue::Muted))?;
+        Ok(())
+    }
+
+    /// From the coin as it stands to how it is shown: on the way down it is turned by what the head has turned.
+    fn as_shown(&self, stands: &UnitQuaternion<f64>, shown: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
+        if self.down.is_some() { *stands } else { *shown }
+    }
+
+    /// The circle on the table and the rim, both unrolled, with the ink on them; and the angle of the head.
+    fn draw_lengths(&self, moment: &Moment, now: &Now, drawing: &mut Drawing) -> Result<(), Cause> {
+        let Rect { left, top, right, .. } = Layout::of(moment.room).lengths;
+        let cos = now.coin.tilt().cos();
+        let inked = if self.down.is_some() { 1.0 } else { now.rounds.fract() };
+        let long = right - left;
+        let bar = |drawing: &mut Drawing, from: f64, to: f64, y: f64, fill: Fill, hue: Hue| {
+            let corners = [(from, 0.0), (to, 0.0), (to, 14.0), (from, 14.0)];
+            let corners = corners.map(|(x, down)| at(left + x * long, y + down)).to_vec();
+            drawing.polygon(corners, fill, hue);
+        };
+        let rows = [
+            (top + 8.0, cos, r"the circle on the table, $2\pi a\cos\alpha$"),
+            (top + 52.0, 1.0, r"the rim, $2\pi a$"),
+        ];
+        for (y, whole, name) in rows {
+            bar(drawing, 0.0, cos, y, Fill::Face, Hue::Pink);
+            bar(drawing, 0.0, cos * inked, y, Fill::Solid, Hue::Pink);
+            let end = at(left + whole * long, y);
+            for x in [at(left, y), end] {
+                drawing.line(x, x + at(0.0, 14.0), Stroke::Outline, Hue::Ink);
+            }
+            drawing.label_set(at(left, y - 4.0), Side::AboveRight, 0.0, 13.0, name, Role::Text(Hue::Ink))?;
+        }
+        let y = rows[1].0;
+        bar(drawing, cos, 1.0, y, Fill::Side, Hue::Blue);
+        let rest = 360.0 * (1.0 - cos);
+        let text = if rest >= 0.05 {
+            format!("left over: {rest:.1}°")
+        } else {
+            "left over: next to nothing".into()
+        };
+        let under = at(left + long, y + 18.0);
+        drawing.label_set(under, Side::BelowLeft, 0.0, 13.0, &text, Role::Text(Hue::Blue))?;
+        // The head's dial: then, now, and what a round adds.
+        let dial = at(left + 26.0, y + 52.0);
+        let radius = 24.0;
+        drawing.circle(dial, radius, Role::Line(Stroke::Outline, Hue::Muted));
+        let up = FRAC_PI_2;
+        let wedge = TAU * (1.0 - cos);
+        if wedge > 1e-3 {
+            let begun = now.head - if self.down.is_some() { wedge } else { now.rounds.fract() * wedge };
+            let arc = (0..=40).map(|k| dial + Point::polar(radius, up + begun + wedge * f64::from(k) / 40.0));
+            drawing.polygon([dial].into_iter().chain(arc).collect(), Fill::Face, Hue::Blue);
+        }
+        kit::arrow(drawing, dial, dial + Point::polar(radius, up + now.head), Hue::Blue);
+        let text = "the head turns by as much";
+        drawing.label_set(dial + at(radius, 0.0), Side::Right, 8.0, 13.0, text, Role::Text(Hue::Blue))?;
+        Ok(())
+    }
+
+    /// The rates against the tilt, the speed of sound, and where each law ends.
+    fn draw_rates(&self, moment: &Moment, now: &Now, drawing: &mut Drawing) -> Result<(), Cause> {
+        let frame = Layout::of(moment.room).rates;
+        let mut graph = Graph::new(drawing, frame, TILTS, RATES)?;
+        type Rate = fn(&SpinningCoin) -> f64;
+        let rates: [(Rate, Hue); 3] = [
+            (SpinningCoin::vertical_rate, Hue::Orange),
+            (SpinningCoin::figure_rate, Hue::Blue),
+            (SpinningCoin::turn_rate, Hue::Pink),
+        ];
+        graph.level(SOUND / RADIUS, Stroke::Reference, Hue::Muted);
+        graph.upright(now.coin.tilt(), Stroke::Dotted, Hue::Muted);
+        for (of, hue) in rates {
+            let tilts = (0..=60).map(|k| 10_f64.powf(-6.0 + 6.19 * f64::from(k) / 60.0));
+            let values: Vec<(f64, f64)> = tilts
+                .map(|tilt| Ok((tilt, of(&SpinningCoin::new(self.parameters, tilt)?))))
+                .collect::<Result<_, InvalidQuantity>>()?;
+            graph.curve(values, Stroke::Curve, hue);
+        }
+        for (which, power) in POWERS.into_iter().enumerate() {
+            let down = law(SpinningCoin::new(self.parameters, LIFE.1)?, power)?;
+            let last = down.with_time_left(down.time_left_at_free_fall())?;
+            let end = (last.tilt(), last.turn_rate());
+            graph.dot(end, 3.0, Hue::Ink);
+            if self.down.is_some_and(|(_, own, _)| own == which) {
+                graph.label(end, Side::Below, NAMES[which], Hue::Ink)?;
+            }
+        }
+        for (of, hue) in rates {
+            graph.dot((now.coin.tilt(), of(&now.coin)), 4.5, hue);
+        }
+        graph.label((1.5, SOUND / RADIUS), Side::AboveLeft, "Mach 1", Hue::Muted)?;
+        graph.label((0.06, 1.2e3), Side::Over, "contact", Hue::Pink)?;
+        graph.label((0.08, 6e-3), Side::Over, "head", Hue::Blue)?;
+        graph.label((2e-3, 3e-3), Side::AboveLeft, r"$\omega_z$", Hue::Orange)?;
+        let grip = graph.at((self.start.tilt(), self.start.turn_rate()));
+        kit::marker(graph.drawing(), grip, Marker::Ring, Hue::Ink);
+        Ok(())
+    }
+}
+
+/// Draws the head on the upper face.
+fn draw_head(stage: &mut Stage, centre: Vector3<f64>, attitude: UnitQuaternion<f64>) -> Result<(), Cause> {
+    let place = |(u, v): (f64, f64)| centre + attitude * Vector3::new(u, v, 0.5 * THICK);
+    stage.patch(kit::portrait().into_iter().map(place), Fill::Side, Hue::Blue)?;
+    Ok(())
+}
+
+impl Motion for Spinning {
+    fn run(&self) -> Run {
+        let duration = match &self.down {
+            None => ROUND * ROUNDS,
+            Some((down, _, end)) => (DECADE * (down.life() / end).log10()).max(1.0),
+        };
+        Run { duration, pace: 1.0, repeats: false }
+    }
+
+    fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let now = self.at(moment.time)?;
+        self.draw_stage(moment, &now, drawing)?;
+        self.draw_lengths(moment, &now, drawing)?;
+        self.draw_rates(moment, &now, drawing)
+    }
+
+    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
+        let now = self.at(time)?;
+        let coin = now.coin;
+        Ok(vec![
+            coin.tilt(),
+            coin.turn_rate(),
+            coin.figure_rate(),
+            coin.turn_rate() / TAU,
+            coin.contact_speed() / SOUND,
+            now.rounds,
+            now.head.to_degrees(),
+            now.gone,
+            now.left,
+            self.slip(&now),
+        ])
+    }
+
+    fn words(&self, _time: f64) -> String {
+        let tilt = self.start.tilt();
+        match &self.down {
+            None => {
+                let cos = tilt.cos();
+                format!(
+                    "In a round the contact runs {:.3} radii along the table and along the rim, which has {:.3}. The {} that \
+                     are left over are the angle by which the head has turned. The contact goes round {} times while the \
+                     head turns once.",
+                    TAU * cos,
+                    TAU,
+                    angle(TAU * (1.0 - cos)),
+                    few(self.start.turn_rate() / self.start.figure_rate()),
+                )
+            }
+            Some((down, which, end)) => {
+                let name = ["2", "5/4", "1", "1/2"][*which];
+                if *end >= down.life() {
+                    return format!(
+                        "With p = {name} this tilt is below the end of the law: sinking as it asks would be faster than falling."
+                    );
+                }
+                let last = down.with_time_left(*end);
+                let (tilt, mach) =
+                    last.map_or((f64::NAN, f64::NAN), |last| (last.tilt(), last.contact_speed() / SOUND));
+                let verdict = if mach < 1.0 { "Sound is not reached" } else { "Sound has just been passed" };
+                format!(
+                    "With p = {name} it would lie flat after {} s. But {} before that, at a tilt of {} and Mach {mach:.2}, \
+                     the law would have it fall faster than g, and holds no longer. {verdict}.",
+                    few(down.life()),
+                    seconds(*end),
+                    small(tilt),
+                )
+            }
+        }
+    }
+
+    fn grips(&self, moment: &Moment) -> Vec<Point> {
+        let Layout { rates, .. } = Layout::of(moment.room);
+        vec![point_at(rates, &TILTS, &RATES, (self.start.tilt(), self.start.turn_rate()))]
+    }
+
+    fn drag(&self, _grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+        let Layout { rates, .. } = Layout::of(moment.room);
+        vec![("tilt", value_at(rates, &TILTS, &RATES, to).0)]
+    }
+}
+
+impl Spinning {
+    /// The way of the contact along the table, by its speed, less that along the rim, by how the coin stands: in radii.
+    fn slip(&self, now: &Now) -> f64 {
+        if self.down.is_some() {
+            return f64::NAN;
+        }
+        let on_rim = |rounds: f64| {
+            let attitude = now.coin.attitude(rounds);
+            let touching = attitude.inverse() * lowest(&attitude);
+            touching.y.atan2(touching.x)
+        };
+        let along_table = now.coin.contact_speed() * now.gone / RADIUS;
+        let slip = along_table - (on_rim(now.rounds) - on_rim(0.0));
+        slip - TAU * (slip / TAU).round()
+    }
+}
+
+/// A number in three digits, as it is written.
+fn few(number: f64) -> String {
+    match number.abs().log10().floor() {
+        power if power < 2.0 => format!("{number:.*}", (2.0 - power).min(12.0) as usize),
+        _ => format!("{number:.0}"),
+    }
+}
+
+/// An angle, rad, as it is written.
+fn angle(angle: f64) -> String {
+    if angle < 1e-3 { small(angle) } else { format!("{}°", few(angle.to_degrees())) }
+}
+
+/// A small angle, rad, as it is written.
+fn small(angle: f64) -> String {
+    if angle < 1e-3 {
+        format!("{} millionths of a radian", few(1e6 * angle))
+    } else {
+        format!("{} rad", few(angle))
+    }
+}
+
+/// A time, s, as it is written.
+fn seconds(time: f64) -> String {
+    if time < 1e-3 { format!("{:.0} µs", 1e6 * time) } else { format!("{:.1} ms", 1e3 * time) }
+}

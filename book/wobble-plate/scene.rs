@@ -1,0 +1,528 @@
+//! The scene of the chapter "The wobble plate": an engine on soft springs, and what shakes it.
+
+use crate::{Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings};
+use drawing::kit::{self, Heads};
+use drawing::space::{Camera, Curve, Solid, Stage, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
+use nalgebra::{UnitQuaternion, Vector3};
+use std::f64::consts::TAU;
+
+pub(crate) const SCENE: Scene = Scene {
+    name: "wobble-plate",
+    title: "An engine with a wobble plate, on soft springs",
+    description: "A tilted round plate on an upright shaft. Four rods with pistons hang under it, and the frame below them stands on springs; \
+                  it leans a little, and the end of the shaft draws a circle. Beside it a view along the shaft: the angular momentum of the \
+                  plate across the shaft points one way, that of the pistons, half as long, the other way. Below, the torque on the frame \
+                  against the mass of the pistons: a V with its foot at 1.68 kg.",
+    question: "Can pistons calm the plate? Find how many it takes, and how heavy they must be; then change the speed, and then the tilt.",
+    size: [[640.0, 440.0], [380.0, 560.0]],
+    view: Some([-1.15, 0.24]),
+    still: 0.006,
+    controls: &[
+        Control::slider("tilt", r"tilt of the plate, $\alpha$", [0.0, 45.0, 0.5], "°", 25.0),
+        Control::slider("pistons", r"number of pistons, $N$", [1.0, 7.0, 1.0], "", 4.0),
+        Control::slider("mass", r"mass of all of them, $Nm$", [0.0, 3.4, 0.004], "kg", 0.8),
+        Control::slider("spin", r"spin, $\omega$", [0.0, 150.0, 1.0], "rad/s", 100.0),
+        Control::choice("camera", "seen", &["in the room", "from the turning shaft"]),
+    ],
+    presets: &[
+        Preset { words: "no pistons", settings: &[("mass", 0.0)] },
+        Preset { words: "two, at the balancing mass", settings: &[("pistons", 2.0), ("mass", 1.676)] },
+        Preset { words: "three, balanced", settings: &[("pistons", 3.0), ("mass", 1.676)] },
+        Preset { words: "twice too heavy", settings: &[("mass", 3.352)] },
+    ],
+    readings: &[
+        Reading { words: "turns of the shaft", form: Form::Fixed(2), unit: "" },
+        Reading { words: "torque on the frame", form: Form::Fixed(2), unit: "N·m" },
+        Reading { words: "without pistons", form: Form::Fixed(2), unit: "N·m" },
+        Reading { words: "lean of the frame", form: Form::Fixed(2), unit: "°" },
+        Reading { words: "force along the shaft", form: Form::Fixed(1), unit: "N" },
+        Reading { words: r"energy of the pistons, $T_\text{p}$", form: Form::Fixed(2), unit: "J" },
+        Reading { words: "its change since the start", form: Form::Power(1), unit: "J" },
+    ],
+    start: |settings| Ok(Box::new(Shaking::new(settings)?)),
+};
+
+/// The chapter's plate and pistons, SI units. Lengths are drawn in units of the plate's radius.
+const PLATE_MASS: f64 = 2.0;
+const RADIUS: f64 = 0.1;
+const DISTANCE: f64 = 0.07;
+const ROD: f64 = 0.115;
+/// The frame hangs free: its moment about a line across the shaft, kg·m², and its mass, kg. Its centre of mass is the
+/// plate's centre.
+const FRAME_MOMENT: f64 = 0.02;
+const FRAME_MASS: f64 = 6.0;
+/// It is drawn to lean and to hop by no more than this, rad and radii of the plate.
+const LEAN_LIMIT: f64 = 0.24;
+const HOP_LIMIT: f64 = 0.3;
+/// The momentum across the shaft of the chapter's plate at 1 rad/s, kg·m²/s.
+const USUAL_MOMENTUM: f64 = 0.0019;
+/// Steps in a turn for what is sampled once.
+const STEPS: u32 = 72;
+/// Where things stand on the shaft, in radii of the plate: its upper end, the frame, the floor.
+const TOP: f64 = 1.15;
+const FRAME: f64 = -2.05;
+const FLOOR: f64 = -2.75;
+
+/// The engine with its settings.
+struct Shaking {
+    engine: Engine,
+    spin: f64,
+    from_shaft: bool,
+    /// Mass of all pistons, and that which balances three and more, kg.
+    mass: f64,
+    balancing: f64,
+    /// The part of the momentum across the shaft at each step of a turn, for a spin of 1 rad/s, kg·m².
+    momenta: Vec<Vector3<f64>>,
+    /// Torque on the frame against the mass of all pistons: least and greatest of a turn, N·m.
+    torques: Vec<(f64, [f64; 2])>,
+}
+
+/// Where the parts of the picture stand.
+struct Layout {
+    view: View,
+    ring: Point,
+    radius: f64,
+    graph: Rect,
+}
+
+impl Layout {
+    fn of(room: Room) -> Self {
+        let view = View {
+            target: [0.0, 0.0, -0.5],
+            azimuth: 0.0,
+            elevation: 0.0,
+            distance: 12.0,
+            centre: room.of(at(172.0, 222.0), at(190.0, 182.0)),
+            scale: room.of(86.0, 70.0),
+        };
+        Self {
+            view,
+            ring: room.of(at(500.0, 134.0), at(86.0, 466.0)),
+            radius: room.of(92.0, 70.0),
+            graph: room.of(Rect::new(414.0, 286.0, 206.0, 98.0), Rect::new(218.0, 396.0, 148.0, 118.0)),
+        }
+    }
+}
+
+const MASS_AXIS: Axis<'_> = Axis::linear([0.0, 3.4, 1.0], "all pistons, kg");
+const TORQUE_AXIS: Axis<'_> = Axis::linear([0.0, 50.0, 20.0], "torque on the frame, N·m");
+
+fn plate(tilt: f64) -> Result<Plate, Cause> {
+    let parameters = PlateParameters { mass: PLATE_MASS, radius: RADIUS, thickness: 0.0, tilt };
+    Ok(Plate::new(parameters)?)
+}
+
+/// So many pistons, this heavy together, on the plate with a tilt.
+fn engine(tilt: f64, count: u32, mass: f64) -> Result<Engine, Cause> {
+    let mass = mass / f64::from(count);
+    let pistons = PistonParameters { count, mass, distance: DISTANCE, rod: ROD };
+    Ok(Engine::new(plate(tilt)?, Pistons::new(pistons)?))
+}
+
+/// A vector shortened so that it stays below a length, and hardly changed if it is far below.
+fn limited(vector: Vector3<f64>, limit: f64) -> Vector3<f64> {
+    let length = vector.norm();
+    if length > 1e-12 { vector * (limit * (length / limit).tanh() / length) } else { vector }
+}
+
+/// How far the frame leans at a phase, as it hangs free: a small rotation, rad. The torque that the engine takes from
+/// it goes to and fro once a turn, so its lean is that over its moment and `ω²`: the same at every speed.
+fn lean(engine: &Engine, phase: f64) -> Vector3<f64> {
+    engine.frame_torque(phase, 1.0) / FRAME_MOMENT
+}
+
+/// The least and the greatest torque on the frame in a turn, N·m.
+fn torque_range(engine: &Engine, spin: f64) -> [f64; 2] {
+    // For three pistons and more it is the same all the time, for fewer the same every half turn.
+    let steps = if engine.pistons().count() < 3 { STEPS / 2 } else { 1 };
+    let phases = (0..steps).map(|step| TAU * f64::from(step) / f64::from(STEPS));
+    let torques = phases.map(|phase| engine.frame_torque(phase, spin).norm());
+    torques.fold([f64::MAX, 0.0], |[least, most], torque| [least.min(torque), most.max(torque)])
+}
+
+impl Shaking {
+    fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
+        let (tilt, mass) = (settings.of("tilt")?.to_radians(), settings.of("mass")?);
+        let (count, spin) = (settings.of("pistons")? as u32, settings.of("spin")?);
+        let engine = engine(tilt, count, mass)?;
+        let phases = || (0..=STEPS).map(|step| TAU * f64::from(step) / f64::from(STEPS));
+        let across = |phase: f64| engine.angular_momentum(phase, 1.0).xy().push(0.0);
+        let momenta = phases().map(across).collect();
+        let mut torques = Vec::new();
+        for step in 0..=68 {
+            let mass = 0.05 * f64::from(step);
+            torques.push((mass, torque_range(&self::engine(tilt, count, mass)?, spin)));
+        }
+        let three = Pistons::new(PistonParameters { count: 3, mass: 0.0, distance: DISTANCE, rod: ROD })?;
+        let balancing = 3.0 * engine.plate().balancing_mass(&three)?;
+        let from_shaft = settings.choice("camera")? == 1;
+        Ok(Self { engine, spin, from_shaft, mass, balancing, momenta, torques })
+    }
+
+    fn count(&self) -> u32 {
+        self.engine.pistons().count()
+    }
+
+    /// How the frame of an engine is drawn at a phase: it leans and, as the force along the shaft asks it to, hops.
+    fn stands(&self, engine: &Engine, phase: f64) -> (UnitQuaternion<f64>, Vector3<f64>) {
+        if self.spin == 0.0 {
+            return (UnitQuaternion::identity(), Vector3::zeros());
+        }
+        let hop = Vector3::z() * (engine.shaking_force(phase, 1.0) / (FRAME_MASS * RADIUS));
+        let lean = limited(lean(engine, phase), LEAN_LIMIT);
+        (UnitQuaternion::from_scaled_axis(lean), limited(hop, HOP_LIMIT))
+    }
+
+    /// From the room to what the reader sees, who may turn with the shaft.
+    fn seen(&self, phase: f64) -> UnitQuaternion<f64> {
+        UnitQuaternion::from_axis_angle(&Vector3::z_axis(), if self.from_shaft { -phase } else { 0.0 })
+    }
+
+    /// The high end of the plate, in the picture's space, at a tilt.
+    fn high_end(&self, tilt: f64, phase: f64) -> Result<Vector3<f64>, Cause> {
+        let engine = engine(tilt, self.count(), self.mass)?;
+        let (lean, hop) = self.stands(&engine, phase);
+        let end = Vector3::new(tilt.cos() * phase.cos(), tilt.cos() * phase.sin(), tilt.sin());
+        Ok(self.seen(phase) * (lean * end + hop))
+    }
+
+    /// The engine on its springs, part by part from back to front: the plane of the plate parts the upper shaft from
+    /// what hangs below, the top of the frame parts that from the frame.
+    fn draw_engine(&self, moment: &Moment, view: View, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (camera, phase) = (moment.camera(view)?, self.phase(moment.time));
+        let (seen, (lean, hop)) = (self.seen(phase), self.stands(&self.engine, phase));
+        let place = |x: f64, y: f64, z: f64| seen * (lean * Vector3::new(x, y, z) + hop);
+        let way = |x: f64, y: f64, z: f64| seen * (lean * Vector3::new(x, y, z));
+        let ((sin_eye, cos_eye), (sin, cos)) = (moment.elevation.sin_cos(), moment.azimuth.sin_cos());
+        let eye =
+            Vector3::from(view.target) + Vector3::new(cos * cos_eye, sin * cos_eye, sin_eye) * view.distance;
+        let (axis, (sin, cos)) = (way(0.0, 0.0, 1.0), self.engine.plate().tilt().sin_cos());
+        let normal = way(-sin * phase.cos(), -sin * phase.sin(), cos);
+        let is_above = (eye - place(0.0, 0.0, 0.0)).dot(&normal) > 0.0;
+        let over_frame = (eye - place(0.0, 0.0, FRAME + 0.07)).dot(&axis) > 0.0;
+        let paint = |drawing: &mut Drawing, solid: Solid, hue: Hue| -> Result<(), Cause> {
+            let mut stage = Stage::new(camera);
+            stage.solid(solid, hue)?;
+            stage.write(drawing);
+            Ok(())
+        };
+
+        let mut floor = Stage::new(camera);
+        floor.ground([-1.5, -1.5], [1.5, 1.5], FLOOR, 0.5)?;
+        floor.write(drawing);
+        for quarter in 0..4 {
+            let (sin, cos) = (TAU * (f64::from(quarter) + 0.35) / 4.0).sin_cos();
+            let (x, y) = (0.85 * cos, 0.85 * sin);
+            let foot = camera.on_page(seen * Vector3::new(x, y, FLOOR))?;
+            let head = camera.on_page(place(x, y, FRAME - 0.07))?;
+            kit::spring(drawing, foot, head, 5, 15.0, 2.0, Hue::Ink);
+        }
+        let base = Solid::disc(place(0.0, 0.0, FRAME), axis, 0.95, 0.14)?;
+        let plate = Solid::disc(place(0.0, 0.0, 0.0), normal, 1.0, 0.07)?;
+        let upper_shaft = Solid::rod(place(0.0, 0.0, 0.0), place(0.0, 0.0, TOP), 0.045)?;
+        if over_frame {
+            paint(drawing, base.clone(), Hue::Muted)?;
+        }
+        if !is_above {
+            paint(drawing, upper_shaft.clone(), Hue::Muted)?;
+            paint(drawing, plate.clone(), Hue::Blue)?;
+        }
+        self.draw_pistons(&camera, eye, phase, drawing)?;
+        if is_above {
+            paint(drawing, plate, Hue::Blue)?;
+            paint(drawing, upper_shaft, Hue::Muted)?;
+        }
+        if !over_frame {
+            paint(drawing, base, Hue::Muted)?;
+        }
+
+        // What the end of the shaft draws in the room, the spin, and where the angular momentum points.
+        let mut stage = Stage::new(camera);
+        let path = (0..=STEPS).map(|step| {
+            let (lean, hop) = self.stands(&self.engine, TAU * f64::from(step % STEPS) / f64::from(STEPS));
+            lean * (Vector3::z() * TOP) + hop
+        });
+        let path: Vec<Vector3<f64>> = path.collect();
+        if path.iter().any(|point| (point - path[0]).norm() > 0.01) {
+            let path = path.into_iter().map(|point| seen * point);
+            stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Ink)?;
+        }
+        let about = place(0.0, 0.0, 0.8);
+        stage.turning(about, axis, 0.2, Hue::Orange)?;
+        stage.label_shifted(about, at(18.0, -2.0), Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+        let momentum = seen * self.engine.angular_momentum(phase, 1.0).normalize() * 1.75;
+        stage.vector(place(0.0, 0.0, 0.0), momentum, Hue::Green)?;
+        stage.label(momentum, Side::Above, r"$\boldsymbol{L}$", Hue::Green)?;
+        stage.write(drawing);
+        let grip = camera.on_page(self.high_end(self.engine.plate().tilt(), phase)?)?;
+        kit::marker(drawing, grip, kit::Marker::Ring, Hue::Blue);
+        Ok(())
+    }
+
+    /// What hangs below the plate, the farthest from the eye first: all of it stands upright.
+    fn draw_pistons(
+        &self,
+        camera: &Camera,
+        eye: Vector3<f64>,
+        phase: f64,
+        drawing: &mut Drawing,
+    ) -> Result<(), Cause> {
+        let (seen, (lean, hop)) = (self.seen(phase), self.stands(&self.engine, phase));
+        let place = |point: Vector3<f64>| seen * (lean * point + hop);
+        let up = Vector3::z;
+        let foot = |point: &Vector3<f64>| place(Vector3::new(point.x, point.y, FRAME));
+        let shaft = Solid::rod(place(up() * (FRAME + 0.07)), place(up() * -0.02), 0.045)?;
+        let mut uprights = vec![(foot(&up()), shaft, None)];
+        // A piston is as thick as it is heavy.
+        let thickness = 0.05 + 0.15 * (self.mass / f64::from(self.count())).sqrt().min(1.0);
+        for n in 1..=self.count() {
+            let contact = self.engine.contact(n, phase) / RADIUS;
+            let centre = self.engine.centre(n, phase) / RADIUS;
+            let piston = Solid::rod(place(centre - up() * 0.15), place(centre + up() * 0.15), thickness)?;
+            let rod = [centre + up() * 0.15, contact - up() * 0.05].map(place);
+            uprights.push((foot(&contact), piston, Some(rod)));
+        }
+        let distance = |foot: &Vector3<f64>| (eye - foot).norm();
+        uprights.sort_by(|one, other| distance(&other.0).total_cmp(&distance(&one.0)));
+        for (_, solid, rod) in uprights {
+            let mut stage = Stage::new(*camera);
+            stage.solid(solid, Hue::Muted)?;
+            stage.write(drawing);
+            if let Some([from, to]) = rod {
+                let [from, to] = [camera.on_page(from)?, camera.on_page(to)?];
+                let side = (to - from).unit().quarter_turned() * 2.4;
+                let corners = vec![from + side, to + side, to - side, from - side];
+                drawing.polygon(corners.clone(), Fill::Page, Hue::Muted);
+                drawing.polygon(corners, Fill::Side, Hue::Muted);
+                drawing.line(from + side, to + side, Stroke::Outline, Hue::Muted);
+                drawing.line(from - side, to - side, Stroke::Outline, Hue::Muted);
+            }
+        }
+        Ok(())
+    }
+
+    /// The angular momenta across the shaft, seen along it.
+    fn draw_momenta(&self, layout: &Layout, phase: f64, drawing: &mut Drawing) -> Result<(), Cause> {
+        let Layout { ring, radius, .. } = *layout;
+        let seen = self.seen(phase);
+        let pistons = self.engine.piston_momentum(phase, 1.0);
+        let sum = self.engine.angular_momentum(phase, 1.0).xy().push(0.0);
+        let plate = sum - pistons;
+        // The chapter's plate alone takes six tenths of the ring, unless something needs more room.
+        let longest = self.momenta.iter().chain([&plate, &pistons]).map(Vector3::norm).fold(0.0, f64::max);
+        let scale = f64::min(0.6 / USUAL_MOMENTUM, 0.9 / longest) * radius;
+        let tip = |momentum: &Vector3<f64>| {
+            let momentum = seen * momentum * scale;
+            ring + at(momentum.x, -momentum.y)
+        };
+        drawing.label_set(
+            ring - at(0.0, radius + 10.0),
+            Side::Above,
+            4.0,
+            13.0,
+            "momentum across the shaft",
+            Role::Text(Hue::Ink),
+        )?;
+        drawing.circle(ring, radius, Role::Line(Stroke::Grid, Hue::Ink));
+        for n in 1..=self.count() {
+            let place = seen * self.engine.contact(n, phase);
+            let place = ring + at(place.x, -place.y) * (radius / DISTANCE);
+            drawing.circle(place, 5.0, Role::Area(Fill::Page, Hue::Muted));
+            drawing.circle(place, 5.0, Role::Line(Stroke::Outline, Hue::Muted));
+        }
+        if !self.from_shaft {
+            let path: Vec<Point> = self.momenta.iter().map(tip).collect();
+            drawing.polyline(&path, Stroke::Pale, Hue::Green);
+        }
+        drawing.dot(ring, 2.0, Hue::Ink);
+        let [of_plate, of_pistons, of_both] = [&plate, &pistons, &sum].map(tip);
+        let parts = [(of_plate, "plate"), (of_pistons, "pistons")];
+        for (end, word) in parts {
+            let way = end - ring;
+            if way.length() < 2.0 {
+                continue;
+            }
+            drawing.line(end, of_both, Stroke::Dotted, Hue::Green);
+            if word == "plate" {
+                kit::arrow(drawing, ring, end, Hue::Green);
+            } else {
+                kit::dimension(drawing, ring, end, Heads::End, Hue::Green);
+            }
+            // Beside the arrow, so far that the word clears it whichever way it points.
+            let side = way.unit().quarter_turned();
+            let beside = side * (9.0 + side.x.abs() * if word == "plate" { 13.0 } else { 20.0 });
+            drawing.label_set(
+                ring.towards(end, 0.7) + beside,
+                Side::Over,
+                0.0,
+                13.0,
+                word,
+                Role::Text(Hue::Green),
+            )?;
+        }
+        drawing.dot(of_both, 4.5, Hue::Green);
+        if longest > 0.0 {
+            // On that side of the two arrows where no word stands at its end.
+            let along = sum.dot(&plate).signum();
+            let side = (of_plate - ring).unit().quarter_turned();
+            let beside = side * (-along * (12.0 + side.x.abs() * 8.0));
+            drawing.label_set(of_both + beside, Side::Over, 0.0, 13.0, "sum", Role::Text(Hue::Green))?;
+        }
+        Ok(())
+    }
+
+    /// The torque on the frame against the mass of the pistons.
+    fn draw_torque(&self, layout: &Layout, phase: f64, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut graph = Graph::new(drawing, layout.graph, MASS_AXIS, TORQUE_AXIS)?;
+        let least = self.torques.iter().map(|&(mass, [least, _])| (mass, least));
+        let most = self.torques.iter().map(|&(mass, [_, most])| (mass, most));
+        if self.count() < 3 {
+            graph.area(least.clone().chain(most.clone().rev()), Fill::Ground, Hue::Purple);
+            graph.curve(least, Stroke::Outline, Hue::Purple);
+            graph.curve(most, Stroke::Outline, Hue::Purple);
+        } else {
+            graph.curve(most, Stroke::Curve, Hue::Purple);
+        }
+        graph.level(
+            self.engine.plate().bearing_torque_rotating(self.spin).norm(),
+            Stroke::Reference,
+            Hue::Muted,
+        );
+        graph.upright(self.balancing, Stroke::Dotted, Hue::Muted);
+        kit::marker(drawing, self.mass_grip(layout, phase), kit::Marker::Ring, Hue::Purple);
+        Ok(())
+    }
+
+    /// Where the torque on the frame stands in the graph, or the place above it that the graph still shows.
+    fn mass_grip(&self, layout: &Layout, phase: f64) -> Point {
+        let Rect { left, top, right, bottom } = layout.graph;
+        let torque = self.engine.frame_torque(phase, self.spin).norm();
+        let part = (torque / TORQUE_AXIS.to).min(1.0);
+        at(left + self.mass / MASS_AXIS.to * (right - left), bottom - part * (bottom - top))
+    }
+
+    fn phase(&self, time: f64) -> f64 {
+        self.spin * time
+    }
+}
+
+impl Motion for Shaking {
+    fn run(&self) -> Run {
+        // Whole turns, so that the end meets the beginning.
+        let turns = (0.25 * self.spin / TAU).round().max(1.0);
+        let duration = if self.spin > 0.0 { (turns * TAU / self.spin).min(1.0) } else { 0.25 };
+        Run { duration, pace: 0.03, repeats: true }
+    }
+
+    fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (layout, phase) = (Layout::of(moment.room), self.phase(moment.time));
+        self.draw_engine(moment, layout.view, drawing)?;
+        self.draw_momenta(&layout, phase, drawing)?;
+        self.draw_torque(&layout, phase, drawing)
+    }
+
+    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
+        let (phase, spin) = (self.phase(time), self.spin);
+        let energy = self.engine.piston_energy(phase, spin);
+        Ok(vec![
+            phase / TAU,
+            self.engine.frame_torque(phase, spin).norm(),
+            self.engine.plate().bearing_torque_rotating(spin).norm(),
+            if spin == 0.0 { 0.0 } else { lean(&self.engine, phase).norm().to_degrees() },
+            self.engine.shaking_force(phase, spin),
+            energy,
+            energy - self.engine.piston_energy(0.0, spin),
+        ])
+    }
+
+    fn words(&self, _time: f64) -> String {
+        let (count, mass, balancing) = (self.count(), self.mass, self.balancing);
+        let alone = self.engine.plate().bearing_torque_rotating(self.spin).norm();
+        let [least, most] = torque_range(&self.engine, self.spin);
+        if self.spin == 0.0 {
+            return "At rest nothing shakes, whatever the pistons weigh.".into();
+        }
+        if self.engine.plate().tilt() == 0.0 {
+            return "Square to its shaft the plate is a flywheel: the pistons stand still, and nothing shakes.".into();
+        }
+        if mass == 0.0 {
+            return format!(
+                "The plate alone: a torque of {alone:.1} N·m goes round with the shaft and rocks the frame. Give the pistons mass."
+            );
+        }
+        let part = mass / balancing;
+        let number = [
+            "One piston",
+            "Two pistons",
+            "Three pistons",
+            "Four pistons",
+            "Five pistons",
+            "Six pistons",
+            "Seven pistons",
+        ];
+        let number = number[count as usize - 1];
+        if count < 3 {
+            let verb = if count == 1 { "swings" } else { "swing" };
+            let hops = if count == 1 {
+                " The frame hops as well: nothing answers the force along the shaft."
+            } else {
+                ""
+            };
+            if (part - 1.0).abs() < 0.01 {
+                return format!(
+                    "{number} {verb} to and fro along a line. Half of that goes round with the plate and cancels it; the other half goes round \
+                     backwards and is left: {alone:.1} N·m, as without pistons, all the time, turning the wrong way.{hops}"
+                );
+            }
+            return format!(
+                "{number} {verb} to and fro along a line, and no mass of that can cancel what goes round: the torque goes from {least:.1} to \
+                 {most:.1} N·m twice a turn, and {most:.1} is never less than the {alone:.1} of the plate alone.{hops}"
+            );
+        }
+        if (part - 1.0).abs() < 0.01 {
+            return format!(
+                "Balanced: {number} of {:.3} kg each have as much momentum across the shaft as the plate, always the other way. The frame \
+                 stands still, at every speed; at another tilt it will not.",
+                mass / f64::from(count)
+            )
+            .replace(number, &number.to_lowercase());
+        }
+        let what = if part < 1.0 { "too light" } else { "too heavy" };
+        format!(
+            "{number} of {:.2} kg each are {what}: {most:.1} N·m of the plate's {alone:.1} go round {} and rock the frame. They would balance \
+             with {:.3} kg each, at any speed.",
+            mass / f64::from(count),
+            if part < 1.0 { "with the plate" } else { "opposite to it" },
+            balancing / f64::from(count)
+        )
+    }
+
+    fn grips(&self, moment: &Moment) -> Vec<Point> {
+        let (layout, phase) = (Layout::of(moment.room), self.phase(moment.time));
+        let tilt = self.engine.plate().tilt();
+        let rim = || -> Result<Point, Cause> {
+            Ok(moment.camera(layout.view)?.on_page(self.high_end(tilt, phase)?)?)
+        };
+        std::iter::once(self.mass_grip(&layout, phase)).chain(rim().ok()).collect()
+    }
+
+    fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+        let layout = Layout::of(moment.room);
+        if grip == 0 {
+            return vec![("mass", crate::value_at(layout.graph, &MASS_AXIS, &TORQUE_AXIS, to).0)];
+        }
+        let phase = self.phase(moment.time);
+        let distance = |degrees: f64| -> Result<f64, Cause> {
+            let end = self.high_end(degrees.to_radians(), phase)?;
+            Ok((moment.camera(layout.view)?.on_page(end)? - to).length())
+        };
+        let tilts = (0..=90).map(|half| 0.5 * f64::from(half));
+        let nearest = tilts.filter_map(|tilt| Some((tilt, distance(tilt).ok()?)));
+        nearest
+            .min_by(|one, other| one.1.total_cmp(&other.1))
+            .map(|(tilt, _)| vec![("tilt", tilt)])
+            .unwrap_or_default()
+    }
+}

@@ -1,0 +1,231 @@
+//! The scene of the laundromat: what it shows, by routes that share no code with it.
+
+use drawing::at;
+use fastrand::Rng;
+use live::{Moment, Player, Room};
+use std::f64::consts::{PI, TAU};
+
+/// The chapter's machine: m + M, b, ω₀ and the scene's kick and acceleration, in SI units.
+const MASS: f64 = 30.0;
+const OFFSET: f64 = 1.0 / 60.0;
+const NATURAL: f64 = 10.0;
+const KICK: f64 = 0.4;
+const ACCELERATION: f64 = 2.5;
+
+fn washer(settings: &[(&str, f64)]) -> Player {
+    let (scene, _) = live::scenes().iter().find(|(scene, _)| scene.name == "laundromat").expect("a scene");
+    Player::new(scene).and_then(|player| player.changed(settings)).expect("the settings have an answer")
+}
+
+/// The numbers beside the picture: turns a minute, lead, shaft, centre of mass, force, what is left of the balance.
+fn readings(player: &Player, time: f64) -> Vec<f64> {
+    let number = |text: &String| {
+        let plain = text.replace('−', "-").replace("·10<sup>", "e").replace("</sup>", "");
+        let number = plain.trim_end_matches(|c: char| !c.is_ascii_digit());
+        number.parse().unwrap_or(f64::NAN)
+    };
+    player.readings(time).expect("readings").iter().map(number).collect()
+}
+
+fn close(found: f64, expected: f64, slack: f64, of: &str) {
+    assert!((found - expected).abs() <= slack, "{of}: {found}, and {expected} by the other route");
+}
+
+/// How the damper acts: on the whole velocity or on the radius only.
+#[derive(Clone, Copy, PartialEq)]
+enum Damper {
+    Whole,
+    Radial,
+}
+
+/// [x, y, ẋ, ẏ] after small steps of a method of order two, with the drum speeding up to its spin or at it, and a kick.
+fn stepped(
+    damper: Damper,
+    [spin, damping, acceleration]: [f64; 3],
+    mut state: [f64; 4],
+    kick: f64,
+    end: f64,
+) -> [f64; 4] {
+    let run_up = if acceleration > 0.0 { spin / acceleration } else { 0.0 };
+    let rates = |t: f64, [x, y, vx, vy]: [f64; 4]| {
+        // −b d²/dt² of the direction of the load.
+        let (angle, rate, change) = if t < run_up {
+            (0.5 * acceleration * t * t, acceleration * t, acceleration)
+        } else {
+            (0.5 * spin * run_up + spin * (t - run_up), spin, 0.0)
+        };
+        let push = [
+            OFFSET * (rate * rate * angle.cos() + change * angle.sin()),
+            OFFSET * (rate * rate * angle.sin() - change * angle.cos()),
+        ];
+        let along = (x * vx + y * vy) / (x * x + y * y).max(1e-30);
+        let [dx, dy] = if damper == Damper::Whole { [vx, vy] } else { [along * x, along * y] };
+        let square = NATURAL * NATURAL;
+        [vx, vy, push[0] - square * x - damping * dx, push[1] - square * y - damping * dy]
+    };
+    let steps = 400_000;
+    let h = end / f64::from(steps);
+    let mut kicked = false;
+    for n in 0..steps {
+        let t = h * f64::from(n);
+        if !kicked && t + 0.5 * h >= kick {
+            state[2] += KICK;
+            kicked = true;
+        }
+        let k1 = rates(t, state);
+        let middle = std::array::from_fn(|i| state[i] + 0.5 * h * k1[i]);
+        let k2 = rates(t + 0.5 * h, middle);
+        state = std::array::from_fn(|i| state[i] + h * k2[i]);
+    }
+    state
+}
+
+#[test]
+fn the_steady_numbers_are_those_of_the_formulas() {
+    let mut random = Rng::with_seed(1);
+    for _ in 0..100 {
+        let spin = (1.0 + 590.0 * random.f64()).round() / 10.0;
+        let damping = (15.0 + 235.0 * random.f64()).round() / 100.0;
+        let player = washer(&[("spin", spin), ("damping", damping)]);
+        let rate = damping * NATURAL;
+        let (stiff, drag) = (NATURAL * NATURAL - spin * spin, rate * spin);
+        let radius = OFFSET * spin * spin / stiff.hypot(drag);
+        let mass = OFFSET * (NATURAL * NATURAL).hypot(drag) / stiff.hypot(drag);
+        let found = readings(&player, 8.0 * random.f64());
+        let of = format!("{spin} rad/s, {damping}");
+        close(found[0], spin * 60.0 / TAU, 0.51, &of);
+        close(found[1], drag.atan2(stiff).to_degrees(), 0.51, &of);
+        close(found[2], 1e3 * radius, 0.051, &of);
+        close(found[3], 1e3 * mass, 0.051, &of);
+        close(found[4], MASS * radius * (NATURAL * NATURAL).hypot(drag), 0.51, &of);
+        assert!(found[5] < 1e-9, "{of}: {}", found[5]);
+    }
+}
+
+#[test]
+fn a_run_up_with_a_kick_is_what_small_steps_give() {
+    for (spin, damping, kick, end) in [(25.0, 0.3, 3.0, 5.0), (20.0, 0.05, 9.0, 11.0), (12.0, 2.2, 1.0, 2.0)]
+    {
+        let settings = [("spin", spin), ("damping", damping), ("motor", 1.0), ("kick", kick)];
+        let player = washer(&settings);
+        let [x, y, vx, vy] =
+            stepped(Damper::Whole, [spin, damping * NATURAL, ACCELERATION], [0.0; 4], kick, end);
+        let found = readings(&player, end);
+        let of = format!("{settings:?}");
+        close(found[2], 1e3 * x.hypot(y), 0.052, &of);
+        let force = (100.0 * x + damping * NATURAL * vx).hypot(100.0 * y + damping * NATURAL * vy);
+        close(found[4], MASS * force, 0.6, &of);
+        assert!(found[5] < 1e-8, "{of}: {}", found[5]);
+    }
+}
+
+#[test]
+fn a_radial_damper_holds_until_it_is_kicked() {
+    let settings = [("spin", 22.0), ("damping", 0.3), ("damper", 1.0)];
+    let radius = OFFSET * 22.0 * 22.0 / (22.0 * 22.0 - 100.0);
+    let quiet = washer(&settings);
+    for time in [0.0, 2.0, 7.9] {
+        let found = readings(&quiet, time);
+        close(found[2], 1e3 * radius, 0.051, "a pencil on its point");
+        close(found[1], 180.0, 0.51, "a pencil on its point");
+    }
+    let kicked = washer(&[&settings[..], &[("kick", 0.5)]].concat());
+    for end in [0.9, 1.6, 3.0] {
+        let start = [-radius, 0.0, 0.0, -22.0 * radius];
+        let [x, y, ..] = stepped(Damper::Radial, [22.0, 3.0, 0.0], start, 0.5, end);
+        let found = readings(&kicked, end);
+        close(found[2], 1e3 * x.hypot(y), 0.1, &format!("after {end} s"));
+        assert!(found[5] < 1e-2, "{}", found[5]);
+    }
+}
+
+/// The largest real part of the roots of a polynomial with the leading coefficient 1, by the method of Durand and
+/// Kerner.
+fn largest_real_part(coefficients: [f64; 4]) -> f64 {
+    use nalgebra::Complex;
+    let value = |s: Complex<f64>| coefficients.iter().fold(Complex::new(1.0, 0.0), |sum, c| sum * s + c);
+    let size = 1.0 + coefficients.iter().fold(0.0_f64, |most, c| most.max(c.abs()));
+    let mut roots: [Complex<f64>; 4] =
+        std::array::from_fn(|n| Complex::from_polar(size.powf(0.4), 0.4 + TAU * n as f64 / 4.0));
+    for _ in 0..500 {
+        for n in 0..4 {
+            let others: Complex<f64> = (0..4).filter(|m| *m != n).map(|m| roots[n] - roots[m]).product();
+            roots[n] -= value(roots[n]) / others;
+        }
+    }
+    roots.iter().map(|s| s.re).fold(f64::MIN, f64::max)
+}
+
+/// The time in which a kick changes by a factor e, as the words say it.
+fn time_in_words(words: &str) -> f64 {
+    let (_, rest) = words.split_once("a factor e in ").unwrap_or_else(|| panic!("{words}"));
+    rest.split(' ').next().and_then(|text| text.parse().ok()).unwrap_or_else(|| panic!("{words}"))
+}
+
+#[test]
+fn the_words_say_how_a_kick_fares() {
+    for spin in [3.0, 8.0, 9.5, 10.5, 15.0, 22.0, 40.0, 60.0] {
+        for damping in [0.1, 0.3, 1.0, 2.4] {
+            let [rate, stiff] = [damping * NATURAL, NATURAL * NATURAL - spin * spin];
+            let settings = [("spin", spin), ("damping", damping), ("damper", 1.0)];
+            let words = washer(&settings).words(0.0);
+            let quartic = [rate, 2.0 * stiff + 4.0 * spin * spin, rate * stiff, stiff * stiff];
+            let growth = largest_real_part(quartic);
+            assert_eq!(words.contains("Unstable"), spin > NATURAL, "{settings:?}: {words}");
+            assert_eq!(growth > 0.0, spin > NATURAL, "{settings:?}");
+            close(
+                time_in_words(&words),
+                1.0 / growth.abs(),
+                0.01 + 1e-3 / growth.abs(),
+                &format!("{settings:?}"),
+            );
+
+            let words = washer(&[("spin", spin), ("damping", damping)]).words(0.0);
+            let square: f64 = 0.25 * rate * rate - NATURAL * NATURAL;
+            let slowest = 0.5 * rate - square.max(0.0).sqrt();
+            assert!(words.contains("Stable"), "{words}");
+            close(time_in_words(&words), 1.0 / slowest, 0.0051, &words);
+        }
+    }
+}
+
+#[test]
+fn the_words_name_the_quietest_spin_and_the_extremes() {
+    let words = washer(&[("spin", 30.0)]).words(0.0);
+    assert!(words.contains("at 25 rad/s it would be quietest, with 74 N"), "{words}");
+    let words = washer(&[("spin", 0.0)]).words(0.0);
+    assert!(words.contains("stands still"), "{words}");
+    // The swing grows by πb a turn, so it is 12 b wide after 24/ω₀.
+    for damper in [0.0, 1.0] {
+        let endless = washer(&[("damping", 0.0), ("damper", damper)]);
+        let words = endless.words(0.0);
+        assert!(words.contains("no steady motion") && words.contains("strikes its housing"), "{words}");
+        close(endless.run().duration, 24.0 / NATURAL, 0.1, "the end");
+        close(readings(&endless, endless.run().duration)[2], 12e3 * OFFSET, 4.0, "the housing");
+    }
+    assert!(!washer(&[("damping", 2.5), ("spin", 60.0)]).words(0.0).contains("quietest"));
+}
+
+#[test]
+fn grips_follow_the_hand() {
+    for room in [Room::Wide, Room::Narrow] {
+        let moment = Moment { time: 2.0, azimuth: -0.5 * PI, elevation: 1.0, room };
+        let mut player = washer(&[("spin", 17.3), ("kick", 1.234)]);
+        for (grip, control, dx) in
+            [(0, "spin", 40.0), (0, "spin", -31.0), (1, "kick", 35.0), (1, "kick", -9.0)]
+        {
+            player.draw(moment).expect("a picture");
+            let grips = player.grips();
+            assert_eq!(grips.len(), 2);
+            assert_eq!(player.drag(grip, grips[grip]).expect("a touch"), player.values());
+            let values = player.drag(grip, grips[grip] + at(dx, 3.0)).expect("a drag");
+            let place = player.scene().controls.iter().position(|c| c.name == control).expect("a control");
+            for (other, (now, before)) in values.iter().zip(player.values()).enumerate() {
+                assert_eq!(now == before, other != place, "{control}");
+            }
+            let mut drawn = Player::with(player.scene(), values).expect("a scene");
+            drawn.draw(moment).expect("a picture");
+            close(drawn.grips()[grip].x, grips[grip].x + dx, 1.0, control);
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! The module of the pages, which moves the live scenes: built for WebAssembly where a compiler can do that, and packed
+//! into a script, since a page that is read from a folder may load nothing else.
+//!
+//! `BOOK_LIVE=static` prints stills, `BOOK_LIVE=require` makes a missing compiler an error, and `auto` (or nothing) builds
+//! the module if it can. `BOOK_WASM_RUSTC` names a compiler other than `rustc`.
+
+use crate::answers;
+use flate2::Compression;
+use flate2::write::DeflateEncoder;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{env, fs};
+
+/// The script in the site's root.
+pub(crate) const FILE: &str = "live.js";
+
+const TARGET: &str = "wasm32-unknown-unknown";
+const CRATE: &str = "press/live/module";
+
+/// What there is for a book.
+#[derive(Debug)]
+pub(crate) enum Module {
+    /// The script lies here.
+    Built(PathBuf),
+    /// None; perhaps there is something to say about that.
+    Missing(Option<String>),
+}
+
+/// Builds the module if something that it is made of has changed.
+///
+/// # Errors
+/// If it does not compile, with the words of the compiler; if it is required and there is no compiler for it.
+pub(crate) fn build(root: &Path) -> Result<Module, String> {
+    let wish = env::var("BOOK_LIVE").unwrap_or_else(|_| "auto".to_owned());
+    match wish.as_str() {
+        "static" => return Ok(Module::Missing(None)),
+        "auto" | "require" => {}
+        other => return Err(format!("BOOK_LIVE is auto, static or require, not `{other}`")),
+    }
+    if !root.join(CRATE).is_dir() {
+        return Ok(Module::Missing(None)); // a book without the library
+    }
+    let compiler = match compiler() {
+        Ok(compiler) => compiler,
+        Err(message) if wish == "require" || env::var_os("BOOK_WASM_RUSTC").is_some() => return Err(message),
+        Err(message) => return Ok(Module::Missing(Some(message))),
+    };
+    let cannot = |error: io::Error| format!("the module of the pages cannot be made: {error}");
+    let folder = root.join("target/live");
+    let (script, stamp) = (folder.join(FILE), folder.join("stamp"));
+    let wanted = made_of(root, &compiler).map_err(cannot)?;
+    if script.is_file() && fs::read_to_string(&stamp).is_ok_and(|stamp| stamp == wanted) {
+        return Ok(Module::Built(script));
+    }
+    let wasm = compile(root, &folder, &compiler)?;
+    let packed = packed(&fs::read(wasm).map_err(cannot)?).map_err(cannot)?;
+    let fresh = folder.join(format!("{FILE}.new"));
+    fs::write(&fresh, packed)
+        .and_then(|()| fs::rename(fresh, &script))
+        .and_then(|()| fs::write(stamp, wanted))
+        .map_err(cannot)?;
+    Ok(Module::Built(script))
+}
+
+/// A compiler that has the core library for WebAssembly.
+fn compiler() -> Result<PathBuf, String> {
+    let named = env::var_os("BOOK_WASM_RUSTC");
+    let own = named.clone().or_else(|| env::var_os("RUSTC")).unwrap_or_else(|| "rustc".into());
+    let said = Command::new(&own)
+        .args(["--print", "target-libdir", "--target", TARGET])
+        .stdin(Stdio::null())
+        .stderr(Stdio::null())
+        .output();
+    let folder = said.ok().map(|said| PathBuf::from(String::from_utf8_lossy(&said.stdout).trim()));
+    let files = folder.and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten();
+    if files.into_iter().any(|file| file.file_name().to_string_lossy().starts_with("libcore-")) {
+        return Ok(own.into());
+    }
+    Err(match named {
+        Some(named) => format!("BOOK_WASM_RUSTC is {}, which has no {TARGET}", named.display()),
+        None => {
+            format!("the scenes of the pages stand still: `rustup target add {TARGET}` brings them to life")
+        }
+    })
+}
+
+/// A number that changes with everything that the module is made of.
+fn made_of(root: &Path, compiler: &Path) -> io::Result<String> {
+    let mut hasher = DefaultHasher::new();
+    let version = Command::new(compiler).arg("-vV").stdin(Stdio::null()).output()?;
+    version.stdout.hash(&mut hasher);
+    let mut files = Vec::new();
+    for path in [
+        "Cargo.toml",
+        "Cargo.lock",
+        "src",
+        "press/drawing",
+        "press/live",
+        "press/snippets/src/printable.rs",
+        "press/src/answers.rs",
+        "press/src/module.rs",
+        "press/src/printed.rs",
+    ] {
+        walk(&root.join(path), &mut files)?;
+    }
+    let mut book = Vec::new();
+    walk(&root.join("book"), &mut book)?;
+    book.sort();
+    let is_page = |path: &&PathBuf| path.extension().is_some_and(|ending| ending == "md");
+    for page in book.iter().filter(is_page) {
+        answers::matter([&*fs::read_to_string(page)?]).hash(&mut hasher); // its live numbers, and nothing else
+    }
+    files.extend(book.into_iter().filter(|path| path.ends_with("scene.rs") || path.ends_with("SUMMARY.md")));
+    files.sort();
+    for file in files {
+        (file.strip_prefix(root).unwrap_or(&file), fs::read(&file)?).hash(&mut hasher);
+    }
+    Ok(format!("{:016x}", hasher.finish()))
+}
+
+/// A file, or all files in a folder but those of tests and examples.
+fn walk(path: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    if !path.is_dir() {
+        files.push(path.to_owned());
+        return Ok(());
+    }
+    for entry in fs::read_dir(path)? {
+        let entry = entry?;
+        if !["tests", "examples"].iter().any(|name| entry.file_name() == *name) {
+            walk(&entry.path(), files)?;
+        }
+    }
+    Ok(())
+}
+
+/// Compiles the module; where it is.
+fn compile(root: &Path, folder: &Path, compiler: &Path) -> Result<PathBuf, String> {
+    eprintln!("Compiling the live scenes for browsers: half a minute, when they or the library have changed");
+    // What the module says when it gives up names files, and no folder of this machine.
+    let home = env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home.or_else(|| Some(PathBuf::from(env::var_os("HOME")?).join(".cargo")));
+    let folders = [(Some(root.to_owned()), "."), (home, "cargo")];
+    let flags = folders.iter().filter_map(|(folder, name)| {
+        Some(format!("\"--remap-path-prefix={}={name}\"", folder.as_ref()?.to_str()?))
+    });
+    let flags = flags.collect::<Vec<_>>().join(", ");
+    let run = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        .args(["build", "--quiet", "--package", "module", "--profile", "live", "--target", TARGET])
+        .args(["--ignore-rust-version", "--config", &format!("target.{TARGET}.rustflags=[{flags}]")])
+        .arg("--target-dir")
+        .arg(folder)
+        .current_dir(root)
+        .env("RUSTC", compiler)
+        .env_remove("RUSTFLAGS")
+        .env_remove("CARGO_ENCODED_RUSTFLAGS")
+        .stdin(Stdio::null())
+        .output()
+        .map_err(|error| format!("cargo cannot be run: {error}"))?;
+    if !run.status.success() {
+        let said = String::from_utf8_lossy(&run.stderr);
+        return Err(format!("the module of the pages does not compile:\n{}", said.trim_end()));
+    }
+    Ok(folder.join(TARGET).join("live/module.wasm"))
+}
+
+/// The module as a script: a call of `spin` with what it is when deflated, in base64.
+fn packed(wasm: &[u8]) -> io::Result<String> {
+    let mut deflated = DeflateEncoder::new(Vec::new(), Compression::best());
+    deflated.write_all(wasm)?;
+    Ok(format!("spin(\"{}\");\n", base64(&deflated.finish()?)))
+}
+
+fn base64(bytes: &[u8]) -> String {
+    const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let bits =
+            (0..3).fold(0_usize, |bits, n| bits << 8 | usize::from(three.get(n).copied().unwrap_or(0)));
+        let sign =
+            |n: usize| if n <= three.len() { char::from(SIGNS[bits >> (18 - 6 * n) & 63]) } else { '=' };
+        out.extend((0..4).map(sign));
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Read as _;
+
+    #[test]
+    fn bytes_are_written_in_base_64() {
+        // From RFC 4648.
+        let known = [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("fooba", "Zm9vYmE="),
+        ];
+        for (bytes, written) in known {
+            assert_eq!(base64(bytes.as_bytes()), written);
+        }
+        assert_eq!(base64(&[0xfb, 0xff, 0xbf]), "+/+/");
+    }
+
+    #[test]
+    fn the_script_holds_the_module_deflated() {
+        let wasm: Vec<u8> = (0..3000_u32).map(|n| (n * n % 251) as u8).collect();
+        let script = packed(&wasm).unwrap();
+        let text = script.strip_prefix("spin(\"").and_then(|rest| rest.strip_suffix("\");\n")).unwrap();
+        let value = |sign: u8| match sign {
+            b'A'..=b'Z' => sign - b'A',
+            b'a'..=b'z' => sign - b'a' + 26,
+            b'0'..=b'9' => sign - b'0' + 52,
+            b'+' => 62,
+            _ => 63,
+        };
+        let mut bytes = Vec::new();
+        for four in text.trim_end_matches('=').as_bytes().chunks(4) {
+            let bits = four.iter().fold(0_u32, |bits, sign| bits << 6 | u32::from(value(*sign)));
+            let bits = bits << (6 * (4 - four.len()));
+            bytes.extend(&bits.to_be_bytes()[1..four.len()]);
+        }
+        let mut unpacked = Vec::new();
+        flate2::read::DeflateDecoder::new(&bytes[..]).read_to_end(&mut unpacked).unwrap();
+        assert!(unpacked == wasm);
+    }
+}
