@@ -38,7 +38,8 @@ pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
                 fault(format!("the scene {} starts with {message}", scene.name));
             }
         }
-        for (words, settings) in &scene.presets {
+        // A preset without settings brings back the start.
+        for (words, settings) in scene.presets.iter().filter(|(_, settings)| !settings.is_empty()) {
             if let Err(message) = check_settings(scene, settings) {
                 fault(format!("the preset “{words}” of the scene {}: {message}", scene.name));
             }

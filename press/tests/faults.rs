@@ -30,7 +30,9 @@ fn scene() -> Scene {
         control("kick", Input::Button, -1.0),
     ];
     let [name, chapter, question] = ["plate", "a.md", "Why $x$?"].map(str::to_owned);
-    let presets = vec![("fast".to_owned(), "spin=4&cones=0".to_owned())];
+    let presets = [("fast", "spin=4&cones=0"), ("as at first", "")]
+        .map(|(words, settings)| (words.to_owned(), settings.to_owned()));
+    let presets = presets.to_vec();
     Scene { name, chapter, question, controls, presets, ..Scene::default() }
 }
 
