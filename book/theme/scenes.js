@@ -484,6 +484,7 @@ function visit() {
   for (const scene of scenes) scene.follow();
 }
 visit();
+window.spinning = { Machine, whenNear }; // for snippets whose numbers can be changed
 addEventListener("hashchange", visit);
 // A link that is followed again changes no address.
 document.addEventListener("click", ({ target }) => {
