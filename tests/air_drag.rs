@@ -334,6 +334,21 @@ fn the_attitude_is_that_of_eulers_equations_with_seven_numbers() {
 }
 
 #[test]
+fn a_long_bodys_quick_spin_costs_no_steps() {
+    let moments = PrincipalMoments::symmetric(1.0, 2e-3).unwrap();
+    let top = dragged(moments, Drag { transverse: 0.05, axial: 1e-4 }, Vector3::new(3.0, 0.0, 3000.0));
+    // In ten seconds it turns by 24,000 rad about itself and its axis by some 60 rad about L.
+    let solver = Dop853::new(1e-12).unwrap().with_max_evaluations(6000);
+    let thrown = top.thrown(UnitQuaternion::identity(), &solver).unwrap();
+    assert!(thrown.at(10.0).is_ok());
+    let rates = euler::turning_rates(moments, |_, turning| top.torque_body(&turning.omega_body));
+    let begin = Turning { world_from_body: UnitQuaternion::identity(), omega_body: top.at(0.0).unwrap() };
+    let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, begin.to_array(), 1.0).unwrap();
+    let judge = Turning::from_array(end.state);
+    assert!(rotation_between(&thrown.at(1.0).unwrap().world_from_body, &judge.world_from_body) < 1e-9);
+}
+
+#[test]
 fn the_angle_is_known_long_after_the_spin_has_left_the_numbers() {
     let moments = PrincipalMoments::symmetric(2.0, 1.0).unwrap();
     let top = dragged(moments, Drag::isotropic(1.0), Vector3::new(1.0, 0.0, 1.0));

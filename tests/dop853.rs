@@ -115,6 +115,20 @@ fn integration_backwards_undoes_integration_forwards() {
 }
 
 #[test]
+fn the_last_of_the_times_is_never_missed() {
+    // Each step of a gentle motion is several times as long as all before, and what the last one's start and length add up
+    // to is often the number beside its end.
+    let gentle = |_t: f64, &[x]: &[f64; 1]| [-1e-3 * x];
+    let solver = Dop853::new(1e-9).unwrap().with_first_step(1e-3);
+    for n in 1..3000 {
+        let end = f64::from(n) / 3341.7;
+        let (states, _) = solver.sample(gentle, 0.0, [1.0], &[0.5 * end, end]).unwrap();
+        let alone = solver.solve(gentle, 0.0, [1.0], end).unwrap();
+        assert_eq!((states.len(), states.last()), (2, Some(&alone.state)), "until {end}");
+    }
+}
+
+#[test]
 fn samples_agree_with_separate_solutions_in_both_directions() {
     let solver = Dop853::new(1e-11).unwrap();
     for sign in [1.0, -1.0] {

@@ -18,10 +18,12 @@ use std::f64::consts::{LN_10, TAU};
 pub(crate) const SCENE: Scene = Scene {
     name: "air-drag",
     title: "A body slows down in air",
-    description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the upright angular momentum L. \
-                  Beside it a map of the ratio of the drags against the ratio of the moments, parted by a sloping line: above it the \
-                  wobble dies first, below it the spin; the disc is a dot above the line. Below the map the angular momentum as an \
-                  arrow, its part along the axis upwards: its tip follows a curve that comes to the origin upright.",
+    description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the \
+                  upright angular momentum L. Beside it a map of the ratio of the drags against the ratio \
+                  of the moments, parted by a sloping line: above it the wobble dies first, below it the \
+                  spin; the disc is a dot above the line. Below the map the angular momentum as an arrow, \
+                  its part along the axis upwards: its tip follows a curve that comes to the origin \
+                  upright.",
     question: "The air slows spin and wobble. Which of them dies first, and how much spin is left by then?",
     size: [[640.0, 470.0], [360.0, 520.0]],
     view: Some([-1.25, 0.3]),
@@ -122,8 +124,9 @@ impl Slowing {
         Ok(top.thrown(world_from_body, &Dop853::new(1e-9)?)?.at(rest)?)
     }
 
+    /// The place in the table of the last moment before a time.
     fn before(&self, time: f64) -> usize {
-        ((time / STEP) as usize).min(self.states.len() - 1)
+        ((time / STEP) as usize).min(self.states.len().min(self.taken.len()) - 1)
     }
 
     /// The angular momentum's parts across the axis and along it, of its size at the start.
@@ -152,13 +155,13 @@ impl Slowing {
         Ok((energy(&now) + taken) / start - 1.0)
     }
 
-    /// How much spin is left then.
+    /// The part of the spin that is left at a time.
     fn left(&self, time: f64) -> Result<f64, Cause> {
         let [start, now] = [0.0, time].map(|time| self.top.at(time));
         Ok(if self.lean == 90.0 { 0.0 } else { now?.z / start?.z })
     }
 
-    /// The body, a cylinder with its ratio of moments: as high as √(6(I₁/I₃ − ½)) radii.
+    /// The body, its radius and its height: a cylinder with its ratio of moments is √(6(I₁/I₃ − ½)) radii high.
     fn body(&self, axis: Vector3<f64>) -> Result<(Solid, f64, f64), Cause> {
         let height = (6.0 * (1.0 / self.ratio - 0.5)).max(0.0).sqrt();
         let radius = REACH / 1.0_f64.hypot(0.5 * height);
@@ -183,10 +186,10 @@ impl Slowing {
         let (solid, radius, high) = self.body(axis)?;
         stage.solid(solid, Hue::Blue)?;
         // A mark on the face that is seen; a long body spins too fast for one.
-        let eye = Vector3::new(moment.azimuth.cos(), moment.azimuth.sin(), 0.0) * moment.elevation.cos()
-            + Vector3::z() * moment.elevation.sin();
-        let face = 0.5 * high * (eye * distance).dot(&axis).signum();
-        if self.ratio > 0.7 && ((eye * distance).dot(&axis)).abs() > 0.5 * high {
+        let eye = Vector3::new(moment.azimuth.cos(), moment.azimuth.sin(), moment.elevation.tan());
+        let above = distance * moment.elevation.cos() * eye.dot(&axis);
+        let face = 0.5 * high.copysign(above);
+        if self.ratio > 0.7 && above.abs() > 0.5 * high {
             let corner = |angle: f64, reach: f64| {
                 let (sin, cos) = angle.sin_cos();
                 let corner = Vector3::new(reach * radius * cos, reach * radius * sin, face);
@@ -240,7 +243,12 @@ impl Slowing {
         }
         map.label(line(1.0)[1], Side::Right, "0", Hue::Muted)?;
         map.label((to, 80.0), Side::Right, room.of("spin left", "left"), Hue::Muted)?;
-        map.label((0.04, 900.0), Side::Right, room.of("wobble dies first", "wobble dies"), Hue::Blue)?;
+        map.label(
+            (room.of(0.04, 0.008), 900.0),
+            Side::Right,
+            room.of("wobble dies first", "wobble dies"),
+            Hue::Blue,
+        )?;
         map.label((0.0025, 0.3), Side::Right, room.of("spin dies first", "spin dies"), Hue::Orange)?;
         map.dot((self.ratio, self.drag_ratio()), 6.0, Hue::Pink);
         Ok(())
@@ -293,7 +301,7 @@ fn map_frame(room: Room) -> Rect {
 }
 
 fn parts_frame(room: Room) -> Rect {
-    room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(214.0, 358.0, 108.0, 108.0))
+    room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(206.0, 364.0, 102.0, 102.0))
 }
 
 /// What has been added up of a quantity by each moment, by Simpson's rule over pairs of steps.
@@ -315,6 +323,10 @@ impl Motion for Slowing {
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         self.draw_body(moment, drawing)?;
+        if moment.room == Room::Wide {
+            let below = at(170.0, 448.0);
+            drawing.label(below, Side::Over, "in the room, arrows at one length", Hue::Muted)?;
+        }
         self.draw_map(moment.room, drawing)?;
         self.draw_parts(moment, drawing)
     }
@@ -336,12 +348,15 @@ impl Motion for Slowing {
         let degrees = self.lean;
         let Some((time, left)) = self.settled().and_then(|time| Some((time, self.left(time).ok()?))) else {
             return match degrees {
-                0.0 => "It turns exactly about its axis and keeps to it, whatever its shape and the air: there is no wobble \
-                        that could grow or die."
+                0.0 => "It turns exactly about its axis and keeps to it, whatever its shape and the air: \
+                        there is no wobble that could grow or die."
                     .into(),
-                90.0 => "It turns exactly across its axis, end over end, and keeps to that: it has no spin to lose.".into(),
+                90.0 => "It turns exactly across its axis, end over end, and keeps to that: it has no spin \
+                         to lose."
+                    .into(),
                 _ => format!(
-                    "Wobble and spin die together. The axis stays at {degrees}° to the angular momentum until nothing turns."
+                    "Wobble and spin die together. The axis stays at {degrees}° to the angular momentum \
+                     until nothing turns."
                 ),
             };
         };
@@ -353,15 +368,15 @@ impl Motion for Slowing {
         };
         if self.top.axis_trend() == AxisTrend::Aligning {
             return format!(
-                "The wobble dies first, and the body settles on its axis: when {time:.0} s have brought the wobble down to a \
-                 tenth, {left} is left."
+                "The wobble dies first, and the body settles on its axis: when {time:.0} s have brought the \
+                 wobble down to a tenth, {left} is left."
             );
         }
         let (across, along) = self.parts(time).unwrap_or_default();
         let end = across.atan2(along).to_degrees();
         format!(
-            "The spin dies first, and the body ends up tumbling: when its axis has gone from {degrees}° to {end:.0}° from the \
-             angular momentum, after {time:.0} s, {left} is left."
+            "The spin dies first, and the body ends up tumbling: when its axis has gone from {degrees}° to \
+             {end:.0}° from the angular momentum, after {time:.0} s, {left} is left."
         )
     }
 

@@ -14,13 +14,14 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 pub(crate) const SCENE: Scene = Scene {
     name: "laundromat",
     title: "A drum with its load, from above",
-    description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and in it a drum with a \
-                  heavy mat on one side. The drum turns at its natural frequency. The shaft stands to one side of the fixed point O, and the \
-                  load leads it by a quarter turn. Beside it three plots: the force on the floor against the spin, with a peak of 176 newtons \
-                  at the natural frequency and its least at 25 radians a second; the lead of the load, from 0 to 180 degrees; and \
+    description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and \
+                  in it a drum with a heavy mat on one side. The drum turns at its natural frequency. The shaft \
+                  stands to one side of the fixed point O, and the load leads it by a quarter turn. Beside it three \
+                  plots: the force on the floor against the spin, with a peak of 176 newtons at the natural \
+                  frequency and its least at 25 radians a second; the lead of the load, from 0 to 180 degrees; and \
                   the distance of the shaft from O against time.",
-    question: "Where does the load go while the spin $\\Omega$ passes $\\omega_0$? At which spin is the floor quietest? And why does a kick die \
-               with one damper and grow with the other?",
+    question: "Where does the load go while the spin $\\Omega$ passes $\\omega_0$? At which spin is the floor quietest? \
+               And why does a kick die with one damper and grow with the other?",
     size: [[640.0, 440.0], [380.0, 864.0]],
     view: Some([-FRAC_PI_2, 1.0]),
     still: 0.62,
@@ -80,10 +81,13 @@ const RIM: f64 = 0.02;
 const MOUNT: f64 = -0.25;
 const FLOOR: f64 = -0.55;
 
+/// Points of a curve, (x, y).
+type Values = Vec<(f64, f64)>;
+
 /// How the shaft moves through a part of the motion, in a frame in which the load starts at azimuth zero.
 enum Way {
     Steady(Transient),
-    Ramp(Ramp),
+    Ramp(Box<Ramp>),
     /// With the damper that feels only the radius there is no closed form: states at equal steps.
     Stepped {
         machine: Machine,
@@ -134,16 +138,16 @@ impl Part {
         let way = if is_radial {
             let length = span[1] - span[0];
             let fastest = (spin + acceleration * length).max(machine.natural_frequency());
-            let steps = (length * fastest / 0.06).ceil().max(1.0);
+            let steps = (length * fastest / 0.1).ceil().max(1.0);
             let times: Vec<f64> = (0..=steps as u32).map(|n| length * f64::from(n) / steps).collect();
             let rates = |t: f64, state: &[f64; 4]| radial_rates(&machine, acceleration, t, state);
             let (states, _) =
-                Dop853::with_tolerances(1e-9, 1e-11)?.sample(rates, 0.0, start.to_array(), &times)?;
+                Dop853::with_tolerances(1e-8, 1e-9)?.sample(rates, 0.0, start.to_array(), &times)?;
             Way::Stepped { machine, step: length / steps, states }
         } else if acceleration == 0.0 {
             Way::Steady(machine.transient(start)?)
         } else {
-            Way::Ramp(machine.ramp(acceleration, start)?)
+            Way::Ramp(Box::new(machine.ramp(acceleration, start)?))
         };
         Ok(Self { from: span[0], azimuth, spin, acceleration, way })
     }
@@ -199,11 +203,11 @@ struct Washer {
     /// Times, and what the floor has been given until then, N s.
     given: Vec<(f64, Complex<f64>)>,
     /// Times, and how far the shaft is from O, m; the time and size of the largest distance.
-    swings: Vec<(f64, f64)>,
+    swings: Values,
     widest: (f64, f64),
     /// The steady force on the floor and the lead over the spin.
-    forces: Vec<(f64, f64)>,
-    leads: Vec<(f64, f64)>,
+    forces: Values,
+    leads: Values,
     quietest: Option<(f64, f64)>,
     words: String,
 }
@@ -263,8 +267,8 @@ impl Washer {
         steady(&self.machine, self.is_radial)
     }
 
-    /// Computes the motion: from rest if the drum has to speed up or there is no steady motion in the housing, and from the
-    /// steady motion otherwise.
+    /// Computes the motion: from rest if the drum has to speed up or there is no steady motion in the housing, and from
+    /// the steady motion otherwise.
     fn move_on(&mut self, run_up: f64) -> Result<(), Cause> {
         let largest = (LARGEST_SWING - 1.0) * self.machine.offset();
         let steady = self.steady().filter(|steady| run_up == 0.0 && steady.radius() < largest);
@@ -307,7 +311,7 @@ impl Washer {
                 if self.is_radial {
                     // The force turns with the radius, and quickly as the shaft passes O.
                     let Shaft { position, velocity } = part.at(from)?.shaft;
-                    to = to.min(from + (0.5 * position.norm() / velocity.norm().max(1e-9)).max(2e-3));
+                    to = to.min(from + (1.5 * position.norm() / velocity.norm().max(1e-9)).max(2e-3));
                 }
                 self.given.push((from, given));
                 for (place, weight) in GAUSS {
@@ -363,11 +367,13 @@ impl Washer {
         let mut words = Vec::new();
         match self.steady() {
             _ if spin == 0.0 => words.push(format!(
-                "The drum stands still: the shaft rests at O, the centre of mass {:.0} mm beside it, and the floor feels nothing.",
+                "The drum stands still: the shaft rests at O, the centre of mass {:.0} mm beside it, \
+                 and the floor feels nothing.",
                 1e3 * machine.offset()
             )),
             None => words.push(
-                "At its natural frequency, with nothing to resist the way round, there is no steady motion: the swing grows at every turn."
+                "At its natural frequency, with nothing to resist the way round, there is no steady motion: \
+                 the swing grows at every turn."
                     .into(),
             ),
             Some(steady) => {
@@ -381,8 +387,8 @@ impl Washer {
                 let force = mass * machine.total_mass() * spin * spin;
                 let rigid = machine.total_mass() * machine.offset() * spin * spin;
                 words.push(format!(
-                    "At {spin:.1} rad/s the load is {place}, with a lead of {lead:.0}°: the shaft goes round O at {}, the centre of mass \
-                     at {}.",
+                    "At {spin:.1} rad/s the load is {place}, with a lead of {lead:.0}°: the shaft goes round O at {}, \
+                     the centre of mass at {}.",
                     millimetres(shaft),
                     millimetres(mass)
                 ));
@@ -459,7 +465,7 @@ fn steady(machine: &Machine, is_radial: bool) -> Option<SteadyMotion> {
 }
 
 /// The steady force on the floor, N, and the lead of the load, °, over the spin.
-fn over_spin(still: &Machine, is_radial: bool) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
+fn over_spin(still: &Machine, is_radial: bool) -> (Values, Values) {
     // Closer together about the resonance.
     let spins = (0..=140).map(f64::from).map(|n| if n < 100.0 { 0.2 * n } else { n - 80.0 });
     let values = spins.map(|spin| {
@@ -786,7 +792,9 @@ impl Washer {
         plot.curve(self.forces.iter().copied(), Stroke::Curve, Hue::Purple);
         if let Some((spin, force)) = self.quietest {
             plot.curve([(spin, force), (spin, 170.0)], Stroke::Dotted, Hue::Muted);
-            plot.label((spin - 2.5, 185.0), Side::Right, "quietest", Hue::Muted)?;
+            let (place, side) =
+                if spin < 40.0 { (spin - 2.5, Side::Right) } else { (spin + 2.5, Side::Left) };
+            plot.label((place, 185.0), side, "quietest", Hue::Muted)?;
         }
         let ring = plot.at(self.steady_force());
         kit::marker(plot.drawing(), ring, Marker::Ring, Hue::Ink);
@@ -794,7 +802,7 @@ impl Washer {
 
         let spin = Axis::linear(SPIN_AXIS, r"spin $\Omega$, rad/s");
         let mut plot =
-            Graph::new(drawing, layout.lead, spin, Axis::linear([0.0, 180.0, 90.0], r"lead $\phi_0$, °"))?;
+            Graph::new(drawing, layout.lead, spin, Axis::linear([-45.0, 225.0, 90.0], r"lead $\phi_0$, °"))?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
         plot.curve(self.leads.iter().copied(), Stroke::Curve, Hue::Blue);
         plot.dot((state.spin, state.lead().to_degrees()), 4.5, Hue::Blue);

@@ -17,15 +17,17 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 pub(crate) const SCENE: Scene = Scene {
     name: "pinned-hoop",
     title: "A pinned hoop turns over",
-    description: "A hoop that is pinned at A, in the middle of turning over, with the upright angular momentum. Beside it an ellipsoid with the \
-                  path of omega on it, a pendulum that has fallen from near its upright balance and swings, and the plane of the hoop at the \
-                  moment of the snap, with A a degree from the place at a quarter of the circle. A plot: how long the hoop waits, a straight \
-                  line against the logarithm of that degree.",
-    question: "The pin catches the hoop nearly at $90°$ from its axis. It turns like a door on its hinge, and then it turns over. \
-               How long does it wait, at $80°$, $89°$ and $89.9°$? Why are the steps equal?",
+    description: "A hoop that is pinned at A, in the middle of turning over, with the upright angular \
+                  momentum. Beside it an ellipsoid with the path of omega on it, a pendulum that falls from \
+                  near its upright balance, and the plane of the hoop at the moment of the snap, with A a \
+                  degree from the place at a quarter of the circle. A plot: how long the hoop waits, a \
+                  straight line against the logarithm of that degree.",
+    question: "The pin catches the hoop nearly at $90°$ from its axis. It turns like a door on its hinge, \
+               and then it turns over. How long does it wait, at $80°$, $89°$ and $89.9°$? Why are the \
+               steps equal?",
     size: [[640.0, 505.0], [360.0, 640.0]],
     view: Some([-0.9, 0.3]),
-    still: 17.0,
+    still: 15.0,
     controls: &[
         Control::log_slider("gap", r"how far the pin is from a right angle, $90° - \theta$", GAPS, "°", 1.0),
         Control::switch("exact", r"exactly at $\theta = 90°$", false),
@@ -41,7 +43,7 @@ pub(crate) const SCENE: Scene = Scene {
         Preset { words: "a ball at 60°", settings: &[("gap", 30.0), ("shape", 2.0)] },
     ],
     readings: &[
-        Reading { words: "times it has turned over", form: Form::Fixed(0), unit: "" },
+        Reading { words: r"times $\omega_1$ has reversed", form: Form::Fixed(0), unit: "" },
         Reading {
             words: r"angle between tangent $\hat{\mathbf 1}$ and $\boldsymbol L_A$",
             form: Form::Fixed(1),
@@ -389,7 +391,8 @@ impl Pinned {
 
 impl Motion for Pinned {
     fn run(&self) -> Run {
-        let duration = self.period.map_or(44.0, |period| (1.25 * period).clamp(24.0, 400.0));
+        let duration =
+            self.period.filter(|_| self.is_flat()).map_or(44.0, |period| (1.25 * period).clamp(24.0, 400.0));
         Run { duration, pace: 3.0, repeats: false }
     }
 
@@ -430,15 +433,15 @@ impl Motion for Pinned {
         if !self.is_flat() {
             let rate = self.body.angular_momentum().norm() / self.body.moments_about_pin().to_array()[0];
             return format!(
-                "A ball has two equal moments about A, so no axis is a middle one, and it never turns over: its centre goes \
-                 round the angular momentum once in {:.0} s.",
+                "A ball has two equal moments about A, so no axis is a middle one, and it never turns over: \
+                 its centre goes round the angular momentum once in {:.0} s.",
                 TAU / rate
             );
         }
         let (Some(period), Ok(Some(nearer))) = (self.period, wait(self.shape, 0.1 * self.gap.max(1e-3)))
         else {
-            return "Exactly at 90° it turns about the tangent, its middle axis, for ever: the pendulum stands on its head. \
-                    No pin is that exact."
+            return "Exactly at 90° it turns about the tangent, its middle axis, for ever: the pendulum \
+                    stands on its head. No pin is that exact."
                 .into();
         };
         let wait = 0.25 * period;
@@ -447,13 +450,15 @@ impl Motion for Pinned {
         let shown = shown.trim_end_matches('0').trim_end_matches('.');
         if self.gap > 30.0 {
             return format!(
-                "Pinned at {shown}°, it turns nearly about its diameter through A and only nods, once in {:.1} s.",
+                "Pinned at {shown}°, it turns nearly about its diameter through A and only nods, once in \
+                 {:.1} s.",
                 0.5 * period
             );
         }
         format!(
-            "Pinned at {shown}°, it turns over after {wait:.1} s and then every {:.1} s. Ten times as near to 90° it would wait \
-             {:.1} s longer: each tenfold growth of the tilt of its pendulum takes as long as the last.",
+            "Pinned at {shown}°, it turns over after {wait:.1} s and then every {:.1} s. Ten times as near \
+             to 90° it would wait {:.1} s longer: each tenfold growth of the tilt of its pendulum takes as \
+             long as the last.",
             0.5 * period,
             nearer - wait
         )

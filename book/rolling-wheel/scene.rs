@@ -6,7 +6,7 @@ use crate::{
 };
 use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at, clip};
 use mechanics::Error;
 use mechanics::integrate::{Dop853, Taylor};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
@@ -38,7 +38,7 @@ pub(crate) const SCENE: Scene = Scene {
     ],
     presets: &[
         Preset { words: "inside the tongue", settings: &[("lean", 12.0), ("circle", 0.8), ("push", 0.1)] },
-        Preset { words: "above its tip", settings: &[("lean", 20.0), ("circle", 0.6), ("push", 0.5)] },
+        Preset { words: "above its tip", settings: &[("lean", 20.0), ("circle", 0.6), ("push", 0.05)] },
         Preset { words: "a wide circle", settings: &[("lean", 10.0), ("circle", 4.0), ("push", 0.3)] },
         Preset {
             words: "slowing down: the spiral",
@@ -70,6 +70,8 @@ const FLAT: f64 = 0.05;
 const RECENT: f64 = 3.0;
 /// A track that reaches further from its middle, in radii, is not shown whole: the eye goes with the wheel.
 const MOST_REACH: f64 = 7.0;
+/// No arrow is longer, in radii.
+const LONGEST: f64 = 2.5;
 /// Half its thickness, in radii.
 const HALF: f64 = 0.045;
 
@@ -322,41 +324,45 @@ impl Rolled {
             table.curve(Curve::circle([0.0; 3], Vector3::z(), circle)?, Stroke::Reference, Hue::Muted)?;
         }
         table.write(drawing);
-        self.draw_track(moment.time, now, &camera, drawing)?;
+        self.draw_track(moment.time, now, &camera, &frame, drawing);
         let mut stage = Stage::new(camera);
-        self.draw_wheel(now, &eye, &mut stage)?;
+        self.draw_wheel(now, &eye, &frame, &mut stage)?;
         stage.dot_in_front([contact.re, contact.im, 0.0], 4.5, Hue::Pink)?;
         stage.write(drawing);
         Ok(())
     }
 
     /// The track of the contact: what is to come pale, the last seconds heavy.
-    fn draw_track(
-        &self,
-        time: f64,
-        now: &Rolling,
-        camera: &Camera,
-        drawing: &mut Drawing,
-    ) -> Result<(), Cause> {
+    fn draw_track(&self, time: f64, now: &Rolling, camera: &Camera, frame: &Rect, drawing: &mut Drawing) {
+        let here = now.contact(RADIUS) / RADIUS;
         let place = |state: &Rolling| {
             let contact = state.contact(RADIUS) / RADIUS;
-            camera.on_page([contact.re, contact.im, 0.0])
+            // Where the eye goes with the wheel, what is far off may lie behind it.
+            let near = (contact - here).norm() < 2.0 * MOST_REACH;
+            let seen = camera.on_page([contact.re, contact.im, 0.0]).ok().filter(|_| near);
+            seen.unwrap_or(at(f64::NAN, f64::NAN))
         };
         let last = self.states.len() - 1;
         let reached = ((time / STEP) as usize).min(last);
         let recent = reached.saturating_sub((RECENT / STEP) as usize);
-        let way =
-            |from: usize, to: usize| self.states[from..=to].iter().map(place).collect::<Result<Vec<_>, _>>();
-        drawing.polyline(&way(reached, last)?, Stroke::Pale, Hue::Pink);
-        drawing.polyline(&way(0, recent)?, Stroke::Orbit, Hue::Pink);
-        let mut heavy = way(recent, reached)?;
-        heavy.push(place(now)?);
-        drawing.polyline(&heavy, Stroke::Curve, Hue::Pink);
-        Ok(())
+        let way = |from: usize, to: usize| self.states[from..=to].iter().map(place).collect::<Vec<_>>();
+        let (coming, past, mut heavy) = (way(reached, last), way(0, recent), way(recent, reached));
+        heavy.push(place(now));
+        for (points, stroke) in [(coming, Stroke::Pale), (past, Stroke::Orbit), (heavy, Stroke::Curve)] {
+            for piece in clip(&points, frame) {
+                drawing.polyline(&piece, stroke, Hue::Pink);
+            }
+        }
     }
 
     /// The wheel with marks that show its turning, and its angular momentum.
-    fn draw_wheel(&self, now: &Rolling, eye: &Vector3<f64>, stage: &mut Stage) -> Result<(), Cause> {
+    fn draw_wheel(
+        &self,
+        now: &Rolling,
+        eye: &Vector3<f64>,
+        frame: &Rect,
+        stage: &mut Stage,
+    ) -> Result<(), Cause> {
         let [first, second, third] = axes(now);
         let centre = now.centre / RADIUS;
         let centre = Vector3::new(centre.re, centre.im, now.tilt.sin());
@@ -390,13 +396,20 @@ impl Rolled {
             Vector3::new(transverse * state.omega_1, transverse * state.omega_2, axial * state.omega_3)
         };
         let long = momentum(&self.start).norm();
-        let tip = centre + in_room(momentum(now)) * (1.5 / long);
-        if long > 0.0 && (tip - centre).norm() > 0.1 {
-            stage.named_vector(centre, tip, r"$\boldsymbol{L}$", Hue::Green)?;
+        let arrow = in_room(momentum(now)) * (1.5 / long);
+        if long > 0.0 && arrow.norm() > 0.1 {
+            let tip = centre + arrow.cap_magnitude(LONGEST);
+            named(stage, frame, [centre, tip], r"$\boldsymbol{L}$", Hue::Green)?;
             if self.loss == 0.0 {
                 let torque = (-second).cross(&in_room(self.wheel.contact_force(now))) / (MASS * GRAVITY);
                 if torque.norm() > 0.02 {
-                    stage.named_vector(tip, tip + torque * 3.0, r"$\boldsymbol{\tau}$", Hue::Purple)?;
+                    named(
+                        stage,
+                        frame,
+                        [tip, tip + (torque * 3.0).cap_magnitude(0.5 * LONGEST)],
+                        r"$\boldsymbol{\tau}$",
+                        Hue::Purple,
+                    )?;
                 }
             }
         }
@@ -433,13 +446,34 @@ impl Rolled {
         let way = self.states[..=reached].iter().chain([now]).map(Self::on_map);
         map.curve(way, Stroke::Orbit, Hue::Blue);
         map.label((2.4, 44.0), Side::Over, "stays small", Hue::Ink)?;
-        map.label((1.3, 5.5), Side::Over, "grows", Hue::Orange)?;
+        let inside = map.at((1.3, 5.5));
+        map.drawing().label_on_face(inside, Side::Over, "grows", Hue::Ink)?;
         let grip = map.at((self.circle, self.lean.to_degrees()));
         map.dot(Self::on_map(now), 3.4, Hue::Blue);
         kit::marker(map.drawing(), grip, Marker::Ring, Hue::Ink);
         Ok(())
     }
 }
+
+/// A vector with its name, or without where the name would be cut off.
+fn named(
+    stage: &mut Stage,
+    frame: &Rect,
+    [from, to]: [Vector3<f64>; 2],
+    name: &str,
+    hue: Hue,
+) -> Result<(), Cause> {
+    if frame.grown(-20.0).contains(stage.camera().on_page(to)?) {
+        stage.named_vector(from, to, name, hue)?;
+    } else {
+        stage.vector(from, to, hue)?;
+    }
+    Ok(())
+}
+
+/// Why circles get smaller.
+const SLOWED: &str =
+    "But it loses its spin, and with less of it a wheel stays up only on a smaller circle, leaning more.";
 
 /// Axes 1, 2, 3 in the room.
 fn axes(state: &Rolling) -> [Vector3<f64>; 3] {
@@ -513,7 +547,8 @@ impl Motion for Rolled {
         let kicked = match &self.wobble {
             _ if self.loss > 0.0 => self.spiral(),
             Some(wobble) => format!(
-                "After the kick the lean swings between {} and {}, {:.2} times in a round.",
+                "{}After the kick the lean swings between {} and {}, {:.2} times in a round.",
+                if self.is_thrown_over() { "This kick is too strong for that. " } else { "" },
                 degrees(self.swings[0]),
                 degrees(self.swings[1]),
                 TAU / wobble.heading_advance().abs(),
@@ -552,19 +587,23 @@ impl Rolled {
         self.states[0]
     }
 
+    /// Whether the kick is not a small one of a stable motion: the lean swings by more than a radian, or far wider
+    /// than in a small wobble.
+    fn is_thrown_over(&self) -> bool {
+        let square = self.steady.map_or(0.0, |steady| steady.wobble_square());
+        let width = self.swings[1] - self.swings[0];
+        square > 0.0 && (width > 1.0 || width > 3.0 * self.push.abs() / square.sqrt())
+    }
+
     /// What becomes of the circle when something slows the wheel.
     fn spiral(&self) -> String {
         let last = self.states[self.states.len() - 1];
         if last.tilt.min(PI - last.tilt) < FLAT {
             let time = (self.states.len() - 1) as f64 * STEP;
-            format!(
-                "Slowed, it leans more and more, its circle shrinks, and after {time:.1} s it lies all but flat."
-            )
+            format!("{SLOWED} After {time:.1} s it lies all but flat.")
         } else {
             let (circle, lean) = Self::on_map(&last);
-            format!(
-                "Slowed, it leans more and more: at the end by {lean:.1}°, on a circle of {circle:.2} radii."
-            )
+            format!("{SLOWED} At the end it leans by {lean:.1}°, on a circle of {circle:.2} radii.")
         }
     }
 
@@ -577,9 +616,12 @@ impl Rolled {
     /// The axes of the well: leans, degrees, and heights over the potential of the steady motion, in mga.
     fn well_axes(&self) -> (Axis<'static>, Axis<'static>) {
         let [low, high] = self.swings.map(f64::to_degrees);
-        // Room at the right for a word below the level.
-        let (before, after) = ((0.4 * (high - low)).max(8.0), (0.8 * (high - low)).max(16.0));
-        let step = if high - low + before + after > 75.0 { 45.0 } else { 10.0 };
+        let (before, after) = ((0.4 * (high - low)).max(8.0), (0.6 * (high - low)).max(12.0));
+        let step = match high - low + before + after {
+            wide if wide > 75.0 => 45.0,
+            wide if wide > 35.0 => 20.0,
+            _ => 10.0,
+        };
         let [from, to] = [((low - before) / step).floor() * step, ((high + after) / step).ceil() * step];
         let leans = Axis::linear([from.max(-90.0), to.min(90.0), step], r"lean $\theta$, °");
         let level = self.energy_of_rate(self.push);
@@ -615,7 +657,7 @@ impl Rolled {
         well.curve([here, (here.0, level)], Stroke::Outline, Hue::Muted);
         well.dot(here, 5.0, Hue::Blue);
         let end = well.at((leans.to, kick));
-        well.drawing().label(end, Side::BelowLeft, "energy", Hue::Muted)?;
+        well.drawing().label(end, Side::BelowLeft, r"$E$", Hue::Muted)?;
         kit::marker(well.drawing(), end, Marker::Ring, Hue::Ink);
         Ok(())
     }

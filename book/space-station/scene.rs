@@ -59,7 +59,7 @@ const MEGA: f64 = 1e6;
 /// Four turns of the old spin, s.
 const DURATION: f64 = 4.0 * TAU / SPIN;
 /// How long a blow stays in the picture, s, and the length of its arrow, radii a MN·s.
-const SHOWN: f64 = 2.5;
+const SHOWN: f64 = 1.2;
 const ARROW: f64 = 0.14;
 /// The drawn wheel, in radii: inner radius and half the height of the rim, radius of the hub.
 const INNER: f64 = 0.86;
@@ -135,7 +135,7 @@ impl Layout {
             azimuth: 0.0,
             elevation: 0.0,
             distance: 9.0,
-            centre: room.of(at(190.0, 205.0), at(190.0, 160.0)),
+            centre: room.of(at(190.0, 220.0), at(190.0, 160.0)),
             scale: room.of(102.0, 94.0),
         };
         Self {
@@ -366,7 +366,9 @@ impl Nodding {
             }
             stage.named_vector(direction * HUB, direction * length, name, hue)?;
         }
-        stage.dot(attitude * Vector3::new(0.0, 0.93, 0.08), 4.5, Hue::Pink)?;
+        let mark = attitude * Vector3::new(0.0, 0.93, 0.08);
+        stage.dot(mark, 4.5, Hue::Pink)?;
+        stage.label_shifted(mark, at(3.0, 0.0), Side::Right, "mark", Hue::Pink)?;
         if time < SHOWN && self.blows.first.impulse > 0.0 {
             let [foot, tip] = self.impulse_arrow();
             stage.named_vector(foot, tip, r"$\boldsymbol{P}$", Hue::Pink)?;
@@ -425,7 +427,7 @@ impl Nodding {
             drawing.dot(pole, 4.0, Hue::Orange);
         }
         if inside(pole) && reach > 16.0 {
-            let name = pole + outwards * 13.0;
+            let name = pole + outwards * if reach < radius - 18.0 { 13.0 } else { -13.0 };
             drawing.label_set(
                 name,
                 Side::Over,

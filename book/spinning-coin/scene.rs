@@ -122,16 +122,22 @@ impl Spinning {
         (down.life() * 10_f64.powf(-time / DECADE)).clamp(end, down.life())
     }
 
-    /// The integral of the head's rate over the way down, by the rule of the midpoint over equal steps of the film.
+    /// The integral of the head's rate over the way down, by Simpson's rule over equal steps of the film.
     fn head_on_the_way(&self) -> Result<Vec<f64>, InvalidQuantity> {
         let Some((down, _, end)) = &self.down else { return Ok(Vec::new()) };
-        let (count, mut turned) = (600, vec![0.0]);
-        let duration = self.run().duration;
-        for step in 0..count {
-            let [from, middle, to] = [0.0, 0.5, 1.0]
-                .map(|part| Self::left(down, *end, duration * (f64::from(step) + part) / f64::from(count)));
-            let rate = down.with_time_left(middle)?.figure_rate();
-            turned.push(turned[turned.len() - 1] + rate * (from - to));
+        let (count, mut turned) = (500, vec![0.0]);
+        let step = self.run().duration / f64::from(count);
+        // Of the time that is left the film takes so much in a second.
+        let rate = |time: f64| {
+            let left = Self::left(down, *end, time);
+            Ok(down.with_time_left(left)?.figure_rate() * left * 10_f64.ln() / DECADE)
+        };
+        let mut before = rate(0.0)?;
+        for k in 0..count {
+            let from = f64::from(k) * step;
+            let (middle, after) = (rate(from + 0.5 * step)?, rate(from + step)?);
+            turned.push(turned[turned.len() - 1] + step * (before + 4.0 * middle + after) / 6.0);
+            before = after;
         }
         Ok(turned)
     }

@@ -1,7 +1,7 @@
 // Live scenes. The library that computes and draws them is a WebAssembly module; this script carries numbers in and
 // pictures out, and knows nothing of any one scene.
 //
-//   1 the module   2 the picture   3 the controls   4 a scene   5 hands on the picture   6 the beginning, and links
+//   1 the module   2 the picture   3 the controls   4 a scene   5 the beginning, and links
 //
 // The page holds a still of each scene, which stays if anything here fails. A scene wakes when it is nearly on screen
 // and sleeps off it: no frame is asked for then. Nothing is remembered but the values of the controls, the time and the
@@ -54,11 +54,7 @@ class Machine {
   }
   /** Why it failed, as the program itself said if it gave up. */
   cause(error) {
-    try {
-      return error instanceof WebAssembly.RuntimeError ? this.text(this.run.last_words()) : error.message;
-    } catch {
-      return error.message; // it has no last words
-    }
+    return (error instanceof WebAssembly.RuntimeError && this.text(this.run.last_words())) || error.message;
   }
 }
 
@@ -143,7 +139,10 @@ function control(name, elements) {
       () => (isLog ? Number((10 ** first.valueAsNumber).toPrecision(3)) : first.valueAsNumber),
       (value) => (first.value = isLog ? Math.log10(value) : value),
     ],
-    radio: [() => elements.findIndex((radio) => radio.checked), (place) => elements[place] && (elements[place].checked = true)],
+    radio: [
+      () => elements.findIndex((radio) => radio.checked),
+      (place) => elements[place] && (elements[place].checked = true),
+    ],
     checkbox: [() => Number(first.checked), (isOn) => (first.checked = isOn !== 0)],
     button: [() => pressed, (time) => (pressed = time)],
   }[type];
@@ -194,6 +193,10 @@ class Scene {
     [this.drawing, this.play, this.time, this.clock, this.says] =
       [".drawing", ".play", ".time", ".clock", ".says"].map(find);
     this.readings = [...figure.querySelectorAll(".readings dd")];
+    // A formula in a label is a part of its name, which no browser hears by itself.
+    for (const math of figure.querySelectorAll(".panel math")) math.ariaLabel = math.textContent;
+    // Sliders say their values themselves; a clock that was read aloud would never stop.
+    for (const output of figure.querySelectorAll("output")) output.ariaLive = "off";
     this.still = Number(this.time.defaultValue);
     [this.now, this.duration, this.pace] = [this.still, Infinity, 1];
   }
@@ -202,15 +205,14 @@ class Scene {
   async wake() {
     try {
       this.machine = await Machine.at(this.figure.dataset.module);
+      this.#show();
     } catch (error) {
-      return this.fail(error);
+      this.fail(error);
     }
-    this.#show();
-    if (this.hasFailed) return undefined;
+    if (this.hasFailed) return;
     this.figure.classList.add("awake");
     this.#listen();
-    hands(this);
-    return this.follow();
+    this.follow();
   }
 
   /** Gives the still back, for good. */
@@ -269,7 +271,8 @@ class Scene {
       if (this.isPlaying) this.#advance(moment);
       this.now = within(this.now, 0, this.duration);
       this.#draw();
-      if (hasChanged || !this.isPlaying) this.#say(this.machine.text(this.machine.run.words(this.now)), false);
+      const isStale = hasChanged || !this.isPlaying || this.says.classList.contains("trouble");
+      if (isStale) this.#say(this.machine.text(this.machine.run.words(this.now)), false);
     } catch (error) {
       if (!(error instanceof Trouble)) return this.fail(error);
       this.#say(error.message, true); // and the last picture stays
@@ -319,7 +322,7 @@ class Scene {
     this.#setPlaying(true);
     this.change();
   }
-  /** Sets controls and the view by name, the other controls (if `isAll`) to their starts. It begins anew if no time is named. */
+  /** Sets controls and the view by name, other controls (if `isAll`) to their starts; begins anew if no time is named. */
   set(settings, isAll) {
     const number = (name) => (settings.get(name) ? Number(settings.get(name)) : NaN);
     for (const control of this.controls) {
@@ -353,34 +356,39 @@ class Scene {
     if (target?.figure === this.figure && this.machine && !this.hasFailed) this.set(target.settings, false);
   }
 
-  #listen() {
-    const { figure } = this;
-    const on = (selector, events, act) => {
-      for (const element of figure.querySelectorAll(selector)) {
-        for (const event of events.split(" ")) element.addEventListener(event, () => act(element));
+  /** Does something at events of elements. What goes wrong then is the end of the scene, and not of the page. */
+  on(elements, events, act) {
+    const guarded = (event) => {
+      try {
+        if (!this.hasFailed) act(event);
+      } catch (error) {
+        this.fail(error);
       }
     };
+    for (const element of elements) {
+      for (const name of events.split(" ")) element.addEventListener(name, guarded, { passive: false });
+    }
+  }
+  #listen() {
+    const on = (selector, events, act) => this.on(this.figure.querySelectorAll(selector), events, act);
     on(".play", "click", () => (this.isPlaying ? this.#setPlaying(false) : this.start()));
     on(".step", "click", () => this.seek(this.now + this.pace / 10));
-    on(".time", "input", (time) => this.seek(time.valueAsNumber));
+    on(".time", "input", () => this.seek(this.time.valueAsNumber));
+    on(".view input", "input", () => this.look((_, { value }) => value));
     on(".reset", "click", () => {
       this.look((_, { start }) => start);
       this.set(new Map(), true);
     });
-    on(".presets [data-set]", "click", (preset) => this.set(new URLSearchParams(preset.dataset.set), true));
+    on(".presets button", "click", ({ currentTarget }) => this.set(new URLSearchParams(currentTarget.dataset.set), true));
     // Before the link is followed, or copied.
-    on(".share a", "pointerdown focus keydown", (link) => (link.href = this.address()));
+    on(".share a", "pointerdown focus keydown", ({ currentTarget }) => (currentTarget.href = this.address()));
     for (const control of this.controls) {
-      for (const element of control.elements) {
-        if (control.isButton) element.addEventListener("click", () => this.press(control));
-        else element.addEventListener("input", () => this.change(control.show()));
-      }
+      if (control.isButton) this.on(control.elements, "click", () => this.press(control));
+      else this.on(control.elements, "input", () => this.change(control.show()));
     }
-    on(".view input", "input", () => this.look((_, { value }) => value));
     // The arrow keys belong to the slider that has them, and not to the book, whose pages they would turn.
-    figure.addEventListener("keydown", (event) => {
-      if (event.target.matches("input") && /^(Arrow|Home|End|Page)/.test(event.key)) event.stopPropagation();
-    });
+    on("input", "keydown", (event) => /^(Arrow|Home|End|Page)/.test(event.key) && event.stopPropagation());
+    for (const { svg } of this.pictures) this.#give(svg);
     new ResizeObserver(() => this.ask()).observe(this.drawing);
     let isNew = true;
     new IntersectionObserver(([{ isIntersecting, intersectionRatio, intersectionRect }]) => {
@@ -393,80 +401,58 @@ class Scene {
       if (this.isPlaying && isIntersecting) this.ask();
     }, { threshold: [0, 0.5] }).observe(this.drawing);
     // Paper has the still.
-    addEventListener("beforeprint", () => this.pictures.forEach((picture) => picture.rest()));
-    addEventListener("afterprint", () => this.ask());
+    this.on([window], "beforeprint", () => this.pictures.forEach((picture) => picture.rest()));
+    this.on([window], "afterprint", () => this.ask());
   }
-}
 
-// 5 — Hands on the picture: they draw its grips, and turn the view
-
-function hands(scene) {
-  const { drawing, machine, view } = scene;
-  let held = null; // a grip, or the view
-  for (const { svg } of scene.pictures) {
-    const on = (events, act) => {
-      const guarded = (event) => {
-        try {
-          if (!scene.hasFailed) act(event);
-        } catch (error) {
-          scene.fail(error);
-        }
-      };
-      for (const name of events.split(" ")) svg.addEventListener(name, guarded, { passive: false });
-    };
-    const matrix = () => svg.getScreenCTM();
-    const place = ({ clientX, clientY }) => new DOMPoint(clientX, clientY).matrixTransform(matrix().inverse());
-    const gripAt = (event, reach) => { // px of the screen
+  /** Gives a picture into the hands of the reader, who draw its grips and turn the view. */
+  #give(svg) {
+    const { machine, view, drawing } = this;
+    let held = null; // a grip, or the view
+    const place = ({ clientX, clientY }) =>
+      new DOMPoint(clientX, clientY).matrixTransform(svg.getScreenCTM().inverse());
+    const gripAt = (event) => {
       const { x, y } = place(event);
-      return machine.run.grip(x, y, reach / matrix().a);
+      return machine.run.grip(x, y, (event.pointerType === "mouse" ? 12 : 24) / svg.getScreenCTM().a);
     };
-    const reach = ({ pointerType }) => (pointerType === "mouse" ? 12 : 24);
-    svg.style.touchAction = view.length > 0 ? "pan-y" : ""; // up and down a finger moves the page,
-    on("touchstart", (event) => { // unless it is on a grip
-      if (event.touches.length === 1 && gripAt(event.touches[0], 24) >= 0) event.preventDefault();
-    });
-    on("pointerdown", (event) => {
-      const grip = gripAt(event, reach(event));
+    svg.style.touchAction = view.length > 0 ? "pan-y pinch-zoom" : ""; // up and down a finger moves the page,
+    // but on a grip the grip.
+    this.on([svg], "touchstart", (event) => gripAt(event.touches[0]) >= 0 && event.preventDefault());
+    this.on([svg], "mousedown", (event) => held && event.preventDefault()); // words are not selected
+    this.on([svg], "pointerdown", (event) => {
+      const grip = gripAt(event);
       if (!event.isPrimary || event.button !== 0 || (grip < 0 && view.length === 0)) return;
-      held = { grip, at: place(event), angles: scene.angles, width: svg.viewBox.baseVal.width };
+      held = { grip, at: place(event), angles: this.angles, degrees: 180 / svg.viewBox.baseVal.width };
       svg.setPointerCapture(event.pointerId);
       drawing.style.cursor = "grabbing";
     });
-    on("pointermove", (event) => {
-      if (held) {
-        const [to, from] = [place(event), held];
-        scene.drag = () => {
-          scene.drag = null;
-          if (from.grip < 0) turn(from, to);
-          else pull(from.grip, to);
-        };
-        scene.ask();
-      } else if (event.pointerType === "mouse") {
-        drawing.style.cursor = view.length > 0 || gripAt(event, reach(event)) >= 0 ? "grab" : "";
+    this.on([svg], "pointermove", (event) => {
+      if (!held) {
+        const isGrip = event.pointerType === "mouse" && gripAt(event) >= 0;
+        drawing.style.cursor = isGrip || view.length > 0 ? "grab" : "";
+        return;
       }
+      const [{ grip, at, angles, degrees }, { x, y }] = [held, place(event)];
+      this.drag = () => { // in the next frame
+        this.drag = null;
+        const azimuth = angles[0] - (x - at.x) * degrees;
+        const elevation = angles[1] + (y - at.y) * degrees; // up to the ends of its slider: not over the top
+        const turned = { azimuth: azimuth - 360 * Math.floor((azimuth + 180) / 360), elevation };
+        if (grip < 0) return this.look((_, { name }) => turned[name]);
+        const values = [...machine.numbers(machine.run.drag(grip, x, y))];
+        values.forEach((value, index) => (this.controls[index].value = value));
+        return values.length > 0 && this.change();
+      };
+      this.ask();
     });
-    on("pointerup pointercancel", () => {
+    this.on([svg], "pointerup pointercancel", () => {
       held = null;
       drawing.style.cursor = "";
     });
-    on("mousedown", (event) => held && event.preventDefault()); // no words are selected meanwhile
   }
-  /** The eye goes all the way round, and not over the top. */
-  const turn = ({ at, angles, width }, { x, y }) => {
-    const azimuth = angles[0] - ((x - at.x) / width) * 180;
-    const elevation = angles[1] + ((y - at.y) / width) * 180;
-    const turned = { azimuth: azimuth - 360 * Math.floor((azimuth + 180) / 360), elevation };
-    scene.look((_, { name }) => turned[name]); // a slider keeps to its ends
-  };
-  /** The controls take the values at which the grip is where the hand has drawn it. */
-  const pull = (grip, { x, y }) => {
-    const values = [...machine.numbers(machine.run.drag(grip, x, y))];
-    values.forEach((value, index) => (scene.controls[index].value = value));
-    if (values.length > 0) scene.change();
-  };
 }
 
-// 6 — The beginning, and links
+// 5 — The beginning, and links
 
 /** The figure and the settings in an address like `#scene-turning?spin=3&t=1.2`. */
 function addressed(hash) {
@@ -498,6 +484,7 @@ function visit() {
   for (const scene of scenes) scene.follow();
 }
 visit();
+window.spinning = { Machine, whenNear }; // for snippets whose numbers can be changed
 addEventListener("hashchange", visit);
 // A link that is followed again changes no address.
 document.addEventListener("click", ({ target }) => {

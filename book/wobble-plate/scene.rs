@@ -2,8 +2,8 @@
 
 use crate::{Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings};
 use drawing::kit::{self, Heads};
-use drawing::space::{Camera, Curve, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use drawing::space::{Camera, Curve, Stage, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at};
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
@@ -58,6 +58,8 @@ const LEAN_LIMIT: f64 = 0.24;
 const HOP_LIMIT: f64 = 0.3;
 /// The momentum across the shaft of the chapter's plate at 1 rad/s, kg·m²/s.
 const USUAL_MOMENTUM: f64 = 0.0019;
+/// The radius of the shaft.
+const SHAFT: f64 = 0.045;
 /// Steps in a turn for what is sampled once.
 const STEPS: u32 = 72;
 /// Where things stand on the shaft, in radii of the plate: its upper end, the frame, the floor.
@@ -119,6 +121,59 @@ fn engine(tilt: f64, count: u32, mass: f64) -> Result<Engine, Cause> {
     let mass = mass / f64::from(count);
     let pistons = PistonParameters { count, mass, distance: DISTANCE, rod: ROD };
     Ok(Engine::new(plate(tilt)?, Pistons::new(pistons)?))
+}
+
+/// A painter of round solids, one over the other: each is its far end, its side and the end that faces the eye.
+struct Painter<'a> {
+    camera: Camera,
+    eye: Vector3<f64>,
+    /// A unit of length, px.
+    scale: f64,
+    drawing: &'a mut Drawing,
+}
+
+impl Painter<'_> {
+    /// A cylinder from the middle of one end to the middle of the other.
+    fn cylinder(&mut self, ends: [Vector3<f64>; 2], radius: f64, hue: Hue) -> Result<(), Cause> {
+        let axis = (ends[1] - ends[0]).normalize();
+        let beyond = (self.eye - ends[1]).dot(&axis) > 0.0;
+        let [far, near] = if beyond { ends } else { [ends[1], ends[0]] };
+        let sight = self.eye - far;
+        let aside = sight - axis * sight.dot(&axis);
+        let (first, second) = (aside.normalize(), axis.cross(&aside.normalize()));
+        let on_rim = |middle: Vector3<f64>, angle: f64| {
+            self.camera.on_page(middle + (first * angle.cos() + second * angle.sin()) * radius)
+        };
+        let rim = |middle: Vector3<f64>| {
+            // So many corners that the circle is missed by a tenth of a pixel.
+            let corners = (7.0 * (radius * self.scale).sqrt()).ceil().max(10.0) as u32;
+            let angles = (0..corners).map(|step| TAU * f64::from(step) / f64::from(corners));
+            angles.map(|angle| on_rim(middle, angle)).collect::<Result<Vec<Point>, _>>()
+        };
+        let mut faces = Vec::new();
+        // The side ends on both hands where the line of sight touches it; from straight above it is not seen.
+        if aside.norm() > radius {
+            let touch = (radius / aside.norm()).acos();
+            let [left, right] = [-touch, touch];
+            faces.push((rim(far)?, Fill::Side));
+            let corners =
+                [on_rim(far, left)?, on_rim(near, left)?, on_rim(near, right)?, on_rim(far, right)?];
+            faces.push((corners.to_vec(), Fill::Side));
+        }
+        let faces_eye = (self.eye - near).dot(&(near - far)) > 0.0;
+        faces.push((rim(near)?, if faces_eye { Fill::Face } else { Fill::Side }));
+        for (corners, fill) in faces {
+            self.drawing.polygon(corners.clone(), Fill::Page, hue);
+            self.drawing.polygon(corners.clone(), fill, hue);
+            if let [from, to, other_to, other_from] = corners[..] {
+                self.drawing.line(from, to, Stroke::Outline, hue);
+                self.drawing.line(other_from, other_to, Stroke::Outline, hue);
+            } else {
+                self.drawing.push(Role::Line(Stroke::Outline, hue), Shape::Polygon(corners));
+            }
+        }
+        Ok(())
+    }
 }
 
 /// A vector shortened so that it stays below a length, and hardly changed if it is far below.
@@ -202,15 +257,8 @@ impl Shaking {
         let normal = way(-sin * phase.cos(), -sin * phase.sin(), cos);
         let is_above = (eye - place(0.0, 0.0, 0.0)).dot(&normal) > 0.0;
         let over_frame = (eye - place(0.0, 0.0, FRAME + 0.07)).dot(&axis) > 0.0;
-        let paint = |drawing: &mut Drawing, solid: Solid, hue: Hue| -> Result<(), Cause> {
-            let mut stage = Stage::new(camera);
-            stage.solid(solid, hue)?;
-            stage.write(drawing);
-            Ok(())
-        };
-
         let mut floor = Stage::new(camera);
-        floor.ground([-1.5, -1.5], [1.5, 1.5], FLOOR, 0.5)?;
+        floor.ground([-1.25, -1.25], [1.25, 1.25], FLOOR, 0.5)?;
         floor.write(drawing);
         for quarter in 0..4 {
             let (sin, cos) = (TAU * (f64::from(quarter) + 0.35) / 4.0).sin_cos();
@@ -219,23 +267,23 @@ impl Shaking {
             let head = camera.on_page(place(x, y, FRAME - 0.07))?;
             kit::spring(drawing, foot, head, 5, 15.0, 2.0, Hue::Ink);
         }
-        let base = Solid::disc(place(0.0, 0.0, FRAME), axis, 0.95, 0.14)?;
-        let plate = Solid::disc(place(0.0, 0.0, 0.0), normal, 1.0, 0.07)?;
-        let upper_shaft = Solid::rod(place(0.0, 0.0, 0.0), place(0.0, 0.0, TOP), 0.045)?;
+        let along = |from: f64, to: f64| [place(0.0, 0.0, from), place(0.0, 0.0, to)];
+        let plate = [normal * -0.035, normal * 0.035].map(|step| place(0.0, 0.0, 0.0) + step);
+        let mut painter = Painter { camera, eye, scale: view.scale, drawing: &mut *drawing };
         if over_frame {
-            paint(drawing, base.clone(), Hue::Muted)?;
+            painter.cylinder(along(FRAME - 0.07, FRAME + 0.07), 0.95, Hue::Muted)?;
         }
-        if !is_above {
-            paint(drawing, upper_shaft.clone(), Hue::Muted)?;
-            paint(drawing, plate.clone(), Hue::Blue)?;
-        }
-        self.draw_pistons(&camera, eye, phase, drawing)?;
         if is_above {
-            paint(drawing, plate, Hue::Blue)?;
-            paint(drawing, upper_shaft, Hue::Muted)?;
+            self.draw_pistons(&mut painter, phase)?;
+            painter.cylinder(plate, 1.0, Hue::Blue)?;
+            painter.cylinder(along(0.0, TOP), SHAFT, Hue::Muted)?;
+        } else {
+            painter.cylinder(along(0.0, TOP), SHAFT, Hue::Muted)?;
+            painter.cylinder(plate, 1.0, Hue::Blue)?;
+            self.draw_pistons(&mut painter, phase)?;
         }
         if !over_frame {
-            paint(drawing, base, Hue::Muted)?;
+            painter.cylinder(along(FRAME - 0.07, FRAME + 0.07), 0.95, Hue::Muted)?;
         }
 
         // What the end of the shaft draws in the room, the spin, and where the angular momentum points.
@@ -262,43 +310,31 @@ impl Shaking {
     }
 
     /// What hangs below the plate, the farthest from the eye first: all of it stands upright.
-    fn draw_pistons(
-        &self,
-        camera: &Camera,
-        eye: Vector3<f64>,
-        phase: f64,
-        drawing: &mut Drawing,
-    ) -> Result<(), Cause> {
+    fn draw_pistons(&self, painter: &mut Painter<'_>, phase: f64) -> Result<(), Cause> {
         let (seen, (lean, hop)) = (self.seen(phase), self.stands(&self.engine, phase));
         let place = |point: Vector3<f64>| seen * (lean * point + hop);
-        let up = Vector3::z;
-        let foot = |point: &Vector3<f64>| place(Vector3::new(point.x, point.y, FRAME));
-        let shaft = Solid::rod(place(up() * (FRAME + 0.07)), place(up() * -0.02), 0.045)?;
-        let mut uprights = vec![(foot(&up()), shaft, None)];
+        let along = |point: Vector3<f64>, from: f64, to: f64| {
+            [from, to].map(|height| place(Vector3::new(point.x, point.y, height)))
+        };
         // A piston is as thick as it is heavy.
         let thickness = 0.05 + 0.15 * (self.mass / f64::from(self.count())).sqrt().min(1.0);
+        let mut uprights = vec![vec![(along(Vector3::zeros(), FRAME + 0.07, -0.02), SHAFT)]];
         for n in 1..=self.count() {
             let contact = self.engine.contact(n, phase) / RADIUS;
-            let centre = self.engine.centre(n, phase) / RADIUS;
-            let piston = Solid::rod(place(centre - up() * 0.15), place(centre + up() * 0.15), thickness)?;
-            let rod = [centre + up() * 0.15, contact - up() * 0.05].map(place);
-            uprights.push((foot(&contact), piston, Some(rod)));
+            let height = self.engine.centre(n, phase).z / RADIUS;
+            let rod = (along(contact, height + 0.15, contact.z - 0.05), 0.028);
+            let piston = (along(contact, height - 0.15, height + 0.15), thickness);
+            let rod_first = (painter.eye - rod.0[0]).dot(&(rod.0[1] - rod.0[0])) < 0.0;
+            uprights.push(if rod_first { vec![rod, piston] } else { vec![piston, rod] });
         }
-        let distance = |foot: &Vector3<f64>| (eye - foot).norm();
-        uprights.sort_by(|one, other| distance(&other.0).total_cmp(&distance(&one.0)));
-        for (_, solid, rod) in uprights {
-            let mut stage = Stage::new(*camera);
-            stage.solid(solid, Hue::Muted)?;
-            stage.write(drawing);
-            if let Some([from, to]) = rod {
-                let [from, to] = [camera.on_page(from)?, camera.on_page(to)?];
-                let side = (to - from).unit().quarter_turned() * 2.4;
-                let corners = vec![from + side, to + side, to - side, from - side];
-                drawing.polygon(corners.clone(), Fill::Page, Hue::Muted);
-                drawing.polygon(corners, Fill::Side, Hue::Muted);
-                drawing.line(from + side, to + side, Stroke::Outline, Hue::Muted);
-                drawing.line(from - side, to - side, Stroke::Outline, Hue::Muted);
-            }
+        let axis = place(Vector3::z()) - place(Vector3::zeros());
+        let distance = |parts: &Vec<([Vector3<f64>; 2], f64)>| {
+            let sight = painter.eye - parts[0].0[0];
+            (sight - axis * sight.dot(&axis)).norm()
+        };
+        uprights.sort_by(|one, other| distance(other).total_cmp(&distance(one)));
+        for (ends, radius) in uprights.into_iter().flatten() {
+            painter.cylinder(ends, radius, Hue::Muted)?;
         }
         Ok(())
     }
@@ -310,9 +346,9 @@ impl Shaking {
         let pistons = self.engine.piston_momentum(phase, 1.0);
         let sum = self.engine.angular_momentum(phase, 1.0).xy().push(0.0);
         let plate = sum - pistons;
-        // The chapter's plate alone takes six tenths of the ring, unless something needs more room.
+        // The chapter's plate alone takes three quarters of the ring, unless something needs more room.
         let longest = self.momenta.iter().chain([&plate, &pistons]).map(Vector3::norm).fold(0.0, f64::max);
-        let scale = f64::min(0.6 / USUAL_MOMENTUM, 0.9 / longest) * radius;
+        let scale = f64::min(0.75 / USUAL_MOMENTUM, 0.9 / longest) * radius;
         let tip = |momentum: &Vector3<f64>| {
             let momentum = seen * momentum * scale;
             ring + at(momentum.x, -momentum.y)
@@ -352,7 +388,7 @@ impl Shaking {
             }
             // Beside the arrow, so far that the word clears it whichever way it points.
             let side = way.unit().quarter_turned();
-            let beside = side * (9.0 + side.x.abs() * if word == "plate" { 13.0 } else { 20.0 });
+            let beside = side * (11.0 + side.x.abs() * if word == "plate" { 13.0 } else { 20.0 });
             drawing.label_set(
                 ring.towards(end, 0.7) + beside,
                 Side::Over,
@@ -364,11 +400,12 @@ impl Shaking {
         }
         drawing.dot(of_both, 4.5, Hue::Green);
         if longest > 0.0 {
-            // On that side of the two arrows where no word stands at its end.
-            let along = sum.dot(&plate).signum();
-            let side = (of_plate - ring).unit().quarter_turned();
-            let beside = side * (-along * (12.0 + side.x.abs() * 8.0));
-            drawing.label_set(of_both + beside, Side::Over, 0.0, 13.0, "sum", Role::Text(Hue::Green))?;
+            // With three and more it lies on the two arrows, and no word stands at the side of its end.
+            let side = (of_plate - ring).unit().quarter_turned() * -sum.dot(&plate).signum();
+            let outwards = if (of_both - ring).length() < 0.55 * radius { 1.0 } else { -1.0 };
+            let side = if self.count() < 3 { (of_both - ring).unit() * outwards } else { side };
+            let place = of_both + side * (12.0 + side.x.abs() * 8.0);
+            drawing.label_set(place, Side::Over, 0.0, 13.0, "sum", Role::Text(Hue::Green))?;
         }
         Ok(())
     }
@@ -478,7 +515,7 @@ impl Motion for Shaking {
             }
             return format!(
                 "{number} {verb} to and fro along a line, and no mass of that can cancel what goes round: the torque goes from {least:.1} to \
-                 {most:.1} N·m twice a turn, and {most:.1} is never less than the {alone:.1} of the plate alone.{hops}"
+                 {most:.1} N·m twice a turn. Whatever the mass, the greater of the two is no less than the plate's own {alone:.1} N·m.{hops}"
             );
         }
         if (part - 1.0).abs() < 0.01 {

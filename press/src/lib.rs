@@ -72,8 +72,8 @@
 //!   paragraph of words, or hangs on a heading or another note;
 //! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
 //! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
-//!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, text
-//!   indented into a code block;
+//!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, a
+//!   live number without a range that holds it, or to which nothing answers, text indented into a code block;
 //! - exercises without hint or solution;
 //! - tables without a caption, or with a column that has no name, or in a list; a caption of no table;
 //! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are
@@ -92,6 +92,7 @@ pub mod mdbook;
 pub mod preprocess;
 pub mod rendered;
 
+mod answers;
 mod api;
 mod checks;
 mod faces;
@@ -102,6 +103,7 @@ mod notes;
 mod outcome;
 mod outline;
 mod page;
+mod panel;
 mod printed;
 mod raw;
 mod references;

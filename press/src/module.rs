@@ -4,6 +4,7 @@
 //! `BOOK_LIVE=static` prints stills, `BOOK_LIVE=require` makes a missing compiler an error, and `auto` (or nothing) builds
 //! the module if it can. `BOOK_WASM_RUSTC` names a compiler other than `rustc`.
 
+use crate::answers;
 use flate2::Compression;
 use flate2::write::DeflateEncoder;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -91,13 +92,27 @@ fn made_of(root: &Path, compiler: &Path) -> io::Result<String> {
     let version = Command::new(compiler).arg("-vV").stdin(Stdio::null()).output()?;
     version.stdout.hash(&mut hasher);
     let mut files = Vec::new();
-    for path in ["Cargo.toml", "Cargo.lock", "src", "press/drawing", "press/live", "press/src/module.rs"] {
+    for path in [
+        "Cargo.toml",
+        "Cargo.lock",
+        "src",
+        "press/drawing",
+        "press/live",
+        "press/snippets/src/printable.rs",
+        "press/src/answers.rs",
+        "press/src/module.rs",
+        "press/src/printed.rs",
+    ] {
         walk(&root.join(path), &mut files)?;
     }
-    let mut scenes = Vec::new();
-    walk(&root.join("book"), &mut scenes)?;
-    files
-        .extend(scenes.into_iter().filter(|path| path.ends_with("scene.rs") || path.ends_with("SUMMARY.md")));
+    let mut book = Vec::new();
+    walk(&root.join("book"), &mut book)?;
+    book.sort();
+    let is_page = |path: &&PathBuf| path.extension().is_some_and(|ending| ending == "md");
+    for page in book.iter().filter(is_page) {
+        answers::matter([&*fs::read_to_string(page)?]).hash(&mut hasher); // its live numbers, and nothing else
+    }
+    files.extend(book.into_iter().filter(|path| path.ends_with("scene.rs") || path.ends_with("SUMMARY.md")));
     files.sort();
     for file in files {
         (file.strip_prefix(root).unwrap_or(&file), fs::read(&file)?).hash(&mut hasher);

@@ -10,13 +10,13 @@ const ARROW: char = '→';
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Printed<'a> {
     /// The line without its comment.
-    code: &'a str,
+    pub(crate) code: &'a str,
     /// Of the code, the expression that has the value: all of it, or what its `let` binds.
-    value: &'a str,
+    pub(crate) value: &'a str,
     /// The numbers, as they stand: `4.317`, or several with commas between.
-    numbers: &'a str,
+    pub(crate) numbers: &'a str,
     /// Whether `code` is the expression itself.
-    bare: bool,
+    pub(crate) bare: bool,
 }
 
 /// What the line `lines[at]` prints, if it has the mark; `Err` says what is wrong with it.
@@ -43,7 +43,7 @@ fn numbers(comment: &str) -> Result<&str, &'static str> {
 }
 
 /// The length of the number that a text begins with: `-4.317`, `12`, `1.2e-5`.
-fn number(text: &str) -> Option<usize> {
+pub(crate) fn number(text: &str) -> Option<usize> {
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
     let mut end = usize::from(text.starts_with('-'));
     let whole = digits(&text[end..]);
@@ -89,7 +89,7 @@ fn pattern(bound: &str) -> &str {
 }
 
 /// The page with a check in the place of each printed number; every line keeps its number. `file` names the page.
-#[cfg_attr(not(test), allow(dead_code, reason = "for the build script alone"))]
+#[cfg_attr(not(test), allow(dead_code, reason = "for the build script of the documentation tests alone"))]
 pub(crate) fn tested(page: &str, file: &str) -> String {
     let lines: Vec<&str> = page.lines().collect();
     let mut out = String::with_capacity(page.len() + 1024);

@@ -9,7 +9,7 @@ use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
 use crate::ties::{self, BLANK};
-use crate::{faces, scenes, snippets, tables};
+use crate::{answers, faces, panel, scenes, snippets, tables};
 use pulldown_cmark::{CowStr, Event, Parser, Tag, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -32,6 +32,7 @@ pub(crate) fn render(
     check_citations_in_code(&registry, code, &mut faults);
     let maths = Maths::new(pages, &mut faults);
     let mut cited = BTreeSet::new();
+    let mut live = 0;
     let mut rendered = Vec::with_capacity(pages.len());
     for (page, found) in pages.iter().zip(&scans) {
         let mut printer = Printer {
@@ -42,6 +43,7 @@ pub(crate) fn render(
             library: items,
             cited: &mut cited,
             notes: Vec::new(),
+            live: &mut live,
             faults: &mut faults,
         };
         rendered.push(printer.page(found));
@@ -96,6 +98,8 @@ struct Printer<'a, 'f> {
     cited: &'f mut BTreeSet<Label>,
     /// The notes of the page whose marks are printed, in their order.
     notes: Vec<String>,
+    /// How many snippets with live numbers are printed.
+    live: &'f mut usize,
     faults: &'f mut Faults,
 }
 
@@ -201,7 +205,18 @@ impl Printer<'_, '_> {
             }
         }
         shown.push_str(&code[done..]);
-        snippets::with_folded_checks(&shown) + &self.uses(code).unwrap_or_default()
+        snippets::with_folded_checks(&snippets::without_ranges(&shown), self.panel(&shown))
+            + &self.uses(code).unwrap_or_default()
+    }
+
+    /// The panel of a snippet that has live numbers.
+    fn panel(&mut self, shown: &str) -> Option<String> {
+        let lines: Vec<&str> = shown.lines().collect();
+        let (answers, _) = answers::answers(&lines);
+        (!answers.live.is_empty() && !self.drawn.is_still).then(|| {
+            *self.live += 1;
+            panel::panel(&answers, *self.live - 1)
+        })
     }
 
     /// A line below a snippet that leads to the documentation of the library items that it imports.
@@ -548,7 +563,7 @@ fn prose(text: &str) -> String {
 }
 
 /// Text as HTML.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 

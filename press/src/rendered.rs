@@ -30,6 +30,8 @@ pub struct Scene {
     pub svg: String,
     /// Where the eye stands at first, azimuth and elevation in degrees, if a reader can turn the view.
     pub view: Option<[f64; 2]>,
+    /// The time that the still shows, s of the scene.
+    pub still: f64,
     /// What a reader can change.
     pub controls: Vec<Control>,
     /// Words on buttons, and the settings that they bring: `ratio=1&spin=3`.

@@ -51,9 +51,9 @@ fn is_name(name: &str) -> bool {
     !name.is_empty() && name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
 }
 
-/// What is wrong with settings, `spin=3&kick=0`.
+/// What is wrong with settings, `spin=3&kick=0`; none at all are those with which a scene opens.
 pub(crate) fn check_settings(scene: &Scene, settings: &str) -> Result<(), String> {
-    for setting in settings.split('&') {
+    for setting in settings.split('&').filter(|setting| !setting.is_empty()) {
         let (name, value) = setting.split_once('=').unwrap_or((setting, ""));
         let Ok(value) = value.parse::<f64>() else {
             return Err(format!("`{setting}` is no setting: they are written spin=3&kick=0"));
@@ -107,8 +107,9 @@ pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> Stri
     let mut out = format!(
         "<div class=\"panel\">\n<div class=\"transport\"><button type=\"button\" class=\"play\">Play</button>\
          <button type=\"button\" class=\"step\">Step</button><button type=\"button\" class=\"reset\">Reset</button>\
-         <input type=\"range\" class=\"time\" id=\"{id}-time\" min=\"0\" max=\"1\" step=\"any\" value=\"0\" aria-label=\"time\">\
-         <output class=\"clock\" for=\"{id}-time\"></output></div>\n<div class=\"controls\">\n"
+         <input type=\"range\" class=\"time\" id=\"{id}-time\" min=\"0\" max=\"1\" step=\"any\" value=\"{}\" aria-label=\"time\">\
+         <output class=\"clock\" for=\"{id}-time\"></output></div>\n<div class=\"controls\">\n",
+        scene.still
     );
     for control in &scene.controls {
         let words = html(&control.words);

@@ -1,8 +1,8 @@
 //! The rules for code on pages.
 
 use crate::checks::{self, Folded};
-use crate::printed;
 use crate::scan::options;
+use crate::{answers, printed};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 
@@ -59,6 +59,17 @@ pub(crate) fn check(
     let lines: Vec<&str> = text[range.clone()].lines().collect();
     let code = code_lines(&lines);
     let shown = checks::folded(&lines[code.clone()]).map_or(code.end, |folded| code.start + folded.from);
+    let is_told = info.contains(',') || fence_column(text, range.start) > 0;
+    let (_, broken) = answers::answers(&lines);
+    let marked = lines.iter().any(|line| answers::is_marked(line));
+    if marked && is_told {
+        fault(
+            range.start,
+            "a snippet with live numbers stands on its own, in a list or quotation no more than in a fence with \
+             `should_panic` or `compile_fail`: the page runs it"
+                .to_owned(),
+        );
+    }
     let mut count = 0;
     let mut offset = range.start;
     for (n, line) in text[range.clone()].split_inclusive('\n').enumerate() {
@@ -78,6 +89,10 @@ pub(crate) fn check(
         if let Some(Err(message)) = printed::read(&lines, n) {
             fault(offset, message.to_owned());
         }
+        broken
+            .iter()
+            .filter(|(at, _)| marked && *at == n)
+            .for_each(|(_, message)| fault(offset, message.clone()));
         offset += line.len();
     }
     if count > MAX_VISIBLE_LINES {
@@ -90,30 +105,52 @@ pub(crate) fn check(
     }
 }
 
+/// How far a block stands from the beginning of its line.
+fn fence_column(text: &str, start: usize) -> usize {
+    start - text[..start].rfind('\n').map_or(0, |at| at + 1)
+}
+
 /// Which lines of a fenced block are its code.
 fn code_lines(lines: &[&str]) -> Range<usize> {
     let fenced = lines.last().is_some_and(|line| line.trim_start_matches([' ', '>']).starts_with(['`', '~']));
     1..lines.len() - usize::from(fenced && lines.len() > 1)
 }
 
-/// A fenced block, with its last assertions in a block of their own that opens on demand if they are many.
-pub(crate) fn with_folded_checks(block: &str) -> String {
+/// A fenced block with the units of its live numbers, whose ranges only the panel beside it knows.
+pub(crate) fn without_ranges(block: &str) -> String {
+    let shown = |line: &str| match answers::live(line) {
+        Some(Ok(live)) => {
+            let unit = if live.unit.is_empty() { String::new() } else { format!(" // {}", live.unit) };
+            format!("{}{}{}{unit}\n", live.before, live.literal, live.after)
+        }
+        _ => format!("{line}\n"),
+    };
+    block.lines().map(shown).collect()
+}
+
+/// A fenced block with the panel of its live numbers beside it, and with its last assertions in a block of their own that
+/// opens on demand if they are many.
+pub(crate) fn with_folded_checks(block: &str, panel: Option<String>) -> String {
+    let beside = |block: &str| match &panel {
+        Some(panel) => format!("<div class=\"answering\">\n\n{block}\n\n{panel}\n</div>\n"),
+        None => block.to_owned(),
+    };
     let lines: Vec<&str> = block.lines().collect();
     let code = code_lines(&lines);
     let Some(Folded { from, count }) = checks::folded(&lines[code.clone()]) else {
-        return block.to_owned();
+        return beside(block);
     };
     let cut = code.start + from;
     let words = lines[0].trim_start_matches(['`', '~']).len();
     let fence = &lines[0][..lines[0].len() - words];
     if lines[code.end..] != [fence] {
-        return block.to_owned(); // in a list or a quotation, where a block cannot be cut in two
+        return beside(block); // in a list or a quotation, where a block cannot be cut in two
     }
     let (shown, hidden) = (lines[..cut].join("\n"), lines[cut..code.end].join("\n"));
     let noun = if count == 1 { "check" } else { "checks" };
+    let shown = beside(&format!("{}\n{fence}", shown.trim_end()));
     format!(
-        "{}\n{fence}\n\n<details class=\"checks\">\n<summary>{count} {noun}</summary>\n\n{}\n{hidden}\n{fence}\n\n</details>\n",
-        shown.trim_end(),
+        "{shown}\n\n<details class=\"checks\">\n<summary>{count} {noun}</summary>\n\n{}\n{hidden}\n{fence}\n\n</details>\n",
         lines[0],
     )
 }
@@ -181,14 +218,25 @@ mod tests {
     fn many_checks_are_folded_into_a_block_of_their_own() {
         let checks = "assert!(a);\nassert!(\n    a\n);\n# Ok(())";
         assert_eq!(
-            with_folded_checks(&format!("```rust\n# use x;\nlet a = 1;\n\n{checks}\n```\n")),
+            with_folded_checks(&format!("```rust\n# use x;\nlet a = 1;\n\n{checks}\n```\n"), None),
             format!(
                 "```rust\n# use x;\nlet a = 1;\n```\n\n<details class=\"checks\">\n<summary>2 checks</summary>\n\n\
                  ```rust\n{checks}\n```\n\n</details>\n"
             )
         );
         let few = "```rust\nlet a = 1;\nassert!(a);\n```\n";
-        assert_eq!(with_folded_checks(few), few);
+        assert_eq!(with_folded_checks(few, None), few);
+    }
+
+    #[test]
+    fn a_live_number_shows_its_unit_and_a_panel_beside_it() {
+        let block = "```rust\nlet a = 1.0; // live: 0..2 m\nlet b = 2; // live: 0..2\nf(); // → 3\n```";
+        let shown = without_ranges(block);
+        assert_eq!(shown, "```rust\nlet a = 1.0; // m\nlet b = 2;\nf(); // → 3\n```\n");
+        assert_eq!(
+            with_folded_checks(&shown, Some("<div>P</div>".to_owned())),
+            format!("<div class=\"answering\">\n\n{shown}\n\n<div>P</div>\n</div>\n")
+        );
     }
 
     #[test]

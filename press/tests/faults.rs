@@ -235,6 +235,50 @@ const CASES: &[Case] = &[
         "# A\n\n```rust\nlet x = 1; // → much\nlet y = 1 // → 4\n    .f(); // → 5 m\n\n// → 6\ny; // → -1.2e-5, 7 m\n```\n",
         &[(4, "is written `// → 4.317 rad/s`"), (5, "end of a statement"), (8, "end of a statement")],
     ),
+    (
+        "live",
+        "# A\n\n```rust\nlet x = 1.5; // live: 0..2 step 0.5 m\nlet n = 3; // live: 1..9\nx; // → 1.5 m\n\
+         assert!(x < 2.0); // it is small\n```\n",
+        &[],
+    ),
+    (
+        "live-form",
+        "# A\n\n```rust\nlet x = f(); // live: 0..2\nx = 2; // live: 0..2\nlet (a, b) = (1, 2); // live: 0..2\n\
+         let y = 1; // live: 0 to 2\nlet z = 1; // live: 0..2m\nlet w = 2 + 1; // live: 0..2\ny; // → 1\n```\n",
+        &[
+            (4, "a live number is written"),
+            (5, "a live number is written"),
+            (6, "a live number is written"),
+            (7, "a live number is written"),
+            (8, "a live number is written"),
+            (9, "a live number is written"),
+        ],
+    ),
+    (
+        "live-range",
+        "# A\n\n```rust\nlet x = 1.0; // live: 2..3\nlet y = 1.0; // live: 1..1\nlet z = 1.0; // live: 0..2 step 3\n\
+         let n = 1; // live: 0..2.5\nlet m = 1; // live: 0..2\nlet m = 1; // live: 0..2\nm; // → 1\n```\n",
+        &[
+            (4, "`x` is 1.0, outside of its range, 2 to 3"),
+            (5, "the range of `y` is empty"),
+            (6, "the step of `z`"),
+            (7, "`n` counts, and its range does not"),
+            (9, "`m` is a live number of this snippet already"),
+        ],
+    ),
+    ("live-mute", "# A\n\n```rust\nlet x = 1.0; // live: 0..2\n```\n", &[(3, "nothing answers")]),
+    (
+        "live-wordless",
+        "# A\n\n```rust\nlet x = 1.0; // live: 0..2\nassert!(x > 0.0);\n```\n",
+        &[(5, "says in words what holds")],
+    ),
+    (
+        "live-told",
+        "# A\n\n```rust,should_panic\nlet x = 1.0; // live: 0..2\nx; // → 1.0\n```\n\n\
+         - item\n\n  ```rust\n  let x = 1.0; // live: 0..2\n  x; // → 1.0\n  ```\n",
+        &[(3, "stands on its own"), (10, "stands on its own")],
+    ),
+    ("live-elsewhere", "# A\n\n```text\n// live: 0..2\n```\n", &[]),
     ("not-printed", "# A\n\n```text\n// → much\n```\n", &[]),
     (
         "code-label",

@@ -258,6 +258,7 @@ impl Dop853 {
                 rates: &mut rates,
                 work: &mut work,
                 start: t,
+                end: next,
                 length: next - t,
                 y0: &y,
                 y1: &new,

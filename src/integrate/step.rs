@@ -28,6 +28,8 @@ pub struct Step<'a, const N: usize, F> {
     pub(super) rates: &'a mut F,
     pub(super) work: &'a mut Work,
     pub(super) start: f64,
+    /// Start and length together may round to a neighbour of this.
+    pub(super) end: f64,
     pub(super) length: f64,
     pub(super) y0: &'a [f64; N],
     pub(super) y1: &'a [f64; N],
@@ -43,7 +45,7 @@ impl<const N: usize, F: Rates<N>> Step<'_, N, F> {
 
     /// The time at which it ends.
     pub fn end(&self) -> f64 {
-        self.start + self.length
+        self.end
     }
 
     /// The state at the start.

@@ -27,6 +27,7 @@ fn printed(scene: &'static live::Scene, chapter: &str) -> Result<Scene, String> 
         chapter: chapter.to_owned(),
         question: scene.question.to_owned(),
         svg,
+        still: scene.still,
         view: scene.view.map(|view| view.map(f64::to_degrees)),
         controls: scene.controls.iter().map(control).collect(),
         presets: scene

@@ -1,5 +1,7 @@
 //! The built book: what mdBook and the press make of the pages, checked from outside.
 
+#[path = "browser/scenes.rs"]
+mod browser;
 #[path = "book/contrast.rs"]
 mod contrast;
 #[path = "book/key.rs"]

@@ -102,7 +102,7 @@ fn each_corner(piece: &Piece, give: &mut impl FnMut(Point)) {
                     Segment::Move(end) | Segment::Line(end) => give(end),
                     Segment::Quadratic(control, end) => [control, end].into_iter().for_each(&mut *give),
                     Segment::Cubic(first, second, end) => {
-                        [first, second, end].into_iter().for_each(&mut *give)
+                        [first, second, end].into_iter().for_each(&mut *give);
                     }
                     Segment::Close => {}
                 }

@@ -38,7 +38,8 @@ enum Damper {
     Radial,
 }
 
-/// [x, y, ẋ, ẏ] after small steps of a method of order two, with the drum speeding up to its spin or at it, and a kick.
+/// [x, y, ẋ, ẏ] after small steps of a method of order two, with the drum speeding up to its spin or at it, and a
+/// kick.
 fn stepped(
     damper: Damper,
     [spin, damping, acceleration]: [f64; 3],

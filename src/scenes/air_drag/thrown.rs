@@ -9,8 +9,8 @@ use crate::quantity::InvalidQuantity;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// A body that spins down, with its attitude: the angular velocity is the closed form, and only four numbers are
-/// integrated, the attitude of a frame that shares the body's axis and in which the wobble keeps its direction. It turns
-/// with **L**/I₁ (`eq:split`), so a long body's quick spin costs no steps.
+/// integrated, the attitude of a frame that shares the body's axis and in which the wobble keeps its direction. That
+/// turns with **L**/I₁ (`eq:split`), so a long body's quick spin costs no steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThrownTop {
     top: DraggedTop,

@@ -91,7 +91,7 @@ pub(super) struct Theme {
 
 impl Theme {
     pub(super) fn new(name: &'static str) -> Self {
-        let (own, figures) = ([sheet("page"), sheet("maths"), sheet("live")].concat(), sheet("figures"));
+        let (own, figures) = ([sheet("page"), sheet("maths"), sheet("live"), sheet("numbers")].concat(), sheet("figures"));
         let mut variables = BTreeMap::new();
         // In the order of their weight: a class, then an element with it.
         let [class, element] = [format!(".{name}"), format!("html.{name}")];
@@ -214,6 +214,12 @@ impl Theme {
                 (".scene .press", "var(--fg)"),
                 (".scene .view", "var(--fg)"),
                 (".scene .says.trouble", "var(--fg)"),
+                (".answers b", "var(--fg)"),
+                (".answers .fails b", "var(--fg)"),
+                (".answers .unread b", "var(--fg)"),
+                (".answers .says", "var(--fg)"),
+                (".answers .reset", "var(--fg)"),
+                (".content main .answers .number code", "var(--fg)"),
                 (".note-number", "var(--links)"),
                 (".kicker", "var(--fg)"),
                 (".content main h2::before", "var(--fg)"),

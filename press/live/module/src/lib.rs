@@ -1,7 +1,9 @@
 //! What the pages run: functions that a script calls with numbers, and which give back numbers and texts.
 //!
-//! One instance of the module plays one scene. Numbers go in through [`input`], texts come out of [`text`], where a
+//! One instance of the module plays one scene, or runs the snippets of a page. Numbers go in through [`input`], texts come out of [`text`], where a
 //! call that gives a length has left them. A length below zero is that of an error, in words for the reader.
+
+pub mod snippets;
 
 use drawing::{Room, at};
 use live::{Cause, Moment, Player};
@@ -35,13 +37,22 @@ pub extern "C" fn text() -> *const u8 {
 /// none it begins with its own.
 #[unsafe(no_mangle)]
 pub extern "C" fn start(scene: usize, count: usize) -> isize {
-    panic::set_hook(Box::new(|info| LAST_WORDS.with(|words| *words.borrow_mut() = info.to_string())));
+    listen();
     answer(|| {
         let (scene, _) = live::scenes()[scene];
         let player = if count == 0 { Player::new(scene)? } else { Player::with(scene, values(count))? };
         PLAYER.with(|own| *own.borrow_mut() = Some(player));
         Ok(String::new())
     })
+}
+
+/// Runs a snippet: its place among those with live numbers, and how many of them stand in [`input`]. A line for each
+/// number that it prints, in its order: `=` and the number, or nothing if it was not reached; for each assertion: `+` if
+/// it holds, `-` if not, `?` if it was not reached; then `!` and the words of an error if it gave up.
+#[unsafe(no_mangle)]
+pub extern "C" fn run(snippet: usize, count: usize) -> isize {
+    listen();
+    answer(|| Ok(snippets::SNIPPETS[snippet].run(&values(count)).join("\n")))
 }
 
 /// What the program said when it gave up: its length in [`text`].
@@ -53,19 +64,19 @@ pub extern "C" fn last_words() -> isize {
 /// How long the motion runs, s of the scene.
 #[unsafe(no_mangle)]
 pub extern "C" fn duration() -> f64 {
-    run().map_or(0.0, |run| run.duration)
+    running().map_or(0.0, |run| run.duration)
 }
 
 /// Seconds of the scene in a second of the reader.
 #[unsafe(no_mangle)]
 pub extern "C" fn pace() -> f64 {
-    run().map_or(1.0, |run| run.pace)
+    running().map_or(1.0, |run| run.pace)
 }
 
 /// Whether the motion begins again at its end.
 #[unsafe(no_mangle)]
 pub extern "C" fn repeats() -> bool {
-    run().is_some_and(|run| run.repeats)
+    running().is_some_and(|run| run.repeats)
 }
 
 /// Draws a moment: the elements of the SVG, one a line.
@@ -113,12 +124,17 @@ pub extern "C" fn drag(grip: usize, x: f64, y: f64) -> usize {
     count
 }
 
+/// Keeps what the program says when it gives up.
+fn listen() {
+    panic::set_hook(Box::new(|info| LAST_WORDS.with(|words| *words.borrow_mut() = info.to_string())));
+}
+
 /// The first values of the input.
 fn values(count: usize) -> Vec<f64> {
     INPUT.with(|input| input.iter().take(count).map(Cell::get).collect())
 }
 
-fn run() -> Option<live::Run> {
+fn running() -> Option<live::Run> {
     PLAYER.with(|player| player.borrow().as_ref().map(Player::run))
 }
 

@@ -1,0 +1,149 @@
+// Numbers that answer. The module holds each snippet that has live numbers as a function of them; this script brings
+// the numbers from the panel beside the code to the module, and what the program prints and finds back to the page.
+(() => {
+"use strict";
+const { Machine, whenNear } = window.spinning;
+
+/** The instance that runs the snippets of this page, made anew after a program has panicked. */
+let machine = null;
+
+/** A number in the page’s form: a true minus, and powers of ten. */
+const pretty = (text) =>
+  text.replace(/e(-?\d+)/g, "\u202f×\u202f10<sup>$1</sup>").replaceAll("-", "−");
+
+/** Makes an element of its own of the words that stand at a place of some code, so that they can change. */
+function piece(code, start, length) {
+  const walk = document.createTreeWalker(code, NodeFilter.SHOW_TEXT);
+  for (let node = walk.nextNode(), at = 0; node; at += node.length, node = walk.nextNode()) {
+    if (at + node.length <= start) continue;
+    if (at > start || start + length > at + node.length) return null; // coloured as several
+    const words = node.splitText(start - at);
+    words.splitText(length);
+    const span = document.createElement("span");
+    span.className = "answer";
+    words.replaceWith(span);
+    span.append(words);
+    return span;
+  }
+  return null;
+}
+
+class Program {
+  #frame = 0;
+  #isFailed = false;
+
+  constructor(panel) {
+    const all = (selector) => [...panel.querySelectorAll(selector)];
+    this.panel = panel;
+    [this.outputs, this.checks] = [all("dd > output"), all("li")];
+    [this.says, this.reset] = [panel.querySelector(".says"), panel.querySelector(".reset")];
+    this.live = all(".number").map((number) => {
+      const [field, range] = number.querySelectorAll("input");
+      const { name, decimals } = field.dataset;
+      const [least, most, start] = [field.min, field.max, field.defaultValue].map(Number);
+      return { name, field, range, least, most, start, value: start, decimals: Number(decimals) };
+    });
+    this.#findPieces(panel.parentElement.querySelector("pre > code"));
+    for (const live of this.live) {
+      [live.field.value, live.range.value] = [live.field.defaultValue, live.start]; // whatever the browser remembers
+      live.field.addEventListener("input", () => this.#take(live, live.field.valueAsNumber, false));
+      live.field.addEventListener("change", () => this.#take(live, live.value, true));
+      live.range.addEventListener("input", () => this.#take(live, live.range.valueAsNumber, true));
+    }
+    this.reset.addEventListener("click", () => {
+      for (const live of this.live) this.#take(live, live.start, true);
+      this.live[0].field.focus();
+    });
+    // The arrow keys belong to the field that has them, and not to the book, whose pages they would turn.
+    panel.addEventListener("keydown", (event) => {
+      if (event.target.matches("input") && event.key.startsWith("Arrow")) event.stopPropagation();
+    });
+    whenNear(panel, () => this.#machine().catch((error) => this.#fail(error)));
+  }
+
+  /** Where numbers and printed values stand in the code. */
+  #findPieces(code) {
+    for (const live of this.live) {
+      const found = new RegExp(`\\blet ${live.name}\\b[^=\\n]*= `).exec(code.textContent);
+      const start = found && found.index + found[0].length;
+      live.piece = found && piece(code, start, live.field.defaultValue.length);
+    }
+    let from = 0;
+    for (const output of this.outputs) {
+      output.start = output.dataset.value;
+      from = code.textContent.indexOf(`// → ${output.start}`, from) + "// → ".length;
+      output.piece = from < 5 ? null : piece(code, from, output.start.length);
+    }
+  }
+
+  #machine() {
+    machine ??= Machine.at(this.panel.dataset.module);
+    return machine;
+  }
+
+  /** A number is this now; `isWhole`: the reader has finished it, and the field may be written. */
+  #take(live, value, isWhole) {
+    if (Number.isNaN(value)) return; // half a number
+    live.value = Number(Math.min(Math.max(value, live.least), live.most).toPrecision(12));
+    const isStart = live.value === live.start;
+    const text = isStart ? live.field.defaultValue : live.value.toFixed(live.decimals);
+    if (isWhole) [live.value, live.field.value] = [Number(text), text];
+    live.range.value = live.value;
+    live.range.setAttribute("aria-valuetext", text);
+    if (live.piece) live.piece.textContent = text;
+    live.piece?.classList.toggle("changed", !isStart);
+    this.#frame ||= requestAnimationFrame(() => this.#run());
+  }
+
+  async #run() {
+    this.#frame = 0;
+    if (this.#isFailed) return;
+    const values = this.live.map(({ value }) => value);
+    let running;
+    try {
+      running = await this.#machine();
+      running.numbers(values.length).set(values);
+      const lines = running.text(running.run.run(Number(this.panel.dataset.snippet), values.length));
+      this.#show(lines.split("\n"));
+    } catch (error) {
+      if (!(error instanceof WebAssembly.RuntimeError)) return this.#fail(error);
+      machine = null; // it is thrown away
+      const silent = [...this.outputs.map(() => "="), ...this.checks.map(() => "?")];
+      this.#show([...silent, `!the program panicked: ${running.cause(error)}`]);
+    }
+  }
+
+  #show(lines) {
+    this.outputs.forEach((output, index) => {
+      const text = lines[index].slice(1) || "–";
+      const html = pretty(text);
+      if (output.innerHTML !== html) output.innerHTML = html;
+      if (output.piece) output.piece.textContent = text;
+      output.piece?.classList.toggle("changed", text !== output.start);
+    });
+    this.checks.forEach((check, index) => {
+      const [name, words] = {
+        "+": ["holds", "holds"],
+        "-": ["fails", "fails"],
+        "?": ["unread", "is not reached"],
+      }[lines[this.outputs.length + index]];
+      check.className = name;
+      check.querySelector("b").textContent = words;
+    });
+    const trouble = lines.find((line) => line.startsWith("!"));
+    this.says.textContent = trouble ? `It ends early: ${trouble.slice(1)}.` : "";
+    this.reset.disabled = this.live.every(({ value, start }) => value === start);
+  }
+
+  /** The module does not run here: the code stays, with the numbers of the text. */
+  #fail(error) {
+    this.#isFailed = true;
+    console.warn(`snippet ${this.panel.dataset.snippet}: ${error.message}`);
+    this.panel.classList.add("failed");
+    for (const { field, range } of this.live) field.disabled = range.disabled = true;
+    this.says.textContent = "These numbers cannot be changed here: the module of the pages did not run.";
+  }
+}
+
+for (const panel of document.querySelectorAll(".answers[data-module]")) new Program(panel);
+})();

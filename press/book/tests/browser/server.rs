@@ -1,0 +1,48 @@
+//! A small server of files for the tests in a browser.
+
+use std::io::{BufRead, BufReader, Write as _};
+use std::net::{TcpListener, TcpStream};
+use std::path::{Path, PathBuf};
+use std::{fs, thread};
+
+/// Serves a folder on this machine as long as the tests run, and gives its address.
+pub(crate) fn serve(folder: PathBuf) -> String {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port is free");
+    let address = format!("http://{}/", listener.local_addr().unwrap());
+    thread::spawn(move || {
+        for stream in listener.incoming().map_while(Result::ok) {
+            let folder = folder.clone();
+            thread::spawn(move || answer(stream, &folder));
+        }
+    });
+    address
+}
+
+/// Answers one request: `GET /page.html?query HTTP/1.1`. A reader who has gone away hears nothing.
+fn answer(mut stream: TcpStream, folder: &Path) {
+    let mut line = String::new();
+    let mut request = BufReader::new(&stream);
+    let _ = request.read_line(&mut line);
+    // What is not read before the connection is closed, the other side takes for a fault.
+    let mut header = String::new();
+    while request.read_line(&mut header).is_ok_and(|length| length > 2) {
+        header.clear();
+    }
+    let path = line.split(['/', ' ', '?']).skip(2);
+    let path: PathBuf = path.take_while(|part| *part != "HTTP" && !part.contains('=')).collect();
+    let kind = match path.extension().and_then(|ending| ending.to_str()) {
+        Some("html") => "text/html; charset=utf-8",
+        Some("css") => "text/css",
+        Some("js") => "text/javascript",
+        Some("svg") => "image/svg+xml",
+        Some("woff2") => "font/woff2",
+        _ => "application/octet-stream",
+    };
+    let (status, body) =
+        fs::read(folder.join(path)).map_or(("404 Not Found", Vec::new()), |body| ("200 OK", body));
+    let head = format!(
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n",
+        body.len()
+    );
+    let _ = stream.write_all(&[head.into_bytes(), body].concat());
+}

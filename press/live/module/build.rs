@@ -1,0 +1,63 @@
+//! Makes a function of each snippet of the book that has live numbers, in the order of SUMMARY.md.
+
+#[path = "../../src/answers.rs"]
+mod answers;
+#[path = "../../src/printed.rs"]
+mod printed;
+
+use answers::Live;
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{env, fs};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../../..").canonicalize()?;
+    let read = |path: &str| {
+        println!("cargo::rerun-if-changed={}", root.join(path).display());
+        fs::read_to_string(root.join(path))
+    };
+    for source in ["build.rs", "../../src/answers.rs", "../../src/printed.rs"] {
+        println!("cargo::rerun-if-changed={source}");
+    }
+    let (mut functions, mut list, mut count, mut broken) = (String::new(), String::new(), 0, Vec::new());
+    let summary = read("book/SUMMARY.md")?;
+    for page in summary.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+        let file = format!("book/{page}");
+        for (line, code) in answers::snippets(&read(&file)?) {
+            let place = format!("{file}:{line}");
+            let (found, faults) = answers::answers(&code);
+            broken.extend(faults.iter().map(|(n, fault)| format!("{file}:{}: {fault}", line + 1 + n)));
+            let live: Vec<String> = found.live.iter().map(described).collect();
+            let printed: Vec<&str> = found.values.iter().map(|value| value.numbers).collect();
+            writeln!(
+                functions,
+                "fn snippet_{count}(live: &[f64]) -> Result<(), String> {{\n    (|| {{\n{}    }})()\n        \
+                 .map_err(|error| error.to_string())\n}}\n",
+                answers::body(&code)
+            )?;
+            writeln!(
+                list,
+                "    Snippet {{ place: {place:?}, live: &[{}], printed: &{printed:?}, checks: {}, body: snippet_{count} }},",
+                live.join(", "),
+                found.checks.len(),
+            )?;
+            count += 1;
+        }
+    }
+    for fault in &broken {
+        println!("cargo::error={fault}");
+    }
+    let text = format!(
+        "{functions}/// The snippets with live numbers, in the order of the book.\npub static SNIPPETS: &[Snippet] = &[\n{list}];\n"
+    );
+    fs::write(Path::new(&env::var("OUT_DIR")?).join("snippets.rs"), text)?;
+    Ok(())
+}
+
+fn described(live: &Live<'_>) -> String {
+    let Live { name, literal, least, most, whole, .. } = live;
+    format!(
+        "Live {{ name: {name:?}, value: {literal}_f64, least: {least:?}, most: {most:?}, whole: {whole} }}"
+    )
+}
