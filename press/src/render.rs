@@ -9,7 +9,7 @@ use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
 use crate::ties::{self, BLANK};
-use crate::{answers, faces, panel, scenes, snippets, tables};
+use crate::{answers, faces, module, panel, scenes, snippets, tables};
 use pulldown_cmark::{CowStr, Event, Parser, Tag, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -215,7 +215,7 @@ impl Printer<'_, '_> {
         let (answers, _) = answers::answers(&lines);
         (!answers.live.is_empty() && !self.drawn.is_still).then(|| {
             *self.live += 1;
-            panel::panel(&answers, *self.live - 1)
+            panel::panel(&answers, *self.live - 1, self.page.path.split('/').next().unwrap_or_default())
         })
     }
 
@@ -299,7 +299,8 @@ impl Printer<'_, '_> {
         };
         let question = html(&scene.question);
         let panel = if drawn.is_still { String::new() } else { scenes::panel(scene, html) };
-        let module = if drawn.is_still { "" } else { " data-module=\"live.js\"" };
+        let file = module::file(&scene.chapter);
+        let module = if drawn.is_still { String::new() } else { format!(" data-module=\"{file}\"") };
         Some(format!(
             "<figure class=\"scene\" id=\"{}\" data-scene=\"{place}\"{module}>\n<p class=\"question\">{question}</p>\n\
              <div class=\"drawing\">{}</div>\n{panel}\
@@ -760,7 +761,7 @@ mod tests {
         let range = "<input type=\"range\" id=\"scene-plate-";
         let moving = print(&drawn);
         for part in [
-            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live.js\">\n<p class=\"question\">Why ",
+            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live-a.js\">\n<p class=\"question\">Why ",
             "<div class=\"drawing\"><svg></svg></div>\n<div class=\"panel\">\n",
             &format!(
                 "<label for=\"scene-plate-spin\">spin, {x}</label>{range}spin\" name=\"spin\" min=\"-1\" max=\"4\" \
