@@ -205,7 +205,8 @@ impl Printer<'_, '_> {
             }
         }
         shown.push_str(&code[done..]);
-        snippets::with_folded_checks(&snippets::without_ranges(&shown), self.panel(&shown))
+        let panel = self.panel(&shown);
+        snippets::with_folded_checks(&snippets::without_ranges(&shown), panel.as_deref())
             + &self.uses(code).unwrap_or_default()
     }
 
@@ -739,6 +740,7 @@ mod tests {
             chapter: "a.md".to_owned(),
             question: "Why $x$?".to_owned(),
             svg: "<svg></svg>".to_owned(),
+            still: 0.0,
             view: Some([-30.0, 20.0]),
             controls: vec![
                 control("spin", "spin, $x$", Input::Slider { from: -1.0, to: 4.0, step: 0.1 }, 2.0),
