@@ -53,7 +53,7 @@ window.requestAnimationFrame = (act) => { asked += 1; return ask(act); };
 window.frames = async (count) => { for (let k = 0; k < count; k += 1) await new Promise(ask); };
 window.shifted = [];
 new PerformanceObserver((list) => {
-  for (const entry of list.getEntries()) for (const { node } of entry.sources) if (node?.nodeType === 1 && node.parentElement.closest('figure.scene') && !node.closest('dd, output')) shifted.push(`${node.nodeName} ${node.className}`);
+  for (const entry of list.getEntries()) for (const { node } of entry.sources) if (node?.nodeType === 1 && node.parentElement.closest('figure.scene') && !node.closest('dd, output, math')) shifted.push(`${node.nodeName} ${node.className}`);
 }).observe({ type: 'layout-shift', buffered: true });
 "#;
 
