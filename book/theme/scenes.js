@@ -133,7 +133,7 @@ function control(name, elements) {
   const { type, step, dataset, defaultValue } = first;
   const isLog = "log" in dataset; // a slider over powers of ten, with values of three digits
   const output = first.parentElement.querySelector("output");
-  let pressed = -1; // the time at which a button was pressed
+  let pressed = Number(dataset.start); // the time at which a button was pressed
   const [get, set] = {
     range: [
       () => (isLog ? Number((10 ** first.valueAsNumber).toPrecision(3)) : first.valueAsNumber),
@@ -318,7 +318,7 @@ class Scene {
   }
   /** A button of the scene is pressed now, and the motion goes on from there. */
   press(button) {
-    button.value = this.now;
+    button.value = +this.now.toPrecision(6); // as its link gives it: what is drawn by lot is the same there
     this.#setPlaying(true);
     this.change();
   }

@@ -184,7 +184,7 @@ fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str
         }
         Input::Button => {
             format!(
-                "<div class=\"control\"><button type=\"button\" class=\"press\" name=\"{name}\">{words}</button></div>"
+                "<div class=\"control\"><button type=\"button\" class=\"press\" name=\"{name}\" data-start=\"{start}\">{words}</button></div>"
             )
         }
     }
