@@ -742,6 +742,7 @@ mod tests {
             svg: "<svg></svg>".to_owned(),
             still: 0.0,
             view: Some([-30.0, 20.0]),
+            still: 0.5,
             controls: vec![
                 control("spin", "spin, $x$", Input::Slider { from: -1.0, to: 4.0, step: 0.1 }, 2.0),
                 control("drag", "drag", Input::LogSlider { from: 1e-3, to: 1.0 }, 0.01),
@@ -774,7 +775,8 @@ mod tests {
             "<input type=\"radio\" name=\"scene-plate-camera\" value=\"0\" data-name=\"camera\" checked data-start> room",
             "<input type=\"radio\" name=\"scene-plate-camera\" value=\"1\" data-name=\"camera\"> body",
             "<input type=\"checkbox\" id=\"scene-plate-cones\" name=\"cones\" checked data-start> cones",
-            "<button type=\"button\" class=\"press\" name=\"kick\">Kick</button>",
+            "<button type=\"button\" class=\"press\" name=\"kick\" data-start=\"-1\">Kick</button>",
+            "class=\"time\" id=\"scene-plate-time\" min=\"0\" max=\"1\" step=\"any\" value=\"0.5\"",
             "name=\"azimuth\" min=\"-180\" max=\"180\" step=\"any\" value=\"-30\"",
             "<div><dt>wobbles</dt><dd></dd></div>",
             "<button type=\"button\" data-set=\"spin=1&amp;drag=0.1\">a ball</button>",
