@@ -58,7 +58,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scenes = match &chapter {
         None => "live::scenes()".to_owned(),
         Some(chapter) if root.join("book").join(chapter).join("scene.rs").is_file() => {
-            format!("&[&live::entries::{}]", chapter.replace('-', "_").to_uppercase())
+            let entry = chapter.replace('-', "_").to_uppercase();
+            format!("static ONE: &[&live::Entry] = &[&live::entries::{entry}];\n    ONE")
         }
         Some(_) => "&[]".to_owned(),
     };
