@@ -423,12 +423,10 @@ impl Shaking {
         } else {
             graph.curve(most, Stroke::Curve, Hue::Purple);
         }
-        graph.level(
-            self.engine.plate().bearing_torque_rotating(self.spin).norm(),
-            Stroke::Reference,
-            Hue::Muted,
-        );
+        let alone = self.engine.plate().bearing_torque_rotating(self.spin).norm();
+        graph.level(alone, Stroke::Reference, Hue::Muted);
         graph.upright(self.balancing, Stroke::Dotted, Hue::Muted);
+        graph.label((self.balancing, 46.0), Side::Left, "balance", Hue::Muted)?;
         kit::marker(drawing, self.mass_grip(layout, phase), kit::Marker::Ring, Hue::Purple);
         Ok(())
     }
