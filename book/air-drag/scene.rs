@@ -59,6 +59,7 @@ pub(crate) const SCENE: Scene = Scene {
         },
         Reading { words: "energy lost, less what the air took", form: Form::Power(1), unit: "" },
     ],
+    symbols: crate::symbols::AIR_DRAG,
     start: |settings| Ok(Box::new(Slowing::new(settings)?)),
 };
 

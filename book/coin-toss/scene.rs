@@ -52,6 +52,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "part of them heads", form: Form::Fixed(4), unit: "" },
         Reading { words: r"drift of $\boldsymbol{L}$", form: Form::Power(1), unit: "" },
     ],
+    symbols: crate::symbols::COIN_TOSS,
     start: |settings| Ok(Box::new(Throw::new(settings)?)),
 };
 

@@ -55,6 +55,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "force on the floor", form: Form::Fixed(0), unit: "N" },
         Reading { words: "momentum, less what floor and kick gave", form: Form::Power(1), unit: "N s" },
     ],
+    symbols: crate::symbols::LAUNDROMAT,
     start: |settings| Ok(Box::new(Washer::new(settings)?)),
 };
 

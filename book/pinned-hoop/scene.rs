@@ -53,6 +53,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"drift of the energy $T$", form: Form::Power(1), unit: "" },
         Reading { words: r"drift of $\boldsymbol L_A$ in the room", form: Form::Power(1), unit: "" },
     ],
+    symbols: crate::symbols::PINNED_HOOP,
     start: |settings| Ok(Box::new(Pinned::new(settings)?)),
 };
 

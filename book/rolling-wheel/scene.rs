@@ -54,6 +54,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"change of the energy, $E/E_0 - 1$", form: Form::Power(1), unit: "" },
         Reading { words: r"change of Chaplygin's $A$ and $B$", form: Form::Power(1), unit: "" },
     ],
+    symbols: crate::symbols::ROLLING_WHEEL,
     start: |settings| Ok(Box::new(Rolled::new(settings)?)),
 };
 

@@ -47,6 +47,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"change of $L$ since the last blow", form: Form::Power(1), unit: "" },
         Reading { words: r"change of $T$ since the last blow", form: Form::Power(1), unit: "" },
     ],
+    symbols: crate::symbols::SPACE_STATION,
     start: |settings| Ok(Box::new(Nodding::new(settings)?)),
 };
 

@@ -52,6 +52,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "real time left", form: Form::Power(3), unit: "s" },
         Reading { words: "slip: ink on the table less ink on the rim", form: Form::Power(1), unit: "radii" },
     ],
+    symbols: crate::symbols::SPINNING_COIN,
     start: |settings| Ok(Box::new(Spinning::new(settings)?)),
 };
 

@@ -52,6 +52,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"drift of $\boldsymbol{L}$", form: Form::Power(1), unit: "" },
         Reading { words: r"drift of the energy $T$", form: Form::Power(1), unit: "" },
     ],
+    symbols: crate::symbols::TURNING,
     start: |settings| Ok(Box::new(Throw::new(settings)?)),
 };
 

@@ -13,7 +13,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let summary = fs::read_to_string(summary)?;
     let chapters =
         summary.lines().filter_map(|line| Some(line.split_once("](")?.1.split_once("/index.md)")?.0));
-    let (mut modules, mut entries, mut formulas) = (String::new(), String::new(), BTreeSet::new());
+    let (mut modules, mut entries, mut list, mut symbols) =
+        (String::new(), String::new(), String::new(), String::new());
     for chapter in chapters {
         let file = root.join("book").join(chapter).join("scene.rs");
         let Ok(source) = fs::read_to_string(&file) else {
@@ -23,14 +24,23 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rerun-if-changed={}", file.display());
         let module = chapter.replace('-', "_");
         writeln!(modules, "#[path = {file:?}]\nmod {module};")?;
-        writeln!(entries, "    (&{module}::SCENE, {chapter:?}),")?;
-        formulas
-            .extend(labels(&source).flat_map(|label| label.split('$').skip(1).step_by(2)).map(str::to_owned));
+        let (name, place) = (module.to_uppercase(), list.lines().count());
+        let entry =
+            format!("Entry {{ place: {place}, chapter: {chapter:?}, scene: &super::{module}::SCENE }}");
+        writeln!(
+            entries,
+            "    /// The scene of the chapter `{chapter}`.\n    pub static {name}: super::Entry = super::{entry};"
+        )?;
+        writeln!(list, "    &entries::{name},")?;
+        let formulas: BTreeSet<&str> =
+            labels(&source).flat_map(|label| label.split('$').skip(1).step_by(2)).collect();
+        let table = drawing::symbols_of(formulas)?;
+        writeln!(symbols, "    pub(crate) static {name}: &[drawing::Symbol] = {table};")?;
     }
-    let symbols = drawing::symbols_of(formulas.iter().map(String::as_str))?;
     let text = format!(
-        "{modules}\n/// The scenes and their chapters.\nstatic ENTRIES: &[(&Scene, &str)] = &[\n{entries}];\n\n\
-         /// The formulas of their labels.\nstatic SYMBOLS: &[drawing::Symbol] = {symbols};\n"
+        "{modules}\n/// The scenes, one by one: a program that names one of them holds no other.\npub mod entries {{\n{entries}}}\n\n\
+         static ENTRIES: &[&Entry] = &[\n{list}];\n\n\
+         /// The formulas of the labels of each scene.\nmod symbols {{\n{symbols}}}\n"
     );
     fs::write(Path::new(&env::var("OUT_DIR")?).join("scenes.rs"), text)?;
     Ok(())

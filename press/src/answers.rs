@@ -201,7 +201,8 @@ fn clause(sentence: &str) -> String {
 
 /// The snippets of a page that have live numbers: the line of each fence, counted from one, and the code.
 pub(crate) fn snippets(page: &str) -> Vec<(usize, Vec<&str>)> {
-    let (mut found, mut open): (Vec<(usize, Vec<&str>)>, Option<(&str, bool)>) = (Vec::new(), None);
+    let mut found: Vec<(usize, Vec<&str>)> = Vec::new();
+    let mut open: Option<(&str, bool)> = None; // its marks, and whether it is Rust
     for (n, line) in page.lines().enumerate() {
         let marks = line.len() - line.trim_start_matches(['`', '~']).len();
         match open {

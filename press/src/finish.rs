@@ -8,7 +8,7 @@ use crate::{api, outcome, search, site};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::config::Config;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 /// Files of the project that belong into the site.
@@ -30,11 +30,11 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
         Failed::Other(format!("the site in {} cannot be finished: {error}", site.display()))
     };
     let unfinished = outcome::put_aside(&site).map_err(cannot)?;
-    let module = match module::build(&context.root) {
-        Ok(Module::Built(script)) => Some(script),
-        _ => None, // as the preprocessor has said
+    let modules = match module::build(&context.root) {
+        Ok(Module::Built(scripts)) => scripts,
+        _ => Vec::new(), // as the preprocessor has said
     };
-    match finished(&unfinished, &context, drawn, module.as_deref()) {
+    match finished(&unfinished, &context, drawn, &modules) {
         Ok(faults) if faults.is_empty() => outcome::bring_back(&unfinished, &site).map_err(cannot),
         other => {
             let failed = other.map_or_else(cannot, Failed::Faults);
@@ -49,13 +49,13 @@ fn finished(
     site: &Path,
     context: &RenderContext,
     drawn: &Rendered,
-    module: Option<&Path>,
+    modules: &[PathBuf],
 ) -> io::Result<Faults> {
     remove_sources_of_theme(site, &context.config)?;
     remove_programs(site)?;
     add(site, &context.root, drawn)?;
-    if let Some(script) = module {
-        fs::copy(script, site.join(module::FILE))?;
+    for script in modules {
+        fs::copy(script, site.join(script.file_name().unwrap_or_default()))?;
     }
     search::write(site, context)?;
     let found = site::check(site)?;

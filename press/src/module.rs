@@ -1,5 +1,8 @@
-//! The module of the pages, which moves the live scenes: built for WebAssembly where a compiler can do that, and packed
-//! into a script, since a page that is read from a folder may load nothing else.
+//! The modules of the pages, which move the live scenes and run the snippets with live numbers: built for WebAssembly where
+//! a compiler can do that, and packed into scripts, since a page that is read from a folder may load nothing else.
+//!
+//! Each chapter has a module of its own, with what its pages need. One for the whole book would be three times as large,
+//! and a reader of one chapter would wait for all of it. They are the crate `module`, linked once for each chapter.
 //!
 //! `BOOK_LIVE=static` prints stills, `BOOK_LIVE=require` makes a missing compiler an error, and `auto` (or nothing) builds
 //! the module if it can. `BOOK_WASM_RUSTC` names a compiler other than `rustc`.
@@ -13,8 +16,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
-/// The script in the site's root.
-pub(crate) const FILE: &str = "live.js";
+/// The script of a chapter, in the site's root.
+pub(crate) fn file(chapter: &str) -> String {
+    format!("live-{chapter}.js")
+}
 
 const TARGET: &str = "wasm32-unknown-unknown";
 const CRATE: &str = "press/live/module";
@@ -22,13 +27,13 @@ const CRATE: &str = "press/live/module";
 /// What there is for a book.
 #[derive(Debug)]
 pub(crate) enum Module {
-    /// The script lies here.
-    Built(PathBuf),
+    /// The scripts lie here.
+    Built(Vec<PathBuf>),
     /// None; perhaps there is something to say about that.
     Missing(Option<String>),
 }
 
-/// Builds the module if something that it is made of has changed.
+/// Builds the modules of which something has changed that they are made of.
 ///
 /// # Errors
 /// If it does not compile, with the words of the compiler; if it is required and there is no compiler for it.
@@ -49,19 +54,48 @@ pub(crate) fn build(root: &Path) -> Result<Module, String> {
     };
     let cannot = |error: io::Error| format!("the module of the pages cannot be made: {error}");
     let folder = root.join("target/live");
-    let (script, stamp) = (folder.join(FILE), folder.join("stamp"));
-    let wanted = made_of(root, &compiler).map_err(cannot)?;
-    if script.is_file() && fs::read_to_string(&stamp).is_ok_and(|stamp| stamp == wanted) {
-        return Ok(Module::Built(script));
+    let mut scripts = Vec::new();
+    for chapter in chapters(root).map_err(cannot)? {
+        let script = folder.join(file(&chapter));
+        let stamp = script.with_extension("stamp");
+        let wanted = made_of(root, &compiler, &chapter).map_err(cannot)?;
+        if !script.is_file() || fs::read_to_string(&stamp).map_or(true, |stamp| stamp != wanted) {
+            let wasm = compile(root, &folder, &compiler, &chapter)?;
+            let packed = packed(&fs::read(wasm).map_err(cannot)?).map_err(cannot)?;
+            let fresh = script.with_extension("new");
+            fs::write(&fresh, packed)
+                .and_then(|()| fs::rename(fresh, &script))
+                .and_then(|()| fs::write(stamp, wanted))
+                .map_err(cannot)?;
+        }
+        scripts.push(script);
     }
-    let wasm = compile(root, &folder, &compiler)?;
-    let packed = packed(&fs::read(wasm).map_err(cannot)?).map_err(cannot)?;
-    let fresh = folder.join(format!("{FILE}.new"));
-    fs::write(&fresh, packed)
-        .and_then(|()| fs::rename(fresh, &script))
-        .and_then(|()| fs::write(stamp, wanted))
-        .map_err(cannot)?;
-    Ok(Module::Built(script))
+    Ok(Module::Built(scripts))
+}
+
+/// The folders of the chapters that have a scene, or snippets with live numbers.
+fn chapters(root: &Path) -> io::Result<Vec<String>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(root.join("book"))? {
+        let folder = entry?.path();
+        if folder.is_dir() && (folder.join("scene.rs").is_file() || !live_text(&folder)?.is_empty()) {
+            found.extend(folder.file_name().map(|name| name.to_string_lossy().into_owned()));
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// What a module holds of the pages of a folder.
+fn live_text(folder: &Path) -> io::Result<String> {
+    let mut files = Vec::new();
+    walk(folder, &mut files)?;
+    files.sort();
+    let mut text = String::new();
+    for page in files.iter().filter(|path| path.extension().is_some_and(|ending| ending == "md")) {
+        text += &answers::matter([&*fs::read_to_string(page)?]);
+    }
+    Ok(text)
 }
 
 /// A compiler that has the core library for WebAssembly.
@@ -86,8 +120,8 @@ fn compiler() -> Result<PathBuf, String> {
     })
 }
 
-/// A number that changes with everything that the module is made of.
-fn made_of(root: &Path, compiler: &Path) -> io::Result<String> {
+/// A number that changes with everything that the module of a chapter is made of.
+fn made_of(root: &Path, compiler: &Path, chapter: &str) -> io::Result<String> {
     let mut hasher = DefaultHasher::new();
     let version = Command::new(compiler).arg("-vV").stdin(Stdio::null()).output()?;
     version.stdout.hash(&mut hasher);
@@ -105,14 +139,14 @@ fn made_of(root: &Path, compiler: &Path) -> io::Result<String> {
     ] {
         walk(&root.join(path), &mut files)?;
     }
-    let mut book = Vec::new();
-    walk(&root.join("book"), &mut book)?;
-    book.sort();
-    let is_page = |path: &&PathBuf| path.extension().is_some_and(|ending| ending == "md");
-    for page in book.iter().filter(is_page) {
-        answers::matter([&*fs::read_to_string(page)?]).hash(&mut hasher); // its live numbers, and nothing else
+    let own = root.join("book").join(chapter);
+    live_text(&own)?.hash(&mut hasher);
+    files.push(root.join("book/SUMMARY.md"));
+    for part in ["scene.rs", "scene"].map(|part| own.join(part)) {
+        if part.exists() {
+            walk(&part, &mut files)?;
+        }
     }
-    files.extend(book.into_iter().filter(|path| path.ends_with("scene.rs") || path.ends_with("SUMMARY.md")));
     files.sort();
     for file in files {
         (file.strip_prefix(root).unwrap_or(&file), fs::read(&file)?).hash(&mut hasher);
@@ -135,9 +169,9 @@ fn walk(path: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     Ok(())
 }
 
-/// Compiles the module; where it is.
-fn compile(root: &Path, folder: &Path, compiler: &Path) -> Result<PathBuf, String> {
-    eprintln!("Compiling the live scenes for browsers: half a minute, when they or the library have changed");
+/// Compiles the module of a chapter; where it is.
+fn compile(root: &Path, folder: &Path, compiler: &Path, chapter: &str) -> Result<PathBuf, String> {
+    eprintln!("Compiling what moves in the chapter {chapter} for browsers");
     // What the module says when it gives up names files, and no folder of this machine.
     let home = env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(PathBuf::from(env::var_os("HOME")?).join(".cargo")));
@@ -153,6 +187,7 @@ fn compile(root: &Path, folder: &Path, compiler: &Path) -> Result<PathBuf, Strin
         .arg(folder)
         .current_dir(root)
         .env("RUSTC", compiler)
+        .env("BOOK_CHAPTER", chapter)
         .env_remove("RUSTFLAGS")
         .env_remove("CARGO_ENCODED_RUSTFLAGS")
         .stdin(Stdio::null())

@@ -3,10 +3,11 @@
 //! It is printed with the values of the text; the page's script keeps it true when a reader changes them.
 
 use crate::answers::{Answers, Live, Value};
+use crate::module;
 use crate::render::escaped;
 
 /// The panel of the snippet with this number among those of the book.
-pub(crate) fn panel(answers: &Answers<'_>, snippet: usize) -> String {
+pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> String {
     let live: String = answers
         .live
         .iter()
@@ -27,9 +28,10 @@ pub(crate) fn panel(answers: &Answers<'_>, snippet: usize) -> String {
         .collect();
     let checks = if checks.is_empty() { checks } else { format!("<ul>\n{checks}</ul>\n") };
     format!(
-        "<div class=\"answers\" data-snippet=\"{snippet}\" data-module=\"live.js\" role=\"group\" aria-label=\"Try other numbers\">\n\
+        "<div class=\"answers\" data-snippet=\"{snippet}\" data-module=\"{}\" role=\"group\" aria-label=\"Try other numbers\">\n\
          {live}{values}{checks}<p class=\"says\" role=\"status\"></p>\n\
-         <button type=\"button\" class=\"reset\" disabled>Numbers of the text</button>\n</div>"
+         <button type=\"button\" class=\"reset\" disabled>Numbers of the text</button>\n</div>",
+        module::file(chapter)
     )
 }
 

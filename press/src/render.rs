@@ -9,7 +9,7 @@ use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
 use crate::ties::{self, BLANK};
-use crate::{answers, faces, panel, scenes, snippets, tables};
+use crate::{answers, faces, module, panel, scenes, snippets, tables};
 use pulldown_cmark::{CowStr, Event, Parser, Tag, html::push_html};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -205,7 +205,8 @@ impl Printer<'_, '_> {
             }
         }
         shown.push_str(&code[done..]);
-        snippets::with_folded_checks(&snippets::without_ranges(&shown), self.panel(&shown))
+        let panel = self.panel(&shown);
+        snippets::with_folded_checks(&snippets::without_ranges(&shown), panel.as_deref())
             + &self.uses(code).unwrap_or_default()
     }
 
@@ -215,7 +216,7 @@ impl Printer<'_, '_> {
         let (answers, _) = answers::answers(&lines);
         (!answers.live.is_empty() && !self.drawn.is_still).then(|| {
             *self.live += 1;
-            panel::panel(&answers, *self.live - 1)
+            panel::panel(&answers, *self.live - 1, self.page.path.split('/').next().unwrap_or_default())
         })
     }
 
@@ -299,7 +300,8 @@ impl Printer<'_, '_> {
         };
         let question = html(&scene.question);
         let panel = if drawn.is_still { String::new() } else { scenes::panel(scene, html) };
-        let module = if drawn.is_still { "" } else { " data-module=\"live.js\"" };
+        let file = module::file(&scene.chapter);
+        let module = if drawn.is_still { String::new() } else { format!(" data-module=\"{file}\"") };
         Some(format!(
             "<figure class=\"scene\" id=\"{}\" data-scene=\"{place}\"{module}>\n<p class=\"question\">{question}</p>\n\
              <div class=\"drawing\">{}</div>\n{panel}\
@@ -738,7 +740,9 @@ mod tests {
             chapter: "a.md".to_owned(),
             question: "Why $x$?".to_owned(),
             svg: "<svg></svg>".to_owned(),
+            still: 0.0,
             view: Some([-30.0, 20.0]),
+            still: 0.5,
             controls: vec![
                 control("spin", "spin, $x$", Input::Slider { from: -1.0, to: 4.0, step: 0.1 }, 2.0),
                 control("drag", "drag", Input::LogSlider { from: 1e-3, to: 1.0 }, 0.01),
@@ -760,7 +764,7 @@ mod tests {
         let range = "<input type=\"range\" id=\"scene-plate-";
         let moving = print(&drawn);
         for part in [
-            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live.js\">\n<p class=\"question\">Why ",
+            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live-a.js\">\n<p class=\"question\">Why ",
             "<div class=\"drawing\"><svg></svg></div>\n<div class=\"panel\">\n",
             &format!(
                 "<label for=\"scene-plate-spin\">spin, {x}</label>{range}spin\" name=\"spin\" min=\"-1\" max=\"4\" \
@@ -771,7 +775,8 @@ mod tests {
             "<input type=\"radio\" name=\"scene-plate-camera\" value=\"0\" data-name=\"camera\" checked data-start> room",
             "<input type=\"radio\" name=\"scene-plate-camera\" value=\"1\" data-name=\"camera\"> body",
             "<input type=\"checkbox\" id=\"scene-plate-cones\" name=\"cones\" checked data-start> cones",
-            "<button type=\"button\" class=\"press\" name=\"kick\">Kick</button>",
+            "<button type=\"button\" class=\"press\" name=\"kick\" data-start=\"-1\">Kick</button>",
+            "class=\"time\" id=\"scene-plate-time\" min=\"0\" max=\"1\" step=\"any\" value=\"0.5\"",
             "name=\"azimuth\" min=\"-180\" max=\"180\" step=\"any\" value=\"-30\"",
             "<div><dt>wobbles</dt><dd></dd></div>",
             "<button type=\"button\" data-set=\"spin=1&amp;drag=0.1\">a ball</button>",

@@ -51,9 +51,9 @@ fn is_name(name: &str) -> bool {
     !name.is_empty() && name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
 }
 
-/// What is wrong with settings, `spin=3&kick=0`; none at all are those with which a scene opens.
+/// What is wrong with settings, `spin=3&kick=0`.
 pub(crate) fn check_settings(scene: &Scene, settings: &str) -> Result<(), String> {
-    for setting in settings.split('&').filter(|setting| !setting.is_empty()) {
+    for setting in settings.split('&') {
         let (name, value) = setting.split_once('=').unwrap_or((setting, ""));
         let Ok(value) = value.parse::<f64>() else {
             return Err(format!("`{setting}` is no setting: they are written spin=3&kick=0"));

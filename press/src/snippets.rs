@@ -130,8 +130,8 @@ pub(crate) fn without_ranges(block: &str) -> String {
 
 /// A fenced block with the panel of its live numbers beside it, and with its last assertions in a block of their own that
 /// opens on demand if they are many.
-pub(crate) fn with_folded_checks(block: &str, panel: Option<String>) -> String {
-    let beside = |block: &str| match &panel {
+pub(crate) fn with_folded_checks(block: &str, panel: Option<&str>) -> String {
+    let beside = |block: &str| match panel {
         Some(panel) => format!("<div class=\"answering\">\n\n{block}\n\n{panel}\n</div>\n"),
         None => block.to_owned(),
     };
@@ -234,7 +234,7 @@ mod tests {
         let shown = without_ranges(block);
         assert_eq!(shown, "```rust\nlet a = 1.0; // m\nlet b = 2;\nf(); // → 3\n```\n");
         assert_eq!(
-            with_folded_checks(&shown, Some("<div>P</div>".to_owned())),
+            with_folded_checks(&shown, Some("<div>P</div>")),
             format!("<div class=\"answering\">\n\n{shown}\n\n<div>P</div>\n</div>\n")
         );
     }

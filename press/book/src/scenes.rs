@@ -9,7 +9,7 @@ use press::rendered::{Control, Input, Scene};
 /// Which scene cannot be drawn as it starts, and why.
 pub(crate) fn all() -> Result<Vec<Scene>, String> {
     let scenes = live::scenes().iter();
-    scenes.map(|&(scene, chapter)| printed(scene, chapter)).collect()
+    scenes.map(|entry| printed(entry.scene, entry.chapter)).collect()
 }
 
 fn printed(scene: &'static live::Scene, chapter: &str) -> Result<Scene, String> {

@@ -19,7 +19,7 @@ mod player;
 mod scene;
 mod written;
 
-// A module for each scene, and `ENTRIES` and `SYMBOLS`: the build script reads them off the files.
+// A module for each scene, and `entries`, `ENTRIES` and `symbols`: the build script reads them off the files.
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
 pub use control::{Control, Kind, Settings};
@@ -34,7 +34,18 @@ use std::error::Error;
 /// Why something has no answer: whatever the library or the kit says.
 pub type Cause = Box<dyn Error + Send + Sync>;
 
-/// The scenes of the book and their chapters, in its order.
-pub fn scenes() -> &'static [(&'static Scene, &'static str)] {
+/// A scene in the book.
+#[derive(Debug)]
+pub struct Entry {
+    /// Which scene of the book it is, from 0 on.
+    pub place: usize,
+    /// The folder of its chapter.
+    pub chapter: &'static str,
+    /// The scene.
+    pub scene: &'static Scene,
+}
+
+/// The scenes of the book, in its order.
+pub fn scenes() -> &'static [&'static Entry] {
     ENTRIES
 }

@@ -1,9 +1,9 @@
 //! A scene in use: its settings, its motion, its picture. The module of the page is a thin wrapper of it.
 
+use crate::Cause;
 use crate::control::Settings;
 use crate::scene::{Moment, Motion, Run, Scene};
 use crate::written::written;
-use crate::{Cause, SYMBOLS};
 use drawing::{Drawing, Point, Room, with_symbols};
 
 /// A scene with its settings.
@@ -77,7 +77,7 @@ impl Player {
         let [width, height] = moment.room.of(self.scene.size[0], self.scene.size[1]);
         let id = format!("scene-{}{}", self.scene.name, moment.room.of("", "-narrow"));
         let mut drawing = Drawing::new(&id, width, height).framed();
-        with_symbols(SYMBOLS, || self.motion.draw(&moment, &mut drawing))?;
+        with_symbols(self.scene.symbols, || self.motion.draw(&moment, &mut drawing))?;
         Ok(drawing)
     }
 

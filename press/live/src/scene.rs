@@ -3,7 +3,7 @@
 use crate::Cause;
 use crate::control::{Control, Settings};
 use drawing::space::{Camera, SpaceError, View};
-use drawing::{Drawing, Point, Room};
+use drawing::{Drawing, Point, Room, Symbol};
 
 /// A live scene: everything about it that does not move.
 #[derive(Debug)]
@@ -28,6 +28,8 @@ pub struct Scene {
     pub presets: &'static [Preset],
     /// Numbers that stand beside the picture.
     pub readings: &'static [Reading],
+    /// The formulas of its labels, set by the build script: `crate::symbols::TURNING` in the chapter `turning`.
+    pub symbols: &'static [Symbol],
     /// Computes the motion for some settings. An error is words for the reader: what has no answer there, and why.
     pub start: fn(&Settings<'_>) -> Result<Box<dyn Motion>, Cause>,
 }

@@ -91,7 +91,8 @@ pub(super) struct Theme {
 
 impl Theme {
     pub(super) fn new(name: &'static str) -> Self {
-        let (own, figures) = ([sheet("page"), sheet("maths"), sheet("live"), sheet("numbers")].concat(), sheet("figures"));
+        let (own, figures) =
+            ([sheet("page"), sheet("maths"), sheet("live"), sheet("numbers")].concat(), sheet("figures"));
         let mut variables = BTreeMap::new();
         // In the order of their weight: a class, then an element with it.
         let [class, element] = [format!(".{name}"), format!("html.{name}")];

@@ -8,10 +8,10 @@ use std::collections::BTreeMap;
 /// The snippets with live numbers and their places among all, page by page: `turning/index.html`.
 fn pages() -> BTreeMap<String, Vec<(usize, &'static Snippet)>> {
     let mut pages: BTreeMap<_, Vec<_>> = BTreeMap::new();
-    for (place, snippet) in SNIPPETS.iter().enumerate() {
+    for snippet in SNIPPETS {
         let file = snippet.place.split(':').next().unwrap_or_default();
         let page = file.trim_start_matches("book/").replace(".md", ".html");
-        pages.entry(page).or_default().push((place, snippet));
+        pages.entry(page).or_default().push((snippet.number, snippet));
     }
     assert!(!pages.is_empty());
     pages

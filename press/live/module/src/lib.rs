@@ -1,7 +1,11 @@
 //! What the pages run: functions that a script calls with numbers, and which give back numbers and texts.
 //!
-//! One instance of the module plays one scene, or runs the snippets of a page. Numbers go in through [`input`], texts come out of [`text`], where a
-//! call that gives a length has left them. A length below zero is that of an error, in words for the reader.
+//! One instance of the module plays one scene, or runs the snippets of a page. Numbers go in through [`input`], texts
+//! come out of [`text`], where a call that gives a length has left them. A length below zero is that of an error, in words
+//! for the reader.
+//!
+//! A page loads what it needs: there is a module for each chapter, built with the name of its folder in `BOOK_CHAPTER`. It
+//! holds the scene and the snippets of that chapter and what they use of the library. Built without a name it holds all.
 
 pub mod snippets;
 
@@ -39,7 +43,8 @@ pub extern "C" fn text() -> *const u8 {
 pub extern "C" fn start(scene: usize, count: usize) -> isize {
     listen();
     answer(|| {
-        let (scene, _) = live::scenes()[scene];
+        let entry = snippets::scenes().iter().find(|entry| entry.place == scene);
+        let scene = entry.unwrap_or_else(|| panic!("this module has no scene {scene}")).scene;
         let player = if count == 0 { Player::new(scene)? } else { Player::with(scene, values(count))? };
         PLAYER.with(|own| *own.borrow_mut() = Some(player));
         Ok(String::new())
@@ -52,7 +57,9 @@ pub extern "C" fn start(scene: usize, count: usize) -> isize {
 #[unsafe(no_mangle)]
 pub extern "C" fn run(snippet: usize, count: usize) -> isize {
     listen();
-    answer(|| Ok(snippets::SNIPPETS[snippet].run(&values(count)).join("\n")))
+    let found = snippets::SNIPPETS.iter().find(|own| own.number == snippet);
+    let snippet = found.unwrap_or_else(|| panic!("this module has no snippet {snippet}"));
+    answer(|| Ok(snippet.run(&values(count)).join("\n")))
 }
 
 /// What the program said when it gave up: its length in [`text`].

@@ -12,6 +12,8 @@ mod record;
 /// A snippet of a page.
 #[derive(Debug)]
 pub struct Snippet {
+    /// Which snippet with live numbers it is, from 0 on in the book.
+    pub number: usize,
     /// Where it stands: `book/turning/index.md:292`.
     pub place: &'static str,
     /// Its live numbers.
@@ -66,4 +68,4 @@ mod pages {
     include!(concat!(env!("OUT_DIR"), "/snippets.rs"));
 }
 
-pub use pages::SNIPPETS;
+pub use pages::{SNIPPETS, scenes};
