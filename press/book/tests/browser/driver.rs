@@ -77,7 +77,8 @@ impl Browser {
     /// Asks for something and waits for the answer; `Err` is what the browser says against it.
     fn ask(&mut self, session: &str, method: &str, params: Value) -> Result<Value, String> {
         self.asked += 1;
-        let mut message = json!({ "id": self.asked, "method": method, "params": params });
+        let mut message = json!({ "id": self.asked, "method": method });
+        message["params"] = params;
         if !session.is_empty() {
             message["sessionId"] = session.into();
         }

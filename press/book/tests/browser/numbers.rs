@@ -2,7 +2,7 @@
 
 use super::{Means, WIDE, act, address, open};
 use module::snippets::{SNIPPETS, Snippet};
-use serde_json::json;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 /// The snippets with live numbers and their places among all, page by page: `turning/index.html`.
@@ -42,12 +42,8 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                     let live = page.get(&format!(
                         "[...{panel}.querySelectorAll('.number input[type=number]')].map((field) => +field.value)"
                     ));
-                    let live: Vec<f64> = live
-                        .as_array()
-                        .expect("numbers")
-                        .iter()
-                        .filter_map(|number| number.as_f64())
-                        .collect();
+                    let live: Vec<f64> =
+                        live.as_array().expect("numbers").iter().filter_map(Value::as_f64).collect();
                     let at = format!("{} with {live:?}", snippet.place);
                     let lines = snippet.run(&live);
                     let (printed, rest) = lines.split_at(snippet.printed.len());
