@@ -322,7 +322,7 @@ class Scene {
     this.#setPlaying(true);
     this.change();
   }
-  /** Sets controls and the view by name, other controls (if `isAll`) to their starts; begins anew if no time is named. */
+  /** Sets controls and the view by name, other controls (if `isAll`) to their starts; begins anew without a time. */
   set(settings, isAll) {
     const number = (name) => (settings.get(name) ? Number(settings.get(name)) : NaN);
     for (const control of this.controls) {
@@ -379,7 +379,7 @@ class Scene {
       this.look((_, { start }) => start);
       this.set(new Map(), true);
     });
-    on(".presets button", "click", ({ currentTarget }) => this.set(new URLSearchParams(currentTarget.dataset.set), true));
+    on(".presets button", "click", ({ currentTarget: { dataset } }) => this.set(new URLSearchParams(dataset.set), true));
     // Before the link is followed, or copied.
     on(".share a", "pointerdown focus keydown", ({ currentTarget }) => (currentTarget.href = this.address()));
     for (const control of this.controls) {
