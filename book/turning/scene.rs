@@ -159,12 +159,9 @@ impl Throw {
             return stage.solid(solid.finish(Finish::Ghost), Hue::Blue);
         }
         stage.solid(solid, Hue::Blue)?;
-        for (quarter, (stroke, hue)) in (0..).zip([
-            (Stroke::Curve, Hue::Pink),
-            (Stroke::Outline, Hue::Blue),
-            (Stroke::Outline, Hue::Blue),
-            (Stroke::Outline, Hue::Blue),
-        ]) {
+        for quarter in 0..4 {
+            let (stroke, hue) =
+                if quarter == 0 { (Stroke::Curve, Hue::Pink) } else { (Stroke::Outline, Hue::Blue) };
             let points = self.stripe(f64::from(quarter) * FRAC_PI_2);
             let points: Vec<_> = points.into_iter().map(|point| seen * point).collect();
             if self.is_round {
