@@ -30,3 +30,24 @@ pub fn written(value: f64, form: Form, unit: &str) -> String {
     let space = if unit.is_empty() || unit == "°" { "" } else { "\u{a0}" };
     format!("{}{space}{unit}", number.replace('-', "−"))
 }
+
+/// Units that are not parted from their number.
+const UNITS: [&str; 11] = ["s", "ms", "m", "mm", "cm", "kg", "N", "N·m", "Hz", "%", "rad/s"];
+
+/// Words in which no line parts a number from its unit.
+///
+/// ```
+/// assert_eq!(live::tied("every 0.31 s, at 30 rad/s of 2 turns"), "every 0.31\u{a0}s, at 30\u{a0}rad/s of 2 turns");
+/// ```
+pub fn tied(words: &str) -> String {
+    let mut out = String::with_capacity(words.len());
+    for word in words.split(' ') {
+        if !out.is_empty() {
+            let unit = word.trim_end_matches(['.', ',', ';', ':']);
+            let is_unit = out.ends_with(|c: char| c.is_ascii_digit()) && UNITS.contains(&unit);
+            out.push(if is_unit { '\u{a0}' } else { ' ' });
+        }
+        out.push_str(word);
+    }
+    out
+}
