@@ -56,7 +56,10 @@ impl Stamps {
             let drawn_from = |path: &&std::path::PathBuf| {
                 let name = path.file_name().unwrap_or_default();
                 let is_page = path.extension().is_some_and(|ending| ending == "md");
-                !is_page && !["tests", "examples", "scene.rs"].iter().any(|draws_none| name == *draws_none)
+                !is_page
+                    && !["tests", "examples", "scene.rs", "scene"]
+                        .iter()
+                        .any(|draws_none| name == *draws_none)
             };
             return below.iter().filter(drawn_from).try_for_each(|path| self.add(path, scenes, book));
         }

@@ -8,6 +8,7 @@ use crate::scene::Form;
 /// use live::{Form, written};
 /// assert_eq!(written(-2.0_f64.sqrt(), Form::Fixed(2), "rad/s"), "−1.41\u{a0}rad/s");
 /// assert_eq!(written(1.26e-15, Form::Power(2), ""), "1.3·10<sup>−15</sup>");
+/// assert_eq!(written(-5.26, Form::Power(1), "J"), "−5.3\u{a0}J");
 /// assert_eq!(written(0.0, Form::Power(2), "J"), "0\u{a0}J");
 /// assert_eq!(written(f64::NAN, Form::Fixed(0), "s"), "–");
 /// ```
@@ -18,6 +19,8 @@ pub fn written(value: f64, form: Form, unit: &str) -> String {
     let number = match form {
         Form::Fixed(digits) => format!("{value:.digits$}"),
         Form::Power(_) if value == 0.0 => "0".into(),
+        // What is no drift is written as usual.
+        Form::Power(digits) if (0.1..1000.0).contains(&value.abs()) => format!("{value:.digits$}"),
         Form::Power(digits) => format!("{value:.*e}", digits.saturating_sub(1)),
     };
     let number = match number.split_once('e') {
