@@ -740,7 +740,6 @@ mod tests {
             chapter: "a.md".to_owned(),
             question: "Why $x$?".to_owned(),
             svg: "<svg></svg>".to_owned(),
-            still: 0.0,
             view: Some([-30.0, 20.0]),
             still: 0.5,
             controls: vec![
