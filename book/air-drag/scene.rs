@@ -248,7 +248,7 @@ impl Slowing {
         map.label(line(1.0)[1], Side::Right, "0", Hue::Muted)?;
         map.label((to, 80.0), Side::Right, room.of("spin left", "left"), Hue::Muted)?;
         map.label(
-            (room.of(0.03, 0.008), 900.0),
+            (room.of(0.021, 0.008), 900.0),
             Side::Right,
             room.of("wobble dies first", "wobble dies"),
             Hue::Blue,

@@ -30,7 +30,7 @@ pub(crate) const SCENE: Scene = Scene {
     question: "How fast must a coin be twisted if heads, and nothing but heads, is to be seen from above? \
                And why is heads never the less likely face?",
     size: [[640.0, 520.0], [380.0, 872.0]],
-    view: Some([-0.85, 0.42]),
+    view: Some([-0.55, 0.42]),
     still: 0.0366,
     controls: &[
         Control::slider("tumble", r"tumble, $\omega_1$", [0.0, MOST, 0.5], "rad/s", 240.0),
@@ -260,7 +260,7 @@ impl Throw {
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
         stage.curve(Curve::circle([0.0; 3], Vector3::z(), 1.0)?, Stroke::Reference, Hue::Ink)?;
         self.draw_path(&mut stage, 1.0, Stroke::Curve)?;
-        stage.label([0.0, -1.0, 0.0], Side::Below, "equator", Hue::Muted)?;
+        stage.label([0.2, -0.98, 0.0], Side::Below, "equator", Hue::Muted)?;
         stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
         stage.label([0.0, 0.0, 1.0], Side::Above, "start, flat", Hue::Muted)?;
         if self.toss.is_some() {
