@@ -260,7 +260,7 @@ impl Throw {
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
         stage.curve(Curve::circle([0.0; 3], Vector3::z(), 1.0)?, Stroke::Reference, Hue::Ink)?;
         self.draw_path(&mut stage, 1.0, Stroke::Curve)?;
-        stage.label([0.2, -0.98, 0.0], Side::Below, "equator", Hue::Muted)?;
+        stage.label([0.85, -0.52, 0.0], Side::Below, "equator", Hue::Muted)?;
         stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
         stage.label([0.0, 0.0, 1.0], Side::Above, "start, flat", Hue::Muted)?;
         if self.toss.is_some() {
