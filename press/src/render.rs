@@ -763,7 +763,7 @@ mod tests {
         let range = "<input type=\"range\" id=\"scene-plate-";
         let moving = print(&drawn);
         for part in [
-            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live-a.js\">\n<p class=\"question\">Why ",
+            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live-a.md.js\">\n<p class=\"question\">Why ",
             "<div class=\"drawing\"><svg></svg></div>\n<div class=\"panel\">\n",
             &format!(
                 "<label for=\"scene-plate-spin\">spin, {x}</label>{range}spin\" name=\"spin\" min=\"-1\" max=\"4\" \

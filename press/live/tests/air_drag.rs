@@ -8,8 +8,8 @@ use live::{Moment, Player, Room};
 const QUICKER: f64 = 0.125;
 
 fn scene(settings: &[(&str, f64)]) -> Player {
-    let found = live::scenes().iter().find(|(scene, _)| scene.name == "air-drag");
-    Player::new(found.expect("it is there").0).and_then(|scene| scene.changed(settings)).expect("settings")
+    let found = live::scene("air-drag");
+    Player::new(found.expect("it is there")).and_then(|scene| scene.changed(settings)).expect("settings")
 }
 
 fn number(reading: &str) -> f64 {
@@ -75,7 +75,7 @@ fn the_words_say_who_wins_and_what_is_left_by_then() {
         let left = 100.0 * 0.1_f64.powf((ratio * drag - 1.0).abs().recip());
         match percentage(&words) {
             Some(found) => {
-                assert!((found - left).abs() <= if left < 1.0 { 0.006 } else { 0.51 }, "{left}: {words}")
+                assert!((found - left).abs() <= if left < 1.0 { 0.006 } else { 0.51 }, "{left}: {words}");
             }
             None => assert!(left < 0.0101 && words.contains("next to nothing"), "{left}: {words}"),
         }
