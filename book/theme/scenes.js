@@ -63,28 +63,6 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 // 2 — The picture
 
-const ELEMENT = /^<(\w+)((?: [\w-]+="[^"&]*")*)(?:\/>|>([^<&]*)<\/\1>)$/;
-const ATTRIBUTE = / ([\w-]+)="([^"]*)"/g;
-const CHILD = /<(?!g)(\w+)[^>]*?(?:\/>|>[^<]*<\/\1>)/g;
-
-/** Gives a node the attributes and words of a line, if the line is an element of the same shape. */
-function patched(node, line) {
-  if (line.startsWith("<g>") && node.localName === "g") {
-    const lines = line.match(CHILD) ?? [];
-    const { children } = node;
-    return lines.length === children.length && lines.every((child, index) => patched(children[index], child));
-  }
-  const [, tag, attributes, words] = ELEMENT.exec(line) ?? [];
-  if (tag !== node.localName) return false;
-  let count = 0;
-  for (const [, name, value] of attributes.matchAll(ATTRIBUTE)) {
-    if (node.getAttribute(name) !== value) node.setAttribute(name, value);
-    count += 1;
-  }
-  if (words !== undefined && node.textContent !== words) node.textContent = words;
-  return count === node.attributes.length;
-}
-
 /** An SVG of the page: its still, and the nodes that take its place, one for each line of the module's drawing. */
 class Picture {
   #lines = [];
@@ -97,20 +75,35 @@ class Picture {
     this.words = this.still.filter((node) => ["title", "desc"].includes(node.localName));
   }
   draw(text) {
-    if (!this.#isLive) this.svg.replaceChildren(...this.words, ...this.#nodes);
+    if (!this.#isLive) this.svg.replaceChildren(...this.words, ...this.#nodes.map(({ node }) => node));
     this.#isLive = true;
     const lines = text.trimEnd().split("\n");
     lines.forEach((line, index) => {
-      const node = this.#nodes[index];
-      if (line === this.#lines[index] || (node && patched(node, line))) return;
-      const holder = document.createElementNS("http://www.w3.org/2000/svg", "g");
-      holder.innerHTML = line;
-      this.#nodes[index] = holder.firstChild;
-      if (node) node.replaceWith(holder.firstChild);
-      else this.svg.append(holder.firstChild);
+      if (line !== this.#lines[index]) this.#put(line.split('"'), line, index);
     });
-    this.#nodes.splice(lines.length).forEach((node) => node.remove());
+    this.#nodes.splice(lines.length).forEach(({ node }) => node.remove());
     this.#lines = lines;
+  }
+  /** Puts a line in its place. Of its parts every other one is the value of an attribute: if no more has changed, new
+   *  values go to the old nodes. */
+  #put(parts, line, index) {
+    const old = this.#nodes[index];
+    const isAlike = (part, place) => place % 2 === 1 || part === old.parts[place];
+    if (old?.parts.length === parts.length && parts.every(isAlike)) {
+      old.attributes.forEach((attribute, place) => {
+        const value = parts[2 * place + 1];
+        if (value !== old.parts[2 * place + 1]) attribute.value = value;
+      });
+      old.parts = parts;
+      return;
+    }
+    const holder = document.createElementNS("http://www.w3.org/2000/svg", "g");
+    holder.innerHTML = line;
+    const node = holder.firstChild;
+    const attributes = [...holder.querySelectorAll("*")].flatMap((element) => [...element.attributes]);
+    this.#nodes[index] = { node, parts, attributes };
+    if (old) old.node.replaceWith(node);
+    else this.svg.append(node);
   }
   /** Puts the still back. */
   rest() {
@@ -322,7 +315,7 @@ class Scene {
     this.#setPlaying(true);
     this.change();
   }
-  /** Sets controls and the view by name, other controls (if `isAll`) to their starts; begins anew if no time is named. */
+  /** Sets controls and the view by name, other controls (if `isAll`) to their starts; begins anew without a time. */
   set(settings, isAll) {
     const number = (name) => (settings.get(name) ? Number(settings.get(name)) : NaN);
     for (const control of this.controls) {
@@ -379,7 +372,7 @@ class Scene {
       this.look((_, { start }) => start);
       this.set(new Map(), true);
     });
-    on(".presets button", "click", ({ currentTarget }) => this.set(new URLSearchParams(currentTarget.dataset.set), true));
+    on(".presets button", "click", ({ currentTarget: { dataset } }) => this.set(new URLSearchParams(dataset.set), true));
     // Before the link is followed, or copied.
     on(".share a", "pointerdown focus keydown", ({ currentTarget }) => (currentTarget.href = this.address()));
     for (const control of this.controls) {

@@ -8,10 +8,8 @@
 //! the module if it can. `BOOK_WASM_RUSTC` names a compiler other than `rustc`.
 
 use crate::answers;
-use flate2::Compression;
-use flate2::write::DeflateEncoder;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::io::{self, Write as _};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
@@ -202,9 +200,9 @@ fn compile(root: &Path, folder: &Path, compiler: &Path, chapter: &str) -> Result
 
 /// The module as a script: a call of `spin` with what it is when deflated, in base64.
 fn packed(wasm: &[u8]) -> io::Result<String> {
-    let mut deflated = DeflateEncoder::new(Vec::new(), Compression::best());
-    deflated.write_all(wasm)?;
-    Ok(format!("spin(\"{}\");\n", base64(&deflated.finish()?)))
+    let mut deflated = Vec::new();
+    zopfli::compress(zopfli::Options::default(), zopfli::Format::Deflate, wasm, &mut deflated)?;
+    Ok(format!("spin(\"{}\");\n", base64(&deflated)))
 }
 
 fn base64(bytes: &[u8]) -> String {

@@ -740,7 +740,6 @@ mod tests {
             chapter: "a.md".to_owned(),
             question: "Why $x$?".to_owned(),
             svg: "<svg></svg>".to_owned(),
-            still: 0.0,
             view: Some([-30.0, 20.0]),
             still: 0.5,
             controls: vec![
@@ -764,7 +763,7 @@ mod tests {
         let range = "<input type=\"range\" id=\"scene-plate-";
         let moving = print(&drawn);
         for part in [
-            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live-a.js\">\n<p class=\"question\">Why ",
+            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live-a.md.js\">\n<p class=\"question\">Why ",
             "<div class=\"drawing\"><svg></svg></div>\n<div class=\"panel\">\n",
             &format!(
                 "<label for=\"scene-plate-spin\">spin, {x}</label>{range}spin\" name=\"spin\" min=\"-1\" max=\"4\" \

@@ -13,8 +13,8 @@ fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     let [name, folder, rest @ ..] = &arguments[..] else {
         return Err("a scene and a folder, please".into());
     };
-    let found = live::scenes().iter().find(|entry| entry.scene.name == name);
-    let scene = found.ok_or_else(|| format!("there is no scene `{name}`"))?.scene;
+    let found = live::scene(name);
+    let scene = found.ok_or_else(|| format!("there is no scene `{name}`"))?;
     let [mut azimuth, mut elevation] = scene.view.unwrap_or_default();
     let (mut times, mut room, mut settings) = (vec![scene.still], Room::Wide, Vec::new());
     for word in rest {

@@ -49,3 +49,8 @@ pub struct Entry {
 pub fn scenes() -> &'static [&'static Entry] {
     ENTRIES
 }
+
+/// The scene of this name, if the book has one.
+pub fn scene(name: &str) -> Option<&'static Scene> {
+    scenes().iter().map(|entry| entry.scene).find(|scene| scene.name == name)
+}

@@ -8,8 +8,8 @@ use live::{Moment, Player, Room};
 const QUICKER: f64 = 0.125;
 
 fn scene(settings: &[(&str, f64)]) -> Player {
-    let found = live::scenes().iter().find(|(scene, _)| scene.name == "air-drag");
-    Player::new(found.expect("it is there").0).and_then(|scene| scene.changed(settings)).expect("settings")
+    let found = live::scene("air-drag");
+    Player::new(found.expect("it is there")).and_then(|scene| scene.changed(settings)).expect("settings")
 }
 
 fn number(reading: &str) -> f64 {

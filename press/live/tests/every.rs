@@ -12,7 +12,7 @@ const TRIALS: u32 = 150;
 const SLACK: f64 = 0.01;
 
 fn all() -> Vec<&'static Scene> {
-    let scenes: Vec<_> = live::scenes().iter().map(|(scene, _)| *scene).collect();
+    let scenes: Vec<_> = live::scenes().iter().map(|entry| entry.scene).collect();
     assert!(!scenes.is_empty());
     scenes
 }

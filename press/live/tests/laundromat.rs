@@ -13,7 +13,7 @@ const KICK: f64 = 0.4;
 const ACCELERATION: f64 = 2.5;
 
 fn washer(settings: &[(&str, f64)]) -> Player {
-    let (scene, _) = live::scenes().iter().find(|(scene, _)| scene.name == "laundromat").expect("a scene");
+    let scene = live::scene("laundromat").expect("a scene");
     Player::new(scene).and_then(|player| player.changed(settings)).expect("the settings have an answer")
 }
 

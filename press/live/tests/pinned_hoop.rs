@@ -8,8 +8,8 @@ use live::{Moment, Player, Room};
 const MOMENTS: [[f64; 3]; 2] = [[1.5, 0.5, 2.0], [1.25, 0.25, 1.5]];
 
 fn scene(settings: &[(&str, f64)]) -> Player {
-    let found = live::scenes().iter().find(|(scene, _)| scene.name == "pinned-hoop");
-    Player::new(found.expect("it is there").0).and_then(|scene| scene.changed(settings)).expect("settings")
+    let found = live::scene("pinned-hoop");
+    Player::new(found.expect("it is there")).and_then(|scene| scene.changed(settings)).expect("settings")
 }
 
 fn number(reading: &str) -> f64 {

@@ -13,8 +13,8 @@ const A: f64 = 0.3;
 const G: f64 = 9.81;
 
 fn scene() -> &'static Scene {
-    let found = live::scenes().iter().find(|(scene, _)| scene.name == "rolling-wheel");
-    found.expect("a scene of the rolling wheel").0
+    let found = live::scene("rolling-wheel");
+    found.expect("a scene of the rolling wheel")
 }
 
 fn set(settings: &[(&str, f64)]) -> Player {

@@ -11,11 +11,7 @@ use std::f64::consts::TAU;
 const SPIN: f64 = 0.45;
 
 fn scene() -> &'static Scene {
-    live::scenes()
-        .iter()
-        .map(|(scene, _)| *scene)
-        .find(|scene| scene.name == "space-station")
-        .expect("the scene")
+    live::scene("space-station").expect("the scene")
 }
 
 fn played(settings: &[(&str, f64)]) -> Player {

@@ -13,8 +13,8 @@ const A: f64 = 0.0375;
 const G: f64 = 9.81;
 
 fn scene() -> &'static Scene {
-    let found = live::scenes().iter().find(|(scene, _)| scene.name == "spinning-coin");
-    found.expect("a scene of the spinning coin").0
+    let found = live::scene("spinning-coin");
+    found.expect("a scene of the spinning coin")
 }
 
 fn set(settings: &[(&str, f64)]) -> Player {

@@ -7,11 +7,7 @@ use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 fn scene() -> &'static Scene {
-    live::scenes()
-        .iter()
-        .map(|(scene, _)| *scene)
-        .find(|scene| scene.name == "wobble-plate")
-        .expect("the scene")
+    live::scene("wobble-plate").expect("the scene")
 }
 
 fn played(settings: &[(&str, f64)]) -> Player {

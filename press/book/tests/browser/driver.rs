@@ -77,7 +77,8 @@ impl Browser {
     /// Asks for something and waits for the answer; `Err` is what the browser says against it.
     fn ask(&mut self, session: &str, method: &str, params: Value) -> Result<Value, String> {
         self.asked += 1;
-        let mut message = json!({ "id": self.asked, "method": method, "params": params });
+        let mut message = json!({ "id": self.asked, "method": method });
+        message["params"] = params;
         if !session.is_empty() {
             message["sessionId"] = session.into();
         }
@@ -188,7 +189,8 @@ impl Page<'_> {
 
     /// Waits until the page has shown its present state and one more.
     pub(crate) fn settle(&mut self) {
-        self.get("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done))))");
+        let twice = "requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))";
+        self.get(&format!("new Promise((done) => {twice})"));
     }
 
     /// Moves, presses or releases the mouse at a point of the window.
@@ -236,7 +238,8 @@ impl Page<'_> {
             _ => panic!("nobody knows the key {key}"),
         };
         let name = if key == " " { "Space" } else { key };
-        let mut event = json!({ "type": "keyDown", "key": key, "code": name, "windowsVirtualKeyCode": code, "text": text });
+        let mut event = json!({ "type": "keyDown", "key": key, "code": name, "text": text });
+        event["windowsVirtualKeyCode"] = code.into();
         self.tell("Input.dispatchKeyEvent", event.clone());
         event["type"] = "keyUp".into();
         self.tell("Input.dispatchKeyEvent", event);

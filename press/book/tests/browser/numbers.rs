@@ -2,7 +2,7 @@
 
 use super::{Means, WIDE, act, address, open};
 use module::snippets::{SNIPPETS, Snippet};
-use serde_json::json;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 /// The snippets with live numbers and their places among all, page by page: `turning/index.html`.
@@ -40,14 +40,10 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                     );
                     page.wait(&format!("{range}.value !== {}", json!(before)));
                     let live = page.get(&format!(
-                        "[...{panel}.querySelectorAll('.number input[type=number]')].map((field) => Number(field.value))"
+                        "[...{panel}.querySelectorAll('.number input[type=number]')].map((field) => +field.value)"
                     ));
-                    let live: Vec<f64> = live
-                        .as_array()
-                        .expect("numbers")
-                        .iter()
-                        .filter_map(|number| number.as_f64())
-                        .collect();
+                    let live: Vec<f64> =
+                        live.as_array().expect("numbers").iter().filter_map(Value::as_f64).collect();
                     let at = format!("{} with {live:?}", snippet.place);
                     let lines = snippet.run(&live);
                     let (printed, rest) = lines.split_at(snippet.printed.len());
@@ -65,15 +61,15 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                     );
                     assert!(checks.is_empty() || signs.contains(&true), "{at}");
                     page.wait(&format!(
-                        "JSON.stringify([...{panel}.querySelectorAll('li')].map((check) => check.className)) === {}",
+                        "JSON.stringify([...{panel}.querySelectorAll('li')].map((node) => node.className)) === {}",
                         json!(classes.to_string())
                     ));
                     let shown = page.get(&format!(
                         "[...{panel}.querySelectorAll('dd > output')].map((output) => output.textContent)"
                     ));
                     for (own, shown) in printed.iter().zip(shown.as_array().expect("texts")) {
-                        let own =
-                            own.trim_start_matches('=').replace('-', "−").replace('e', "\u{202f}×\u{202f}10");
+                        let own = own.trim_start_matches('=').replace('-', "−");
+                        let own = own.replace('e', "\u{202f}×\u{202f}10");
                         let own = if own.is_empty() { "–".to_owned() } else { own };
                         assert!(alike(&own, shown.as_str().unwrap_or_default()), "{at}: {shown}, not {own}");
                     }
@@ -83,7 +79,8 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
             }
             act(&mut page, Means::Mouse, &format!("{panel}.querySelector('.reset')"), 0.5, "");
             let shown = format!(
-                "[...{panel}.querySelectorAll('dd > output')].every((output) => output.dataset.value.replaceAll('-', '−').replace(/e(−?\\d+)/g, '\\u202f×\\u202f10$1') === output.textContent)"
+                "[...{panel}.querySelectorAll('dd > output')].every((output) => output.textContent === \
+                 output.dataset.value.replaceAll('-', '−').replace(/e(−?\\d+)/g, '\\u202f×\\u202f10$1'))"
             );
             page.wait(&shown);
         }

@@ -20,9 +20,11 @@ const PHONE: [u32; 2] = [360, 800];
 /// What the tests ask of a page, before its own scripts run.
 const EYES: &str = r#"
 addEventListener('DOMContentLoaded', () => {
-  window.stills = [...document.querySelectorAll('figure.scene .drawing > svg')].map((svg) => [...svg.children].map((node) => node.outerHTML));
+  window.svgs = [...document.querySelectorAll('figure.scene .drawing > svg')];
+  window.stills = svgs.map(lines);
 });
-window.seen = (figure) => [...figure.querySelectorAll('.drawing > svg')].find((svg) => svg.getClientRects().length > 0);
+window.lines = (svg) => [...svg.children].map((node) => node.outerHTML);
+window.seen = (figure) => svgs.find((svg) => figure.contains(svg) && svg.getClientRects().length > 0);
 // Whether two drawings are the same up to a fiftieth of a pixel, and if not the first line that differs.
 window.unlike = (one, other) => {
   const number = /-?\d+(\.\d+)?/g;
@@ -31,13 +33,15 @@ window.unlike = (one, other) => {
   const path = (line) => {
     const node = document.createElementNS('http://www.w3.org/2000/svg', 'path');
     node.setAttribute('d', / d="([^"]*)"/.exec(line)?.[1] ?? '');
-    return { length: node.getTotalLength(), at: (part) => node.getPointAtLength(part * node.getTotalLength()) };
+    const length = node.getTotalLength();
+    return { length, at: (part) => node.getPointAtLength(part * length) };
   };
   const isNear = (a, b) => {
     if (a.replace(/ d="[^"]*"/, '') !== b.replace(/ d="[^"]*"/, '')) return false;
     const [x, y] = [path(a), path(b)];
     const away = (part) => Math.hypot(x.at(part).x - y.at(part).x, x.at(part).y - y.at(part).y);
-    return Math.abs(x.length - y.length) < 0.005 * x.length && [...Array(51).keys()].every((k) => away(k / 50) < 1);
+    const isAlong = [...Array(51).keys()].every((k) => away(k / 50) < 1);
+    return Math.abs(x.length - y.length) < 0.005 * x.length && isAlong;
   };
   return one.map((line, index) => [line, other[index]]).find(([a, b]) => {
     const [x, y] = [a, b].map((line) => (line.match(number) ?? []).map(Number));
@@ -45,15 +49,18 @@ window.unlike = (one, other) => {
     return !isSame && !isNear(a, b);
   })?.join('\n') ?? '';
 };
-window.still = (figure) => stills[[...document.querySelectorAll('figure.scene .drawing > svg')].indexOf(seen(figure))];
-window.drawn = (figure) => [...seen(figure).children].map((node) => node.outerHTML);
+window.still = (figure) => stills[svgs.indexOf(seen(figure))];
+window.drawn = (figure) => lines(seen(figure));
 window.asked = 0;
 const ask = requestAnimationFrame.bind(window);
 window.requestAnimationFrame = (act) => { asked += 1; return ask(act); };
 window.frames = async (count) => { for (let k = 0; k < count; k += 1) await new Promise(ask); };
 window.shifted = [];
 new PerformanceObserver((list) => {
-  for (const entry of list.getEntries()) for (const { node } of entry.sources) if (node?.nodeType === 1 && node.parentElement.closest('figure.scene') && !node.closest('dd, output, math')) shifted.push(`${node.nodeName} ${node.className}`);
+  for (const { node } of list.getEntries().flatMap((entry) => entry.sources)) {
+    const isBlock = node?.nodeType === 1 && !node.closest('dd, output, math');
+    if (isBlock && node.parentElement.closest('figure.scene')) shifted.push(`${node.nodeName} ${node.className}`);
+  }
 }).observe({ type: 'layout-shift', buffered: true });
 "#;
 

@@ -1,7 +1,7 @@
 //! A reader's hand: what tests do with a scene.
 
 use drawing::Point;
-use live::{Kind, Moment, Player, Room, scenes};
+use live::{Kind, Moment, Player, Room};
 
 /// A scene in use.
 pub(crate) struct Hand {
@@ -12,7 +12,7 @@ pub(crate) struct Hand {
 impl Hand {
     /// A scene with some settings changed.
     pub(crate) fn with(name: &str, settings: &[(&str, f64)]) -> Self {
-        let (scene, _) = scenes().iter().find(|(scene, _)| scene.name == name).expect("no such scene");
+        let scene = live::scene(name).expect("no such scene");
         let player = Player::new(scene).and_then(|player| player.changed(settings)).unwrap();
         let [azimuth, elevation] = scene.view.unwrap_or_default();
         let mut hand = Self { player, last: Moment { time: 0.0, azimuth, elevation, room: Room::Wide } };
