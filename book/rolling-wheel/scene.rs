@@ -8,12 +8,11 @@ use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at, clip};
 use mechanics::InvalidQuantity;
-use mechanics::integrate::{Dop853, Taylor};
+use mechanics::integrate::{Failure, Taylor, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel, Wobble};
 use nalgebra::{Complex, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use std::ops::ControlFlow;
 use std::sync::LazyLock;
 
 pub(crate) const SCENE: Scene = Scene {
@@ -155,7 +154,7 @@ impl Rolled {
             (Some(_), true, Some(kicked)) if loss == 0.0 => Course::Wobbling { kicked },
             (Some(_), _, None) if loss == 0.0 => Course::Steady,
             (Some(_), false, _) if loss == 0.0 && push == 0.0 => Course::Steady,
-            _ => Course::Followed(followed(&wheel, start, loss, kicked.map(|time| (time, push)))?),
+            _ => Course::Followed(followed(&wheel, start, loss, kicked.map(|time| (time, push)))),
         };
         let mut rolled = Self {
             wheel,
@@ -184,10 +183,10 @@ impl Rolled {
             before = after;
         }
         // What a kick would do is shown before it is given.
-        if let Some(wobble) = rolled.wobble.clone().filter(|_| loss == 0.0) {
-            for k in 0..=120 {
-                rolled.widen(&wobble.at(wobble.period() * f64::from(k) / 120.0)?);
-            }
+        for k in 0..=120 {
+            let Some(wobble) = rolled.wobble.as_ref().filter(|_| loss == 0.0) else { break };
+            let state = wobble.at(wobble.period() * f64::from(k) / 120.0)?;
+            rolled.widen(&state);
         }
         Ok(rolled)
     }
@@ -226,7 +225,8 @@ impl Rolled {
                 if before == last || since <= 0.0 {
                     return Ok(states[before]);
                 }
-                Ok(follow(&self.wheel, self.loss, states[before], since, 1)?[1])
+                let now = rolled_on(&self.wheel, self.loss, &states[before], since);
+                Ok(now.ok().filter(|now| !is_flat(now)).unwrap_or(states[before + 1]))
             }
             _ => Ok(steady(time)),
         }
@@ -250,51 +250,34 @@ fn is_flat(state: &Rolling) -> bool {
     state.tilt.min(PI - state.tilt) < FLAT
 }
 
-/// So many steps of a length, s, and where they begin; fewer if the wheel lies flat before.
-fn follow(wheel: &Wheel, loss: f64, start: Rolling, step: f64, count: usize) -> Result<Vec<Rolling>, Cause> {
+/// The state after a time of one [`STEP`] at most, s.
+fn rolled_on(wheel: &Wheel, loss: f64, state: &Rolling, time: f64) -> Result<Rolling, Failure> {
     let rates = |t: f64, state: &[f64; 8]| wheel.slowed_rates(loss, t, state);
-    let end = step * count as f64;
-    let mut states = vec![start];
-    Dop853::new(1e-9)?.solve_with(rates, 0.0, start.to_array(), end, |piece| {
-        loop {
-            let time = (states.len() as f64 * step).min(end);
-            if time > piece.end() {
-                return ControlFlow::Continue(());
-            }
-            let state = Rolling::from_array(piece.at(time));
-            states.push(state);
-            if states.len() > count || is_flat(&state) {
-                return ControlFlow::Break(());
-            }
-        }
-    })?;
-    Ok(states)
+    Ok(Rolling::from_array(rk4(rates, 0.0, state.to_array(), time, 10)?))
 }
 
 /// The motion step by step, [`STEP`] apart, with a kick at a time of a strength, to the end of the run or until the
 /// wheel lies flat, where it comes to rest.
-fn followed(
-    wheel: &Wheel,
-    start: Rolling,
-    loss: f64,
-    kick: Option<(f64, f64)>,
-) -> Result<Vec<Rolling>, Cause> {
-    let whole = (DURATION / STEP).round() as usize;
-    let (time, push) = kick.unwrap_or((DURATION, 0.0));
-    let before = ((time / STEP).round() as usize).min(whole);
-    let mut states = follow(wheel, loss, start, STEP, before)?;
-    let mut last = states[states.len() - 1];
-    if !is_flat(&last) {
-        last.omega_1 += push;
-        states.pop();
-        states.extend(follow(wheel, loss, last, STEP, whole - before)?);
-        last = states[states.len() - 1];
+fn followed(wheel: &Wheel, mut now: Rolling, loss: f64, kick: Option<(f64, f64)>) -> Vec<Rolling> {
+    let mut states = Vec::new();
+    for k in 0..(DURATION / STEP).round() as u32 {
+        if let Some((time, push)) = kick
+            && (time / STEP).round() == f64::from(k)
+        {
+            now.omega_1 += push;
+        }
+        states.push(now);
+        // What has no next state has fallen through the table.
+        let next = rolled_on(wheel, loss, &now, STEP).ok().filter(|next| !is_flat(next));
+        let Some(next) = next else {
+            let tilt = if now.tilt < FRAC_PI_2 { FLAT } else { PI - FLAT };
+            states.push(Rolling { tilt, omega_1: 0.0, omega_2: 0.0, omega_3: 0.0, ..now });
+            return states;
+        };
+        now = next;
     }
-    if is_flat(&last) {
-        states.pop();
-        states.push(Rolling { omega_1: 0.0, omega_2: 0.0, omega_3: 0.0, ..last });
-    }
-    Ok(states)
+    states.push(now);
+    states
 }
 
 /// Where the parts of the picture stand.

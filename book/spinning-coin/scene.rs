@@ -410,8 +410,8 @@ impl Motion for Spinning {
                 let cos = tilt.cos();
                 format!(
                     "In a round the contact runs {:.3} radii along the table, and as far along the rim, which has {:.3}. \
-                     What is left over, {}, is the angle by which the head has turned. The contact goes round {} times \
-                     while the head turns once.",
+                     The {} that are left over are the angle by which the head has turned. The contact goes round {} \
+                     times while the head turns once.",
                     TAU * cos,
                     TAU,
                     angle(TAU * (1.0 - cos)),
