@@ -75,7 +75,7 @@ fn the_words_say_who_wins_and_what_is_left_by_then() {
         let left = 100.0 * 0.1_f64.powf((ratio * drag - 1.0).abs().recip());
         match percentage(&words) {
             Some(found) => {
-                assert!((found - left).abs() <= if left < 1.0 { 0.006 } else { 0.51 }, "{left}: {words}")
+                assert!((found - left).abs() <= if left < 1.0 { 0.006 } else { 0.51 }, "{left}: {words}");
             }
             None => assert!(left < 0.0101 && words.contains("next to nothing"), "{left}: {words}"),
         }

@@ -147,7 +147,7 @@ fn every_scene_moves_and_has_a_still() {
         }
         assert!(scene.size[1][0] <= 400.0, "{}: a phone has no room for {:?} px", scene.name, scene.size[1]);
         let still = player.still().expect("a still");
-        let smallest = still.all_parts().into_iter().flat_map(|part| part.items()).filter_map(|item| {
+        let smallest = still.all_parts().into_iter().flat_map(Drawing::items).filter_map(|item| {
             match &item.shape {
                 Shape::Label(label) => Some(label.size),
                 _ => None,
