@@ -31,7 +31,6 @@ pub fn written(value: f64, form: Form, unit: &str) -> String {
         Form::Power(_) if value == 0.0 => "0".into(),
         // What is no drift is written as usual.
         Form::Power(digits) if (0.1..1000.0).contains(&value.abs()) => format!("{value:.digits$}"),
-        Form::Power(digits) => format!("{value:.*e}", digits.saturating_sub(1)),
         Form::Power(digits) | Form::Digits(digits) => format!("{value:.*e}", digits.saturating_sub(1)),
     };
     let number = match number.split_once('e') {
