@@ -389,7 +389,7 @@ impl Motion for Throw {
         let count = self.wobbles_a_turn();
         let mut words = format!(
             "The axis goes round {count:.2} times while the body turns once about it: a wobble every \
-             {period:.2}\u{a0}s. "
+             {period:.2} s. "
         );
         words += &match self.ratio {
             1.0 => "All moments are equal, so L lies along ω and stands still with it: it turns about \
