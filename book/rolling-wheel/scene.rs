@@ -1,20 +1,19 @@
 //! The scene of the chapter "The rolling wheel": a wheel on its circle is kicked.
 
 use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, point_at,
-    value_at,
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, point_at, value_at,
 };
 use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at, clip};
-use mechanics::Error;
-use mechanics::integrate::{Dop853, Taylor};
-use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
-use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel, Wobble};
+use mechanics::rolling::{MomentFactors, Rolling};
 use nalgebra::{Complex, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use std::ops::ControlFlow;
 use std::sync::LazyLock;
+
+#[path = "scene/rolled.rs"]
+mod rolled;
+use rolled::{Course, GRAVITY, MASS, RADIUS, Rolled, is_flat, wheel};
 
 pub(crate) const SCENE: Scene = Scene {
     name: "rolling-wheel",
@@ -26,7 +25,7 @@ pub(crate) const SCENE: Scene = Scene {
     question: "Take a circle and a lean on the map, and kick the wheel. Where does the kick stay as small as it was, \
                where does it grow, and what becomes of the circle then? And why do circles get smaller?",
     size: [[660.0, 440.0], [380.0, 550.0]],
-    view: Some([-1.15, 0.6]),
+    view: Some([-1.3, 0.6]),
     still: 2.35,
     controls: &[
         Control::slider("circle", r"radius of the centre's circle, $b/a$", [-0.2, 4.0, 0.01], "", 1.0),
@@ -38,7 +37,11 @@ pub(crate) const SCENE: Scene = Scene {
     ],
     presets: &[
         Preset { words: "inside the tongue", settings: &[("lean", 12.0), ("circle", 0.8), ("push", 0.1)] },
-        Preset { words: "above its tip", settings: &[("lean", 20.0), ("circle", 0.6), ("push", 0.05)] },
+        Preset { words: "above its tip", settings: &[("lean", 26.0), ("circle", 0.8), ("push", 0.1)] },
+        Preset {
+            words: "the same, a strong kick",
+            settings: &[("lean", 26.0), ("circle", 0.8), ("push", 1.0)],
+        },
         Preset { words: "a wide circle", settings: &[("lean", 10.0), ("circle", 4.0), ("push", 0.3)] },
         Preset {
             words: "slowing down: the spiral",
@@ -58,15 +61,6 @@ pub(crate) const SCENE: Scene = Scene {
     start: |settings| Ok(Box::new(Rolled::new(settings)?)),
 };
 
-/// The wheel: a disc or a hoop of this mass, kg, and radius, m, on Earth.
-const MASS: f64 = 1.0;
-const RADIUS: f64 = 0.3;
-const GRAVITY: f64 = 9.81;
-/// How long the scene runs, s, and how far apart its track is known, s.
-const DURATION: f64 = 20.0;
-const STEP: f64 = 1.0 / 60.0;
-/// A wheel that is slowed or falls is followed down to this tilt from lying flat, rad.
-const FLAT: f64 = 0.05;
 /// How much of the track is drawn heavy, s.
 const RECENT: f64 = 3.0;
 /// A track that reaches further from its middle, in radii, is not shown whole: the eye goes with the wheel.
@@ -76,199 +70,23 @@ const LONGEST: f64 = 2.5;
 /// Half its thickness, in radii.
 const HALF: f64 = 0.045;
 
-static WHEELS: LazyLock<[Option<Wheel>; 2]> = LazyLock::new(|| {
-    [MomentFactors::DISK, MomentFactors::HOOP].map(|moments| {
-        Wheel::new(DiskParameters { mass: MASS, radius: RADIUS, moments, gravity: GRAVITY }).ok()
-    })
-});
-
 /// The border of the tongue for both wheels: the largest unstable lean, degrees, for each b/a.
 static TONGUES: [LazyLock<Vec<(f64, f64)>>; 2] = [LazyLock::new(|| tongue(0)), LazyLock::new(|| tongue(1))];
 
 fn tongue(which: usize) -> Vec<(f64, f64)> {
-    let is_unstable = |circle: f64, lean: f64| {
-        let steady = WHEELS[which].map(|wheel| wheel.steady(lean.to_radians(), circle * RADIUS));
-        matches!(steady, Some(Ok(steady)) if !steady.is_stable())
-    };
+    let Ok(wheel) = wheel(which) else { return Vec::new() };
     let border = |step: u32| {
         // Closer together where the tongue rises steeply.
         let circle = 4.0 * (f64::from(step) / 50.0).powi(3);
         let (mut low, mut high) = (0.0, 25.0);
         for _ in 0..14 {
-            let middle = 0.5 * (low + high);
-            *(if is_unstable(circle, middle) { &mut low } else { &mut high }) = middle;
+            let middle: f64 = 0.5 * (low + high);
+            let steady = wheel.steady(middle.to_radians(), circle * RADIUS);
+            *(if steady.is_ok_and(|steady| !steady.is_stable()) { &mut low } else { &mut high }) = middle;
         }
         (circle, low)
     };
     (1..=50).map(border).collect()
-}
-
-/// How the motion is known.
-enum Course {
-    /// It is steady.
-    Steady,
-    /// It is steady up to a kick, and wobbles from then on.
-    Wobbling { kicked: f64 },
-    /// It was followed step by step, the states being [`STEP`] apart, until it lay flat at the time of the last.
-    Followed(Vec<Rolling>),
-}
-
-/// A wheel, and how it rolls.
-struct Rolled {
-    wheel: Wheel,
-    which: usize,
-    lean: f64,
-    circle: f64,
-    push: f64,
-    loss: f64,
-    steady: Option<SteadyRolling>,
-    /// What the kick makes of the steady motion, if the lean swings.
-    wobble: Option<Wobble>,
-    course: Course,
-    start: Rolling,
-    /// The states of the run, [`STEP`] apart.
-    states: Vec<Rolling>,
-    /// The smallest and the largest lean of the run, and the largest energy of the rate of lean, in mga.
-    swings: [f64; 2],
-    liveliest: f64,
-}
-
-impl Rolled {
-    fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let which = settings.choice("wheel")?;
-        let wheel = WHEELS[which].ok_or("there is no such wheel")?;
-        let (lean, circle) = (settings.of("lean")?.to_radians(), settings.of("circle")?);
-        let (push, loss, kicked) = (settings.of("push")?, settings.of("loss")?, settings.pressed("kick")?);
-        let steady = wheel.steady(lean, circle * RADIUS).ok();
-        let rest = Rolling { tilt: FRAC_PI_2 - lean, ..Rolling::UPRIGHT };
-        let start = steady.map_or(rest, |steady| steady.state());
-        let kick = |state: Rolling| Rolling { omega_1: state.omega_1 + push, ..state };
-        let wobble = steady.filter(|_| push != 0.0).and_then(|steady| {
-            let start = kick(steady_at(&steady, kicked.unwrap_or(0.0)));
-            wheel.wobble(start, &Taylor::new(1e-13).ok()?).ok()
-        });
-        let course = match (steady, wobble.is_some(), kicked) {
-            (Some(_), true, Some(kicked)) if loss == 0.0 => Course::Wobbling { kicked },
-            (Some(_), _, None) if loss == 0.0 => Course::Steady,
-            (Some(_), false, _) if loss == 0.0 && push == 0.0 => Course::Steady,
-            _ => Course::Followed(followed(&wheel, start, loss, kicked.map(|time| (time, push)))?),
-        };
-        let unknown = f64::NAN;
-        let mut rolled = Self {
-            wheel,
-            which,
-            lean,
-            circle,
-            push,
-            loss,
-            steady,
-            wobble,
-            course,
-            start,
-            states: Vec::new(),
-            swings: [unknown; 2],
-            liveliest: 0.0,
-        };
-        let count = (rolled.run().duration / STEP).round() as u32;
-        rolled.states = (0..=count).map(|k| rolled.at(f64::from(k) * STEP)).collect::<Result<_, _>>()?;
-        // What a kick would do is shown before it is given.
-        let coming = wobble_states(rolled.wobble.as_ref().filter(|_| rolled.loss == 0.0))?;
-        let mut swings = [lean; 2];
-        for state in rolled.states.iter().chain(&coming) {
-            swings = [swings[0].min(state.lean()), swings[1].max(state.lean())];
-            rolled.liveliest = rolled.liveliest.max(rolled.energy_of_rate(state.omega_1));
-        }
-        rolled.swings = swings;
-        Ok(rolled)
-    }
-
-    /// The energy of a rate of lean, in mga: ½(1 + I₁)θ̇² a/g.
-    fn energy_of_rate(&self, rate: f64) -> f64 {
-        let swinging = Rolling { omega_1: rate, ..Rolling::UPRIGHT };
-        (self.wheel.energy(&swinging) - self.wheel.energy(&Rolling::UPRIGHT)) / (MASS * GRAVITY * RADIUS)
-    }
-
-    fn at(&self, time: f64) -> Result<Rolling, Error> {
-        let steady = |time: f64| self.steady.map_or(self.start, |steady| steady_at(&steady, time));
-        match (&self.course, &self.wobble) {
-            (Course::Wobbling { kicked }, Some(wobble)) if time >= *kicked => Ok(wobble.at(time - kicked)?),
-            (Course::Followed(states), _) => {
-                let last = states.len() - 1;
-                let before = ((time / STEP) as usize).min(last);
-                let since = time - before as f64 * STEP;
-                if before == last || since <= 0.0 {
-                    return Ok(states[before]);
-                }
-                let rates = |t: f64, state: &[f64; 8]| self.wheel.slowed_rates(self.loss, t, state);
-                let end = Dop853::new(1e-9)?.solve(rates, 0.0, states[before].to_array(), since)?;
-                Ok(Rolling::from_array(end.state))
-            }
-            _ => Ok(steady(time)),
-        }
-    }
-
-    /// b/a and the lean, degrees, of a state: where it stands on the map. For a wheel that does not turn b is infinite.
-    fn on_map(state: &Rolling) -> (f64, f64) {
-        (state.omega_3 * state.tilt.sin() / state.omega_2, state.lean().to_degrees())
-    }
-}
-
-/// The steady motion at a time, s.
-fn steady_at(steady: &SteadyRolling, time: f64) -> Rolling {
-    let state = steady.state();
-    let heading = steady.turn_rate() * time;
-    let centre = state.centre * Complex::cis(heading);
-    Rolling { heading, roll_angle: steady.relative_spin() * time, centre, ..state }
-}
-
-/// One wobble, from the kick on.
-fn wobble_states(wobble: Option<&Wobble>) -> Result<Vec<Rolling>, Error> {
-    let Some(wobble) = wobble else { return Ok(Vec::new()) };
-    let times: Vec<f64> = (0..=120).map(|k| wobble.period() * f64::from(k) / 120.0).collect();
-    Ok(wobble.sample(&times)?)
-}
-
-/// The motion step by step, [`STEP`] apart, with a kick at a time of a strength, to the end of the run or until the
-/// wheel lies flat.
-fn followed(
-    wheel: &Wheel,
-    start: Rolling,
-    loss: f64,
-    kick: Option<(f64, f64)>,
-) -> Result<Vec<Rolling>, Cause> {
-    let rates = |t: f64, state: &[f64; 8]| wheel.slowed_rates(loss, t, state);
-    let solver = Dop853::new(1e-9)?;
-    let mut states = vec![start];
-    let follow = |from: &mut Vec<Rolling>, to: f64| -> Result<bool, Cause> {
-        let (begin, mut is_flat) = ((from.len() - 1) as f64 * STEP, false);
-        let here = from[from.len() - 1].to_array();
-        solver.solve_with(rates, begin, here, to.max(begin), |step| {
-            while from.len() as f64 * STEP <= step.end() + 1e-9 {
-                let state = Rolling::from_array(step.at((from.len() as f64 * STEP).min(step.end())));
-                is_flat = state.tilt.min(PI - state.tilt) < FLAT;
-                from.push(if is_flat {
-                    Rolling { omega_1: 0.0, omega_2: 0.0, omega_3: 0.0, ..state }
-                } else {
-                    state
-                });
-                if is_flat {
-                    return ControlFlow::Break(());
-                }
-            }
-            ControlFlow::Continue(())
-        })?;
-        Ok(is_flat)
-    };
-    if let Some((time, push)) = kick {
-        if follow(&mut states, (time / STEP).round() * STEP)? {
-            return Ok(states);
-        }
-        if let Some(last) = states.last_mut() {
-            last.omega_1 += push;
-        }
-    }
-    follow(&mut states, DURATION)?;
-    Ok(states)
 }
 
 /// Where the parts of the picture stand.
@@ -293,6 +111,11 @@ const CIRCLES: Axis<'_> = Axis::linear([-0.5, 4.0, 1.0], r"circle $b/a$");
 const LEANS: Axis<'_> = Axis::linear([0.0, 60.0, 20.0], r"lean $\theta$, °");
 
 impl Rolled {
+    /// b/a and the lean, degrees, of a state: where it stands on the map. For a wheel that does not turn b is infinite.
+    fn on_map(state: &Rolling) -> (f64, f64) {
+        (state.omega_3 * state.tilt.sin() / state.omega_2, state.lean().to_degrees())
+    }
+
     fn draw_stage(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
         let frame = Layout::of(moment.room).stage;
         let (middle, reach) = self.reach();
@@ -309,7 +132,7 @@ impl Rolled {
             elevation: 0.0,
             distance,
             centre: frame.centre() + at(0.0, 0.02 * frame.height()),
-            scale: (0.43 * frame.width() / reach).min(0.86 * frame.height() / high),
+            scale: (0.4 * frame.width() / reach).min(0.86 * frame.height() / high),
         })?;
         let (sin, cos) = moment.elevation.sin_cos();
         let (sin_azimuth, cos_azimuth) = moment.azimuth.sin_cos();
@@ -317,7 +140,7 @@ impl Rolled {
 
         // The track lies on the table, and the wheel stands on both.
         let mut table = Stage::new(camera);
-        let corner = |way: f64| [middle.re, middle.im].map(|x| (x + way * (reach + 0.2)).round());
+        let corner = |way: f64| [middle.re, middle.im].map(|x| x + way * reach);
         table.ground(corner(-1.0), corner(1.0), 0.0, 1.0)?;
         // The circle on which the contact would run undisturbed.
         let circle = self.steady.map_or(0.0, |steady| (steady.contact_radius() / RADIUS).abs());
@@ -343,11 +166,12 @@ impl Rolled {
             let seen = camera.on_page([contact.re, contact.im, 0.0]).ok().filter(|_| near);
             seen.unwrap_or(at(f64::NAN, f64::NAN))
         };
-        let last = self.states.len() - 1;
-        let reached = ((time / STEP) as usize).min(last);
-        let recent = reached.saturating_sub((RECENT / STEP) as usize);
-        let way = |from: usize, to: usize| self.states[from..=to].iter().map(place).collect::<Vec<_>>();
-        let (coming, past, mut heavy) = (way(reached, last), way(0, recent), way(recent, reached));
+        let (recent, reached) = (self.count_to(time - RECENT), self.count_to(time));
+        let way = |from: usize, to: usize| -> Vec<Point> {
+            self.states[from - 1..to].iter().map(|(_, state)| place(state)).collect()
+        };
+        let (coming, past) = (way(reached, self.states.len()), way(1, recent));
+        let mut heavy = way(recent, reached);
         heavy.push(place(now));
         for (points, stroke) in [(coming, Stroke::Pale), (past, Stroke::Orbit), (heavy, Stroke::Curve)] {
             for piece in clip(&points, frame) {
@@ -419,15 +243,15 @@ impl Rolled {
 
     /// The middle of the track and how far it reaches from there, in radii.
     fn reach(&self) -> (Complex<f64>, f64) {
-        let places: Vec<Complex<f64>> =
-            self.states.iter().map(|state| state.contact(RADIUS) / RADIUS).collect();
-        let end =
-            |of: fn(&Complex<f64>) -> f64, pick: fn(f64, f64) -> f64| places.iter().map(of).reduce(pick);
-        let middle = |of: fn(&Complex<f64>) -> f64| {
-            0.5 * (end(of, f64::min).unwrap_or(0.0) + end(of, f64::max).unwrap_or(0.0))
-        };
-        let middle = Complex::new(middle(|place| place.re), middle(|place| place.im));
-        (middle, places.iter().map(|place| (place - middle).norm()).fold(0.0, f64::max))
+        let places = || self.states.iter().map(|(_, state)| state.contact(RADIUS) / RADIUS);
+        let (mut low, mut high) =
+            (Complex::new(f64::INFINITY, f64::INFINITY), -Complex::new(f64::INFINITY, f64::INFINITY));
+        for place in places() {
+            low = Complex::new(low.re.min(place.re), low.im.min(place.im));
+            high = Complex::new(high.re.max(place.re), high.im.max(place.im));
+        }
+        let middle = (low + high) * 0.5;
+        (middle, places().map(|place| (place - middle).norm()).fold(0.0, f64::max))
     }
 
     /// The map of circles and leans, with the tongue, this motion's way and where it is now.
@@ -443,8 +267,8 @@ impl Rolled {
         let none = [(-0.5, 60.0), (-0.5, 0.0)].into_iter().chain(border.iter().copied());
         map.area(none, Fill::Ground, Hue::Ink);
         map.curve(border, Stroke::Border, Hue::Muted);
-        let reached = ((moment.time / STEP) as usize).min(self.states.len() - 1);
-        let way = self.states[..=reached].iter().chain([now]).map(Self::on_map);
+        let past = self.states[..self.count_to(moment.time)].iter().map(|(_, state)| state);
+        let way = past.chain([now]).map(Self::on_map);
         map.curve(way, Stroke::Orbit, Hue::Blue);
         map.label((2.4, 44.0), Side::Over, "stays small", Hue::Ink)?;
         let inside = map.at((1.3, 5.5));
@@ -486,11 +310,7 @@ fn axes(state: &Rolling) -> [Vector3<f64>; 3] {
 
 impl Motion for Rolled {
     fn run(&self) -> Run {
-        let duration = match &self.course {
-            Course::Followed(states) => (states.len() - 1) as f64 * STEP,
-            _ => DURATION,
-        };
-        Run { duration: duration.max(1.0), pace: 1.0, repeats: matches!(self.course, Course::Steady) }
+        Run { duration: self.duration(), pace: 1.0, repeats: matches!(self.course, Course::Steady) }
     }
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
@@ -547,13 +367,15 @@ impl Motion for Rolled {
         };
         let kicked = match &self.wobble {
             _ if self.loss > 0.0 => self.spiral(),
-            Some(wobble) => format!(
-                "{}After the kick the lean swings between {} and {}, {:.2} times in a round.",
-                if self.is_thrown_over() { "This kick is too strong for that. " } else { "" },
-                degrees(self.swings[0]),
-                degrees(self.swings[1]),
-                TAU / wobble.heading_advance().abs(),
-            ),
+            Some(wobble) => {
+                let [low, high] = self.swings.map(degrees);
+                let (before, after) = if self.is_thrown_over() {
+                    ("This kick is too strong for that. ", ", and of the circle nothing is left".into())
+                } else {
+                    ("", format!(", {:.2} times in a round", TAU / wobble.heading_advance().abs()))
+                };
+                format!("{before}After the kick the lean swings between {low} and {high}{after}.")
+            }
             None if self.push == 0.0 => "Nothing disturbs it: it rolls so for ever.".into(),
             None => "The kick fells it.".into(),
         };
@@ -585,7 +407,7 @@ impl Motion for Rolled {
 impl Rolled {
     /// The state at the start, just after a kick that was given then.
     fn first(&self) -> Rolling {
-        self.states[0]
+        self.states[0].1
     }
 
     /// Whether the kick is not a small one of a stable motion: the lean swings by more than a radian, or far wider
@@ -598,9 +420,8 @@ impl Rolled {
 
     /// What becomes of the circle when something slows the wheel.
     fn spiral(&self) -> String {
-        let last = self.states[self.states.len() - 1];
-        if last.tilt.min(PI - last.tilt) < FLAT {
-            let time = (self.states.len() - 1) as f64 * STEP;
+        let (time, last) = self.states[self.states.len() - 1];
+        if is_flat(&last) {
             format!("{SLOWED} After {time:.1} s it lies all but flat.")
         } else {
             let (circle, lean) = Self::on_map(&last);
@@ -627,7 +448,7 @@ impl Rolled {
         let leans = Axis::linear([from.max(-90.0), to.min(90.0), step], r"lean $\theta$, °");
         let level = self.energy_of_rate(self.push);
         let depth = self.liveliest.max(level).max(2e-3);
-        let [low, high] = [(level - 1.3 * depth).min(-0.25 * depth), level + 0.8 * depth];
+        let [low, high] = [(level - 1.3 * self.liveliest).min(-0.25 * depth), level + 0.8 * depth];
         let step = nice_step((high - low) / 3.0);
         let [low, high] = [(low / step).floor() * step, (high / step).ceil() * step];
         (leans, Axis::linear([low, high, step], r"potential $V$, in $mga$"))

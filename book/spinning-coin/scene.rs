@@ -37,20 +37,20 @@ pub(crate) const SCENE: Scene = Scene {
         Preset { words: "45°", settings: &[("tilt", 0.785)] },
         Preset { words: "nearly upright", settings: &[("tilt", 1.5)] },
         Preset { words: "nearly flat", settings: &[("tilt", 0.05)] },
-        Preset { words: "going down on a film of air", settings: &[("tilt", 0.1), ("loss", 1.0)] },
-        Preset { words: "by rolling friction alone", settings: &[("tilt", 0.1), ("loss", 4.0)] },
+        Preset { words: "sinking on a film of air", settings: &[("tilt", 0.1), ("loss", 1.0)] },
+        Preset { words: "sinking by rolling friction", settings: &[("tilt", 0.1), ("loss", 4.0)] },
     ],
     readings: &[
-        Reading { words: r"tilt $\alpha$", form: Form::Power(3), unit: "rad" },
-        Reading { words: r"of the contact, $\Omega$", form: Form::Power(3), unit: "rad/s" },
-        Reading { words: "of the head", form: Form::Power(3), unit: "rad/s" },
+        Reading { words: r"tilt $\alpha$", form: Form::Digits(3), unit: "rad" },
+        Reading { words: r"rate of the contact, $\Omega$", form: Form::Digits(3), unit: "rad/s" },
+        Reading { words: "rate of the head", form: Form::Digits(3), unit: "rad/s" },
         Reading { words: "whir", form: Form::Fixed(1), unit: "Hz" },
-        Reading { words: "contact, in speeds of sound", form: Form::Power(2), unit: "" },
+        Reading { words: "contact, in speeds of sound", form: Form::Digits(2), unit: "" },
         Reading { words: "rounds so far", form: Form::Fixed(2), unit: "" },
         Reading { words: "head turned so far", form: Form::Fixed(1), unit: "°" },
-        Reading { words: "real time gone", form: Form::Power(3), unit: "s" },
-        Reading { words: "real time left", form: Form::Power(3), unit: "s" },
-        Reading { words: "slip: ink on the table less ink on the rim", form: Form::Power(1), unit: "radii" },
+        Reading { words: "real time gone", form: Form::Digits(3), unit: "s" },
+        Reading { words: "real time left", form: Form::Digits(3), unit: "s" },
+        Reading { words: "slip: ink on table less on rim", form: Form::Power(1), unit: "radii" },
     ],
     symbols: crate::symbols::SPINNING_COIN,
     start: |settings| Ok(Box::new(Spinning::new(settings)?)),
@@ -193,7 +193,7 @@ impl Layout {
 }
 
 /// The axes of the rates.
-const TILTS: Axis<'_> = Axis::log([1e-6, 1.6, 2.0], r"tilt $\alpha$, rad");
+const TILTS: Axis<'_> = Axis::log([1e-7, 1.6, 2.0], r"tilt $\alpha$, rad");
 const RATES: Axis<'_> = Axis::log([1e-4, 1e5, 3.0], "rate, rad/s");
 
 impl Spinning {
@@ -219,7 +219,7 @@ impl Spinning {
         let normal = attitude * Vector3::z();
         let contact = centre + lowest(&attitude);
         let mut stage = Stage::new(camera);
-        stage.ground([-1.5, -1.5], [1.5, 1.5], 0.0, 0.25)?;
+        stage.ground([-1.25, -1.25], [1.25, 1.25], 0.0, 0.25)?;
         stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos.max(1e-3))?, Stroke::Pale, Hue::Pink)?;
         stage.solid(Solid::disc(centre, normal, 1.0, THICK)?, Hue::Blue)?;
         if normal.dot(&(eye - centre)) > 0.5 * THICK {
@@ -335,7 +335,7 @@ impl Spinning {
         graph.level(SOUND / RADIUS, Stroke::Reference, Hue::Muted);
         graph.upright(now.coin.tilt(), Stroke::Dotted, Hue::Muted);
         for (of, hue) in rates {
-            let tilts = (0..=60).map(|k| 10_f64.powf(-6.0 + 6.19 * f64::from(k) / 60.0));
+            let tilts = (0..=60).map(|k| 10_f64.powf(-7.0 + 7.19 * f64::from(k) / 60.0));
             let values: Vec<(f64, f64)> = tilts
                 .map(|tilt| Ok((tilt, of(&SpinningCoin::new(self.parameters, tilt)?))))
                 .collect::<Result<_, InvalidQuantity>>()?;
@@ -409,9 +409,9 @@ impl Motion for Spinning {
             None => {
                 let cos = tilt.cos();
                 format!(
-                    "In a round the contact runs {:.3} radii along the table and along the rim, which has {:.3}. The {} that \
-                     are left over are the angle by which the head has turned. The contact goes round {} times while the \
-                     head turns once.",
+                    "In a round the contact runs {:.3} radii along the table, and as far along the rim, which has {:.3}. \
+                     The {} that are left over are the angle by which the head has turned. The contact goes round {} \
+                     times while the head turns once.",
                     TAU * cos,
                     TAU,
                     angle(TAU * (1.0 - cos)),

@@ -1,0 +1,207 @@
+//! How the wheel of the scene rolls.
+
+use crate::{Cause, Settings};
+use mechanics::InvalidQuantity;
+use mechanics::integrate::{Failure, Taylor, rk4};
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
+use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel, Wobble};
+use nalgebra::Complex;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The wheel: a disc or a hoop of this mass, kg, and radius, m, on Earth.
+pub(super) const MASS: f64 = 1.0;
+pub(super) const RADIUS: f64 = 0.3;
+pub(super) const GRAVITY: f64 = 9.81;
+/// How long the scene runs, s, and how far apart its track is known, s.
+const DURATION: f64 = 20.0;
+const STEP: f64 = 1.0 / 60.0;
+/// A wheel that is slowed or falls is followed down to this tilt from lying flat, rad.
+const FLAT: f64 = 0.05;
+/// Between two states that are known the wheel turns its heading by no more, rad, or they are as close as this.
+const TURN: f64 = 0.25;
+const MOST_PARTS: f64 = 12.0;
+
+/// The disc, 0, or the hoop, 1.
+pub(super) fn wheel(which: usize) -> Result<Wheel, InvalidQuantity> {
+    let moments = [MomentFactors::DISK, MomentFactors::HOOP][which];
+    Wheel::new(DiskParameters { mass: MASS, radius: RADIUS, moments, gravity: GRAVITY })
+}
+
+/// How the motion is known.
+pub(super) enum Course {
+    /// It is steady.
+    Steady,
+    /// It is steady up to a kick, and wobbles from then on.
+    Wobbling { kicked: f64 },
+    /// It was followed step by step, the states being [`STEP`] apart, until it lay flat at the time of the last.
+    Followed(Vec<Rolling>),
+}
+
+/// A wheel, and how it rolls.
+pub(super) struct Rolled {
+    pub(super) wheel: Wheel,
+    pub(super) which: usize,
+    pub(super) lean: f64,
+    pub(super) circle: f64,
+    pub(super) push: f64,
+    pub(super) loss: f64,
+    pub(super) steady: Option<SteadyRolling>,
+    /// What the kick makes of the steady motion, if the lean swings.
+    pub(super) wobble: Option<Wobble>,
+    pub(super) course: Course,
+    pub(super) start: Rolling,
+    /// The states of the run and their times, s: [`STEP`] apart, and closer where it whirls.
+    pub(super) states: Vec<(f64, Rolling)>,
+    /// The smallest and the largest lean of the run, and the largest energy of the rate of lean, in mga.
+    pub(super) swings: [f64; 2],
+    pub(super) liveliest: f64,
+}
+
+impl Rolled {
+    pub(super) fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
+        let which = settings.choice("wheel")?;
+        let wheel = wheel(which)?;
+        let (lean, circle) = (settings.of("lean")?.to_radians(), settings.of("circle")?);
+        let (push, loss, kicked) = (settings.of("push")?, settings.of("loss")?, settings.pressed("kick")?);
+        let steady = wheel.steady(lean, circle * RADIUS).ok();
+        let rest = Rolling { tilt: FRAC_PI_2 - lean, ..Rolling::UPRIGHT };
+        let start = steady.map_or(rest, |steady| steady.state());
+        let kick = |state: Rolling| Rolling { omega_1: state.omega_1 + push, ..state };
+        let wobble = steady.filter(|_| push != 0.0).and_then(|steady| {
+            let start = kick(steady_at(&steady, kicked.unwrap_or(0.0)));
+            wheel.wobble(start, &Taylor::new(1e-13).ok()?).ok()
+        });
+        let course = match (steady, wobble.is_some(), kicked) {
+            (Some(_), true, Some(kicked)) if loss == 0.0 => Course::Wobbling { kicked },
+            (Some(_), _, None) if loss == 0.0 => Course::Steady,
+            (Some(_), false, _) if loss == 0.0 && push == 0.0 => Course::Steady,
+            _ => Course::Followed(followed(&wheel, start, loss, kicked.map(|time| (time, push)))),
+        };
+        let mut rolled = Self {
+            wheel,
+            which,
+            lean,
+            circle,
+            push,
+            loss,
+            steady,
+            wobble,
+            course,
+            start,
+            states: Vec::new(),
+            swings: [lean; 2],
+            liveliest: 0.0,
+        };
+        let mut before = rolled.at(0.0)?;
+        rolled.add(0.0, before);
+        for k in 0..(rolled.duration() / STEP).round() as u32 {
+            let after = rolled.at(f64::from(k + 1) * STEP)?;
+            let parts = ((after.heading - before.heading).abs() / TURN).ceil().clamp(1.0, MOST_PARTS);
+            for part in 1..=parts as u32 {
+                let time = (f64::from(k) + f64::from(part) / parts) * STEP;
+                rolled.add(time, rolled.at(time)?);
+            }
+            before = after;
+        }
+        // What a kick would do is shown before it is given.
+        for k in 0..=120 {
+            let Some(wobble) = rolled.wobble.as_ref().filter(|_| loss == 0.0) else { break };
+            let state = wobble.at(wobble.period() * f64::from(k) / 120.0)?;
+            rolled.widen(&state);
+        }
+        Ok(rolled)
+    }
+
+    fn add(&mut self, time: f64, state: Rolling) {
+        self.states.push((time, state));
+        self.widen(&state);
+    }
+
+    /// Counts a state among those between which the lean swings.
+    fn widen(&mut self, state: &Rolling) {
+        let [low, high] = self.swings;
+        self.swings = [low.min(state.lean()), high.max(state.lean())];
+        self.liveliest = self.liveliest.max(self.energy_of_rate(state.omega_1));
+    }
+
+    /// How long the run is, s.
+    pub(super) fn duration(&self) -> f64 {
+        match &self.course {
+            Course::Followed(states) => ((states.len() - 1) as f64 * STEP).max(1.0),
+            _ => DURATION,
+        }
+    }
+
+    /// How many of the states come before a time, s, or at it; at least one.
+    pub(super) fn count_to(&self, time: f64) -> usize {
+        self.states.partition_point(|(own, _)| *own <= time).max(1)
+    }
+
+    /// The energy of a rate of lean, in mga: ½(1 + I₁)θ̇² a/g.
+    pub(super) fn energy_of_rate(&self, rate: f64) -> f64 {
+        let swinging = Rolling { omega_1: rate, ..Rolling::UPRIGHT };
+        (self.wheel.energy(&swinging) - self.wheel.energy(&Rolling::UPRIGHT)) / (MASS * GRAVITY * RADIUS)
+    }
+
+    /// The state at a time, s.
+    pub(super) fn at(&self, time: f64) -> Result<Rolling, Cause> {
+        let steady = |time: f64| self.steady.map_or(self.start, |steady| steady_at(&steady, time));
+        match (&self.course, &self.wobble) {
+            (Course::Wobbling { kicked }, Some(wobble)) if time >= *kicked => Ok(wobble.at(time - kicked)?),
+            (Course::Followed(states), _) => {
+                let last = states.len() - 1;
+                let before = ((time / STEP) as usize).min(last);
+                let since = time - before as f64 * STEP;
+                if before == last || since <= 0.0 {
+                    return Ok(states[before]);
+                }
+                let now = rolled_on(&self.wheel, self.loss, &states[before], since);
+                Ok(now.ok().filter(|now| !is_flat(now)).unwrap_or(states[before + 1]))
+            }
+            _ => Ok(steady(time)),
+        }
+    }
+}
+
+/// The steady motion at a time, s.
+fn steady_at(steady: &SteadyRolling, time: f64) -> Rolling {
+    let state = steady.state();
+    let heading = steady.turn_rate() * time;
+    let centre = state.centre * Complex::cis(heading);
+    Rolling { heading, roll_angle: steady.relative_spin() * time, centre, ..state }
+}
+
+/// Whether the wheel has fallen.
+pub(super) fn is_flat(state: &Rolling) -> bool {
+    state.tilt.min(PI - state.tilt) < FLAT
+}
+
+/// The state after a time of one [`STEP`] at most, s.
+fn rolled_on(wheel: &Wheel, loss: f64, state: &Rolling, time: f64) -> Result<Rolling, Failure> {
+    let rates = |t: f64, state: &[f64; 8]| wheel.slowed_rates(loss, t, state);
+    Ok(Rolling::from_array(rk4(rates, 0.0, state.to_array(), time, 10)?))
+}
+
+/// The motion step by step, [`STEP`] apart, with a kick at a time of a strength, to the end of the run or until the
+/// wheel lies flat, where it comes to rest.
+fn followed(wheel: &Wheel, mut now: Rolling, loss: f64, kick: Option<(f64, f64)>) -> Vec<Rolling> {
+    let mut states = Vec::new();
+    for k in 0..(DURATION / STEP).round() as u32 {
+        if let Some((time, push)) = kick
+            && (time / STEP).round() == f64::from(k)
+        {
+            now.omega_1 += push;
+        }
+        states.push(now);
+        // What has no next state has fallen through the table.
+        let next = rolled_on(wheel, loss, &now, STEP).ok().filter(|next| !is_flat(next));
+        let Some(next) = next else {
+            let tilt = if now.tilt < FRAC_PI_2 { 0.9 * FLAT } else { PI - 0.9 * FLAT };
+            states.push(Rolling { tilt, omega_1: 0.0, omega_2: 0.0, omega_3: 0.0, ..now });
+            return states;
+        };
+        now = next;
+    }
+    states.push(now);
+    states
+}
