@@ -403,3 +403,15 @@ fn a_body_that_turns_exactly_along_or_across_its_axis_keeps_doing_so() {
         assert_eq!(top.axis_trend() == AxisTrend::Unchanged, ratio == 1.0);
     }
 }
+
+#[test]
+fn the_checks_of_the_page_are_tight_at_its_own_numbers() {
+    // A reader can change the time there, so the page must leave room.
+    let moments = Body::thin_disk(0.175, 0.137).unwrap().moments();
+    let frisbee = dragged(moments, Drag::isotropic(1e-4), Vector3::new(12.0, 0.0, 40.0));
+    let [i1, _, i3] = moments.to_array();
+    let spin = 40.0 * (-1e-4 * 10.0 / i3).exp();
+    assert_relative_eq!(frisbee.at(10.0).unwrap().z, spin, max_relative = 1e-14);
+    let tangent = 12.0 / 40.0 * (-1e-4 * (i3 - i1) / (i1 * i3) * 10.0).exp();
+    assert_relative_eq!(frisbee.axis_angle(10.0).unwrap(), tangent.atan(), max_relative = 1e-14);
+}

@@ -273,3 +273,19 @@ fn a_coin_that_keeps_its_face_shows_no_other_at_any_time() {
         }
     }
 }
+
+#[test]
+fn the_checks_of_the_page_are_tight_at_its_own_numbers() {
+    // A reader can change these numbers there, so the page must leave room.
+    let toss = tossed(coin(), 240.0, 0.49 * 240.0);
+    let (psi, rate) = (toss.momentum_angle(), toss.precession_rate());
+    let height = psi.cos().powi(2) + psi.sin().powi(2) * (rate * 0.1).cos();
+    assert_relative_eq!(toss.normal_height(0.1).unwrap(), height, epsilon = 1e-13);
+    assert_relative_eq!(toss.lowest_normal(), (2.0 * psi).cos(), epsilon = 1e-15);
+
+    let ratio = ratio_for_probability(coin(), 0.508).unwrap();
+    let toss = tossed(coin(), 240.0, ratio * 240.0);
+    let times = (0..10_000).map(|n| 1e-4 * f64::from(n));
+    let same = times.filter(|&time| toss.normal_height(time).unwrap() > 0.0).count();
+    assert!((same as f64 / 1e4 - 0.508).abs() < 0.005);
+}

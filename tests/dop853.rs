@@ -116,8 +116,8 @@ fn integration_backwards_undoes_integration_forwards() {
 
 #[test]
 fn the_last_of_the_times_is_never_missed() {
-    // Each step of a gentle motion is several times as long as all before, and what the last one's start and length add up
-    // to is often the number beside its end.
+    // Each step of a gentle motion is several times as long as all before, and what the last one's start and
+    // length add up to is often the number beside its end.
     let gentle = |_t: f64, &[x]: &[f64; 1]| [-1e-3 * x];
     let solver = Dop853::new(1e-9).unwrap().with_first_step(1e-3);
     for n in 1..3000 {

@@ -43,15 +43,18 @@ pub(crate) const SCENE: Scene = Scene {
         Preset { words: "a disc, equal drags", settings: &[] },
         Preset { words: "a Frisbee", settings: &[("ratio", 2.0), ("drag", 10.0)] },
         Preset { words: "a rough rim", settings: &[("ratio", 2.0), ("drag", 0.1)] },
-        Preset { words: "as thick as wide", settings: &[("ratio", 1.0)] },
+        Preset { words: "neither flat nor long", settings: &[("ratio", 1.0)] },
         Preset { words: "a pencil", settings: &[("ratio", 0.0024), ("drag", 81.0), ("lean", 6.0)] },
-        Preset { words: "with feathers", settings: &[("ratio", 0.0024), ("drag", 1500.0), ("lean", 20.0)] },
+        Preset {
+            words: "vanes at its ends",
+            settings: &[("ratio", 0.0024), ("drag", 1500.0), ("lean", 20.0)],
+        },
     ],
     readings: &[
         Reading { words: "spin that is left", form: Form::Fixed(1), unit: "%" },
         Reading { words: r"lean of the axis from $\boldsymbol{L}$", form: Form::Fixed(1), unit: "°" },
-        Reading { words: r"wobble decays at $C_1/I_1$", form: Form::Fixed(3), unit: "/s" },
-        Reading { words: r"spin decays at $C_3/I_3$", form: Form::Fixed(3), unit: "/s" },
+        Reading { words: r"rate at which the wobble decays, $C_1/I_1$", form: Form::Fixed(3), unit: "/s" },
+        Reading { words: r"rate at which the spin decays, $C_3/I_3$", form: Form::Fixed(3), unit: "/s" },
         Reading {
             words: r"turns of $\boldsymbol\omega$ about the axis, on board",
             form: Form::Fixed(1),
@@ -245,7 +248,7 @@ impl Slowing {
         map.label(line(1.0)[1], Side::Right, "0", Hue::Muted)?;
         map.label((to, 80.0), Side::Right, room.of("spin left", "left"), Hue::Muted)?;
         map.label(
-            (room.of(0.04, 0.008), 900.0),
+            (room.of(0.021, 0.008), 900.0),
             Side::Right,
             room.of("wobble dies first", "wobble dies"),
             Hue::Blue,
@@ -325,7 +328,7 @@ impl Motion for Slowing {
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         self.draw_body(moment, drawing)?;
         if moment.room == Room::Wide {
-            let below = at(170.0, 448.0);
+            let below = at(170.0, 458.0);
             drawing.label(below, Side::Over, "in the room, arrows at one length", Hue::Muted)?;
         }
         self.draw_map(moment.room, drawing)?;

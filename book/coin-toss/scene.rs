@@ -12,6 +12,10 @@ use mechanics::scenes::coin_toss::{Flight, FlightParameters, Toss, TossParameter
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::LazyLock;
+use tosses::{TOSSES, Tosses};
+
+#[path = "scene/tosses.rs"]
+mod tosses;
 
 pub(crate) const SCENE: Scene = Scene {
     name: "coin-toss",
@@ -23,17 +27,17 @@ pub(crate) const SCENE: Scene = Scene {
                   the height of the normal through one precession, which dips below zero in the middle, \
                   and the probability of the same face against the angle psi between the normal and \
                   L: certainty up to 45 degrees, then falling to a half.",
-    question: "When does the circle of the normal clear the equator, so that heads shows and nothing \
-               but heads? And why does never less than half of it lie above?",
+    question: "How fast must a coin be twisted if heads, and nothing but heads, is to be seen from above? \
+               And why is heads never the less likely face?",
     size: [[640.0, 520.0], [380.0, 872.0]],
-    view: Some([-0.35, 0.42]),
+    view: Some([-0.55, 0.42]),
     still: 0.0366,
     controls: &[
         Control::slider("tumble", r"tumble, $\omega_1$", [0.0, MOST, 0.5], "rad/s", 240.0),
         Control::slider("twist", r"twist, $\omega_3$", [0.0, MOST, 0.5], "rad/s", 60.0),
-        Control::slider("ratio", r"ratio of the moments, $I_3/I_1$", [0.5, 2.0, 0.01], "", 2.0),
-        Control::choice("hand", "tossed by", &["a hand", "a steady hand", "a machine"]),
+        Control::slider("ratio", r"thick to thin: moments $I_3/I_1$", [0.5, 2.0, 0.01], "", 2.0),
         Control::choice("camera", "the coin is seen", &["from straight above", "from the side"]),
+        Control::choice("hand", "tossed by", &["a hand", "a steady hand", "a machine"]),
         Control::button("toss", "Toss five thousand"),
     ],
     presets: &[
@@ -67,14 +71,6 @@ const AGAIN: f64 = 1.2;
 /// What the eye takes for one instant, s, and how many images of the coin stand for it.
 const BLINK: f64 = 0.02;
 const IMAGES: u32 = 6;
-/// How many tosses are made, how many of them at once, and how long the others take, s of the reader.
-const TOSSES: u32 = 5000;
-const AT_ONCE: u32 = 250;
-const TOSSING: f64 = 5.0;
-/// How unsure a hand, a steady hand and a machine are: of the moment of the catch, s, and of the spin, as a part of it.
-const UNSURE: [[f64; 2]; 3] = [[0.05, 0.1], [0.004, 0.01], [0.0, 0.0]];
-/// Bars of the histogram.
-const BARS: usize = 36;
 /// Half the thickness of the coin that is drawn, if it is thin, in radii.
 const HALF: f64 = 0.06;
 /// The letters on its faces, as strokes along axes 1 and 2, in radii. That of tails reads well from below.
@@ -104,10 +100,7 @@ struct Throw {
     from_above: bool,
     /// The path of the tip of the normal: heads, then tails.
     paths: [Vec<Vector3<f64>>; 2],
-    unsure: [f64; 2],
-    pressed: Option<f64>,
-    /// The tosses that were made: the part of a precession at which each was caught, and whether heads showed.
-    caught: Vec<(f64, bool)>,
+    tosses: Tosses,
 }
 
 impl Throw {
@@ -125,13 +118,12 @@ impl Throw {
             duration: Flight::new(FLIGHT)?.duration(),
             from_above: settings.choice("camera")? == 0,
             paths: [Vec::new(), Vec::new()],
-            unsure: UNSURE[settings.choice("hand")?],
-            pressed: settings.pressed("toss")?,
-            caught: Vec::new(),
+            tosses: Tosses::default(),
         };
         throw.paths = throw.paths()?;
-        if let Some(pressed) = throw.pressed {
-            throw.caught = throw.tosses(pressed)?;
+        if let Some(pressed) = settings.pressed("toss")? {
+            let hand = (settings.choice("hand")?, pressed, throw.duration);
+            throw.tosses = Tosses::new(hand, |time| throw.caught(time))?;
         }
         Ok(throw)
     }
@@ -184,32 +176,14 @@ impl Throw {
         Ok([path(-edge, edge)?, path(edge, period - edge)?])
     }
 
-    /// Many tosses that differ by as much as the hand is unsure: always the same ones for one press of the button.
-    fn tosses(&self, pressed: f64) -> Result<Vec<(f64, bool)>, InvalidQuantity> {
-        let mut chance = Chance(pressed.to_bits());
-        let [unsure_time, unsure_spin] = self.unsure;
-        let toss = |_| {
-            let spin = 1.0 + unsure_spin * chance.between_ends();
-            let time = self.duration + unsure_time * chance.between_ends();
-            // So much faster in all, it is where the mean toss is so much later.
-            let heads = self.height(spin * time)? >= 0.0;
-            Ok((self.period().map_or(0.0, |period| (spin * time / period).rem_euclid(1.0)), heads))
-        };
-        (0..TOSSES).map(toss).collect()
+    /// What is caught after a time: the part of a precession, and whether heads shows.
+    fn caught(&self, time: f64) -> Result<(f64, bool), InvalidQuantity> {
+        let part = self.period().map_or(0.0, |period| (time / period).rem_euclid(1.0));
+        Ok((part, self.height(time)? >= 0.0))
     }
 
-    /// How many tosses have been made at a time.
     fn made(&self, time: f64) -> usize {
-        let since = self.pressed.map_or(0.0, |pressed| time - pressed) / (self.pace() * TOSSING);
-        // Those that begin again at the start, or look back, see all of them.
-        let part = if since < 0.0 { 1.0 } else { since.min(1.0) };
-        let made = f64::from(AT_ONCE) + part * f64::from(TOSSES - AT_ONCE);
-        self.caught.len().min(made as usize)
-    }
-
-    /// The part of the first tosses that showed heads.
-    fn heads(&self, count: usize) -> f64 {
-        self.caught[..count].iter().filter(|(_, heads)| *heads).count() as f64 / count as f64
+        self.tosses.made(time, self.pace())
     }
 
     /// The coin of radius 1 about the origin as it is seen from a direction, in the hue of the face that is seen: that
@@ -286,7 +260,7 @@ impl Throw {
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
         stage.curve(Curve::circle([0.0; 3], Vector3::z(), 1.0)?, Stroke::Reference, Hue::Ink)?;
         self.draw_path(&mut stage, 1.0, Stroke::Curve)?;
-        stage.label([1.0, 0.0, 0.0], Side::Below, "equator", Hue::Muted)?;
+        stage.label([0.85, -0.52, 0.0], Side::Below, "equator", Hue::Muted)?;
         stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
         stage.label([0.0, 0.0, 1.0], Side::Above, "start, flat", Hue::Muted)?;
         if self.toss.is_some() {
@@ -342,24 +316,7 @@ impl Throw {
         let mut graph =
             Graph::new(drawing, frame, Axis::linear([0.0, 1.0, 0.25], "part of a precession"), y)?;
         let made = self.made(moment.time);
-        let mut bars = [[0_u32; 2]; BARS];
-        for &(part, heads) in &self.caught[..made] {
-            bars[((part * BARS as f64) as usize).min(BARS - 1)][usize::from(heads)] += 1;
-        }
-        // As many in each bar as in all others would reach up to −0.4 when all are made; the highest stays inside.
-        let highest = bars.iter().map(|[tails, heads]| tails + heads).max().unwrap_or(0).max(1);
-        let unit = (0.6 * BARS as f64 / f64::from(TOSSES)).min(1.9 / f64::from(highest));
-        for (bar, [tails, heads]) in bars.into_iter().enumerate() {
-            let [left, right] = [bar, bar + 1].map(|edge| edge as f64 / BARS as f64);
-            let mut foot = -1.0;
-            for (count, hue) in [(tails, Hue::Muted), (heads, Hue::Blue)] {
-                let top = foot + unit * f64::from(count);
-                if count > 0 {
-                    graph.area([(left, foot), (right, foot), (right, top), (left, top)], Fill::Face, hue);
-                }
-                foot = top;
-            }
-        }
+        self.tosses.draw(&mut graph, made);
         graph.level(0.0, Stroke::Reference, Hue::Ink);
         let middle = self.angle().cos().powi(2);
         graph.level(middle, Stroke::Dotted, Hue::Green);
@@ -372,9 +329,9 @@ impl Throw {
             let wave = parts.map(|part| Ok((part, self.height(part * period)?)));
             graph.curve(wave.collect::<Result<Vec<_>, InvalidQuantity>>()?, Stroke::Curve, hue);
         }
-        let part = self.period().map_or(0.0, |period| (moment.time / period).rem_euclid(1.0));
-        let height = self.height(moment.time)?;
-        graph.dot((part, height), 5.0, if height >= 0.0 { Hue::Blue } else { Hue::Muted });
+        let (part, is_heads) = self.caught(moment.time)?;
+        let hue = if is_heads { Hue::Blue } else { Hue::Muted };
+        graph.dot((part, self.height(moment.time)?), 5.0, hue);
         let place = graph.at((0.5, middle));
         let drawing = graph.drawing();
         if middle < 0.92 {
@@ -399,7 +356,7 @@ impl Throw {
         graph.drawing().circle(here, 8.0, Role::Line(Stroke::Outline, Hue::Ink));
         let made = self.made(moment.time);
         if made > 0 {
-            let (heads, error) = (self.heads(made), 1.0 / f64::from(made as u32).sqrt());
+            let (heads, error) = (self.tosses.heads(made), 1.0 / f64::from(made as u32).sqrt());
             graph.curve([(angle, heads - error), (angle, heads + error)], Stroke::Curve, Hue::Pink);
             graph.dot((angle, heads), 3.5, Hue::Pink);
         }
@@ -441,20 +398,6 @@ fn probability(room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
     (room.of(Rect::new(444.0, 364.0, 170.0, 104.0), Rect::new(60.0, 744.0, 220.0, 84.0)), x, y)
 }
 
-/// Numbers as good as random (splitmix64), the same from the same seed.
-struct Chance(u64);
-
-impl Chance {
-    /// A number from −1 to 1.
-    fn between_ends(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((bits ^ (bits >> 31)) >> 11) as f64 / 2_f64.powi(52) - 1.0
-    }
-}
-
 impl Motion for Throw {
     fn run(&self) -> Run {
         Run { duration: self.duration, pace: self.pace(), repeats: true }
@@ -485,7 +428,7 @@ impl Motion for Throw {
             self.period().map_or(0.0, |period| time / period),
             self.probability(),
             f64::from(made as u32),
-            if made > 0 { self.heads(made) } else { f64::NAN },
+            if made > 0 { self.tosses.heads(made) } else { f64::NAN },
             drift,
         ])
     }
@@ -516,25 +459,30 @@ impl Motion for Throw {
                  all the time.",
                 self.twist / self.tumble
             )
+        } else if self.twist == 0.0 {
+            "Without twist it goes right over: the circle leads through both poles, and half of it lies \
+             above the equator."
+                .into()
         } else {
             format!(
                 "Twisted {:.2} times as fast as it tumbles, less than {threshold:.2} times: the normal \
-                 leans over by up to {lean:.0}°, and {part:.1} % of its circle lie above the equator. \
-                 That is never less than half, as the middle of a circle through the pole is never \
+                 leans over by up to {lean:.0}°, and {part:.1} % of its circle is above the equator. \
+                 It is never less than half, as the middle of a circle through the pole is never \
                  below the equator: here it is at the height {:.2}.",
                 self.twist / self.tumble,
                 self.angle().cos().powi(2)
             )
         };
-        if !self.caught.is_empty() {
-            let heads = 100.0 * self.heads(self.caught.len());
+        let made = self.made(f64::INFINITY);
+        if made > 0 {
+            let heads = 100.0 * self.tosses.heads(made);
             words += &format!(" Of {TOSSES} tosses {heads:.1} % show heads");
-            words += match self.unsure {
-                [0.0, _] => ": a machine tosses the same toss each time, and there is no chance in it.",
-                _ if (heads - part).abs() > 3.0 => {
-                    ": this hand is too sure of itself for chance to have its way."
-                }
-                _ => ", as chance will have it to within 1.4 %.",
+            words += if self.tosses.is_sure {
+                ": a machine tosses the same toss each time, and there is no chance in it."
+            } else if (heads - part).abs() > 3.0 {
+                ": this hand is too sure of itself for chance to have its way."
+            } else {
+                ", as chance will have it to within 1.4 %."
             };
         }
         words

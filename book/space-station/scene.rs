@@ -4,15 +4,21 @@ use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, value_at,
 };
 use drawing::kit::{self, Marker};
-use drawing::space::{Camera, Curve, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use drawing::space::{Camera, Curve, Stage, View};
+use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::euler::Turning;
-use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::Body;
-use mechanics::scenes::space_station::{Blow, LaterBlow, Parameters, Station, StruckStation};
+use mechanics::scenes::space_station::{Blow, LaterBlow};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
+use struck::{Blows, MASS, RADIUS, SPIN, STILL, Struck};
+use wheel::{HUB, Wheel, eye_direction};
+
+#[path = "scene/struck.rs"]
+mod struck;
+#[path = "scene/wheel.rs"]
+mod wheel;
 
 pub(crate) const SCENE: Scene = Scene {
     name: "space-station",
@@ -21,7 +27,7 @@ pub(crate) const SCENE: Scene = Scene {
                   angular velocity omega goes round on the other side. Beside it the crew’s sky: star trails curl round omega, away from \
                   the cross where axis 3 points. Below, two waves against time: in four turns the axis nods 8.2 times in the room, and \
                   omega goes round four times on board.",
-    question: "Which rate does each observer count: the stars, the crew, a mark on the rim? And when does a second blow leave nothing of the nod?",
+    question: r"In the time of one old turn, how often does the station nod in the room, and how often does $\boldsymbol\omega$ go round on board? And when must a thruster fire to end the nod?",
     size: [[640.0, 440.0], [380.0, 600.0]],
     view: Some([0.75, 0.40]),
     still: 1.7,
@@ -35,7 +41,7 @@ pub(crate) const SCENE: Scene = Scene {
     ],
     presets: &[
         Preset { words: "twice as hard", settings: &[("impulse", 3.6)] },
-        Preset { words: "on the hub", settings: &[("place", 0.0)] },
+        Preset { words: "a push on the hub", settings: &[("place", 0.0)] },
         Preset { words: "fire where it struck, after 13.96 s", settings: &[("fire", 13.963)] },
         Preset { words: "fire after one nod, at 176.5°", settings: &[("fire", 6.846), ("thruster", 176.5)] },
     ],
@@ -51,10 +57,6 @@ pub(crate) const SCENE: Scene = Scene {
     start: |settings| Ok(Box::new(Nodding::new(settings)?)),
 };
 
-/// The chapter's ring: mass, kg, radius, m, spin, rad/s.
-const MASS: f64 = 4e5;
-const RADIUS: f64 = 50.0;
-const SPIN: f64 = 0.45;
 /// A million newton seconds, the unit of the sliders.
 const MEGA: f64 = 1e6;
 /// Four turns of the old spin, s.
@@ -62,12 +64,6 @@ const DURATION: f64 = 4.0 * TAU / SPIN;
 /// How long a blow stays in the picture, s, and the length of its arrow, radii a MN·s.
 const SHOWN: f64 = 1.2;
 const ARROW: f64 = 0.14;
-/// The drawn wheel, in radii: inner radius and half the height of the rim, radius of the hub.
-const INNER: f64 = 0.86;
-const HALF_HEIGHT: f64 = 0.08;
-const HUB: f64 = 0.15;
-/// A motion whose axis is no further from its angular momentum than this, rad, does not nod.
-const STILL: f64 = 2e-3;
 /// How long the shutter of the camera at the hub is open, s, and half its field of view, rad.
 const EXPOSURE: f64 = 1.7;
 const FIELD: f64 = 50.0 * TAU / 360.0;
@@ -87,20 +83,6 @@ fn sky(count: u32) -> Vec<Vector3<f64>> {
 
 static STARS: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| sky(260));
 static BACKGROUND: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| sky(2400));
-
-/// The two blows.
-#[derive(Clone, Copy)]
-struct Blows {
-    first: Blow,
-    second: LaterBlow,
-    is_fired: bool,
-}
-
-/// The station, struck once or twice.
-struct Struck {
-    first: StruckStation,
-    second: Option<(f64, FreeSymmetricTop, Vector3<f64>)>,
-}
 
 struct Nodding {
     blows: Blows,
@@ -137,7 +119,7 @@ impl Layout {
             elevation: 0.0,
             distance: 9.0,
             centre: room.of(at(190.0, 220.0), at(190.0, 160.0)),
-            scale: room.of(102.0, 94.0),
+            scale: room.of(114.0, 94.0),
         };
         Self {
             view,
@@ -157,117 +139,6 @@ const MIDDLES: [f64; 2] = [5.2, 2.1];
 
 fn time_axis(room: Room) -> Axis<'static> {
     room.of(TIME_AXIS, NARROW_TIME_AXIS)
-}
-
-impl Struck {
-    fn new(blows: &Blows) -> Result<Self, Cause> {
-        let station = Station::new(Parameters { body: Body::hoop(MASS, RADIUS)?, spin: SPIN })?;
-        let first = station.struck(blows.first)?;
-        let Blows { second, is_fired, .. } = *blows;
-        let second = if is_fired {
-            let push = first.at(second.time)?.axis_3_world() * (second.blow.impulse / MASS); // eq:drift
-            Some((second.time, first.struck_again(second)?, first.centre_velocity() + push))
-        } else {
-            None
-        };
-        Ok(Self { first, second })
-    }
-
-    /// The blow of which the station is turning at a time: when it came, and the motion since.
-    fn last(&self, time: f64) -> Option<&(f64, FreeSymmetricTop, Vector3<f64>)> {
-        self.second.as_ref().filter(|(fired, ..)| time >= *fired)
-    }
-
-    /// Attitude and angular velocity; before the first blow the station turns about its axis.
-    fn at(&self, time: f64) -> Result<Turning, Cause> {
-        if time < 0.0 {
-            let world_from_body = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), SPIN * time);
-            return Ok(Turning { world_from_body, omega_body: Vector3::z() * SPIN });
-        }
-        Ok(match self.last(time) {
-            Some((fired, top, _)) => top.at(time - fired)?,
-            None => self.first.at(time)?,
-        })
-    }
-
-    fn momentum(&self, time: f64) -> Vector3<f64> {
-        self.last(time)
-            .map_or(self.first.angular_momentum_world(), |(_, top, _)| top.angular_momentum_world())
-    }
-
-    /// How far axis 3 is to one side of the first angular momentum in the room, and how far the axis of rotation is to
-    /// one side of axis 3 on board: sines.
-    fn aside(&self, time: f64) -> Result<[f64; 2], Cause> {
-        let now = self.at(time)?;
-        let momentum = self.first.angular_momentum_world().normalize();
-        let aside = Vector3::new(momentum.z, 0.0, -momentum.x);
-        Ok([-now.axis_3_world().dot(&aside), now.omega_body.x / now.omega_body.norm()])
-    }
-
-    /// Counts until a time, in turns: nods, turns of a mark on the rim, turns of the axis of rotation on board.
-    fn counts(&self, time: f64) -> [f64; 3] {
-        let first = rates(self.first.momentum_angle(), self.first.nodding_rate(), self.first.body_rate());
-        let end = self.last(time).map_or(time, |(fired, ..)| *fired);
-        let second = self.last(time).map_or([0.0; 3], |(_, top, _)| {
-            rates(top.momentum_angle(), top.precession_rate(), top.body_rate())
-        });
-        [0, 1, 2].map(|index| (first[index] * end + second[index] * (time - end)) / TAU)
-    }
-}
-
-/// Rates of nodding, of a mark, and of the axis of rotation on board; without a nod only the mark goes round.
-fn rates(lean: f64, nodding: f64, on_board: f64) -> [f64; 3] {
-    let mark = nodding - on_board;
-    if lean > STILL { [nodding, mark, on_board] } else { [0.0, mark, 0.0] }
-}
-
-/// The direction from the target to the eye.
-fn eye_direction(moment: &Moment, view: View) -> Vector3<f64> {
-    let ((sin, cos), (up, across)) = (moment.azimuth.sin_cos(), moment.elevation.sin_cos());
-    (Vector3::new(cos * across, sin * across, up) * view.distance + Vector3::from(view.target)).normalize()
-}
-
-/// The station as it is seen.
-struct Wheel {
-    attitude: UnitQuaternion<f64>,
-    /// The direction to the eye.
-    sight: Vector3<f64>,
-}
-
-impl Wheel {
-    fn draw(&self, camera: &Camera, drawing: &mut Drawing) -> Result<(), Cause> {
-        let mut stage = Stage::new(*camera);
-        let axis = self.attitude * Vector3::z();
-        stage.solid(Solid::ring([0.0; 3], axis, 1.0, INNER, 2.0 * HALF_HEIGHT)?, Hue::Blue)?;
-        stage.solid(Solid::sphere([0.0; 3], HUB)?, Hue::Blue)?;
-        stage.write(drawing);
-        for quarter in 0..4 {
-            let (sin, cos) = (0.25 * TAU * (f64::from(quarter) + 0.5)).sin_cos();
-            let outwards = self.attitude * Vector3::new(cos, sin, 0.0);
-            let Some((from, to)) = self.seen_part(&outwards) else { continue };
-            let side = outwards.cross(&self.sight).normalize() * 0.03;
-            let corner = |along: f64, sign: f64| camera.on_page(outwards * along + side * sign);
-            let corners = [corner(from, 1.0)?, corner(to, 1.0)?, corner(to, -1.0)?, corner(from, -1.0)?];
-            drawing.polygon(corners.to_vec(), Fill::Page, Hue::Blue);
-            drawing.polygon(corners.to_vec(), Fill::Side, Hue::Blue);
-            drawing.line(corners[0], corners[1], Stroke::Outline, Hue::Blue);
-            drawing.line(corners[2], corners[3], Stroke::Outline, Hue::Blue);
-        }
-        Ok(())
-    }
-
-    /// Which part of a spoke is seen: not what lies behind the hub, and not that from which the line of sight meets
-    /// the rim on its way through the opening of the wheel.
-    fn seen_part(&self, outwards: &Vector3<f64>) -> Option<(f64, f64)> {
-        let axis = self.attitude * Vector3::z();
-        let (through, along) = (self.sight.dot(&axis).abs(), self.sight.dot(outwards));
-        let step = (self.sight - axis * self.sight.dot(&axis)) * (HALF_HEIGHT / through);
-        let middle = -step.dot(outwards);
-        let half = (middle * middle - step.norm_squared() + INNER * INNER).sqrt();
-        let hub = if along > 0.0 { HUB } else { HUB / (1.0 - along * along).sqrt() };
-        let (from, to) = (hub.max(middle - half), INNER.min(middle + half));
-        (from < to).then_some((from, to))
-    }
 }
 
 impl Nodding {
@@ -354,18 +225,22 @@ impl Nodding {
         let momentum = seen * self.station.momentum(time).normalize();
         // Round what stands still each of the others goes on a circle.
         let pivot = if self.on_board { axis } else { momentum };
+        // L lies between the other two: the name of ω stands on one side, and theirs on the other.
+        let is_left = camera.on_page(axis)?.x < camera.on_page(momentum)?.x;
+        let (side, other) = if is_left { (Side::Left, Side::Right) } else { (Side::Right, Side::Left) };
         let directions = [
-            (axis, 1.1, r"$\hat{\mathbf{3}}$", Hue::Blue),
-            (momentum, 1.32, r"$\boldsymbol{L}$", Hue::Green),
-            (omega, 1.54, r"$\boldsymbol{\omega}$", Hue::Orange),
+            (axis, 1.1, side, r"$\hat{\mathbf{3}}$", Hue::Blue),
+            (momentum, 1.32, side, r"$\boldsymbol{L}$", Hue::Green),
+            (omega, 1.54, other, r"$\boldsymbol{\omega}$", Hue::Orange),
         ];
-        for (direction, length, name, hue) in directions {
+        for (direction, length, side, name, hue) in directions {
             let along = direction.dot(&pivot) * length;
             let aside = (length * length - along * along).max(0.0).sqrt();
             if aside > 0.02 {
                 stage.curve(Curve::circle(pivot * along, pivot, aside)?, Stroke::Outline, hue)?;
             }
-            stage.named_vector(direction * HUB, direction * length, name, hue)?;
+            stage.vector(direction * HUB, direction * length, hue)?;
+            stage.label(direction * length, side, name, hue)?;
         }
         let mark = attitude * Vector3::new(0.0, 0.93, 0.08);
         stage.dot(mark, 4.5, Hue::Pink)?;
@@ -423,30 +298,26 @@ impl Nodding {
         if inside(momentum) {
             drawing.dot(momentum, 3.5, Hue::Green);
         }
-        let outwards = (pole - sky).unit();
         if inside(pole) {
             drawing.dot(pole, 4.0, Hue::Orange);
         }
-        if inside(pole) && reach > 16.0 {
-            let name = pole + outwards * if reach < radius - 18.0 { 13.0 } else { -13.0 };
-            drawing.label_set(
-                name,
-                Side::Over,
-                0.0,
-                14.0,
-                r"$\boldsymbol{\omega}$",
-                Role::Text(Hue::Orange),
-            )?;
-        }
         if reach > 16.0 {
-            drawing.label_set(
-                sky - outwards * 15.0,
-                Side::Over,
-                0.0,
-                14.0,
-                r"$\hat{\mathbf{3}}$",
-                Role::Text(Hue::Blue),
-            )?;
+            let outwards = (pole - sky).unit();
+            let beyond = if reach < radius - 18.0 { 13.0 } else { -13.0 };
+            for (place, name, hue, is_shown) in [
+                (pole + outwards * beyond, r"$\boldsymbol{\omega}$", Hue::Orange, inside(pole)),
+                (
+                    momentum + outwards.quarter_turned() * 12.0,
+                    r"$\boldsymbol{L}$",
+                    Hue::Green,
+                    inside(momentum) && reach > 26.0,
+                ),
+                (sky - outwards * 15.0, r"$\hat{\mathbf{3}}$", Hue::Blue, true),
+            ] {
+                if is_shown {
+                    drawing.label_set(place, Side::Over, 0.0, 14.0, name, Role::Text(hue))?;
+                }
+            }
         }
         let title = sky - at(0.0, radius + 4.0);
         drawing.label_set(title, Side::Above, 4.0, 13.0, "the crew’s sky", Role::Text(Hue::Ink))?;

@@ -62,7 +62,7 @@ const MOST: f64 = 15.0;
 const DURATION: f64 = 4.0;
 const PACE: f64 = 0.25;
 /// Lengths of the arrows in the room, in sizes of the body.
-const LENGTHS: [f64; 3] = [1.85, 1.55, 1.5];
+const LENGTHS: [f64; 3] = [1.85, 1.6, 1.3];
 /// How long the cones are along their sides.
 const SIDE: f64 = 1.4;
 /// Points of a curve for a wobble.
@@ -159,12 +159,9 @@ impl Throw {
             return stage.solid(solid.finish(Finish::Ghost), Hue::Blue);
         }
         stage.solid(solid, Hue::Blue)?;
-        for (quarter, (stroke, hue)) in (0..).zip([
-            (Stroke::Curve, Hue::Pink),
-            (Stroke::Outline, Hue::Blue),
-            (Stroke::Outline, Hue::Blue),
-            (Stroke::Outline, Hue::Blue),
-        ]) {
+        for quarter in 0..4 {
+            let (stroke, hue) =
+                if quarter == 0 { (Stroke::Curve, Hue::Pink) } else { (Stroke::Outline, Hue::Blue) };
             let points = self.stripe(f64::from(quarter) * FRAC_PI_2);
             let points: Vec<_> = points.into_iter().map(|point| seen * point).collect();
             if self.is_round {
@@ -392,7 +389,7 @@ impl Motion for Throw {
         let count = self.wobbles_a_turn();
         let mut words = format!(
             "The axis goes round {count:.2} times while the body turns once about it: a wobble every \
-             {period:.2} s. "
+             {period:.2}\u{a0}s. "
         );
         words += &match self.ratio {
             1.0 => "All moments are equal, so L lies along ω and stands still with it: it turns about \
@@ -420,14 +417,14 @@ impl Motion for Throw {
         }
         if self.with_cones && self.ratio != 1.0 {
             let place = if self.ratio > 1.0 {
-                "round the green one like a hula hoop"
+                "like a hula hoop round the green one"
             } else {
                 "on the outside of the green one"
             };
             let rims = rate / self.top.body_rate().abs();
             words += &format!(
-                " The blue cone is fixed in the body and rolls {place}, which is fixed in the room. \
-                 Its rim is {rims:.2} times as long."
+                " The blue cone, fixed in the body, rolls {place}, fixed in the room. Its rim is \
+                 {rims:.2} times as long."
             );
         }
         words

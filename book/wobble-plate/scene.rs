@@ -1,11 +1,17 @@
 //! The scene of the chapter "The wobble plate": an engine on soft springs, and what shakes it.
 
+#[path = "scene/answer.rs"]
+mod answer;
+#[path = "scene/painter.rs"]
+mod painter;
+
 use crate::{Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings};
 use drawing::kit::{self, Heads};
-use drawing::space::{Camera, Curve, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at};
+use drawing::space::{Curve, Stage, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::{UnitQuaternion, Vector3};
+use painter::Painter;
 use std::f64::consts::TAU;
 
 pub(crate) const SCENE: Scene = Scene {
@@ -122,59 +128,6 @@ fn engine(tilt: f64, count: u32, mass: f64) -> Result<Engine, Cause> {
     let mass = mass / f64::from(count);
     let pistons = PistonParameters { count, mass, distance: DISTANCE, rod: ROD };
     Ok(Engine::new(plate(tilt)?, Pistons::new(pistons)?))
-}
-
-/// A painter of round solids, one over the other: each is its far end, its side and the end that faces the eye.
-struct Painter<'a> {
-    camera: Camera,
-    eye: Vector3<f64>,
-    /// A unit of length, px.
-    scale: f64,
-    drawing: &'a mut Drawing,
-}
-
-impl Painter<'_> {
-    /// A cylinder from the middle of one end to the middle of the other.
-    fn cylinder(&mut self, ends: [Vector3<f64>; 2], radius: f64, hue: Hue) -> Result<(), Cause> {
-        let axis = (ends[1] - ends[0]).normalize();
-        let beyond = (self.eye - ends[1]).dot(&axis) > 0.0;
-        let [far, near] = if beyond { ends } else { [ends[1], ends[0]] };
-        let sight = self.eye - far;
-        let aside = sight - axis * sight.dot(&axis);
-        let (first, second) = (aside.normalize(), axis.cross(&aside.normalize()));
-        let on_rim = |middle: Vector3<f64>, angle: f64| {
-            self.camera.on_page(middle + (first * angle.cos() + second * angle.sin()) * radius)
-        };
-        let rim = |middle: Vector3<f64>| {
-            // So many corners that the circle is missed by a tenth of a pixel.
-            let corners = (7.0 * (radius * self.scale).sqrt()).ceil().max(10.0) as u32;
-            let angles = (0..corners).map(|step| TAU * f64::from(step) / f64::from(corners));
-            angles.map(|angle| on_rim(middle, angle)).collect::<Result<Vec<Point>, _>>()
-        };
-        let mut faces = Vec::new();
-        // The side ends on both hands where the line of sight touches it; from straight above it is not seen.
-        if aside.norm() > radius {
-            let touch = (radius / aside.norm()).acos();
-            let [left, right] = [-touch, touch];
-            faces.push((rim(far)?, Fill::Side));
-            let corners =
-                [on_rim(far, left)?, on_rim(near, left)?, on_rim(near, right)?, on_rim(far, right)?];
-            faces.push((corners.to_vec(), Fill::Side));
-        }
-        let faces_eye = (self.eye - near).dot(&(near - far)) > 0.0;
-        faces.push((rim(near)?, if faces_eye { Fill::Face } else { Fill::Side }));
-        for (corners, fill) in faces {
-            self.drawing.polygon(corners.clone(), Fill::Page, hue);
-            self.drawing.polygon(corners.clone(), fill, hue);
-            if let [from, to, other_to, other_from] = corners[..] {
-                self.drawing.line(from, to, Stroke::Outline, hue);
-                self.drawing.line(other_from, other_to, Stroke::Outline, hue);
-            } else {
-                self.drawing.push(Role::Line(Stroke::Outline, hue), Shape::Polygon(corners));
-            }
-        }
-        Ok(())
-    }
 }
 
 /// A vector shortened so that it stays below a length, and hardly changed if it is far below.
@@ -423,12 +376,15 @@ impl Shaking {
         } else {
             graph.curve(most, Stroke::Curve, Hue::Purple);
         }
-        graph.level(
-            self.engine.plate().bearing_torque_rotating(self.spin).norm(),
-            Stroke::Reference,
-            Hue::Muted,
-        );
+        let alone = self.engine.plate().bearing_torque_rotating(self.spin).norm();
+        graph.level(alone, Stroke::Reference, Hue::Muted);
         graph.upright(self.balancing, Stroke::Dotted, Hue::Muted);
+        let side = if self.balancing < 1.5 { Side::Right } else { Side::Left };
+        graph.label((self.balancing, 46.0), side, "balance", Hue::Muted)?;
+        if alone < 36.0 {
+            let above = graph.at((0.0, alone)) - at(-2.0, 9.0);
+            graph.drawing().label(above, Side::Right, "no pistons", Hue::Muted)?;
+        }
         kit::marker(drawing, self.mass_grip(layout, phase), kit::Marker::Ring, Hue::Purple);
         Ok(())
     }
@@ -476,65 +432,7 @@ impl Motion for Shaking {
     }
 
     fn words(&self, _time: f64) -> String {
-        let (count, mass, balancing) = (self.count(), self.mass, self.balancing);
-        let alone = self.engine.plate().bearing_torque_rotating(self.spin).norm();
-        let [least, most] = torque_range(&self.engine, self.spin);
-        if self.spin == 0.0 {
-            return "At rest nothing shakes, whatever the pistons weigh.".into();
-        }
-        if self.engine.plate().tilt() == 0.0 {
-            return "Square to its shaft the plate is a flywheel: the pistons stand still, and nothing shakes.".into();
-        }
-        if mass == 0.0 {
-            return format!(
-                "The plate alone: a torque of {alone:.1} N·m goes round with the shaft and rocks the frame. Give the pistons mass."
-            );
-        }
-        let part = mass / balancing;
-        let number = [
-            "One piston",
-            "Two pistons",
-            "Three pistons",
-            "Four pistons",
-            "Five pistons",
-            "Six pistons",
-            "Seven pistons",
-        ];
-        let number = number[count as usize - 1];
-        if count < 3 {
-            let verb = if count == 1 { "swings" } else { "swing" };
-            let hops = if count == 1 {
-                " The frame hops as well: nothing answers the force along the shaft."
-            } else {
-                ""
-            };
-            if (part - 1.0).abs() < 0.01 {
-                return format!(
-                    "{number} {verb} to and fro along a line. Half of that goes round with the plate and cancels it; the other half goes round \
-                     backwards and is left: {alone:.1} N·m, as without pistons, all the time, turning the wrong way.{hops}"
-                );
-            }
-            return format!(
-                "{number} {verb} to and fro along a line, and no mass of that can cancel what goes round: the torque goes from {least:.1} to \
-                 {most:.1} N·m twice a turn. Whatever the mass, the greater of the two is no less than the plate's own {alone:.1} N·m.{hops}"
-            );
-        }
-        if (part - 1.0).abs() < 0.01 {
-            return format!(
-                "Balanced: {number} of {:.3} kg each have as much momentum across the shaft as the plate, always the other way. The frame \
-                 stands still, at every speed; at another tilt it will not.",
-                mass / f64::from(count)
-            )
-            .replace(number, &number.to_lowercase());
-        }
-        let what = if part < 1.0 { "too light" } else { "too heavy" };
-        format!(
-            "{number} of {:.2} kg each are {what}: {most:.1} N·m of the plate's {alone:.1} go round {} and rock the frame. They would balance \
-             with {:.3} kg each, at any speed.",
-            mass / f64::from(count),
-            if part < 1.0 { "with the plate" } else { "opposite to it" },
-            balancing / f64::from(count)
-        )
+        answer::answer(self)
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {

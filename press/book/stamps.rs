@@ -1,10 +1,10 @@
 //! What the figures of a chapter are drawn from, as one number that changes when any of it does.
 //!
 //! A *name* stands for a scene and for a chapter: `pinned_hoop` for `src/scenes/pinned_hoop.rs` (or the
-//! folder) and for `book/pinned-hoop/` without its Markdown and its live scene. All other code that draws is *shared*. The
-//! figures of a chapter are drawn from what is shared, from what its own name stands for, and from every name
-//! that a word of these mentions, and so on. Shared code can reach a scene only through the module `scenes`,
-//! so a shared file without that word mentions none.
+//! folder) and for `book/pinned-hoop/` without its Markdown and its live scene. All other code that draws is
+//! *shared*. The figures of a chapter are drawn from what is shared, from what its own name stands for, and
+//! from every name that a word of these mentions, and so on. Shared code can reach a scene only through the
+//! module `scenes`, so a shared file without that word mentions none.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -56,7 +56,10 @@ impl Stamps {
             let drawn_from = |path: &&std::path::PathBuf| {
                 let name = path.file_name().unwrap_or_default();
                 let is_page = path.extension().is_some_and(|ending| ending == "md");
-                !is_page && !["tests", "examples", "scene.rs"].iter().any(|draws_none| name == *draws_none)
+                !is_page
+                    && !["tests", "examples", "scene.rs", "scene"]
+                        .iter()
+                        .any(|draws_none| name == *draws_none)
             };
             return below.iter().filter(drawn_from).try_for_each(|path| self.add(path, scenes, book));
         }

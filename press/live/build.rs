@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         (String::new(), String::new(), String::new(), String::new());
     for chapter in chapters {
         let file = root.join("book").join(chapter).join("scene.rs");
-        let Ok(source) = fs::read_to_string(&file) else {
+        let Ok(mut source) = fs::read_to_string(&file) else {
             println!("cargo::rerun-if-changed={}", root.join("book").join(chapter).display());
             continue;
         };
@@ -32,6 +32,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             "    /// The scene of the chapter `{chapter}`.\n    pub static {name}: super::Entry = super::{entry};"
         )?;
         writeln!(list, "    &entries::{name},")?;
+        // Its parts, if it has some: book/laundromat/scene/drum.rs.
+        let parts = file.with_extension("");
+        if parts.is_dir() {
+            println!("cargo::rerun-if-changed={}", parts.display());
+            for part in fs::read_dir(parts)? {
+                source += &fs::read_to_string(part?.path())?;
+            }
+        }
         let formulas: BTreeSet<&str> =
             labels(&source).flat_map(|label| label.split('$').skip(1).step_by(2)).collect();
         let table = drawing::symbols_of(formulas)?;

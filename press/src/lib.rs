@@ -60,8 +60,9 @@
 //! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an
 //!   id that stands on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry
 //!   that nothing cites;
-//! - scenes: one that is unknown or that no page shows, that stands on a page of another chapter or below an equation, that
-//!   starts where none of its controls can stand; a link to settings that it does not have, or from another page;
+//! - scenes: one that is unknown or that no page shows, that stands on a page of another chapter or below an
+//!   equation, that starts where none of its controls can stand; a link to settings that it does not have, or
+//!   from another page;
 //! - colours: words in a colour that there is not; a colour or letter of the tables of conventions that is none;
 //! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`,
 //!   display mathematics that shares its paragraph, mathematics in a heading;

@@ -1,11 +1,13 @@
-//! The modules of the pages, which move the live scenes and run the snippets with live numbers: built for WebAssembly where
-//! a compiler can do that, and packed into scripts, since a page that is read from a folder may load nothing else.
+//! The modules of the pages, which move the live scenes and run the snippets with live numbers: built for
+//! WebAssembly where a compiler can do that, and packed into scripts, since a page that is read from a folder
+//! may load nothing else.
 //!
-//! Each chapter has a module of its own, with what its pages need. One for the whole book would be three times as large,
-//! and a reader of one chapter would wait for all of it. They are the crate `module`, linked once for each chapter.
+//! Each chapter has a module of its own, with what its pages need. One for the whole book would be three
+//! times as large, and a reader of one chapter would wait for all of it. They are the crate `module`, linked
+//! once for each chapter.
 //!
-//! `BOOK_LIVE=static` prints stills, `BOOK_LIVE=require` makes a missing compiler an error, and `auto` (or nothing) builds
-//! the module if it can. `BOOK_WASM_RUSTC` names a compiler other than `rustc`.
+//! `BOOK_LIVE=static` prints stills, `BOOK_LIVE=require` makes a missing compiler an error, and `auto` (or
+//! nothing) builds the module if it can. `BOOK_WASM_RUSTC` names a compiler other than `rustc`.
 
 use crate::answers;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -157,8 +157,8 @@ pub(crate) enum Item<'a> {
     Link {
         target: Cow<'a, str>,
     },
-    /// The beginning, `[`, of words that set a scene of the page, with the name of the scene and the settings behind it;
-    /// and their end, `](scene:…)`.
+    /// The beginning, `[`, of words that set a scene of the page, with the name of the scene and the settings
+    /// behind it; and their end, `](scene:…)`.
     Setting(Option<Cow<'a, str>>),
     /// An id that raw HTML claims.
     Id(String),

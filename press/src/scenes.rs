@@ -101,7 +101,8 @@ pub(crate) fn words(text: &str, offset: usize) -> Words<'_> {
         .collect()
 }
 
-/// What a reader can change and read beside the picture, and what is said and offered below it; `html` makes HTML of words.
+/// What a reader can change and read beside the picture, and what is said and offered below it; `html` makes
+/// HTML of words.
 pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> String {
     let id = format!("scene-{}", scene.name);
     let mut out = format!(

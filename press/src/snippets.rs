@@ -128,8 +128,8 @@ pub(crate) fn without_ranges(block: &str) -> String {
     block.lines().map(shown).collect()
 }
 
-/// A fenced block with the panel of its live numbers beside it, and with its last assertions in a block of their own that
-/// opens on demand if they are many.
+/// A fenced block with the panel of its live numbers beside it, and with its last assertions in a block of
+/// their own that opens on demand if they are many.
 pub(crate) fn with_folded_checks(block: &str, panel: Option<&str>) -> String {
     let beside = |block: &str| match panel {
         Some(panel) => format!("<div class=\"answering\">\n\n{block}\n\n{panel}\n</div>\n"),

@@ -168,8 +168,9 @@ impl StruckStation {
         Vector3::new(0.0, 0.0, self.drift)
     }
 
-    /// The station as a free top after a later blow, in the frame that moves along with its centre. The times of the top
-    /// begin at that blow. As the first does (`eq:struck-rate`), the blow adds `r × P` to the angular momentum.
+    /// The station as a free top after a later blow, in the frame that moves along with its centre. The times
+    /// of the top begin at that blow. As the first does (`eq:struck-rate`), the blow adds `r × P` to the
+    /// angular momentum.
     ///
     /// # Errors
     /// As [`StruckStation::at`], and [`InvalidQuantity`] for a negative radius and for numbers that are not finite or

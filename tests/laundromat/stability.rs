@@ -214,6 +214,8 @@ fn a_damper_on_the_radius_alone_turns_stability_round() {
             epsilon = 1e-10
         );
         let growth = a.complex_eigenvalues().iter().map(|s| s.re).fold(f64::MIN, f64::max);
+        let slack = 1e-6 * (w0 + gamma + spin.abs());
+        assert!((machine.radial_damping_growth() - growth).abs() < slack, "{machine:?}: {growth}");
         if (kappa / (w0 * w0)).abs() > 0.01 {
             // The slowest rate can be tiny; what matters is its sign beyond the solver's error.
             let noise = 1e-12 * (w0 + gamma + spin.abs());

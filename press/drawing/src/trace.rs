@@ -95,8 +95,8 @@ impl Trace {
     }
 }
 
-/// Writes a number of hundredths, without zeros that say nothing. This is where most of the time of a moving picture would
-/// go if it were done by `format!`.
+/// Writes a number of hundredths, without zeros that say nothing. This is where most of the time of a moving
+/// picture would go if it were done by `format!`.
 fn push_hundredths(out: &mut String, hundredths: i64) {
     if hundredths < 0 {
         out.push('-');

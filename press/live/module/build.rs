@@ -1,5 +1,5 @@
-//! Makes a function of each snippet with live numbers, in the order of SUMMARY.md: of all chapters, or of the one that is
-//! named by `BOOK_CHAPTER`, and lists the scenes likewise.
+//! Makes a function of each snippet with live numbers, in the order of SUMMARY.md: of all chapters, or of the
+//! one that is named by `BOOK_CHAPTER`, and lists the scenes likewise.
 
 #[path = "../../src/answers.rs"]
 mod answers;

@@ -27,7 +27,7 @@ pub use drawing::Room;
 pub use graph::{Axis, Graph, point_at, value_at};
 pub use player::Player;
 pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene};
-pub use written::written;
+pub use written::{tied, written};
 
 use std::error::Error;
 

@@ -3,7 +3,7 @@
 use crate::Cause;
 use crate::control::Settings;
 use crate::scene::{Moment, Motion, Run, Scene};
-use crate::written::written;
+use crate::written::{tied, written};
 use drawing::{Drawing, Point, Room, with_symbols};
 
 /// A scene with its settings.
@@ -117,7 +117,7 @@ impl Player {
 
     /// What happens, in words.
     pub fn words(&self, time: f64) -> String {
-        self.motion.words(time)
+        tied(&self.motion.words(time))
     }
 
     /// The grips of the picture that was drawn last, px.

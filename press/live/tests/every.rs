@@ -147,12 +147,11 @@ fn every_scene_moves_and_has_a_still() {
         }
         assert!(scene.size[1][0] <= 400.0, "{}: a phone has no room for {:?} px", scene.name, scene.size[1]);
         let still = player.still().expect("a still");
-        let smallest = still.all_parts().into_iter().flat_map(Drawing::items).filter_map(|item| {
-            match &item.shape {
+        let smallest =
+            still.all_parts().into_iter().flat_map(Drawing::items).filter_map(|item| match &item.shape {
                 Shape::Label(label) => Some(label.size),
                 _ => None,
-            }
-        });
+            });
         assert!(smallest.fold(f64::INFINITY, f64::min) >= 13.0, "{}: type is too small", scene.name);
         assert!(still.to_svg().is_ok());
     }

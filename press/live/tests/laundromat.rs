@@ -160,7 +160,7 @@ fn largest_real_part(coefficients: [f64; 4]) -> f64 {
 /// The time in which a kick changes by a factor e, as the words say it.
 fn time_in_words(words: &str) -> f64 {
     let (_, rest) = words.split_once("a factor e in ").unwrap_or_else(|| panic!("{words}"));
-    rest.split(' ').next().and_then(|text| text.parse().ok()).unwrap_or_else(|| panic!("{words}"))
+    rest.split_whitespace().next().and_then(|text| text.parse().ok()).unwrap_or_else(|| panic!("{words}"))
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! What a page can print, and in which form. The module of the pages shares this file: a number that a reader has changed
-//! is answered in the form of the page.
+//! What a page can print, and in which form. The module of the pages shares this file: a number that a reader
+//! has changed is answered in the form of the page.
 
 /// What a page can print: a number, or several.
 pub trait Printable {

@@ -5,9 +5,10 @@
 //! `\text{}`, relations and operations ([`TEX_COMMANDS`]). Among the words, `^{…}` raises what it holds:
 //! `10^{-4}`. Whatever is not understood is an error.
 //!
-//! Mathematics becomes outlines of the math font's glyphs, set by the `typesetter` (a feature of the crate) or taken
-//! from a table of [`Symbol`]s that it has set before, which is all that a page in a browser carries. Words stay text, with their widths given, so that
-//! they can be searched and copied and yet take the same room with every font.
+//! Mathematics becomes outlines of the math font's glyphs, set by the `typesetter` (a feature of the crate)
+//! or taken from a table of [`Symbol`]s that it has set before, which is all that a page in a browser
+//! carries. Words stay text, with their widths given, so that they can be searched and copied and yet take
+//! the same room with every font.
 
 mod error;
 #[cfg(feature = "typesetter")]

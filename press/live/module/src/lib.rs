@@ -1,11 +1,12 @@
 //! What the pages run: functions that a script calls with numbers, and which give back numbers and texts.
 //!
-//! One instance of the module plays one scene, or runs the snippets of a page. Numbers go in through [`input`], texts
-//! come out of [`text`], where a call that gives a length has left them. A length below zero is that of an error, in words
-//! for the reader.
+//! One instance of the module plays one scene, or runs the snippets of a page. Numbers go in through
+//! [`input`], texts come out of [`text`], where a call that gives a length has left them. A length below zero
+//! is that of an error, in words for the reader.
 //!
-//! A page loads what it needs: there is a module for each chapter, built with the name of its folder in `BOOK_CHAPTER`. It
-//! holds the scene and the snippets of that chapter and what they use of the library. Built without a name it holds all.
+//! A page loads what it needs: there is a module for each chapter, built with the name of its folder in
+//! `BOOK_CHAPTER`. It holds the scene and the snippets of that chapter and what they use of the library.
+//! Built without a name it holds all.
 
 pub mod snippets;
 
@@ -51,9 +52,10 @@ pub extern "C" fn start(scene: usize, count: usize) -> isize {
     })
 }
 
-/// Runs a snippet: its place among those with live numbers, and how many of them stand in [`input`]. A line for each
-/// number that it prints, in its order: `=` and the number, or nothing if it was not reached; for each assertion: `+` if
-/// it holds, `-` if not, `?` if it was not reached; then `!` and the words of an error if it gave up.
+/// Runs a snippet: its place among those with live numbers, and how many of them stand in [`input`]. A line
+/// for each number that it prints, in its order: `=` and the number, or nothing if it was not reached; for
+/// each assertion: `+` if it holds, `-` if not, `?` if it was not reached; then `!` and the words of an error
+/// if it gave up.
 #[unsafe(no_mangle)]
 pub extern "C" fn run(snippet: usize, count: usize) -> isize {
     listen();

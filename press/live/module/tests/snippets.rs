@@ -1,5 +1,5 @@
-//! The snippets whose numbers a reader may change: at the numbers of the text they answer what the page prints, at others
-//! what is true there.
+//! The snippets whose numbers a reader may change: at the numbers of the text they answer what the page
+//! prints, at others what is true there.
 
 use module::snippets::{SNIPPETS, Snippet};
 use std::collections::BTreeMap;

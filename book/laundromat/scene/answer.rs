@@ -1,0 +1,74 @@
+//! The answer to the chapter's question, in words.
+
+use super::{Course, steady};
+
+/// What the settings of a course lead to; with the quietest spin and its force on the floor, if there is one.
+pub(super) fn answer(course: &Course, quietest: Option<(f64, f64)>) -> String {
+    let (machine, spin) = (&course.machine, course.machine.spin());
+    let [b, mass] = [machine.offset(), machine.total_mass()];
+    if spin == 0.0 {
+        return format!(
+            "The drum stands still: the shaft rests at O, the centre of mass {:.0} mm beside it, and the floor feels nothing. {}",
+            1e3 * b,
+            fate_of_a_kick(course)
+        );
+    }
+    let mut words = String::new();
+    if let Some(steady) = steady(machine, course.is_radial) {
+        let lead = steady.phase().to_degrees();
+        let place = match lead {
+            ..85.0 => "on the outside",
+            ..95.0 => "a quarter turn ahead of the shaft",
+            _ => "on the inside",
+        };
+        let [shaft, centre] = [steady.radius(), steady.centre_of_mass_radius()].map(|radius| 1e3 * radius);
+        let [force, rigid] = [1e-3 * centre, b].map(|radius| mass * radius * spin * spin);
+        words = format!(
+            "At {spin:.1} rad/s the load is {place}, with a lead of {lead:.0}°: the shaft goes round O at {shaft:.1} mm, \
+             the centre of mass at {centre:.1} mm. The floor feels {force:.0} N, where rigid bearings would give it \
+             {rigid:.0} N"
+        );
+        if let Some((spin, force)) = quietest {
+            words += &format!("; at {spin:.0} rad/s it would be quietest, with {force:.0} N");
+        }
+        words += ". ";
+        words += &fate_of_a_kick(course);
+    } else {
+        words += "At its natural frequency, with nothing to resist the way round, there is no steady motion: \
+                  the swing grows at every turn.";
+    }
+    if course.speeds_up {
+        let (time, distance) = course.widest;
+        let spin = course.at(time).map_or(f64::NAN, |state| state.spin);
+        words += &format!(
+            " On its way from rest it swings out furthest, {:.0} mm, at {spin:.1} rad/s.",
+            1e3 * distance
+        );
+    }
+    if course.strikes {
+        words += &format!(" After {:.1} s the tub strikes its housing, and the scene ends.", course.end);
+    }
+    words
+}
+
+/// Whether a kick dies out or grows, and how fast.
+fn fate_of_a_kick(course: &Course) -> String {
+    let rate = if course.is_radial {
+        course.machine.radial_damping_growth()
+    } else {
+        let rates = course.machine.modes().map(|mode| mode.frequency.im);
+        -rates.into_iter().fold(f64::INFINITY, f64::min)
+    };
+    let fate = match rate {
+        1e-3.. => "Unstable: with this damper a kick grows",
+        ..-1e-3 => "Stable: a kick dies out",
+        _ => return "A kick neither dies out nor grows.".into(),
+    };
+    let why = if rate > 0.0 {
+        " Seen on the drum the centrifugal force beats the springs: the shaft stands on a hill, and what slows it along \
+         the radius lets it slide down."
+    } else {
+        ""
+    };
+    format!("{fate} by a factor e in {:.2}\u{a0}s.{why}", 1.0 / rate.abs())
+}

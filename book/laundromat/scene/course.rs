@@ -1,0 +1,267 @@
+//! How the shaft moves: parts between the moments at which the drum stops speeding up or the machine is kicked.
+
+use super::{ACCELERATION, GAUSS, KICK, LARGEST_SWING, LASTS, steady};
+use crate::Cause;
+use mechanics::integrate::{Dop853, rk4_step};
+use mechanics::scenes::laundromat::{Machine, Ramp, Shaft, Transient};
+use nalgebra::Complex;
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// The machine at a time: its shaft, the azimuth of the load and the spin of the drum.
+pub(super) struct State {
+    pub shaft: Shaft,
+    pub azimuth: f64,
+    pub spin: f64,
+}
+
+impl State {
+    /// The direction from the shaft to the load.
+    pub(super) fn load(&self) -> Complex<f64> {
+        Complex::from_polar(1.0, self.azimuth)
+    }
+
+    /// The angle by which the load leads the shaft, from −π/2 to 3π/2; none with the shaft at O.
+    pub(super) fn lead(&self) -> f64 {
+        let position = self.shaft.position;
+        if position.norm() < 1e-9 {
+            return f64::NAN;
+        }
+        let lead = (self.load() * position.conj()).arg();
+        if lead < -FRAC_PI_2 { lead + TAU } else { lead }
+    }
+}
+
+/// How the shaft moves through a part of the course, in a frame in which the load starts at azimuth zero.
+enum Way {
+    Steady(Transient),
+    Ramp(Box<Ramp>),
+    /// With the damper that feels only the radius there is no closed form: states at equal steps.
+    Stepped {
+        machine: Machine,
+        step: f64,
+        states: Vec<[f64; 4]>,
+    },
+}
+
+/// A part of the course: from a time on, with the drum at an azimuth, a spin and an angular acceleration.
+struct Part {
+    from: f64,
+    azimuth: f64,
+    spin: f64,
+    acceleration: f64,
+    way: Way,
+}
+
+/// Rates of a shaft whose damper feels only the radius, while the drum speeds up (`eq:ramp-equation`): those for the
+/// whole velocity, with the one damper in the place of the other.
+fn radial_rates(machine: &Machine, acceleration: f64, time: f64, state: &[f64; 4]) -> [f64; 4] {
+    let [x, y, of_x, of_y] = machine.radial_damping_rates(time, state);
+    let (whole, ramp) = (machine.cartesian_rates(time, state), machine.ramp_rates(acceleration, time, state));
+    [x, y, ramp[2] + (of_x - whole[2]), ramp[3] + (of_y - whole[3])]
+}
+
+/// A shaft as it is seen by who has turned by the angle of a complex number of length one.
+fn turned(shaft: &Shaft, by: Complex<f64>) -> Shaft {
+    Shaft { position: shaft.position * by, velocity: shaft.velocity * by }
+}
+
+impl Part {
+    fn new(
+        machine: Machine,
+        is_radial: bool,
+        before: &State,
+        acceleration: f64,
+        span: [f64; 2],
+    ) -> Result<Self, Cause> {
+        let State { azimuth, spin, .. } = *before;
+        let machine = machine.with_spin(spin)?;
+        let start = turned(&before.shaft, before.load().conj());
+        let way = if is_radial {
+            let length = span[1] - span[0];
+            let fastest = (spin + acceleration * length).max(machine.natural_frequency());
+            let steps = (length * fastest / 0.1).ceil().max(1.0);
+            let times: Vec<f64> = (0..=steps as u32).map(|n| length * f64::from(n) / steps).collect();
+            let rates = |t: f64, state: &[f64; 4]| radial_rates(&machine, acceleration, t, state);
+            let solver = Dop853::with_tolerances(1e-8, 1e-9)?;
+            let (states, _) = solver.sample(rates, 0.0, start.to_array(), &times)?;
+            Way::Stepped { machine, step: length / steps, states }
+        } else if acceleration == 0.0 {
+            Way::Steady(machine.transient(start)?)
+        } else {
+            Way::Ramp(Box::new(machine.ramp(acceleration, start)?))
+        };
+        Ok(Self { from: span[0], azimuth, spin, acceleration, way })
+    }
+
+    fn at(&self, time: f64) -> Result<State, Cause> {
+        let since = time - self.from;
+        let shaft = match &self.way {
+            Way::Steady(motion) => motion.at(since)?,
+            Way::Ramp(motion) => motion.at(since)?,
+            Way::Stepped { machine, step, states } => {
+                let index = ((since / step) as usize).min(states.len() - 1);
+                let begun = *step * index as f64;
+                let mut rates = |t: f64, state: &[f64; 4]| radial_rates(machine, self.acceleration, t, state);
+                Shaft::from_array(rk4_step(&mut rates, begun, &states[index], since - begun))
+            }
+        };
+        let shaft = turned(&shaft, Complex::from_polar(1.0, self.azimuth));
+        let azimuth = self.azimuth + (self.spin + 0.5 * self.acceleration * since) * since;
+        Ok(State { shaft, azimuth, spin: self.spin + self.acceleration * since })
+    }
+}
+
+/// The motion from its beginning to its end, and what comes of it.
+pub(super) struct Course {
+    pub machine: Machine,
+    /// The same machine while its drum does not turn.
+    pub still: Machine,
+    pub is_radial: bool,
+    pub speeds_up: bool,
+    pub kick: Option<f64>,
+    /// When it ends, s, and whether it does because the tub strikes its housing.
+    pub end: f64,
+    pub strikes: bool,
+    /// Times, and how far the shaft is from O, m; the time and size of the largest distance.
+    pub swings: Vec<(f64, f64)>,
+    pub widest: (f64, f64),
+    parts: Vec<Part>,
+    /// Times, and what the floor has been given until then, N s.
+    given: Vec<(f64, Complex<f64>)>,
+}
+
+impl Course {
+    /// From rest if the drum has to speed up or there is no steady motion in the housing, from the steady motion
+    /// otherwise.
+    pub(super) fn new(
+        still: Machine,
+        spin: f64,
+        is_radial: bool,
+        speeds_up: bool,
+        kick: Option<f64>,
+    ) -> Result<Self, Cause> {
+        let machine = still.with_spin(spin)?;
+        let run_up = if speeds_up { spin / ACCELERATION } else { 0.0 };
+        let end = run_up + LASTS;
+        let mut course = Self {
+            machine,
+            still,
+            is_radial,
+            speeds_up: run_up > 0.0,
+            kick: kick.filter(|time| *time < end),
+            end,
+            strikes: false,
+            swings: Vec::new(),
+            widest: (0.0, 0.0),
+            parts: Vec::new(),
+            given: Vec::new(),
+        };
+        course.move_on(run_up)?;
+        course.keep_book()?;
+        Ok(course)
+    }
+
+    fn move_on(&mut self, run_up: f64) -> Result<(), Cause> {
+        let (machine, kick) = (self.machine, self.kick);
+        let largest = (LARGEST_SWING - 1.0) * machine.offset();
+        let mut now = State { shaft: Shaft::AT_REST, azimuth: 0.0, spin: 0.0 };
+        if let Some(steady) =
+            steady(&machine, self.is_radial).filter(|steady| !self.speeds_up && steady.radius() < largest)
+        {
+            let position = steady.amplitude();
+            now.shaft = Shaft { position, velocity: Complex::new(0.0, machine.spin()) * position };
+        }
+        let mut cuts = vec![0.0, run_up, kick.unwrap_or(0.0)];
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
+        cuts.push(self.end);
+        for span in cuts.windows(2) {
+            let from = span[0];
+            if let Some(part) = self.parts.last() {
+                now = part.at(from)?;
+            }
+            if kick == Some(from) {
+                now.shaft.velocity += KICK;
+            }
+            if from == run_up {
+                now.spin = machine.spin();
+            }
+            let acceleration = if from < run_up { ACCELERATION } else { 0.0 };
+            self.parts.push(Part::new(machine, self.is_radial, &now, acceleration, [from, span[1]])?);
+        }
+        Ok(())
+    }
+
+    /// Writes down how far the shaft swings and what the floor is given, until the tub strikes its housing.
+    fn keep_book(&mut self) -> Result<(), Cause> {
+        let mut given = Complex::new(0.0, 0.0);
+        for (index, part) in self.parts.iter().enumerate() {
+            let until = self.parts.get(index + 1).map_or(self.end, |next| next.from);
+            let mut from = part.from;
+            while from < until {
+                // Two radians of drum and spring together: there Gauss's rule has eleven digits.
+                let spin = part.spin + part.acceleration * (from - part.from);
+                let mut to = until.min(from + 2.0 / (spin + self.machine.natural_frequency()));
+                if self.is_radial {
+                    // The force turns with the radius, and quickly as the shaft passes O.
+                    let Shaft { position, velocity } = part.at(from)?.shaft;
+                    to = to.min(from + (1.5 * position.norm() / velocity.norm().max(1e-9)).max(2e-3));
+                }
+                self.given.push((from, given));
+                for (place, weight) in GAUSS {
+                    let time = from + place * (to - from);
+                    let shaft = part.at(time)?.shaft;
+                    let distance = shaft.position.norm();
+                    if distance > LARGEST_SWING * self.machine.offset() {
+                        (self.end, self.strikes) = (time, true);
+                        return Ok(());
+                    }
+                    if distance > self.widest.1 {
+                        self.widest = (time, distance);
+                    }
+                    self.swings.push((time, distance));
+                    given += self.force(&shaft) * (weight * (to - from));
+                }
+                from = to;
+            }
+        }
+        Ok(())
+    }
+
+    pub(super) fn at(&self, time: f64) -> Result<State, Cause> {
+        let part = self.parts.iter().rev().find(|part| part.from <= time).unwrap_or(&self.parts[0]);
+        part.at(time.min(self.end))
+    }
+
+    /// Whether the machine has been kicked by a time.
+    pub(super) fn is_kicked(&self, time: f64) -> bool {
+        self.kick.is_some_and(|kick| kick <= time)
+    }
+
+    /// The force of springs and dampers on the floor, N: minus what they do to a drum that does not turn.
+    pub(super) fn force(&self, shaft: &Shaft) -> Complex<f64> {
+        let rates = if self.is_radial { Machine::radial_damping_rates } else { Machine::cartesian_rates };
+        let [_, _, x, y] = rates(&self.still, 0.0, &shaft.to_array());
+        Complex::new(x, y) * -self.machine.total_mass()
+    }
+
+    /// What has been gained in momentum, less what floor and kick gave, by a time, N s: rounding.
+    pub(super) fn imbalance(&self, time: f64) -> Result<f64, Cause> {
+        let index = self.given.partition_point(|(from, _)| *from <= time).saturating_sub(1);
+        let (from, mut left) = self.given[index];
+        for (place, weight) in GAUSS {
+            left += self.force(&self.at(from + place * (time - from))?.shaft) * (weight * (time - from));
+        }
+        left += self.momentum(&self.at(time)?) - self.momentum(&self.at(0.0)?);
+        if self.is_kicked(time) && self.kick > Some(0.0) {
+            left -= KICK * self.machine.total_mass();
+        }
+        Ok(left.norm())
+    }
+
+    /// The momentum of tub, drum and load, N s: that of their mass at its centre.
+    fn momentum(&self, state: &State) -> Complex<f64> {
+        let turning = Complex::new(0.0, state.spin * self.machine.offset()) * state.load();
+        (state.shaft.velocity + turning) * self.machine.total_mass()
+    }
+}

@@ -1,0 +1,243 @@
+//! The picture: the drum with its load in a tub, between posts on a floor.
+
+use super::course::{Course, State};
+use crate::{Cause, Moment};
+use drawing::kit::{self, Marker};
+use drawing::space::{Camera, View};
+use drawing::{Drawing, Fill, Hue, Point, Side, Stroke, at};
+use nalgebra::Complex;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+
+/// The unit of length is the radius of the drum. In it, the place of the load, and the length of a metre of swing: five
+/// times that of a metre of the drum.
+const LOAD: f64 = 0.82;
+const METRE: f64 = 5.0 * LOAD / 0.25;
+/// The length of a newton in it.
+const FORCE: f64 = 0.01;
+/// The outer radius of the tub; the heights of its upper rim, of springs, and of the floor.
+const TUB: f64 = 1.17;
+const RIM: f64 = 0.02;
+const MOUNT: f64 = -0.25;
+const FLOOR: f64 = -0.55;
+
+const ORIGIN: Complex<f64> = Complex::new(0.0, 0.0);
+
+/// The machine at a moment, and the eye that looks at it. Places on the floor are complex numbers.
+pub(super) struct Drum<'a> {
+    course: &'a Course,
+    time: f64,
+    state: &'a State,
+    on_drum: bool,
+    camera: Camera,
+    /// The azimuth of the eye: a rider's turns with the drum.
+    eye: f64,
+    /// How far the posts stand from O: room for the widest swing and for springs.
+    posts: f64,
+    /// The place of the shaft.
+    shaft: Complex<f64>,
+}
+
+impl<'a> Drum<'a> {
+    pub(super) fn new(
+        course: &'a Course,
+        state: &'a State,
+        on_drum: bool,
+        moment: &Moment,
+    ) -> Result<Self, Cause> {
+        let posts = (TUB + 0.4 + course.widest.1 * METRE).max(2.5);
+        let eye = moment.azimuth + if on_drum { state.azimuth } else { 0.0 };
+        let view = View {
+            target: [0.0; 3],
+            azimuth: eye,
+            elevation: moment.elevation,
+            distance: 14.0,
+            centre: moment.room.of(at(196.0, 216.0), at(190.0, 204.0)),
+            scale: moment.room.of(186.0, 178.0) / posts,
+        };
+        // Never from below the floor.
+        let seen = Moment { azimuth: eye, elevation: moment.elevation.max(0.2), ..*moment };
+        let camera = seen.camera(view)?;
+        let shaft = state.shaft.position * METRE;
+        Ok(Self { course, time: moment.time, state, on_drum, camera, eye, posts, shaft })
+    }
+
+    /// A place at a height on the page: all of them lie in front of the eye, which is far away.
+    fn land(&self, place: Complex<f64>, height: f64) -> Point {
+        self.camera.on_page([place.re, place.im, height]).unwrap_or_default()
+    }
+
+    /// A level arc, with points closer together on a large one.
+    fn arc(&self, centre: Complex<f64>, height: f64, radius: f64, from: f64, sweep: f64) -> Vec<Point> {
+        let count = (2.0 + 8.0 * sweep.abs() * radius.sqrt()).ceil();
+        let mut points = Vec::new();
+        for n in 0..=count as u32 {
+            let way = Complex::from_polar(radius, from + sweep * f64::from(n) / count);
+            points.push(self.land(centre + way, height));
+        }
+        points
+    }
+
+    pub(super) fn draw(&self, drawing: &mut Drawing) -> Result<(), Cause> {
+        self.draw_room(drawing);
+        self.draw_suspension(drawing);
+        self.draw_tub(drawing);
+        self.draw_load(drawing);
+        self.draw_ways(drawing)?;
+        self.draw_angle(drawing)?;
+        self.draw_forces(drawing)
+    }
+
+    fn draw_room(&self, drawing: &mut Drawing) {
+        let floor = self.posts + 0.12;
+        drawing.polygon(self.arc(ORIGIN, FLOOR, floor, 0.0, TAU), Fill::Floor, Hue::Ink);
+        let lines = (floor / 0.6) as i32;
+        for n in -lines..=lines {
+            let x = 0.6 * f64::from(n);
+            let half = (floor * floor - x * x).sqrt();
+            for along in [Complex::new(1.0, 0.0), Complex::new(0.0, 1.0)] {
+                let [from, to] = [-half, half].map(|y| self.land(along * Complex::new(x, y), FLOOR));
+                drawing.line(from, to, Stroke::Grid, Hue::Ink);
+            }
+        }
+    }
+
+    /// The posts, and between them and the tub springs and, if they resist the whole velocity, dampers.
+    fn draw_suspension(&self, drawing: &mut Drawing) {
+        for side in 0..4 {
+            let way = Complex::from_polar(1.0, FRAC_PI_4 + FRAC_PI_2 * f64::from(side));
+            let post = way * self.posts;
+            let [foot, head] = [FLOOR, MOUNT + 0.1].map(|height| self.land(post, height));
+            drawing.dot(foot, 4.5, Hue::Muted);
+            drawing.line(foot, head, Stroke::Curve, Hue::Ink);
+            drawing.dot(head, 3.0, Hue::Ink);
+            let wall = self.shaft + way * TUB;
+            let aside = way * Complex::new(0.0, 0.13);
+            let [from, to] = [post, wall].map(|place| self.land(place + aside, MOUNT));
+            kit::spring(drawing, from, to, 5, 8.0, 0.06 * (to - from).length(), Hue::Ink);
+            if !self.course.is_radial {
+                let [from, to] = [post, wall].map(|place| self.land(place - aside, MOUNT));
+                kit::damper(drawing, from, to, 0.42 * (to - from).length(), 8.0, Hue::Ink);
+            }
+        }
+    }
+
+    /// The tub with the drum in it.
+    fn draw_tub(&self, drawing: &mut Drawing) {
+        let ring = |radius: f64| self.arc(self.shaft, RIM, radius, 0.0, TAU);
+        // The wall is seen between the near half of its foot and the far half of its rim.
+        let mut wall = self.arc(self.shaft, FLOOR + 0.1, TUB, self.eye - FRAC_PI_2, PI);
+        wall.extend(self.arc(self.shaft, RIM, TUB, self.eye + FRAC_PI_2, PI));
+        let faces = [
+            (wall, Fill::Side, Hue::Muted),
+            (ring(TUB), Fill::Face, Hue::Muted),
+            (ring(1.07), Fill::Side, Hue::Muted),
+            (ring(1.0), Fill::Face, Hue::Blue),
+        ];
+        for (mut face, fill, hue) in faces {
+            drawing.polygon(face.clone(), Fill::Page, hue);
+            drawing.polygon(face.clone(), fill, hue);
+            face.extend(face.first().copied());
+            drawing.polyline(&face, Stroke::Outline, hue);
+        }
+    }
+
+    /// The load, a mat on the rim of the drum, and holes by which one sees it turn.
+    fn draw_load(&self, drawing: &mut Drawing) {
+        let State { azimuth, .. } = *self.state;
+        for hole in 1..8 {
+            let hole = self.shaft + Complex::from_polar(LOAD, azimuth + TAU * f64::from(hole) / 8.0);
+            drawing.polygon(self.arc(hole, RIM, 0.05, 0.0, TAU), Fill::Side, Hue::Blue);
+        }
+        let mut mat = self.arc(self.shaft, RIM, 0.97, azimuth - 0.36, 0.72);
+        mat.extend(self.arc(self.shaft, RIM, 0.67, azimuth + 0.36, -0.72));
+        drawing.polygon(mat, Fill::Solid, Hue::Blue);
+    }
+
+    /// The steady circle, and the ways of shaft and centre of mass.
+    fn draw_ways(&self, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (course, state) = (self.course, self.state);
+        let steady =
+            super::steady(&course.machine, course.is_radial).map_or(0.0, |steady| steady.radius() * METRE);
+        if steady > 0.05 && steady < self.posts {
+            drawing.polyline(&self.arc(ORIGIN, RIM, steady, 0.0, TAU), Stroke::Reference, Hue::Muted);
+        }
+        let turns = if course.is_kicked(self.time) { 1.8 } else { 0.8 };
+        let turn = TAU / state.spin.max(course.machine.natural_frequency());
+        let length = if self.on_drum { 2.0 } else { turns * turn };
+        let steps = (length * state.spin.max(10.0) / 0.2).ceil();
+        let (mut way, mut mass_way) = (Vec::new(), Vec::new());
+        for n in 0..=steps as u32 {
+            let then = self.time - length * (1.0 - f64::from(n) / steps);
+            if then >= 0.0 {
+                let then = course.at(then)?;
+                let scale =
+                    if self.on_drum { state.load() * then.load().conj() * METRE } else { METRE.into() };
+                way.push(self.land(then.shaft.position * scale, RIM));
+                let mass = then.shaft.position + then.load() * course.machine.offset();
+                mass_way.push(self.land(mass * scale, RIM));
+            }
+        }
+        if !self.on_drum {
+            drawing.polyline(&mass_way, Stroke::Orbit, Hue::Ink);
+        }
+        drawing.polyline(&way, Stroke::Vector, Hue::Blue);
+        Ok(())
+    }
+
+    /// The line from O through the shaft, that from the shaft to the load, and the angle by which it leads.
+    fn draw_angle(&self, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (shaft, load) = (self.shaft, self.state.load());
+        let [origin, middle] = [ORIGIN, shaft].map(|place| self.land(place, RIM));
+        let length = (middle - origin).length();
+        if self.course.is_radial && length > 30.0 {
+            kit::damper(drawing, origin, middle, 0.5 * length, 9.0, Hue::Ink);
+        }
+        if shaft.norm() > 0.1 {
+            let beyond = self.land(shaft * (1.0 + 0.62 / shaft.norm()), RIM);
+            drawing.line(origin, beyond, Stroke::Outline, Hue::Ink);
+            let (azimuth, lead) = (shaft.arg(), self.state.lead());
+            drawing.polyline(&self.arc(shaft, RIM, 0.42, azimuth, lead), Stroke::Outline, Hue::Ink);
+            let name = self.land(shaft + Complex::from_polar(0.58, azimuth + 0.72 * lead), RIM);
+            drawing.label(name, Side::Over, r"$\phi_0$", Hue::Ink)?;
+        }
+        drawing.line(middle, self.land(shaft + load * 0.67, RIM), Stroke::Vector, Hue::Blue);
+        Ok(())
+    }
+
+    /// The force on the floor, shaft and centre of mass, how the drum turns, and for a moment the kick.
+    fn draw_forces(&self, drawing: &mut Drawing) -> Result<(), Cause> {
+        let origin = self.land(ORIGIN, RIM);
+        let force = self.course.force(&self.state.shaft) * FORCE;
+        let force = force * (0.94 * self.posts / force.norm().max(1e-9)).min(1.0);
+        if force.norm() > 0.05 {
+            let tip = self.land(force, RIM);
+            kit::arrow(drawing, origin, tip, Hue::Purple);
+            drawing.label(
+                tip + (tip - origin).unit() * 12.0,
+                Side::Over,
+                r"$\boldsymbol{F}$",
+                Hue::Purple,
+            )?;
+        }
+        let mass = self.shaft + self.state.load() * (self.course.machine.offset() * METRE);
+        kit::marker(drawing, self.land(mass, RIM), Marker::Mass, Hue::Ink);
+        kit::marker(drawing, self.land(self.shaft, RIM), Marker::Ring, Hue::Ink);
+        for arm in [Complex::new(0.09, 0.0), Complex::new(0.0, 0.09)] {
+            drawing.line(self.land(-arm, RIM), self.land(arm, RIM), Stroke::Curve, Hue::Ink);
+        }
+        drawing.label(origin + at(-10.0, 12.0), Side::Over, "$O$", Hue::Ink)?;
+        if self.state.spin > 0.0 {
+            let turn = self.arc(self.shaft, RIM, TUB + 0.13, self.eye + FRAC_PI_2 + 0.25, 0.5);
+            if let [line @ .., neck, tip] = &turn[..] {
+                drawing.polyline(line, Stroke::Vector, Hue::Orange);
+                kit::head(drawing, *tip, *tip - *neck, 1.0, Hue::Orange);
+            }
+        }
+        if self.course.is_kicked(self.time) && !self.course.is_kicked(self.time - 0.12) {
+            let wall = self.shaft - TUB;
+            kit::arrow(drawing, self.land(wall - 0.8, RIM), self.land(wall, RIM), Hue::Pink);
+            drawing.label(self.land(wall - 0.9, RIM), Side::Over, "kick", Hue::Pink)?;
+        }
+        Ok(())
+    }
+}
