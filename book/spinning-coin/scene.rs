@@ -4,7 +4,7 @@ use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, point_at,
     value_at,
 };
-use drawing::kit::{self, Marker};
+use drawing::kit;
 use drawing::space::{Curve, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Room, Side, Stroke, at};
 use mechanics::InvalidQuantity;
@@ -357,8 +357,7 @@ impl Spinning {
         graph.label((0.06, 1.2e3), Side::Over, "contact", Hue::Pink)?;
         graph.label((0.08, 6e-3), Side::Over, "head", Hue::Blue)?;
         graph.label((2e-3, 3e-3), Side::AboveLeft, r"$\omega_z$", Hue::Orange)?;
-        let grip = graph.at((self.start.tilt(), self.start.turn_rate()));
-        kit::marker(graph.drawing(), grip, Marker::Ring, Hue::Ink);
+        graph.grip((self.start.tilt(), self.start.turn_rate()), Hue::Ink);
         Ok(())
     }
 }
