@@ -121,7 +121,7 @@ impl Rolled {
         let follows = reach > MOST_REACH;
         let contact = now.contact(RADIUS) / RADIUS;
         let (middle, reach) = if follows { (contact, 0.5 * MOST_REACH) } else { (middle, reach) };
-        let reach = reach.max(1.0) + 0.25;
+        let reach = reach.max(1.8) + 0.25;
         let distance = 12.0 + 2.0 * reach;
         let high = 2.0 * reach * 0.6_f64.sin() + 2.0;
         let target = Vector3::new(middle.re, middle.im, 0.55);

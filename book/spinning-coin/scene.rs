@@ -407,6 +407,14 @@ impl Motion for Spinning {
         match &self.down {
             None => {
                 let cos = tilt.cos();
+                let slow = self.start.turn_rate() / self.start.figure_rate();
+                if slow > 1e6 {
+                    return format!(
+                        "All but the whole rim rolls off on the table, and the head all but stands: the contact goes round {} \
+                         million times while the head turns once.",
+                        few(1e-6 * slow)
+                    );
+                }
                 format!(
                     "In a round the contact runs {:.3} radii along the table, and as far along the rim, which has {:.3}. \
                      The {} that are left over are the angle by which the head has turned. The contact goes round {} \
@@ -414,7 +422,7 @@ impl Motion for Spinning {
                     TAU * cos,
                     TAU,
                     angle(TAU * (1.0 - cos)),
-                    few(self.start.turn_rate() / self.start.figure_rate()),
+                    few(slow),
                 )
             }
             Some((down, which, end)) => {
