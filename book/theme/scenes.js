@@ -476,6 +476,8 @@ function visit() {
   target.figure.scrollIntoView();
   for (const scene of scenes) scene.follow();
 }
+// Without a script a link of the text leads to the still; with it, to its setting.
+for (const link of document.querySelectorAll("a[data-set]")) link.hash += `?${link.dataset.set}`;
 visit();
 window.spinning = { Machine, whenNear }; // for snippets whose numbers can be changed
 addEventListener("hashchange", visit);
