@@ -439,8 +439,7 @@ impl Motion for Pinned {
                 TAU / rate
             );
         }
-        let (Some(period), Ok(Some(nearer))) = (self.period, wait(self.shape, 0.1 * self.gap.max(1e-3)))
-        else {
+        let (Some(period), Ok(Some(nearer))) = (self.period, wait(self.shape, 0.1 * self.gap)) else {
             return "Exactly at 90° it turns about the tangent, its middle axis, for ever: the pendulum \
                     stands on its head. No pin is that exact."
                 .into();

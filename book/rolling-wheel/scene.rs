@@ -3,7 +3,6 @@
 use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, point_at, value_at,
 };
-use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at, clip};
 use mechanics::rolling::{MomentFactors, Rolling};
@@ -122,7 +121,7 @@ impl Rolled {
         let follows = reach > MOST_REACH;
         let contact = now.contact(RADIUS) / RADIUS;
         let (middle, reach) = if follows { (contact, 0.5 * MOST_REACH) } else { (middle, reach) };
-        let reach = reach.max(1.0) + 0.25;
+        let reach = reach.max(1.8) + 0.25;
         let distance = 12.0 + 2.0 * reach;
         let high = 2.0 * reach * 0.6_f64.sin() + 2.0;
         let target = Vector3::new(middle.re, middle.im, 0.55);
@@ -140,7 +139,7 @@ impl Rolled {
 
         // The track lies on the table, and the wheel stands on both.
         let mut table = Stage::new(camera);
-        let corner = |way: f64| [middle.re, middle.im].map(|x| x + way * reach);
+        let corner = |way: f64| [middle.re, middle.im].map(|x| x + way * (reach - 0.2));
         table.ground(corner(-1.0), corner(1.0), 0.0, 1.0)?;
         // The circle on which the contact would run undisturbed.
         let circle = self.steady.map_or(0.0, |steady| (steady.contact_radius() / RADIUS).abs());
@@ -271,11 +270,10 @@ impl Rolled {
         let way = past.chain([now]).map(Self::on_map);
         map.curve(way, Stroke::Orbit, Hue::Blue);
         map.label((2.4, 44.0), Side::Over, "stays small", Hue::Ink)?;
-        let inside = map.at((1.3, 5.5));
+        let inside = map.at((2.2, 4.5));
         map.drawing().label_on_face(inside, Side::Over, "grows", Hue::Ink)?;
-        let grip = map.at((self.circle, self.lean.to_degrees()));
         map.dot(Self::on_map(now), 3.4, Hue::Blue);
-        kit::marker(map.drawing(), grip, Marker::Ring, Hue::Ink);
+        map.grip((self.circle, self.lean.to_degrees()), Hue::Ink);
         Ok(())
     }
 }
@@ -480,7 +478,7 @@ impl Rolled {
         well.dot(here, 5.0, Hue::Blue);
         let end = well.at((leans.to, kick));
         well.drawing().label(end, Side::BelowLeft, r"$E$", Hue::Muted)?;
-        kit::marker(well.drawing(), end, Marker::Ring, Hue::Ink);
+        well.grip((leans.to, kick), Hue::Ink);
         Ok(())
     }
 }

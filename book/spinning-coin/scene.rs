@@ -4,7 +4,7 @@ use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, point_at,
     value_at,
 };
-use drawing::kit::{self, Marker};
+use drawing::kit;
 use drawing::space::{Curve, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Room, Side, Stroke, at};
 use mechanics::InvalidQuantity;
@@ -357,8 +357,7 @@ impl Spinning {
         graph.label((0.06, 1.2e3), Side::Over, "contact", Hue::Pink)?;
         graph.label((0.08, 6e-3), Side::Over, "head", Hue::Blue)?;
         graph.label((2e-3, 3e-3), Side::AboveLeft, r"$\omega_z$", Hue::Orange)?;
-        let grip = graph.at((self.start.tilt(), self.start.turn_rate()));
-        kit::marker(graph.drawing(), grip, Marker::Ring, Hue::Ink);
+        graph.grip((self.start.tilt(), self.start.turn_rate()), Hue::Ink);
         Ok(())
     }
 }
@@ -408,6 +407,14 @@ impl Motion for Spinning {
         match &self.down {
             None => {
                 let cos = tilt.cos();
+                let slow = self.start.turn_rate() / self.start.figure_rate();
+                if slow > 1e6 {
+                    return format!(
+                        "All but the whole rim rolls off on the table, and the head all but stands: the contact goes round {} \
+                         million times while the head turns once.",
+                        few(1e-6 * slow)
+                    );
+                }
                 format!(
                     "In a round the contact runs {:.3} radii along the table, and as far along the rim, which has {:.3}. \
                      The {} that are left over are the angle by which the head has turned. The contact goes round {} \
@@ -415,7 +422,7 @@ impl Motion for Spinning {
                     TAU * cos,
                     TAU,
                     angle(TAU * (1.0 - cos)),
-                    few(self.start.turn_rate() / self.start.figure_rate()),
+                    few(slow),
                 )
             }
             Some((down, which, end)) => {

@@ -198,6 +198,13 @@ impl<'a> Graph<'a> {
         }
     }
 
+    /// A ring at a pair of values: what a hand can take hold of.
+    pub fn grip(&mut self, value: (f64, f64), hue: Hue) {
+        let point = self.at(value);
+        self.drawing.circle(point, 3.2, Role::Area(Fill::Page, hue));
+        self.drawing.circle(point, 3.2, Role::Line(Stroke::Curve, hue));
+    }
+
     /// A line across the plot at a value of y.
     pub fn level(&mut self, y: f64, stroke: Stroke, hue: Hue) {
         self.curve([(self.x.from, y), (self.x.to, y)], stroke, hue);

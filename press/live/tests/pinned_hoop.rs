@@ -22,7 +22,7 @@ fn number(reading: &str) -> f64 {
 fn seconds(words: &str, behind: &str) -> f64 {
     let rest = words.split_once(behind).unwrap_or_else(|| panic!("{words}")).1;
     rest.trim_start()
-        .split(' ')
+        .split(char::is_whitespace)
         .next()
         .and_then(|text| text.parse().ok())
         .unwrap_or_else(|| panic!("{words}"))
@@ -97,7 +97,7 @@ fn what_never_turns_over_says_so() {
         assert!(player.words(0.0).contains(said), "{}", player.words(0.0));
     }
     // The ball's centre goes round the momentum at two sevenths of ω₀.
-    assert!(scene(&[("shape", 2.0)]).words(0.0).contains("once in 22 s"));
+    assert!(scene(&[("shape", 2.0)]).words(0.0).contains("once in 22\u{a0}s"));
     let exact = scene(&[("exact", 1.0)]);
     assert_eq!(number(&exact.readings(exact.run().duration).expect("readings")[1]), 0.0);
 }
