@@ -4,7 +4,8 @@ use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at,
     value_at,
 };
-use drawing::space::{Camera, Curve, Hiding, Solid, SpaceError, Stage, View};
+use coin::draw_coin;
+use drawing::space::{Camera, Curve, Solid, SpaceError, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at, kit::Heads};
 use mechanics::InvalidQuantity;
 use mechanics::inertia::PrincipalMoments;
@@ -14,6 +15,8 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::LazyLock;
 use tosses::{TOSSES, Tosses};
 
+#[path = "scene/coin.rs"]
+mod coin;
 #[path = "scene/tosses.rs"]
 mod tosses;
 
@@ -71,13 +74,6 @@ const AGAIN: f64 = 1.2;
 /// What the eye takes for one instant, s, and how many images of the coin stand for it.
 const BLINK: f64 = 0.02;
 const IMAGES: u32 = 6;
-/// Half the thickness of the coin that is drawn, if it is thin, in radii.
-const HALF: f64 = 0.06;
-/// The letters on its faces, as strokes along axes 1 and 2, in radii. That of tails reads well from below.
-const HEADS: [[[f64; 2]; 2]; 3] =
-    [[[-0.3, -0.42], [-0.3, 0.42]], [[0.3, -0.42], [0.3, 0.42]], [[-0.3, 0.0], [0.3, 0.0]]];
-const TAILS: [[[f64; 2]; 2]; 2] = [[[0.0, -0.4], [0.0, 0.4]], [[-0.34, -0.4], [0.34, -0.4]]];
-
 /// Probability of the same face against ψ, degrees: the twists divide the curve most finely where it leaves one.
 static PROBABILITIES: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
     let coin = |ratio: f64| -> Result<_, InvalidQuantity> {
@@ -186,32 +182,6 @@ impl Throw {
         self.tosses.made(time, self.pace())
     }
 
-    /// The coin of radius 1 about the origin as it is seen from a direction, in the hue of the face that is seen: that
-    /// which was up in the hue of the body, the other grey. Each has its letter.
-    fn draw_coin(
-        &self,
-        stage: &mut Stage,
-        attitude: &UnitQuaternion<f64>,
-        towards_eye: &Vector3<f64>,
-    ) -> Result<(), SpaceError> {
-        // I₃/I₁ = 2/(1 + h²/3) of a cylinder of radius 1 and height h
-        let [_, _, axial] = self.moments.to_array();
-        let half = (0.5 * (3.0 * (2.0 / axial - 1.0)).sqrt()).max(HALF);
-        let radius = 1.0_f64.min(1.2 / half.hypot(1.0));
-        let (half, normal) = (half * radius, attitude * Vector3::z());
-        let (face, hue, pen, letter) = if normal.dot(towards_eye) >= 0.0 {
-            (half, Hue::Blue, Hue::Blue, &HEADS[..])
-        } else {
-            (-half, Hue::Muted, Hue::Ink, &TAILS[..])
-        };
-        stage.solid(Solid::disc([0.0; 3], normal, radius, 2.0 * half)?, hue)?;
-        for stroke in letter {
-            let [from, to] = stroke.map(|[x, y]| attitude * Vector3::new(x * radius, y * radius, face));
-            stage.curve(Curve::segment(from, to)?.hiding(Hiding::Omitted), Stroke::Curve, pen)?;
-        }
-        Ok(())
-    }
-
     /// The way of the tip of the normal, blue where heads shows and grey where tails does.
     fn draw_path(&self, stage: &mut Stage, size: f64, stroke: Stroke) -> Result<(), SpaceError> {
         for (path, hue) in self.paths.iter().zip([Hue::Blue, Hue::Muted]) {
@@ -240,7 +210,7 @@ impl Throw {
         let (sin, cos) = view.elevation.sin_cos();
         let towards_eye = Vector3::new(cos * view.azimuth.cos(), cos * view.azimuth.sin(), sin);
         let mut stage = Stage::new(Camera::new(view)?);
-        self.draw_coin(&mut stage, &attitude, &towards_eye)?;
+        draw_coin(&self.moments, &mut stage, &attitude, &towards_eye)?;
         self.draw_path(&mut stage, 1.4, Stroke::Outline)?;
         if self.toss.is_some() {
             stage.named_vector([0.0; 3], self.momentum() * 1.65, r"$\boldsymbol{L}$", Hue::Green)?;

@@ -13,7 +13,7 @@ use crate::{
 };
 use course::{Course, State};
 use drawing::kit::{self, Marker};
-use drawing::{Drawing, Hue, Point, Rect, Side, Stroke, at};
+use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use drum::Drum;
 use mechanics::scenes::laundromat::{Machine, Parameters, SteadyMotion};
 use nalgebra::Complex;
@@ -91,6 +91,9 @@ const GAUSS: [(f64, f64); 6] = [
     (0.966_234_757_101_576, 0.085_662_246_189_585_17),
 ];
 
+/// Points of a curve, (x, y).
+type Values = Vec<(f64, f64)>;
+
 /// The steady motion of a machine; none at resonance without damping on the circle.
 fn steady(machine: &Machine, is_radial: bool) -> Option<SteadyMotion> {
     let damping = if is_radial { 0.0 } else { machine.parameters().damping };
@@ -98,7 +101,7 @@ fn steady(machine: &Machine, is_radial: bool) -> Option<SteadyMotion> {
 }
 
 /// The steady force on the floor, N, and the lead of the load, °, over the spin.
-fn over_spin(still: &Machine, is_radial: bool) -> (Vec<(f64, f64)>, Vec<(f64, f64)>) {
+fn over_spin(still: &Machine, is_radial: bool) -> (Values, Values) {
     // Closer together about the resonance.
     let spins = (0..=140).map(f64::from).map(|n| if n < 100.0 { 0.2 * n } else { n - 80.0 });
     let values = spins.map(|spin| {
@@ -116,8 +119,8 @@ struct Washer {
     course: Course,
     on_drum: bool,
     /// The steady force on the floor and the lead over the spin.
-    forces: Vec<(f64, f64)>,
-    leads: Vec<(f64, f64)>,
+    forces: Values,
+    leads: Values,
     quietest: Option<(f64, f64)>,
     words: String,
 }
@@ -236,9 +239,9 @@ impl Washer {
                 if spin < 40.0 { (spin - 2.5, Side::Right) } else { (spin + 2.5, Side::Left) };
             plot.label((place, 185.0), side, "quietest", Hue::Muted)?;
         }
-        let ring = plot.at(self.steady_force());
-        kit::marker(plot.drawing(), ring, Marker::Ring, Hue::Ink);
         plot.dot((state.spin, course.force(&state.shaft).norm()), 4.5, Hue::Purple);
+        let ring = plot.at(self.steady_force());
+        plot.drawing().circle(ring, 7.0, Role::Line(Stroke::Outline, Hue::Purple));
 
         let mut plot = Graph::new(drawing, lead, SPIN_AXIS, LEAD_AXIS)?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);

@@ -10,11 +10,14 @@ use mechanics::euler::Turning;
 use mechanics::inertia::Body;
 use mechanics::scenes::space_station::{Blow, LaterBlow};
 use nalgebra::{UnitQuaternion, Vector3};
+use sky::{directions, draw_sky};
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
 use struck::{Blows, MASS, RADIUS, SPIN, STILL, Struck};
 use wheel::{HUB, Wheel, eye_direction};
 
+#[path = "scene/sky.rs"]
+mod sky;
 #[path = "scene/struck.rs"]
 mod struck;
 #[path = "scene/wheel.rs"]
@@ -27,7 +30,8 @@ pub(crate) const SCENE: Scene = Scene {
                   angular velocity omega goes round on the other side. Beside it the crew’s sky: star trails curl round omega, away from \
                   the cross where axis 3 points. Below, two waves against time: in four turns the axis nods 8.2 times in the room, and \
                   omega goes round four times on board.",
-    question: r"In the time of one old turn, how often does the station nod in the room, and how often does $\boldsymbol\omega$ go round on board? And when must a thruster fire to end the nod?",
+    question: "In the time of one old turn, how often does the station nod in the room, and how often does \
+               $\\boldsymbol\\omega$ go round on board? And when must a thruster fire to end the nod?",
     size: [[640.0, 440.0], [380.0, 600.0]],
     view: Some([0.75, 0.40]),
     still: 1.7,
@@ -64,25 +68,10 @@ const DURATION: f64 = 4.0 * TAU / SPIN;
 /// How long a blow stays in the picture, s, and the length of its arrow, radii a MN·s.
 const SHOWN: f64 = 1.2;
 const ARROW: f64 = 0.14;
-/// How long the shutter of the camera at the hub is open, s, and half its field of view, rad.
-const EXPOSURE: f64 = 1.7;
-const FIELD: f64 = 50.0 * TAU / 360.0;
 /// Steps of the waves.
 const STEPS: u32 = 240;
 
-/// Directions spread evenly over the sky: steps of the golden angle, equal areas.
-fn sky(count: u32) -> Vec<Vector3<f64>> {
-    let star = |k: u32| {
-        let z = 1.0 - (2.0 * f64::from(k) + 1.0) / f64::from(count);
-        let (sin, cos) = (2.399_963 * f64::from(k)).sin_cos();
-        let across = (1.0 - z * z).sqrt();
-        Vector3::new(across * cos, across * sin, z)
-    };
-    (0..count).map(star).collect()
-}
-
-static STARS: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| sky(260));
-static BACKGROUND: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| sky(2400));
+static BACKGROUND: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| directions(2400));
 
 struct Nodding {
     blows: Blows,
@@ -263,67 +252,6 @@ impl Nodding {
         Ok(())
     }
 
-    /// What a camera at the hub sees that looks along axis 3: star trails, the pole about which they turn.
-    fn draw_sky(&self, layout: &Layout, time: f64, drawing: &mut Drawing) -> Result<(), Cause> {
-        let Layout { sky, radius, .. } = *layout;
-        let in_picture = |direction: &Vector3<f64>| {
-            let scale = radius / ((1.0 + direction.z) * (0.5 * FIELD).tan());
-            sky + at(direction.y, -direction.x) * scale
-        };
-        let steps = (0..=8).map(|step| time - EXPOSURE * f64::from(step) / 8.0);
-        let attitudes = steps.map(|time| Ok(self.station.at(time)?.world_from_body.inverse()));
-        let attitudes = attitudes.collect::<Result<Vec<_>, Cause>>()?;
-        let inside = |point: Point| (point - sky).length() < radius - 2.0;
-        for star in STARS.iter() {
-            let now = attitudes[0] * star;
-            if now.z < 0.5 || !inside(in_picture(&now)) {
-                continue;
-            }
-            let trail = attitudes.iter().map(|body_from_world| in_picture(&(body_from_world * star)));
-            let trail: Vec<Point> = trail.take_while(|point| inside(*point)).collect();
-            drawing.polyline(&trail, Stroke::Outline, Hue::Ink);
-            drawing.dot(trail[0], 1.5, Hue::Ink);
-        }
-        drawing.circle(sky, radius, Role::Line(Stroke::Outline, Hue::Muted));
-        let now = self.station.at(time)?;
-        let pole = in_picture(&now.omega_body.normalize());
-        let momentum = in_picture(&(attitudes[0] * self.station.momentum(time).normalize()));
-        let reach = (pole - sky).length();
-        if reach > 3.0 && reach < radius - 4.0 {
-            drawing.circle(sky, reach, Role::Line(Stroke::Outline, Hue::Orange));
-        }
-        for step in [at(5.0, 0.0), at(0.0, 5.0)] {
-            drawing.line(sky - step, sky + step, Stroke::Vector, Hue::Blue);
-        }
-        if inside(momentum) {
-            drawing.dot(momentum, 3.5, Hue::Green);
-        }
-        if inside(pole) {
-            drawing.dot(pole, 4.0, Hue::Orange);
-        }
-        if reach > 16.0 {
-            let outwards = (pole - sky).unit();
-            let beyond = if reach < radius - 18.0 { 13.0 } else { -13.0 };
-            for (place, name, hue, is_shown) in [
-                (pole + outwards * beyond, r"$\boldsymbol{\omega}$", Hue::Orange, inside(pole)),
-                (
-                    momentum + outwards.quarter_turned() * 12.0,
-                    r"$\boldsymbol{L}$",
-                    Hue::Green,
-                    inside(momentum) && reach > 26.0,
-                ),
-                (sky - outwards * 15.0, r"$\hat{\mathbf{3}}$", Hue::Blue, true),
-            ] {
-                if is_shown {
-                    drawing.label_set(place, Side::Over, 0.0, 14.0, name, Role::Text(hue))?;
-                }
-            }
-        }
-        let title = sky - at(0.0, radius + 4.0);
-        drawing.label_set(title, Side::Above, 4.0, 13.0, "the crew’s sky", Role::Text(Hue::Ink))?;
-        Ok(())
-    }
-
     fn draw_waves(&self, layout: &Layout, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let mut graph = Graph::new(drawing, layout.graph, time_axis(moment.room), WAVES_AXIS)?;
         let names = [
@@ -428,7 +356,7 @@ impl Motion for Nodding {
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let layout = Layout::of(moment.room);
         self.draw_station(moment, &layout, drawing)?;
-        self.draw_sky(&layout, moment.time, drawing)?;
+        draw_sky(&self.station, (layout.sky, layout.radius), moment.time, drawing)?;
         self.draw_waves(&layout, moment, drawing)
     }
 

@@ -481,9 +481,13 @@ for (const link of document.querySelectorAll("a[data-set]")) link.hash += `?${li
 visit();
 window.spinning = { Machine, whenNear }; // for snippets whose numbers can be changed
 addEventListener("hashchange", visit);
-// A link that is followed again changes no address.
-document.addEventListener("click", ({ target }) => {
-  const link = target.closest?.("a[href]");
-  if (link && link.href === location.href) visit();
+// A link of the text carries its settings beside the address. One that is followed again changes no address.
+document.addEventListener("click", (event) => {
+  const link = event.target.closest?.("a[href]");
+  const settings = link?.dataset.set;
+  const hash = settings ? `${link.hash}?${settings}` : link?.hash;
+  if (settings) event.preventDefault();
+  if (link && link.pathname === location.pathname && hash === location.hash) visit();
+  else if (settings) location.hash = hash;
 });
 })();

@@ -31,43 +31,6 @@ fn way(top: &FreeSymmetricTop, seconds: f64, tip: impl Fn(&Turning) -> Vector3<f
     Ok(Curve::smooth(points)?.hiding(Hiding::Omitted))
 }
 
-/// A plate after a careless throw: its axis and angular velocity on cones about the angular momentum.
-pub(crate) fn plate(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 440.0, 390.0).titled(
-        "A wobbling plate",
-        "A flat round plate in the air above a floor, seen from the side and a little above, leaning to the right. The angular momentum L \
-         points straight up. The axis 3 of the plate leans away from it to the right, the angular velocity omega to the left. Thin arrows \
-         show how the tips of both go round the direction of L, counter-clockwise as seen from above.",
-    );
-    let top = careless_plate(Vector3::new(1.15, 0.0, 1.5), PI + 0.35)?;
-    let now = top.at(0.0)?;
-    let (axis, omega) = (now.axis_3_world(), now.omega_world());
-
-    let mut stage = Stage::new(Camera::new(View {
-        target: [0.0, 0.0, 0.35],
-        azimuth: -1.35,
-        elevation: 0.36,
-        distance: 8.0,
-        centre: at(220.0, 215.0),
-        scale: 118.0,
-    })?);
-    stage.ground([-1.5, -1.2], [1.5, 1.2], -0.95, 0.3)?;
-    stage.solid(Solid::disc([0.0; 3], axis, 1.0, 0.05)?, Hue::Blue)?;
-    let most_of_a_round = 0.86 * TAU / top.precession_rate();
-    let length = 1.55 / omega.norm();
-    let axis_way = way(&top, most_of_a_round, |turning| turning.axis_3_world() * 1.5)?;
-    let omega_way = way(&top, most_of_a_round, |turning| turning.omega_world() * length)?;
-    stage.arrow(axis_way, Stroke::Outline, Heads::End, Hue::Ink)?;
-    stage.arrow(omega_way, Stroke::Outline, Heads::End, Hue::Orange)?;
-    stage.named_vector([0.0; 3], [0.0, 0.0, 1.85], r"$\boldsymbol{L}$", Hue::Green)?;
-    stage.vector([0.0; 3], axis * 1.5, Hue::Ink)?;
-    stage.label_shifted(axis * 1.5, at(8.0, -4.0), Side::Right, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
-    stage.vector([0.0; 3], omega * length, Hue::Orange)?;
-    stage.label_shifted(omega * length, at(-8.0, -2.0), Side::Left, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-    stage.write(&mut drawing);
-    Ok(drawing)
-}
-
 /// The careless throw at five moments of one turn: the axis has gone round twice when the mark is back.
 pub(crate) fn wobbles(id: &str) -> Outcome {
     let top = careless_plate(Vector3::new(0.62, 0.0, 1.5), 0.0)?;

@@ -389,15 +389,19 @@ impl Motion for Throw {
         let count = self.wobbles_a_turn();
         let mut words = format!(
             "The axis goes round {count:.2} times while the body turns once about it: a wobble every \
-             {period:.2}\u{a0}s. "
+             {period:.2} s. "
         );
         words += &match self.ratio {
             1.0 => "All moments are equal, so L lies along ω and stands still with it: it turns about \
                     one fixed line, as a ball does, whatever it looks like."
                 .into(),
-            2.0 => "For a flat body L/I₁ reaches twice as high along the axis as ω does, and the wobbles \
-                    go with L/I₁, the turns with ω: two to one. L lies between the axis and ω."
-                .into(),
+            2.0 => {
+                let more = if count > 2.1 { ", and more when it leans as far as this" } else { "" };
+                format!(
+                    "For a flat body L/I₁ reaches twice as high along the axis as ω does, and its length \
+                     is the rate of the wobbles: two to one{more}. L lies between the axis and ω."
+                )
+            }
             ratio if ratio > 1.0 => format!(
                 "L/I₁ reaches {ratio:.2} times as high along the axis as ω does, and lies between \
                  the axis and ω: a flat body."

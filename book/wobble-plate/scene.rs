@@ -45,7 +45,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "lean of the frame", form: Form::Fixed(2), unit: "°" },
         Reading { words: "force along the shaft", form: Form::Fixed(1), unit: "N" },
         Reading { words: r"energy of the pistons, $T_\text{p}$", form: Form::Fixed(2), unit: "J" },
-        Reading { words: "its change since the start", form: Form::Power(1), unit: "J" },
+        Reading { words: "its change since the start", form: Form::Digits(2), unit: "J" },
     ],
     symbols: crate::symbols::WOBBLE_PLATE,
     start: |settings| Ok(Box::new(Shaking::new(settings)?)),

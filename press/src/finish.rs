@@ -84,6 +84,9 @@ fn remove_programs(folder: &Path) -> io::Result<()> {
         let path = entry?.path();
         if path.is_dir() {
             remove_programs(&path)?;
+            if fs::read_dir(&path)?.next().is_none() {
+                fs::remove_dir(path)?;
+            }
         } else if path.extension().is_some_and(|ending| ending == "rs") {
             fs::remove_file(path)?;
         }

@@ -70,5 +70,5 @@ fn fate_of_a_kick(course: &Course) -> String {
     } else {
         ""
     };
-    format!("{fate} by a factor e in {:.2}\u{a0}s.{why}", 1.0 / rate.abs())
+    format!("{fate} by a factor e in {:.2} s.{why}", 1.0 / rate.abs())
 }

@@ -8,7 +8,6 @@ use crate::scene::Form;
 /// use live::{Form, written};
 /// assert_eq!(written(-2.0_f64.sqrt(), Form::Fixed(2), "rad/s"), "−1.41\u{a0}rad/s");
 /// assert_eq!(written(1.26e-15, Form::Power(2), ""), "1.3·10<sup>−15</sup>");
-/// assert_eq!(written(-5.26, Form::Power(1), "J"), "−5.3\u{a0}J");
 /// assert_eq!(written(0.0, Form::Power(2), "J"), "0\u{a0}J");
 /// assert_eq!(written(43.02, Form::Digits(3), "rad/s"), "43.0\u{a0}rad/s");
 /// assert_eq!(written(0.00012345, Form::Digits(3), "s"), "1.23·10<sup>−4</sup>\u{a0}s");
@@ -29,8 +28,6 @@ pub fn written(value: f64, form: Form, unit: &str) -> String {
     let number = match form {
         Form::Fixed(digits) => format!("{value:.digits$}"),
         Form::Power(_) if value == 0.0 => "0".into(),
-        // What is no drift is written as usual.
-        Form::Power(digits) if (0.1..1000.0).contains(&value.abs()) => format!("{value:.digits$}"),
         Form::Power(digits) | Form::Digits(digits) => format!("{value:.*e}", digits.saturating_sub(1)),
     };
     let number = match number.split_once('e') {

@@ -20,7 +20,7 @@ fn number(reading: &str) -> f64 {
 
 /// The percentage in the words.
 fn percentage(words: &str) -> Option<f64> {
-    words.split(" % of the spin").next()?.rsplit(' ').next()?.parse().ok()
+    words.replace('\u{a0}', " ").split(" % of the spin").next()?.rsplit(' ').next()?.parse().ok()
 }
 
 fn any(random: &mut Rng) -> [f64; 3] {

@@ -193,7 +193,7 @@ fn the_words_say_how_a_kick_fares() {
 #[test]
 fn the_words_name_the_quietest_spin_and_the_extremes() {
     let words = washer(&[("spin", 30.0)]).words(0.0);
-    assert!(words.contains("at 25 rad/s it would be quietest, with 74 N"), "{words}");
+    assert!(words.contains("at 25\u{a0}rad/s it would be quietest, with 74\u{a0}N"), "{words}");
     let words = washer(&[("spin", 0.0)]).words(0.0);
     assert!(words.contains("stands still"), "{words}");
     // The swing grows by πb a turn, so it is 12 b wide after 24/ω₀.
