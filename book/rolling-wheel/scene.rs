@@ -17,12 +17,13 @@ use rolled::{Course, GRAVITY, MASS, RADIUS, Rolled, is_flat, wheel};
 pub(crate) const SCENE: Scene = Scene {
     name: "rolling-wheel",
     title: "A wheel on its circle, kicked",
-    description: "A disc leans inward and rolls round on a table. Its contact leaves a scalloped track about the circle \
-                  on which it would roll undisturbed. Beside it a map of circles and leans, with a shaded tongue of \
-                  unstable ones and a dot for this one above it, and the potential of the lean: a well, in which a \
-                  marble rolls below the level of the energy.",
-    question: "Take a circle and a lean on the map, and kick the wheel. Where does the kick stay as small as it was, \
-               where does it grow, and what becomes of the circle then? And why do circles get smaller?",
+    description: "A disc leans inward and rolls round on a table. Its contact leaves a scalloped track \
+                  about the circle on which it would roll undisturbed. Beside it a map of circles and \
+                  leans, with a shaded tongue of unstable ones and a dot for this one above it, and the \
+                  potential of the lean: a well, in which a marble rolls below the level of the energy.",
+    question: "Take a circle and a lean on the map, and kick the wheel. Where does the kick stay as small \
+               as it was, where does it grow, and what becomes of the circle then? And why do circles get \
+               smaller?",
     size: [[660.0, 440.0], [380.0, 550.0]],
     view: Some([-1.3, 0.6]),
     still: 2.35,
@@ -345,11 +346,13 @@ impl Motion for Rolled {
         let (lean, circle) = (self.lean.to_degrees(), self.circle);
         let Some(steady) = self.steady else {
             return if self.lean == 0.0 {
-                "Upright and without speed the wheel goes round on no circle. It stands, until a kick fells it.".into()
+                "Upright and without speed the wheel goes round on no circle. It stands, until a kick \
+                 fells it."
+                    .into()
             } else {
                 format!(
-                    "No rate of turning holds a {what} that leans by {lean:.1}° with its centre {:.2} radii beyond the \
-                     axis: it would have to be less than {:.3}. Let go at rest, it falls.",
+                    "No rate of turning holds a {what} that leans by {lean:.1}° with its centre {:.2} \
+                     radii beyond the axis: it would have to be less than {:.3}. Let go at rest, it falls.",
                     -circle,
                     -self.bound(self.lean),
                 )

@@ -16,11 +16,14 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 pub(crate) const SCENE: Scene = Scene {
     name: "spinning-coin",
     title: "A spinning coin with ink on its rim",
-    description: "A coin with a head on its face leans on a table. Its lowest point has run most of the way round a circle on the table, and ink marks \
-                  that way on the table and the same length on the rim. Beside it the two lengths lie side by side: the rim is longer than the circle, and what \
-                  it has left over is the angle by which the head has turned. Below, against the tilt, the rates of contact and head.",
-    question: "The contact is back after a round, but the rim is longer than the circle it ran: where does the rest, $2\\pi(1 - \\cos\\alpha)$, go? \
-               And as a coin goes down, ever faster: does its contact reach the speed of sound?",
+    description: "A coin with a head on its face leans on a table. Its lowest point has run most of the \
+                  way round a circle on the table, and ink marks that way on the table and the same length \
+                  on the rim. Beside it the two lengths lie side by side: the rim is longer than the \
+                  circle, and what it has left over is the angle by which the head has turned. Below, \
+                  against the tilt, the rates of contact and head.",
+    question: "The contact is back after a round, but the rim is longer than the circle it ran: where does \
+               the rest, $2\\pi(1 - \\cos\\alpha)$, go? And as a coin goes down, ever faster: does its \
+               contact reach the speed of sound?",
     size: [[660.0, 440.0], [380.0, 664.0]],
     view: Some([-FRAC_PI_2, 0.8]),
     still: 5.6,
@@ -410,15 +413,15 @@ impl Motion for Spinning {
                 let slow = self.start.turn_rate() / self.start.figure_rate();
                 if slow > 1e6 {
                     return format!(
-                        "All but the whole rim rolls off on the table, and the head all but stands: the contact goes round {} \
-                         million times while the head turns once.",
+                        "All but the whole rim rolls off on the table, and the head all but stands: the \
+                         contact goes round {} million times while the head turns once.",
                         few(1e-6 * slow)
                     );
                 }
                 format!(
-                    "In a round the contact runs {:.3} radii along the table, and as far along the rim, which has {:.3}. \
-                     The {} that are left over are the angle by which the head has turned. The contact goes round {} \
-                     times while the head turns once.",
+                    "In a round the contact runs {:.3} radii along the table, and as far along the rim, \
+                     which has {:.3}. The {} that are left over are the angle by which the head has \
+                     turned. The contact goes round {} times while the head turns once.",
                     TAU * cos,
                     TAU,
                     angle(TAU * (1.0 - cos)),
@@ -437,8 +440,9 @@ impl Motion for Spinning {
                     last.map_or((f64::NAN, f64::NAN), |last| (last.tilt(), last.contact_speed() / SOUND));
                 let verdict = if mach < 1.0 { "Sound is not reached" } else { "Sound has just been passed" };
                 format!(
-                    "With p = {name} it would lie flat after {} s. But {} before that, at a tilt of {} and Mach {mach:.2}, \
-                     the law would have it fall faster than g, and holds no longer. {verdict}.",
+                    "With p = {name} it would lie flat after {} s. But {} before that, at a tilt of {} and \
+                     Mach {mach:.2}, the law would have it fall faster than g, and holds no longer. \
+                     {verdict}.",
                     few(down.life()),
                     seconds(*end),
                     small(tilt),

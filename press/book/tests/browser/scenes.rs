@@ -186,11 +186,11 @@ fn number(reading: &str) -> f64 {
     plain[..end].parse().unwrap_or(f64::NAN)
 }
 
-/// Where an element stands in the window after it has been scrolled to, at a part of its width.
+/// Where an element, or its first line, stands in the window after it has been scrolled to, at a part of its width.
 fn place(page: &mut Page<'_>, element: &str, part: f64) -> [f64; 2] {
     let place = page.get(&format!(
         "(() => {{ const e = {element}; e.scrollIntoView({{ block: 'center', behavior: 'instant' }}); \
-         const b = e.getBoundingClientRect(); return [b.left + {part} * b.width, b.top + b.height / 2]; }})()"
+         const [b] = e.getClientRects(); return [b.left + {part} * b.width, b.top + b.height / 2]; }})()"
     ));
     let place: Vec<f64> = place.as_array().expect("a place").iter().filter_map(Value::as_f64).collect();
     [place[0], place[1]]
