@@ -59,7 +59,8 @@ pub struct Reading {
 pub enum Form {
     /// With so many digits after the point.
     Fixed(usize),
-    /// With so many digits in all: with a power of ten where it is smaller than a thousandth, or has more before its point.
+    /// With so many digits in all: with a power of ten where it is smaller than a thousandth, or has more
+    /// before its point.
     Digits(usize),
     /// With a power of ten and so many digits: a drift.
     Power(usize),

@@ -70,8 +70,8 @@ impl Machine {
     pub fn radial_damping_growth(&self) -> f64 {
         let [detuning, damping] = [self.detuning(), self.damping_rate()];
         let square = 2.0 * detuning + 4.0 * self.spin() * self.spin();
-        // All eigenvalues lie left of a shift if the quartic of `eq:radial-damping-quartic`, shifted, has only roots with
-        // negative real parts (Routh and Hurwitz).
+        // All eigenvalues lie left of a shift if the quartic of `eq:radial-damping-quartic`, shifted, has
+        // only roots with negative real parts (Routh and Hurwitz).
         let all_lie_left_of = |s: f64| {
             let cubic = 4.0 * s + damping;
             let quadratic = (6.0 * s + 3.0 * damping) * s + square;
