@@ -14,15 +14,18 @@
 /** What the library says of settings to which it has no answer, in words for the reader. */
 class Trouble extends Error {}
 
-/** Loads a packed module from below the root of the site: a script that calls `spin`, as `fetch` fails on file://. */
-const load = (address) => new Promise((done, fail) => {
+let loaded = Promise.resolve(); // what was asked for before
+
+/** Loads a packed module from below the root of the site: a script that calls `spin`, as `fetch` fails on file://. All call
+ *  the same, so one is loaded after another. */
+const load = (address) => (loaded = loaded.catch(() => {}).then(() => new Promise((done, fail) => {
   window.spin = done;
   const script = document.createElement("script");
   script.src = path_to_root + address;
   script.onload = () => fail(new Error(`${address} holds no module`)); // unless it has called `spin`
   script.onerror = () => fail(new Error(`${address} cannot be read`));
   document.head.append(script);
-});
+})));
 
 const unpack = async (packed) => {
   const bytes = Uint8Array.from(atob(packed), (letter) => letter.charCodeAt(0));

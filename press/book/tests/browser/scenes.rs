@@ -274,6 +274,29 @@ fn on_the_page_of_all_pages_each_scene_wakes_when_it_comes_near() {
 }
 
 #[test]
+fn modules_that_are_asked_for_at_once_come_to_their_own_scenes() {
+    let Some(mut browser) = open("at-once") else { return };
+    let mut page = browser.page(WIDE);
+    page.before_all(EYES);
+    // The first module is on its way for long.
+    page.before_all(
+        "window.print = () => {}; window.late = 0; const append = Element.prototype.append; \
+         Element.prototype.append = function (node, ...more) { const act = () => append.call(this, node, ...more); \
+         if (node?.src?.includes('/live-') && (late += 1) === 1) setTimeout(act, 500); else act(); }",
+    );
+    page.go(&format!("{}print.html", address()));
+    let two: Vec<_> = scenes().into_iter().take(2).map(|(_, _, figure)| figure).collect();
+    for figure in &two {
+        page.get(&format!("document.body.prepend({figure})")); // both in sight
+    }
+    for figure in &two {
+        page.wait(&format!("{figure}.classList.contains('awake')"));
+    }
+    assert_eq!(page.get("late"), 2);
+    assert_eq!(page.console(), Vec::<String>::new());
+}
+
+#[test]
 fn the_still_is_the_first_picture_and_what_is_printed() {
     let Some(mut browser) = open("still") else { return };
     for (scene, page_address, figure) in scenes() {
