@@ -72,6 +72,10 @@ pub(super) fn ellipse(camera: &Camera, centre: Vec3, first: Vec3, second: Vec3) 
     let (xx, xy, yy) = (x * x - dual(0, 0) / depth, x * y - dual(0, 1) / depth, y * y - dual(1, 1) / depth);
     let (mean, half) = (0.5 * (xx + yy), (0.5 * (xx - yy)).hypot(xy));
     let radii = (((mean + half).max(0.0)).sqrt(), ((mean - half).max(0.0)).sqrt());
+    // A circle has no direction: rounding would give it another on each machine.
+    if half < 1e-9 * mean {
+        return Shape::Ellipse { centre: middle + at(x, y), radii: (mean.sqrt(), mean.sqrt()), turn: 0.0 };
+    }
     // The page's y runs downwards; angles of drawings turn counter-clockwise.
     let turn = 0.5 * (-2.0 * xy).atan2(xx - yy);
     Shape::Ellipse { centre: middle + at(x, y), radii, turn }
