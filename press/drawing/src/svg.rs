@@ -99,10 +99,28 @@ impl Drawing {
 
     fn write_items(&self, out: &mut String) {
         let id = self.id.replace(':', "-");
-        for (index, item) in self.items().iter().enumerate() {
-            write_item(out, &id, index, item);
+        let items = self.items();
+        let mut index = 0;
+        while let Some(item) = items.get(index) {
+            // A floor's grid, or the ticks of an axis, are one element: a page that moves pays for each.
+            let alike = |next: &&Item| is_plain_line(next) && next.role == item.role;
+            let count = items[index..].iter().take_while(alike).count();
+            if count > 1 {
+                let class = item.role.classes();
+                let data = trace::all(items[index..index + count].iter().map(|item| &item.shape));
+                let _ = writeln!(out, "<path class=\"{class}\" d=\"{data}\"/>");
+            } else {
+                write_item(out, &id, index, item);
+            }
+            index += count.max(1);
         }
     }
+}
+
+/// Whether an item is a line that nobody asks for by its name.
+fn is_plain_line(item: &Item) -> bool {
+    let is_line = matches!(item.shape, Shape::Polyline(_) | Shape::Polygon(_));
+    is_line && item.name.is_none() && matches!(item.role, Role::Line(..))
 }
 
 /// The tag that opens an SVG, with the words for those who cannot see it.

@@ -1,5 +1,6 @@
 //! The data of an SVG path, in few characters.
 
+use crate::drawing::Shape;
 use crate::label::Segment;
 use crate::point::Point;
 
@@ -9,8 +10,20 @@ const FINENESS: f64 = 100.0;
 /// Lines through `points`.
 pub(crate) fn lines(points: &[Point]) -> String {
     let mut trace = Trace::default();
-    for (index, &point) in points.iter().enumerate() {
-        trace.draw(if index == 0 { 'm' } else { 'l' }, &[point]);
+    trace.line(points);
+    trace.data
+}
+
+/// Polylines and polygons, one after another.
+pub(crate) fn all<'a>(shapes: impl Iterator<Item = &'a Shape>) -> String {
+    let mut trace = Trace::default();
+    for shape in shapes {
+        if let Shape::Polyline(points) | Shape::Polygon(points) = shape {
+            trace.line(points);
+        }
+        if let Shape::Polygon(_) = shape {
+            trace.close();
+        }
     }
     trace.data
 }
@@ -46,6 +59,13 @@ struct Trace {
 }
 
 impl Trace {
+    /// Draws straight lines through points.
+    fn line(&mut self, points: &[Point]) {
+        for (index, &point) in points.iter().enumerate() {
+            self.draw(if index == 0 { 'm' } else { 'l' }, &[point]);
+        }
+    }
+
     /// Draws through points of control to the last of `points`.
     fn draw(&mut self, letter: char, points: &[Point]) {
         let hundredths = |value: f64| (value * FINENESS).round() as i64;
@@ -158,6 +178,16 @@ mod tests {
             .map(|x| x.parse::<f64>().unwrap())
             .sum();
         assert!((sum - 100.0).abs() < 1e-9, "{sum}");
+    }
+
+    #[test]
+    fn many_lines_are_one_path() {
+        let shapes = [
+            Shape::Polyline(vec![at(1.0, 1.0), at(3.0, 1.0)]),
+            Shape::Polygon(vec![at(5.0, 2.0), at(6.0, 2.0), at(6.0, 3.0)]),
+            Shape::Polyline(vec![at(1.0, 4.0), at(1.0, 5.0)]),
+        ];
+        assert_eq!(all(shapes.iter()), "M1 1l2 0m2 1l1 0 0 1zm-4 2l0 1");
     }
 
     #[test]
