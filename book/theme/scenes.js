@@ -66,9 +66,12 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 // 2 — The picture
 
+/** Whether two elements differ in values of attributes alone: of the parts of their lines between quotes, every other. */
+const areAlike = (some, other) =>
+  some.length === other.length && some.every((part, place) => place % 2 === 1 || part === other[place]);
+
 /** An SVG of the page: its still, and the nodes that take its place, one for each line of the module's drawing. */
 class Picture {
-  #lines = [];
   #nodes = [];
   #isLive = false;
 
@@ -80,19 +83,19 @@ class Picture {
   draw(text) {
     if (!this.#isLive) this.svg.replaceChildren(...this.words, ...this.#nodes.map(({ node }) => node));
     this.#isLive = true;
-    const lines = text.trimEnd().split("\n");
-    lines.forEach((line, index) => {
-      if (line !== this.#lines[index]) this.#put(line.split('"'), line, index);
-    });
-    this.#nodes.splice(lines.length).forEach(({ node }) => node.remove());
-    this.#lines = lines;
+    const all = text.trimEnd().split("\n").map((line) => line.split('"'));
+    // Where lines have come or gone, those behind them keep their nodes.
+    const more = all.length - this.#nodes.length;
+    const stay = this.#nodes.findIndex((old, index) => more !== 0 && !(all[index] && areAlike(old.parts, all[index])));
+    const from = Math.min(stay < 0 ? Infinity : stay, all.length, this.#nodes.length);
+    const gone = this.#nodes.splice(from, Math.max(-more, 0), ...Array(Math.max(more, 0)).fill(null));
+    gone.forEach(({ node }) => node.remove());
+    all.forEach((parts, index) => this.#put(parts, index));
   }
-  /** Puts a line in its place. Of its parts every other one is the value of an attribute: if no more has changed, new
-   *  values go to the old nodes. */
-  #put(parts, line, index) {
+  /** Puts a line in its place: if it can, as new values of the attributes of the node that is there. */
+  #put(parts, index) {
     const old = this.#nodes[index];
-    const isAlike = (part, place) => place % 2 === 1 || part === old.parts[place];
-    if (old?.parts.length === parts.length && parts.every(isAlike)) {
+    if (old && areAlike(old.parts, parts)) {
       old.attributes.forEach((attribute, place) => {
         const value = parts[2 * place + 1];
         if (value !== old.parts[2 * place + 1]) attribute.value = value;
@@ -101,12 +104,12 @@ class Picture {
       return;
     }
     const holder = document.createElementNS("http://www.w3.org/2000/svg", "g");
-    holder.innerHTML = line;
+    holder.innerHTML = parts.join('"');
     const node = holder.firstChild;
     const attributes = [...holder.querySelectorAll("*")].flatMap((element) => [...element.attributes]);
+    this.svg.insertBefore(node, (old ?? this.#nodes.slice(index).find(Boolean))?.node ?? null);
+    old?.node.remove();
     this.#nodes[index] = { node, parts, attributes };
-    if (old) old.node.replaceWith(node);
-    else this.svg.append(node);
   }
   /** Puts the still back. */
   rest() {
@@ -238,7 +241,8 @@ class Scene {
   /** Draws the present moment, in the picture for the page or for the phone, and writes what is beside it. */
   #draw() {
     const { machine, now, pictures } = this;
-    const picture = pictures.find(({ svg }) => svg.getClientRects().length > 0) ?? pictures[0];
+    this.picture ??= pictures.find(({ svg }) => svg.getClientRects().length > 0) ?? pictures[0];
+    const { picture } = this;
     const [azimuth, elevation] = this.angles.map((angle) => (angle * Math.PI) / 180);
     const isNarrow = picture.svg.classList.contains("narrow");
     picture.draw(machine.text(machine.run.draw(now, azimuth ?? 0, elevation ?? 0, isNarrow)));
@@ -385,7 +389,10 @@ class Scene {
     // The arrow keys belong to the slider that has them, and not to the book, whose pages they would turn.
     on("input", "keydown", (event) => /^(Arrow|Home|End|Page)/.test(event.key) && event.stopPropagation());
     for (const { svg } of this.pictures) this.#give(svg);
-    new ResizeObserver(() => this.ask()).observe(this.drawing);
+    new ResizeObserver(() => {
+      this.picture = null; // the page may have come to be narrow
+      this.ask();
+    }).observe(this.drawing);
     let isNew = true;
     new IntersectionObserver(([{ isIntersecting, intersectionRatio, intersectionRect }]) => {
       this.#isOnScreen = isIntersecting;
