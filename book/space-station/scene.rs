@@ -355,9 +355,9 @@ impl Motion for Nodding {
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let layout = Layout::of(moment.room);
+        self.draw_waves(&layout, moment, drawing)?;
         self.draw_station(moment, &layout, drawing)?;
-        draw_sky(&self.station, (layout.sky, layout.radius), moment.time, drawing)?;
-        self.draw_waves(&layout, moment, drawing)
+        draw_sky(&self.station, (layout.sky, layout.radius), moment.time, drawing)
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {

@@ -39,6 +39,7 @@ pub(super) fn draw_sky(
     let attitudes = steps.map(|time| Ok(station.at(time)?.world_from_body.inverse()));
     let attitudes = attitudes.collect::<Result<Vec<_>, Cause>>()?;
     let inside = |point: Point| (point - sky).length() < radius - 2.0;
+    let mut seen = Vec::new();
     for star in STARS.iter() {
         let now = attitudes[0] * star;
         if now.z < 0.5 || !inside(in_picture(&now)) {
@@ -47,7 +48,10 @@ pub(super) fn draw_sky(
         let trail = attitudes.iter().map(|body_from_world| in_picture(&(body_from_world * star)));
         let trail: Vec<Point> = trail.take_while(|point| inside(*point)).collect();
         drawing.polyline(&trail, Stroke::Outline, Hue::Ink);
-        drawing.dot(trail[0], 1.5, Hue::Ink);
+        seen.push(trail[0]);
+    }
+    for star in seen {
+        drawing.polyline(&[star, star], Stroke::Curve, Hue::Ink); // a dot: all of them are one element
     }
     drawing.circle(sky, radius, Role::Line(Stroke::Outline, Hue::Muted));
     let now = station.at(time)?;
