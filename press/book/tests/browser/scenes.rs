@@ -29,19 +29,29 @@ window.seen = (figure) => svgs.find((svg) => figure.contains(svg) && svg.getClie
 window.unlike = (one, other) => {
   const number = /-?\d+(\.\d+)?/g;
   if (one.length !== other.length) return `${one.length} elements and ${other.length}`;
-  // A curve may be drawn with a point more or less: the functions of two machines differ in the last bit.
-  const path = (line) => {
+  // A curve may be drawn with a point more or less: the functions of two machines differ in the last bit. An element
+  // may hold several curves, each of which is compared with its own.
+  const curves = (line) => {
     const node = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    node.setAttribute('d', / d="([^"]*)"/.exec(line)?.[1] ?? '');
-    const length = node.getTotalLength();
-    return { length, at: (part) => node.getPointAtLength(part * length) };
+    const parts = (/ d="([^"]*)"/.exec(line)?.[1] ?? '').split(/(?=[Mm])/);
+    const ends = parts.map((part, k) => {
+      node.setAttribute('d', parts.slice(0, k + 1).join(''));
+      return node.getTotalLength();
+    });
+    return ends.map((end, k) => {
+      const start = ends[k - 1] ?? 0;
+      return { length: end - start, at: (part) => node.getPointAtLength(start + part * (end - start)) };
+    });
   };
+  const isAlong = (x, y) => [...Array(50).keys()].every((k) => {
+    const [p, q] = [x.at((k + 0.5) / 50), y.at((k + 0.5) / 50)];
+    return Math.hypot(p.x - q.x, p.y - q.y) < 1;
+  });
   const isNear = (a, b) => {
     if (a.replace(/ d="[^"]*"/, '') !== b.replace(/ d="[^"]*"/, '')) return false;
-    const [x, y] = [path(a), path(b)];
-    const away = (part) => Math.hypot(x.at(part).x - y.at(part).x, x.at(part).y - y.at(part).y);
-    const isAlong = [...Array(51).keys()].every((k) => away(k / 50) < 1);
-    return Math.abs(x.length - y.length) < 0.005 * x.length && isAlong;
+    const [x, y] = [curves(a), curves(b)];
+    const isLike = (one, other) => Math.abs(one.length - other.length) < 0.005 * one.length + 0.02 && isAlong(one, other);
+    return x.length === y.length && x.every((one, k) => isLike(one, y[k]));
   };
   return one.map((line, index) => [line, other[index]]).find(([a, b]) => {
     const [x, y] = [a, b].map((line) => (line.match(number) ?? []).map(Number));
