@@ -126,7 +126,7 @@ impl Track {
 
 #[cfg(test)]
 mod tests {
-    use super::{Track, Vec3};
+    use super::{CHORDS, Track, Vec3};
     use std::f64::consts::{FRAC_PI_2, TAU};
 
     #[test]
