@@ -259,7 +259,7 @@ fn circles_edge_on() -> Outcome {
         (30.0, Side::Right, r"$\psi = 30°$"),
         (45.0, Side::Right, "$45°$"),
         (60.0, Side::Right, "$60°$"),
-        (75.0, Side::Right, "$75°$"),
+        (75.0, Side::BelowRight, "$75°$"),
         (90.0, Side::Below, "$90°$"),
     ];
     for (degrees, side, name) in names {
@@ -370,7 +370,7 @@ pub(crate) fn bias(id: &str) -> Outcome {
     plot.label((measured.0, 0.565), Side::Over, "$0.508$", Hue::Ink)?;
     plot.label((0.55, 0.78), Side::Over, "never", Hue::Ink)?;
     plot.label((0.55, 0.745), Side::Over, "tails", Hue::Ink)?;
-    plot.label((0.36, 0.62), Side::Right, "as the square", Hue::Orange)?;
+    plot.label((0.335, 0.6), Side::Right, "as the square", Hue::Orange)?;
     Ok(drawing)
 }
 
