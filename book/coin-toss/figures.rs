@@ -338,10 +338,10 @@ fn circle_face_on(degrees: f64) -> Outcome {
 pub(crate) fn bias(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
         "Probability of the same face against the twist",
-        "The probability that a thin coin shows the same face, against the ratio of twist to tumble. It begins \
-         at one half with a level tangent, as a parabola does that is dashed; rises more and more steeply; and \
-         reaches one with an upright tangent at the ratio one half, from which on it is one. The measured \
-         0.508 lies near the beginning, at the ratio 0.079.",
+        "The probability that a thin coin shows the same face, against the ratio of twist to tumble. It \
+         begins at one half with a level tangent, as a parabola does that is dashed; rises more and more \
+         steeply; and reaches one with an upright tangent at the ratio one half, from which on it is one. \
+         The measured 0.508 lies near the beginning, at the ratio 0.079.",
     );
     let twist = Axis::linear(0.0, 0.6, 0.1)?.minor(0.02).titled(r"twist over tumble, $\omega_3/\omega_1$");
     let probability = Axis::linear(0.5, 1.0, 0.1)?.minor(0.02).titled("probability of the same face");
