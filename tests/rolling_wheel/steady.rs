@@ -351,8 +351,7 @@ fn the_tongue_ends_at_the_leans_where_its_discriminant_vanishes() {
         let tip = square.sqrt().asin();
         assert!((tip.to_degrees() - degrees).abs() < 0.005);
         let unstable = |lean: f64| {
-            let circles =
-                (1..=4000).map(|n| wheel(k).steady(lean, 1e-3 * RADIUS * f64::from(n)).unwrap());
+            let circles = (1..=4000).map(|n| wheel(k).steady(lean, 1e-3 * RADIUS * f64::from(n)).unwrap());
             circles.filter(|steady| !steady.is_stable()).count()
         };
         assert_eq!(unstable(tip + 1e-5), 0);
