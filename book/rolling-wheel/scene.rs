@@ -296,7 +296,8 @@ fn named(
 }
 
 /// Why circles get smaller.
-const SLOWED: &str = "But it loses some of its turning, the weight wins, and as it sinks it goes round faster, on a smaller circle.";
+const SLOWED: &str = "But it loses some of its turning, the weight wins, and as it sinks it goes round faster, on a \
+                      smaller circle.";
 
 /// Axes 1, 2, 3 in the room.
 fn axes(state: &Rolling) -> [Vector3<f64>; 3] {
