@@ -281,8 +281,8 @@ fn named(
 }
 
 /// Why circles get smaller.
-const SLOWED: &str =
-    "But it loses its spin, and with less of it a wheel stays up only on a smaller circle, leaning more.";
+const SLOWED: &str = "But it loses some of its turning, the weight wins, and as it sinks it goes round faster, on a \
+                      smaller circle.";
 
 /// Axes 1, 2, 3 in the room.
 fn axes(state: &Rolling) -> [Vector3<f64>; 3] {
