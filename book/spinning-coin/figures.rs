@@ -187,15 +187,9 @@ fn on_the_cone(id: &str) -> Outcome {
     stage.solid(Solid::cone(centre, -Vector3::z(), FRAC_PI_2 - coin.tilt(), 1.0)?, Hue::Pink)?;
     let thick = 0.04;
     stage.solid(Solid::disc(centre + normal * (0.5 * thick + 0.004), normal, 1.0, thick)?, Hue::Blue)?;
-    // The way of the contact, on the side that is seen.
-    let ahead = linear_steps(0.3, 1.1, 40).map(|angle| {
-        let (sin, cos) = (angle * coin.turn_rate().signum()).sin_cos();
-        Vector3::new(contact.x * cos - contact.y * sin, contact.x * sin + contact.y * cos, 0.0) * 1.12
-    });
-    stage.arrow(Curve::smooth(ahead)?.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Pink)?;
     stage.dot_in_front(contact, 4.5, Hue::Pink)?;
     stage.dot_in_front(centre, 3.0, Hue::Ink)?;
-    stage.label_shifted(contact, at(0.0, 6.0), Side::BelowLeft, "contact", Hue::Pink)?;
+    stage.label_shifted(contact, at(-2.0, 8.0), Side::Below, "contact", Hue::Pink)?;
     let side = Vector3::new(0.35 * cos, 0.1, 0.35 * sin);
     stage.label(side, Side::Over, "paper", Hue::Pink)?;
     stage.write(&mut drawing);
