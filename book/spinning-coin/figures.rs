@@ -189,7 +189,7 @@ fn on_the_cone(id: &str) -> Outcome {
     stage.solid(Solid::disc(centre + normal * (0.5 * thick + 0.004), normal, 1.0, thick)?, Hue::Blue)?;
     stage.dot_in_front(contact, 4.5, Hue::Pink)?;
     stage.dot_in_front(centre, 3.0, Hue::Ink)?;
-    stage.label_shifted(contact, at(-4.0, 6.0), Side::Left, "contact", Hue::Pink)?;
+    stage.label_shifted(contact, at(-18.0, 4.0), Side::Left, "contact", Hue::Pink)?;
     let side = Vector3::new(0.35 * cos, 0.1, 0.35 * sin);
     stage.label(side, Side::Over, "paper", Hue::Pink)?;
     stage.write(&mut drawing);
