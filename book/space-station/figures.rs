@@ -181,18 +181,24 @@ pub(crate) fn crew_sky(id: &str) -> Outcome {
     plot.curve("pole", poles.iter().copied(), Stroke::Outline, Hue::Orange);
     let [from, to] = [poles.len() - 3, poles.len() - 1].map(|index| plot.at(poles[index]));
     head(&mut after, to + (to - from).unit() * 6.0, to - from, 0.8, Hue::Orange);
-    let (later, _) = sky(
+    let (mut later, _) = sky(
         [
             "turn",
             "a whole turn, shutter open",
             "Long trails that cross each other: each star draws nearly an ellipse about the middle, some \
-             round, some flat.",
+             round, some flat. A heavy trail goes through the middle, nearly straight, to both sides.",
         ],
         &struck,
         (0.0, turn),
         26,
         (1.0, 1.0),
     )?;
+    // The star that stood on the cross.
+    let mut plot = Plot::plane(&mut later, MIDDLE, RADIUS_OF_PICTURE, 1.0)?;
+    let nodding = linear_steps(0.0, turn, 400)
+        .map(|time| Ok(in_picture(&(struck.at(time)?.world_from_body.inverse() * Vector3::z()))))
+        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+    plot.curve("old-pole", nodding.iter().copied(), Stroke::Curve, Hue::Ink);
     Ok(Drawing::panels(id, vec![before, after, later]))
 }
 
