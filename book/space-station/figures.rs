@@ -363,7 +363,7 @@ pub(crate) fn nodding(id: &str) -> Outcome {
         "Nods in the room and turns on board",
         "Two curves against time in turns of the old spin, from 0 to 4, one above the other. Above, how \
          far the axis of the station is to one side of the angular momentum: a wave that swings a little \
-         more than eight times, through dots from a simulation. A dashed wave, the source's claim, swings \
+         more than eight times, through dots from a simulation. A dashed wave, once a turn, swings \
          four times. Below, how far the angular velocity is to one side of the axis on board: a wave that \
          swings four times.",
     );
@@ -401,7 +401,7 @@ pub(crate) fn nodding(id: &str) -> Outcome {
     let dots: Vec<(f64, f64)> =
         simulated.iter().zip(&times).map(|(state, t)| (t / period, in_room(&state.axis_3_world()))).collect();
     plot.markers(&dots, Marker::Disc, Hue::Blue);
-    plot.label((4.06, 1.1), Side::AboveLeft, "dashed: the source", Hue::Muted)?;
+    plot.label((4.06, 1.1), Side::AboveLeft, "dashed: once a turn", Hue::Muted)?;
 
     let lower = side(r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$: $4$ turns")?;
     let time = turns("time, turns of the old spin")?;
