@@ -28,19 +28,6 @@ fn step(line: &[Point]) -> (f64, f64) {
     (last.x - first.x, first.y - last.y)
 }
 
-#[test]
-fn the_lean_of_the_momentum_follows_its_tangent() {
-    for thickness in [0.0, 0.5, 1.0, 2.0] {
-        let lean = |degrees: f64| {
-            let u = degrees.to_radians().tan();
-            // I₃/I₁ of a disc of that thickness, and tan β = (I₃ − I₁)u/(I₃ + I₁u²).
-            let across = 0.25 + thickness * thickness / 12.0;
-            ((0.5 - across) * u / (0.5 + across * u * u)).atan().to_degrees()
-        };
-        lies_on("beta", &format!("thickness-{thickness}"), lean);
-    }
-}
-
 /// What the bearings give the chapter's plate alone, N m, eq:bearing-torque.
 fn alone() -> f64 {
     let (mass, radius, spin, tilt) = (2.0, 0.1, 100.0, 25_f64.to_radians());
@@ -64,7 +51,7 @@ fn the_heights_are_four_sines() {
 }
 
 #[test]
-fn bearings_hold_against_the_centrifugal_forces() {
+fn the_pulls_of_the_plate_are_held_by_the_bearings_and_opposed_by_the_pistons() {
     // The torque of the centrifugal forces on specks of the plate, in its own frame: x′, y′, z.
     let (spin, mass, radius, tilt) = (100.0, 2.0, 0.1, 25_f64.to_radians());
     let (rings, around) = (100, 500);
@@ -79,29 +66,51 @@ fn bearings_hold_against_the_centrifugal_forces() {
     // Clockwise as it is seen, along y′, away from the reader; and the bearings 40 cm apart.
     assert!((couple - Vector3::y() * alone()).norm() < 1e-3 * alone(), "{couple}");
     assert!((alone() / 0.4 - 48.0).abs() < 0.2);
-    let [part] = parts("bearings")[..] else { panic!("one drawing") };
-    let forces = lines(part, Stroke::Vector, Hue::Purple);
+    let [plate, pistons] = parts("opposition")[..] else { panic!("two drawings") };
+    let forces = lines(plate, Stroke::Vector, Hue::Purple);
     let [upper, lower] = forces[..] else { panic!("two forces") };
-    assert!(upper[0].y < lower[0].y && step(upper).0 < -50.0 && step(lower).0 > 50.0, "against it");
-    let centrifugal = lines(part, Stroke::Outline, Hue::Purple);
-    assert_eq!(centrifugal.len(), 4);
-    let outwards =
-        centrifugal.iter().filter(|arrow| (step(arrow).0 > 0.0) == (arrow[0].x > upper[0].x - 120.0));
-    assert_eq!(outwards.count(), 4, "every speck is pulled away from the shaft");
+    assert!(upper[0].y < lower[0].y && step(upper).0 < -40.0 && step(lower).0 > 40.0, "against it");
+    let pulls = lines(plate, Stroke::Outline, Hue::Purple);
+    let middle = 0.5 * (upper[0].x + lower[0].x);
+    assert_eq!(pulls.len(), 4);
+    for pull in pulls {
+        // Away from the shaft, in proportion to the distance from it but for the head.
+        let (along, rise) = step(pull);
+        let distance = pull[0].x - middle;
+        assert!(
+            rise == 0.0 && (along + 6.3 * along.signum() - 0.5 * distance).abs() < 1.0,
+            "{along}, {distance}"
+        );
+    }
+    let pushes = lines(pistons, Stroke::Vector, Hue::Purple);
+    let [high, low] = pushes[..] else { panic!("two pushes") };
+    assert!(high[0].x > low[0].x && step(high).1 > 30.0 && step(low).1 < -30.0, "up at the high end");
 }
 
 #[test]
-fn plate_and_pistons_are_opposite_at_every_phase() {
-    let parts = parts("antiphase");
-    assert_eq!(parts.len(), 4);
-    for (part, eighths) in parts.into_iter().zip([0.0, 1.0, 2.0, 3.0]) {
-        let plate = step(lines(part, Stroke::Vector, Hue::Green)[0]);
-        let pistons = step(lines(part, Stroke::Outline, Hue::Green)[0]);
-        let phase = TAU * eighths / 8.0;
-        // The pistons' momentum lies along x′, the plate's against it.
-        let along = |(x, y): (f64, f64)| (y.atan2(x) - phase).cos();
-        assert!(along(pistons) > 0.9999 && along(plate) < -0.9999, "{eighths} eighths of a turn");
+fn two_pistons_share_unevenly_and_three_evenly() {
+    let square = |degrees: f64, n: f64, count: f64| (n * TAU / count - degrees.to_radians()).sin().powi(2);
+    // Piston n of N is at its highest when ωt has come to its azimuth, and at its lowest half a turn later.
+    lies_on("sharing", "two-1", |degrees| square(degrees, 1.0, 2.0));
+    lies_on("sharing", "two", |degrees| 1.0 - (2.0 * degrees.to_radians()).cos());
+    for n in [1.0, 2.0, 3.0] {
+        lies_on("sharing", &format!("three-{n}"), |degrees| square(degrees, n, 3.0));
     }
+    lies_on("sharing", "three", |_| 1.5);
+}
+
+#[test]
+fn the_momentum_of_the_plate_leans_by_beta_and_the_pistons_take_it_back_to_the_shaft() {
+    let [part] = parts("lean")[..] else { panic!("one drawing") };
+    let arrows = lines(part, Stroke::Vector, Hue::Green);
+    let [plate, pistons] = arrows[..] else { panic!("two arrows") };
+    let tangent = 35_f64.to_radians().tan();
+    let (across, along) = step(plate);
+    assert!((-across / along - tangent / (2.0 + tangent * tangent)).abs() < 1e-6, "(39)");
+    let (back, rise) = step(pistons);
+    let shaft = lines(part, Stroke::Vector, Hue::Orange)[0];
+    // Up to the heads, of which the lines show but the beginnings.
+    assert!(back > 20.0 && rise.abs() < 1e-9 && (pistons[0].x + back + 7.8 - shaft[0].x).abs() < 0.1);
 }
 
 #[test]
