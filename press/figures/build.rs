@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rerun-if-changed={}", path.display());
         let module = if folder == list::FRONT { "front".into() } else { folder.replace('-', "_") };
         writeln!(modules, "#[path = {path:?}]\nmod {module};")?;
-        // Its parts, if it has some: book/laundromat/figures/ramp.rs is the module `ramp` of book/laundromat/figures.rs.
+        // Its parts, if it has some: book/laundromat/figures/ramp.rs is the module `ramp` of the figures there.
         let mut sources = vec![(file.clone(), module, source)];
         let parts = path.with_extension("");
         if folder != list::FRONT && parts.is_dir() {
