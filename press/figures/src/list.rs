@@ -1,4 +1,5 @@
-//! The list of figures, read from the pages' order and the text of `book/*/figures.rs`; the build script uses it.
+//! The list of figures, read from the pages' order and the text of `book/*/figures.rs` and its parts; the build script
+//! uses it.
 
 /// A figure as it stands in the text of its chapter.
 #[derive(Debug, PartialEq)]
@@ -26,7 +27,7 @@ pub(crate) fn chapters(summary: &str) -> impl Iterator<Item = &str> {
     summary.lines().filter_map(|line| Some(line.split_once("](")?.1.split_once("/index.md)")?.0))
 }
 
-/// The figures of a chapter: every function `pub(crate) fn two_clocks(…) -> Outcome` is the figure `fig:two-clocks`.
+/// The figures of a file: every function `pub(crate) fn two_clocks(…) -> Outcome` is the figure `fig:two-clocks`.
 ///
 /// # Errors
 /// The line and the fault of each function whose name makes no id.
