@@ -208,7 +208,7 @@ pub(crate) fn waist(id: &str) -> Outcome {
     let top = careless_plate(Vector3::new(0.015, 0.0, 1.5))?;
     let [theta, theta_l] = [top.omega_angle(), top.momentum_angle()];
     let [hoop, waist] = [theta.sin(), (theta - theta_l).sin()];
-    let scale = 20.0 / waist;
+    let scale = 14.5 / waist;
     let quarter = 0.25 * TAU / top.start().omega_body.z;
     let mut panels = Vec::new();
     for (quarters, mark_name, contact_name) in [
@@ -219,13 +219,15 @@ pub(crate) fn waist(id: &str) -> Outcome {
         (4.0, "1 turn", "2 wobbles"),
     ] {
         let now = top.at(quarters * quarter)?;
-        let mut drawing = Drawing::new("", 132.0, 200.0).framed().titled(
+        let mut drawing = Drawing::new("", 132.0, 200.0).titled(
             &format!("The hoop after {quarters} quarter turns"),
             "A small circle, and a circle twice as wide round it that touches it from outside at one side, with a mark on its rim.",
         );
-        let place = |v: Vector3<f64>| at(66.0, 74.0) + at(v.x, -v.y) * scale;
-        let middle = at(66.0, 74.0);
+        let place = |v: Vector3<f64>| at(66.0, 62.0) + at(v.x, -v.y) * scale;
+        let middle = at(66.0, 62.0);
         let axis = place(now.axis_3_world());
+        let reach = at(43.0, 0.0); // of the hoop, on any side: what stands still in the room
+        drawing.line(middle - reach, middle + reach, Stroke::Dotted, Hue::Muted);
         drawing.circle(middle, waist * scale, Role::Line(Stroke::Curve, Hue::Green));
         drawing.circle(axis, hoop * scale, Role::Line(Stroke::Curve, Hue::Blue));
         drawing.dot(middle, 3.0, Hue::Green);
@@ -233,9 +235,9 @@ pub(crate) fn waist(id: &str) -> Outcome {
         drawing.dot(place(now.omega_world().normalize()), 6.0, Hue::Orange);
         let mark = now.world_from_body * (Vector3::new(-hoop, 0.0, theta.cos()));
         drawing.dot(place(mark), 4.0, Hue::Pink);
-        drawing.label(at(66.0, 158.0), Side::Over, mark_name, Hue::Pink)?;
+        drawing.label(at(66.0, 136.0), Side::Over, mark_name, Hue::Pink)?;
         if !contact_name.is_empty() {
-            drawing.label(at(66.0, 184.0), Side::Over, contact_name, Hue::Ink)?;
+            drawing.label(at(66.0, 162.0), Side::Over, contact_name, Hue::Ink)?;
         }
         panels.push(drawing);
     }
