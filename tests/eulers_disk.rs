@@ -296,6 +296,20 @@ fn the_table_never_lets_go_in_this_model() {
 }
 
 #[test]
+fn shear_fills_the_gap_of_the_toy_only_below_a_two_hundredth() {
+    // Through a gap of height aα shear spreads in (aα)²ρ/μ, which is as long as 1/Ω where α^{3/2} = μ/(2ρ√(ga³)).
+    let (radius, spread) = (0.0375_f64, 1.5e-5); // m, and μ/ρ of air, m²/s
+    let parameters = DiskParameters { mass: 0.4, radius, moments: MomentFactors::DISK, gravity: G };
+    let too_slow = |tilt: f64| {
+        let rate = SpinningCoin::new(parameters, tilt).unwrap().turn_rate();
+        (radius * tilt).powi(2) / spread > 1.0 / rate
+    };
+    assert!(!too_slow(4.7e-3) && too_slow(4.8e-3));
+    let law = (spread / (2.0 * (G * radius.powi(3)).sqrt())).powf(2.0 / 3.0);
+    assert!((4.7e-3..4.8e-3).contains(&law), "{law}");
+}
+
+#[test]
 fn the_centre_of_a_steady_disk_rests_above_the_origin() {
     let disk = disk(0.0);
     for tilt in [0.05, 0.7, 1.4] {

@@ -1,10 +1,10 @@
 //! The figures of the chapter "The rolling wheel".
 
-use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at};
-use mechanics::integrate::{Dop853, Taylor, rk4};
+use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
 use nalgebra::Vector3;
@@ -73,7 +73,7 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     let tip = centre + whole.normalize() * 1.55;
     let arrow = Curve::segment(centre, tip)?.hiding(Hiding::Ignored);
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
-    stage.label(tip, Side::Left, r"$\boldsymbol{\omega}_\text{tot}$", Hue::Orange)?;
+    stage.label(tip, Side::Left, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     let upright = Curve::segment(contact + Vector3::z() * 1.3, contact + Vector3::z() * 2.4)?;
     stage.curve(upright.hiding(Hiding::Omitted), Stroke::Reference, Hue::Muted)?;
     stage.angle(contact, Vector3::z(), axes[1], 2.25, r"$\theta$", Hue::Ink)?;
@@ -104,8 +104,8 @@ pub(crate) fn wheel_forces(id: &str) -> Outcome {
 fn forces(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 320.0, 330.0).titled(
         "The forces on the wheel",
-        "The wheel edge on, seen from behind, leans to the left by theta, towards the axis of its circle. At the centre the weight m g points down. At the contact the table pushes up with \
-         m g and to the left, towards the axis, with m Omega squared b. The torque about the centre comes out of the page.",
+        "The wheel edge on, seen from behind, leans to the left, towards the axis of its circle. At the centre the weight points down. At the contact the table supports it with an arrow as \
+         long, upwards, and friction points to the left, towards the axis. The torque about the centre comes out of the page.",
     );
     let (lean, b) = PUSHED;
     let steady = wheel(MomentFactors::DISK)?.steady(lean, b)?;
@@ -122,28 +122,22 @@ fn forces(id: &str) -> Outcome {
     drawing.line(contact, contact - at(0.0, 190.0), Stroke::Reference, Hue::Muted);
     kit::angle(&mut drawing, contact, 172.0, FRAC_PI_2, lean, Heads::None, Hue::Ink);
     let middle = contact + Point::polar(172.0, FRAC_PI_2 + 0.5 * lean);
-    drawing.label(middle, Side::Above, r"$\theta$", Hue::Ink)?;
+    drawing.label(middle, Side::Above, "lean", Hue::Ink)?;
     let weight = 92.0;
     let friction = weight * steady.friction_needed();
     kit::arrow(&mut drawing, centre, centre + at(0.0, weight), Hue::Purple);
-    drawing.label(centre + at(0.0, weight - 6.0), Side::Left, "$mg$", Hue::Purple)?;
+    drawing.label(centre + at(0.0, weight - 6.0), Side::Left, "weight", Hue::Purple)?;
     kit::arrow(&mut drawing, contact, contact - at(0.0, weight), Hue::Purple);
-    drawing.label(contact - at(-2.0, weight - 8.0), Side::Right, "$N = mg$", Hue::Purple)?;
+    drawing.label(contact - at(-2.0, weight - 8.0), Side::Right, "support", Hue::Purple)?;
     kit::arrow(&mut drawing, contact, contact - at(friction, 0.0), Hue::Purple);
-    drawing.label(contact + at(-0.5 * friction, 4.0), Side::Below, r"$m\Omega^2b$", Hue::Purple)?;
+    drawing.label(contact + at(-0.5 * friction, 4.0), Side::Below, "friction", Hue::Purple)?;
     let mark = if steady.torque() > 0.0 { Marker::Out } else { Marker::Into };
     kit::marker(&mut drawing, centre, mark, Hue::Purple);
-    drawing.label(
-        centre + at(-4.0, 8.0),
-        Side::Left,
-        r"$\boldsymbol{\tau}$, $\hat{\mathbf{1}}$",
-        Hue::Purple,
-    )?;
+    drawing.label(centre + at(-4.0, 8.0), Side::Left, r"$\boldsymbol{\tau}$", Hue::Purple)?;
     drawing.dot(contact, 4.5, Hue::Pink);
     let axis = at(36.0, contact.y);
     drawing.label(axis + at(4.0, 14.0), Side::Right, "to the axis", Hue::Muted)?;
     kit::head(&mut drawing, axis, at(-1.0, 0.0), 0.8, Hue::Muted);
-    drawing.label(centre.towards(top, 0.55), Side::Left, "$a$", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -151,8 +145,8 @@ fn forces(id: &str) -> Outcome {
 fn momentum_turned(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 320.0, 330.0).titled(
         "What the torque does",
-        "The wheel in perspective. From its centre the angular momentum points inward and up, and its tip goes round the upright on a level circle. At the tip the torque points along that circle, \
-         in the sense of Omega.",
+        "The wheel in perspective. From its centre the angular momentum points inward and up, and its tip goes round the upright on a level circle. At the tip a small piece, torque times dt, points \
+         along that circle, in the sense of Omega.",
     );
     let (lean, b) = PUSHED;
     let steady = wheel(MomentFactors::DISK)?.steady(lean, b)?;
@@ -186,7 +180,7 @@ fn momentum_turned(id: &str) -> Outcome {
     let push = axes[0] * (0.75 * steady.torque().signum());
     let torque = Curve::segment(tip, tip + push)?.hiding(Hiding::Ignored);
     stage.arrow(torque, Stroke::Vector, Heads::End, Hue::Purple)?;
-    let name = r"$\boldsymbol{\tau} = \dot{\boldsymbol{L}}$";
+    let name = r"$\boldsymbol{\tau}\,dt$";
     stage.label_shifted(tip + push, at(4.0, 4.0), Side::Left, name, Hue::Purple)?;
     let contact = -axes[1];
     stage.dot_in_front(contact, 4.5, Hue::Pink)?;
@@ -216,7 +210,7 @@ pub(crate) fn rim_and_table(id: &str) -> Outcome {
     stage.ground([-1.5, -1.0], [2.75, 2.75], 0.0, 0.25)?;
     let contact_radius = steady.contact_radius();
     stage.solid(Solid::ring(centre, third, 1.0, 0.9, 0.1)?, Hue::Blue)?;
-    // What touched the table a time ago: on the table it lies back by Ωt, on the rim by ωt.
+    // What touched the table a time ago: on the table it lies back by Ωt, on the rim by ω_rel t.
     let printed = |ago: f64| {
         let back = -steady.turn_rate() * ago;
         Vector3::new(-back.sin(), back.cos(), 0.0) * contact_radius
@@ -421,43 +415,5 @@ pub(crate) fn contact_track(id: &str) -> Outcome {
     plot.markers(&ends, Marker::Disc, Hue::Pink);
     plot.label((0.94, 0.0), Side::Over, "eleven wobbles", Hue::Ink)?;
     plot.label((0.94, -0.35), Side::Over, "from half of one", Hue::Ink)?;
-    Ok(drawing)
-}
-
-/// Error of the energy after a near-flat turn, by RK4 and DOP853.
-pub(crate) fn near_flat(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
-        "Error of the energy after a near-flat turn",
-        "Both scales are logarithmic: along x the turn q that the disc is given, from 1e-4 to 0.3; along y the relative error of the energy after it has come up. By RK4 with steps of a \
-         thousandth of the root of a over g the error grows from about 1e-12 to ten as q falls to 0.0011, and below that there is no value. By DOP853 it stays just below 1e-12.",
-    );
-    let disc = wheel(MomentFactors::DISK)?;
-    let (mut naive, mut better) = (Vec::new(), Vec::new());
-    for q in log_steps(1e-4, 0.3, 30) {
-        let state = Rolling { tilt: 0.3, omega_2: q, ..Rolling::UPRIGHT };
-        let rates = |t: f64, state: &[f64; 8]| disc.rates(t, state);
-        let energy = disc.energy(&state);
-        let error = |end: [f64; 8]| {
-            let end = Rolling::from_array(end);
-            (end.tilt > 0.0)
-                .then(|| (disc.energy(&end) / energy - 1.0).abs().max(1e-16))
-                .filter(|error| *error < 10.0)
-        };
-        if let Some(error) = rk4(rates, 0.0, state.to_array(), 1.3, 1300).ok().and_then(error) {
-            naive.push((q, error));
-        }
-        let end = Dop853::new(1e-12)?.solve(rates, 0.0, state.to_array(), 1.3)?;
-        if let Some(error) = error(end.state) {
-            better.push((q, error));
-        }
-    }
-    let turn = Axis::log(1e-4, 1.0, 1)?.titled(r"turn $q$ that the disc is given, in $\sqrt{g/a}$");
-    let relative = Axis::log(1e-16, 10.0, 4)?.titled("relative error of the energy");
-    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 246.0), turn, relative)?;
-    let [one, other] = [Look::RK4, Look::DOP853];
-    plot.series("rk4", &naive, one.marker, one.hue);
-    plot.series("dop853", &better, other.marker, other.hue);
-    plot.label((2e-2, 1e-3), Side::Right, one.name, one.hue)?;
-    plot.label((2e-4, 1e-11), Side::Right, other.name, other.hue)?;
     Ok(drawing)
 }

@@ -3,13 +3,13 @@
 use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::spinning_coin::{EulersDisk, Loss, SpinDown, SpinningCoin};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The disc of the text at a tilt.
 fn disc(tilt: f64) -> Result<SpinningCoin, InvalidQuantity> {
@@ -153,6 +153,76 @@ fn quarters(id: &str, in_a_row: usize) -> Outcome {
     Ok(drawing)
 }
 
+/// The coin on its paper cone, and the paper laid flat.
+pub(crate) fn paper_cone(id: &str) -> Outcome {
+    Ok(Drawing::panels(id, vec![on_the_cone("")?, cone_laid_flat("")?]))
+}
+
+/// A tilt at which the cone lacks a quarter of its disc, rad.
+fn a_quarter_left_over() -> f64 {
+    0.75_f64.acos()
+}
+
+fn on_the_cone(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 310.0, 260.0).titled(
+        "The coin on a cone of paper",
+        "A coin, seen from below its high side, leans on a table. Under it stands a cone with its top at the coin’s centre and its edge on the circle of the contact. They touch along the line from \
+         the contact to the centre.",
+    );
+    let coin = disc(a_quarter_left_over())?;
+    let (sin, cos) = coin.tilt().sin_cos();
+    let centre = Vector3::new(0.0, 0.0, sin);
+    let normal = coin.attitude(0.0) * Vector3::z();
+    let second = (Vector3::z() - normal * normal.z).normalize();
+    let contact = centre - second;
+    let mut stage = Stage::new(Camera::new(View {
+        target: [0.0, 0.0, 0.55],
+        azimuth: 0.35,
+        elevation: 0.16,
+        distance: 9.0,
+        centre: at(155.0, 130.0),
+        scale: 104.0,
+    })?);
+    stage.ground([-1.0, -1.25], [1.0, 1.25], 0.0, 0.25)?;
+    stage.solid(Solid::cone(centre, -Vector3::z(), FRAC_PI_2 - coin.tilt(), 1.0)?, Hue::Pink)?;
+    let thick = 0.04;
+    stage.solid(Solid::disc(centre + normal * (0.5 * thick + 0.004), normal, 1.0, thick)?, Hue::Blue)?;
+    stage.dot_in_front(contact, 4.5, Hue::Pink)?;
+    stage.dot_in_front(centre, 3.0, Hue::Ink)?;
+    stage.label_shifted(contact, at(-18.0, 4.0), Side::Left, "contact", Hue::Pink)?;
+    let side = Vector3::new(0.35 * cos, 0.1, 0.35 * sin);
+    stage.label(side, Side::Over, "paper", Hue::Pink)?;
+    stage.write(&mut drawing);
+    Ok(drawing)
+}
+
+fn cone_laid_flat(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 300.0, 260.0).titled(
+        "The paper of the cone, cut open and laid flat",
+        "Three quarters of a disc as large as the coin. The edge of the paper is as long as the circle on the table; the quarter that it lacks is the angle by which the head turns in a round.",
+    );
+    let coin = disc(a_quarter_left_over())?;
+    let left_over = TAU * coin.figure_rate() / coin.turn_rate();
+    let (centre, radius, from) = (at(150.0, 130.0), 104.0, 0.25 * TAU - 0.5 * left_over);
+    let sector = |from: f64, sweep: f64| {
+        let rim =
+            linear_steps(0.0, 1.0, 120).map(move |part| centre + Point::polar(radius, from + sweep * part));
+        [centre].into_iter().chain(rim).collect::<Vec<Point>>()
+    };
+    drawing.polygon(sector(from + left_over, TAU - left_over), Fill::Face, Hue::Pink);
+    drawing.arc(centre, radius, from + left_over, TAU - left_over, Stroke::Curve, Hue::Pink);
+    drawing.polygon(sector(from, left_over), Fill::Ghost, Hue::Blue);
+    drawing.arc(centre, radius, from, left_over, Stroke::Reference, Hue::Blue);
+    for edge in [from, from + left_over] {
+        drawing.line(centre, centre + Point::polar(radius, edge), Stroke::Outline, Hue::Ink);
+    }
+    kit::angle(&mut drawing, centre, 34.0, from, left_over, Heads::None, Hue::Blue);
+    drawing.dot(centre, 3.0, Hue::Ink);
+    drawing.label(centre + at(0.0, -66.0), Side::Over, r"$2\pi(1 - \cos\alpha)$", Hue::Blue)?;
+    drawing.label_on_face(centre + at(0.0, 48.0), Side::Over, r"edge $2\pi a\cos\alpha$", Hue::Pink)?;
+    Ok(drawing)
+}
+
 /// The cap of the unit sphere round which the normal of the coin goes, with the head's way up carried along.
 pub(crate) fn swept_cap(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 380.0, 340.0).titled(
@@ -194,34 +264,6 @@ pub(crate) fn swept_cap(id: &str) -> Outcome {
     stage.label_shifted(top, at(0.0, 2.0), Side::Above, r"$2\pi(1 - \cos\alpha)$", Hue::Blue)?;
     stage.label_shifted(normal(0.0), at(0.0, 2.0), Side::Below, r"$\hat{\mathbf{n}}$", Hue::Blue)?;
     stage.write(&mut drawing);
-    Ok(drawing)
-}
-
-/// The three rates against the tilt.
-pub(crate) fn coin_rates(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 350.0).titled(
-        "Three rates against the tilt",
-        "Both scales are logarithmic: along x the tilt from 1e-4 to 1 rad, along y rates in rad/s. The contact's rate falls from three thousand to thirty with the power minus one half of the tilt. The \
-         figure's rate rises from 1e-5 to ten with the power three halves, and the instantaneous vertical rate lies above it, by a factor of two at small tilts.",
-    );
-    let tilt = Axis::log(1e-4, 1.0, 1)?.titled(r"tilt $\alpha$, rad");
-    let rate = Axis::log(1e-5, 1e4, 2)?.titled("rate, rad/s");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 320.0, 266.0), tilt, rate)?;
-    type Rate = fn(&SpinningCoin) -> f64;
-    let rates: [(&str, Rate, Hue); 3] = [
-        ("contact", SpinningCoin::turn_rate, Hue::Pink),
-        ("figure", SpinningCoin::figure_rate, Hue::Blue),
-        ("vertical", SpinningCoin::vertical_rate, Hue::Orange),
-    ];
-    for (name, of, hue) in rates {
-        let values = log_steps(1e-4, 1.0, 200)
-            .map(|tilt| Ok((tilt, of(&disc(tilt)?))))
-            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(name, values, Stroke::Curve, hue);
-    }
-    plot.label((1e-3, 1.5e3), Side::AboveRight, r"of the contact, $\Omega$", Hue::Pink)?;
-    plot.label((5e-3, 2.5e-3), Side::BelowRight, r"of the figure, $\Omega - \omega_\text{rel}$", Hue::Blue)?;
-    plot.label((4e-3, 1.3e-2), Side::AboveLeft, r"at an instant, $\omega_z$", Hue::Orange)?;
     Ok(drawing)
 }
 
@@ -333,50 +375,5 @@ pub(crate) fn circle_opens(id: &str) -> Outcome {
     plot.label((0.047, 1.35), Side::Over, "sinking", Hue::Muted)?;
     let arrow = [plot.at((0.06, 1.2)), plot.at((0.034, 1.2))];
     kit::dimension(plot.drawing(), arrow[0], arrow[1], Heads::End, Hue::Muted);
-    Ok(drawing)
-}
-
-/// The Mach number of the contact against the tilt.
-pub(crate) fn mach(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 350.0).titled(
-        "Mach number of the contact against the tilt",
-        "Both scales are logarithmic: along x the tilt from 1e-6 to 1 rad, along y the speed of the contact over that of sound, a line falling with the power minus one half. It crosses one at \
-         1.25e-5. Four dots on it mark where slow sinking ends: at 0.07 for p = 2, 0.16 for p = 5/4, 0.24 for p = 1, and 1.16, just beyond the crossing, for p = 1/2.",
-    );
-    let tilt = Axis::log(1e-6, 1.0, 1)?.titled(r"tilt $\alpha$, rad");
-    let speed = Axis::log(1e-3, 10.0, 1)?.titled("speed of the contact over that of sound");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 320.0, 266.0), tilt, speed)?;
-    plot.level(1.0, Stroke::Reference);
-    let number = |tilt: f64| Ok((tilt, disc(tilt)?.contact_speed() / 343.0));
-    let values = log_steps(1e-6, 1.0, 200).map(number).collect::<Result<Vec<_>, InvalidQuantity>>()?;
-    plot.curve("mach", values, Stroke::Curve, Hue::Pink);
-    for (power, name) in LAWS {
-        let place = number(law_ends(power)?.1.tilt())?;
-        plot.markers(&[place], Marker::Disc, Hue::Blue);
-        let name = if power == 2.0 { format!("$p = {name}$") } else { format!("${name}$") };
-        plot.label(place, Side::AboveRight, &name, Hue::Blue)?;
-    }
-    plot.label((1.0, 1.0), Side::AboveLeft, "Mach 1", Hue::Muted)?;
-    Ok(drawing)
-}
-
-/// Relative error of the figure's rate by the obvious formula.
-pub(crate) fn figure_error(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
-        "Error of the figure's rate by one minus the sine",
-        "Both scales are logarithmic: along x the tilt from 1e-9 to 1, along y the relative error. By one minus the sine of the lean it rises from 1e-16 with the power minus two and reaches one at \
-         1e-8.",
-    );
-    let mut naive = Vec::new();
-    for tilt in log_steps(1e-9, 1.0, 45) {
-        let coin = disc(tilt)?;
-        let found = coin.turn_rate() * (1.0 - (FRAC_PI_2 - tilt).sin());
-        naive.push((tilt, (found / coin.figure_rate() - 1.0).abs().max(1e-17)));
-    }
-    let tilt = Axis::log(1e-9, 1.0, 3)?.titled(r"tilt $\alpha$, rad");
-    let error = Axis::log(1e-17, 10.0, 4)?.titled("relative error of the figure’s rate");
-    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 246.0), tilt, error)?;
-    plot.series("naive", &naive, Marker::Disc, Hue::Ink);
-    plot.label((1e-5, 1e-4), Side::Right, r"by $\Omega\,(1 - \sin\theta)$", Hue::Ink)?;
     Ok(drawing)
 }

@@ -192,6 +192,20 @@ fn equal_steps_lose_four_digits_a_decade_of_the_nearest_approach() {
 }
 
 #[test]
+fn equal_steps_hand_the_wheel_back_with_thirteen_times_its_energy() {
+    let moments = MomentFactors::DISK;
+    let disc = Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments, gravity: 1.0 }).unwrap();
+    let dropped = Rolling { tilt: 0.3, omega_2: 1e-3, ..Rolling::UPRIGHT };
+    let rates = |t: f64, state: &[f64; 8]| disc.rates(t, state);
+    let energy = |end: [f64; 8]| disc.energy(&Rolling::from_array(end)) / disc.energy(&dropped);
+    let naive = energy(rk4(rates, 0.0, dropped.to_array(), 1.2, 1200).unwrap());
+    assert!((13.3..13.4).contains(&naive), "{naive}");
+    // A step that adapts turns round, with its energy.
+    let end = Dop853::new(1e-12).unwrap().solve(rates, 0.0, dropped.to_array(), 1.2).unwrap().state;
+    assert!(Rolling::from_array(end).omega_1 < 0.0 && (energy(end) - 1.0).abs() < 1e-8);
+}
+
+#[test]
 fn contact_runs_round_by_pi_root_one_plus_two_over_k_in_the_limit() {
     for (factor, degrees) in [(0.5, 402.49), (1.0, 311.77)] {
         let mut rest = Vec::new();

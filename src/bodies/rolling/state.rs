@@ -18,7 +18,7 @@ pub struct Rolling {
     pub omega_3: f64,
     /// The heading φ of axis 1 from x, rad.
     pub heading: f64,
-    /// The angle ψ through which the disk has turned about its axle relative to the frame, rad.
+    /// The angle through which the disk has turned about its axle relative to the frame, at the rate ω_rel, rad.
     pub roll_angle: f64,
     /// The place of the centre over the table, x + iy, m.
     pub centre: Complex<f64>,
@@ -48,7 +48,7 @@ impl Rolling {
         self.centre + outward * (radius * sin)
     }
 
-    /// The eight numbers that an integrator steps: α, ω₁, ω₂, ω₃, φ, ψ, x, y.
+    /// The eight numbers that an integrator steps: α, ω₁, ω₂, ω₃, φ, the roll angle, x, y.
     pub fn to_array(&self) -> [f64; 8] {
         let Self { tilt, omega_1, omega_2, omega_3, heading, roll_angle, centre } = *self;
         [tilt, omega_1, omega_2, omega_3, heading, roll_angle, centre.re, centre.im]

@@ -16,9 +16,9 @@ pub struct RollingConstants {
 }
 
 impl Wheel {
-    /// The constants of a motion (`eq:chaplygin`, solved for A and B with Wronski's determinant, `(1 − X²)(e o′ − e′ o)
-    /// = 1`). With [`Wheel::at_tilt`] exact to 40 units in the last place of the sums of the closed form without their
-    /// signs.
+    /// The constants of a motion (`eq:chaplygin`, solved for A and B with Wronski's determinant, `(1 − X²)(n₊ n₋′ −
+    /// n₊′ n₋) = 1`). With [`Wheel::at_tilt`] exact to 40 units in the last place of the sums of the closed form
+    /// without their signs.
     pub fn constants(&self, state: &Rolling) -> RollingConstants {
         let Rolling { omega_2: q, omega_3: n, .. } = *state;
         let (_, cos) = sin_cos_lean(state.tilt);

@@ -151,6 +151,7 @@ impl SpinDown {
     pub fn time_left_at_free_fall(&self) -> f64 {
         let DiskParameters { radius: a, gravity: g, .. } = self.start.parameters();
         let power = 1.0 / (self.loss.exponent + 1.0);
+        // eq:sinking-fall at the start, in g
         let fall = power * (1.0 - power) * a * self.start.sin / (g * self.life * self.life);
         self.life * fall.powf(1.0 / (2.0 - power))
     }

@@ -136,16 +136,6 @@ fn the_circle_of_the_centre_opens_as_the_film_has_it() {
 }
 
 #[test]
-fn the_rates_of_the_coin_are_straight_until_it_stands_up() {
-    let (radius, gravity) = (0.0375, 9.81);
-    let contact = |tilt: f64| (4.0 * gravity / (radius * tilt.sin())).sqrt();
-    lies_on("coin-rates", "contact", contact);
-    lies_on("coin-rates", "figure", |tilt| contact(tilt) * 2.0 * (0.5 * tilt).sin().powi(2));
-    lies_on("coin-rates", "vertical", |tilt| contact(tilt) * tilt.sin().powi(2));
-    lies_on("mach", "mach", |tilt| contact(tilt) * radius * tilt.cos() / 343.0);
-}
-
-#[test]
 fn the_tongue_ends_where_the_well_of_the_potential_becomes_flat() {
     for (k, name) in [(1.0, "hoop"), (0.5, "disc")] {
         // The energy at a lean near a steady one, with the spins that the motion has there; its second difference.
