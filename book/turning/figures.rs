@@ -91,12 +91,12 @@ pub(crate) fn specks(id: &str) -> Outcome {
             0.0,
             "start: pink is high",
             "A leaning plate with two specks on its rim, each with a thread to the centre and its path, a tilted circle: the pink speck is on \
-             the right, at the top of its circle; the black one is behind, half-way up a circle that is high on the left.",
+             the right, at the top of its circle; the other is behind, half-way up a circle that is high on the left.",
         ),
         (
             0.25 * turn,
-            "a quarter turn later: black is high",
-            "The same a quarter turn later: the pink speck is behind, half-way down; the black one is on the left at the top of its circle, \
+            "a quarter turn later: the other is",
+            "The same a quarter turn later: the pink speck is behind, half-way down; the other is on the left at the top of its circle, \
              and the plate leans to the other side.",
         ),
     ] {
