@@ -310,7 +310,7 @@ fn level_line(moments: PrincipalMoments, start: Vector3<f64>) -> Result<Vec<Vect
 }
 
 /// When the stills of the tumble are taken, in 1/ω₀, of a hoop that is pinned at 89.9 degrees.
-const STILLS: [f64; 8] = [0.0, 7.0, 16.0, 22.0, 25.0, 28.0, 32.0, 42.0];
+const STILLS: [f64; 8] = [0.0, 7.0, 16.0, 22.0, 25.0, 28.0, 32.0, 46.0];
 const NEARLY: f64 = 89.9;
 
 /// Eight stills of the hoop in the room, from the snap through a tumble.

@@ -22,9 +22,8 @@ pub(crate) const SCENE: Scene = Scene {
                   near its upright balance, and the plane of the hoop at the moment of the snap, with A a \
                   degree from the place at a quarter of the circle. A plot: how long the hoop waits, a \
                   straight line against the logarithm of that degree.",
-    question: "The pin catches the hoop nearly at $90°$ from its axis. It turns like a door on its hinge, \
-               and then it turns over. How long does it wait, at $80°$, $89°$ and $89.9°$? Why are the \
-               steps equal?",
+    question: "The pin catches the hoop nearly at $90°$ from its axis, and makes a door of it. How long does it \
+               turn like a door, at $80°$, $89°$ and $89.9°$? And what does it do then?",
     size: [[640.0, 505.0], [360.0, 640.0]],
     view: Some([-0.9, 0.3]),
     still: 15.0,
@@ -65,8 +64,6 @@ const BY_HAND: f64 = 0.1;
 const TRAIL: f64 = 7.0;
 /// How many points half a path has.
 const POINTS: u32 = 120;
-/// The axes of the body, in its own picture.
-const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// A body of mass, radius and spin one, pinned so many degrees from a right angle.
 fn pinned(shape: Shape, gap: f64) -> Result<Pinning, Cause> {
@@ -234,10 +231,10 @@ impl Pinned {
     fn sphere_alone(room: Room) -> Result<Stage, Cause> {
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0; 3],
-            azimuth: -1.1,
-            elevation: 0.25,
+            azimuth: -1.0,
+            elevation: 0.3,
             distance: 8.0,
-            centre: room.of(at(498.0, 140.0), at(296.0, 372.0)),
+            centre: room.of(at(498.0, 140.0), at(292.0, 372.0)),
             scale: room.of(88.0, 42.0),
         })?);
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
@@ -263,15 +260,21 @@ impl Pinned {
         if self.path.iter().any(|direction| (direction - self.path[0]).norm() > 1e-3) {
             stage.curve(Curve::smooth(self.path.iter().copied())?, Stroke::Curve, Hue::Green)?;
         }
-        for (k, sign, name) in
-            [(0, 1.0, r"$\hat{\mathbf 1}$"), (1, -1.0, r"$-\hat{\mathbf 2}$"), (2, 1.0, r"$\hat{\mathbf 3}$")]
+        for (direction, name) in [(Vector3::x(), r"$\hat{\mathbf 1}$"), (Vector3::z(), r"$\hat{\mathbf 3}$")]
         {
-            let direction = Vector3::from(AXES[k]) * sign;
-            stage.named_vector(direction, direction * room.of(1.3, 1.45), name, Hue::Ink)?;
+            stage.named_vector(direction, direction * room.of(1.3, 1.35), name, Hue::Ink)?;
         }
+        stage.dot(-Vector3::y(), 2.5, Hue::Ink)?;
+        stage.label_shifted(
+            -Vector3::y(),
+            at(0.0, 2.0),
+            Side::BelowRight,
+            r"$-\hat{\mathbf 2}$",
+            Hue::Ink,
+        )?;
         let mut drawing = Drawing::new("", 0.0, 0.0);
         stage.write(&mut drawing);
-        let below = room.of(at(498.0, 262.0), at(296.0, 440.0));
+        let below = room.of(at(498.0, 262.0), at(292.0, 440.0));
         drawing.label(below, Side::Over, r"$\boldsymbol L_A$ in the body", Hue::Green)?;
         Ok(drawing.items().to_vec())
     }
