@@ -275,8 +275,7 @@ fn a_coin_that_keeps_its_face_shows_no_other_at_any_time() {
 }
 
 #[test]
-fn the_checks_of_the_page_are_tight_at_its_own_numbers() {
-    // A reader can change these numbers there, so the page must leave room.
+fn height_and_lowest_point_are_those_of_the_angle() {
     let toss = tossed(coin(), 240.0, 0.49 * 240.0);
     let (psi, rate) = (toss.momentum_angle(), toss.precession_rate());
     let height = psi.cos().powi(2) + psi.sin().powi(2) * (rate * 0.1).cos();
@@ -288,4 +287,45 @@ fn the_checks_of_the_page_are_tight_at_its_own_numbers() {
     let times = (0..10_000).map(|n| 1e-4 * f64::from(n));
     let same = times.filter(|&time| toss.normal_height(time).unwrap() > 0.0).count();
     assert!((same as f64 / 1e4 - 0.508).abs() < 0.005);
+}
+
+#[test]
+fn a_little_twist_makes_a_bias_that_goes_with_its_square() {
+    // eq:small-twist; the next term of the arcsine is its argument, 4s², cubed and over six.
+    for exponent in 1..=40 {
+        let twist = 10_f64.powf(-0.1 * f64::from(exponent));
+        let bias = tossed(coin(), 1.0, 0.4 * twist).same_face_probability() - 0.5;
+        let square = 4.0 / PI * (0.4 * twist).powi(2);
+        let next = (0.64 * twist * twist).powi(2) / 6.0;
+        let rounding = f64::EPSILON / bias;
+        assert!(bias > square * (1.0 + 0.9 * next) - rounding * square, "{twist}");
+        assert!(bias < square * (1.0 + 1.5 * next) + rounding * square, "{twist}");
+    }
+}
+
+#[test]
+fn a_window_of_catches_is_off_by_no_more_than_a_part_over_its_length() {
+    // eq:catch-window, by a count of moments in windows of every length and at every place.
+    let mut random = fastrand::Rng::with_seed(11);
+    let mut nearest = 0.0_f64;
+    for n in 0..400 {
+        let toss = tossed(coin(), 240.0, 120.0 * random.f64());
+        let (p, period) = (toss.same_face_probability(), TAU / toss.precession_rate());
+        // Every other window ends with just the part that shows the face, which is the worst it can.
+        let whole = f64::from(random.u32(0..5));
+        let (start, length) =
+            if n % 2 == 0 { (-0.5 * p, whole + p) } else { (random.f64(), 5.0 * random.f64()) };
+        let length = length.max(0.05);
+        let moments = 20_000;
+        let part = |k: i32| start + length * (f64::from(k) + 0.5) / f64::from(moments);
+        let same = (0..moments).filter(|&k| toss.normal_height(part(k) * period).unwrap() > 0.0).count();
+        let off = (same as f64 / f64::from(moments) - p).abs();
+        let most = p * (1.0 - p) / length;
+        assert!(off < most + 1e-3, "{off} with {length} precessions, and not {most}");
+        nearest = nearest.max(off / most);
+        if n % 2 == 0 {
+            assert!(off > most - 1e-3, "the worst window is off by {off}, and not by {most}");
+        }
+    }
+    assert!(nearest > 0.99);
 }

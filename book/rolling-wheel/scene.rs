@@ -118,10 +118,9 @@ impl Rolled {
 
     fn draw_stage(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
         let frame = Layout::of(moment.room).stage;
-        let (middle, reach) = self.reach();
-        let follows = reach > MOST_REACH;
+        let follows = self.reach > MOST_REACH;
         let contact = now.contact(RADIUS) / RADIUS;
-        let (middle, reach) = if follows { (contact, 0.5 * MOST_REACH) } else { (middle, reach) };
+        let (middle, reach) = if follows { (contact, 0.5 * MOST_REACH) } else { (self.middle, self.reach) };
         let reach = reach.max(1.8) + 0.25;
         let distance = 12.0 + 2.0 * reach;
         let high = 2.0 * reach * 0.6_f64.sin() + 2.0;
@@ -159,20 +158,19 @@ impl Rolled {
     /// The track of the contact: what is to come pale, the last seconds heavy.
     fn draw_track(&self, time: f64, now: &Rolling, camera: &Camera, frame: &Rect, drawing: &mut Drawing) {
         let here = now.contact(RADIUS) / RADIUS;
-        let place = |state: &Rolling| {
-            let contact = state.contact(RADIUS) / RADIUS;
+        let place = |contact: Complex<f64>| {
             // Where the eye goes with the wheel, what is far off may lie behind it.
-            let near = (contact - here).norm() < 2.0 * MOST_REACH;
+            let near = (contact - here).norm_sqr() < (2.0 * MOST_REACH).powi(2);
             let seen = camera.on_page([contact.re, contact.im, 0.0]).ok().filter(|_| near);
             seen.unwrap_or(at(f64::NAN, f64::NAN))
         };
         let (recent, reached) = (self.count_to(time - RECENT), self.count_to(time));
         let way = |from: usize, to: usize| -> Vec<Point> {
-            self.states[from - 1..to].iter().map(|(_, state)| place(state)).collect()
+            self.contacts[from - 1..to].iter().map(|&contact| place(contact)).collect()
         };
         let (coming, past) = (way(reached, self.states.len()), way(1, recent));
         let mut heavy = way(recent, reached);
-        heavy.push(place(now));
+        heavy.push(place(here));
         for (points, stroke) in [(coming, Stroke::Pale), (past, Stroke::Orbit), (heavy, Stroke::Curve)] {
             for piece in clip(&points, frame) {
                 drawing.polyline(&piece, stroke, Hue::Pink);
@@ -239,19 +237,6 @@ impl Rolled {
             }
         }
         Ok(())
-    }
-
-    /// The middle of the track and how far it reaches from there, in radii.
-    fn reach(&self) -> (Complex<f64>, f64) {
-        let places = || self.states.iter().map(|(_, state)| state.contact(RADIUS) / RADIUS);
-        let (mut low, mut high) =
-            (Complex::new(f64::INFINITY, f64::INFINITY), -Complex::new(f64::INFINITY, f64::INFINITY));
-        for place in places() {
-            low = Complex::new(low.re.min(place.re), low.im.min(place.im));
-            high = Complex::new(high.re.max(place.re), high.im.max(place.im));
-        }
-        let middle = (low + high) * 0.5;
-        (middle, places().map(|place| (place - middle).norm()).fold(0.0, f64::max))
     }
 
     /// The map of circles and leans, with the tongue, this motion's way and where it is now.

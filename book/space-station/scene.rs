@@ -68,6 +68,8 @@ const DURATION: f64 = 4.0 * TAU / SPIN;
 /// How long a blow stays in the picture, s, and the length of its arrow, radii a MN·s.
 const SHOWN: f64 = 1.2;
 const ARROW: f64 = 0.14;
+/// The cosine of the angle from the line of sight within which stars can be in the picture, as seen from the hub.
+const AHEAD: f64 = 0.9;
 /// Steps of the waves.
 const STEPS: u32 = 240;
 
@@ -178,16 +180,18 @@ impl Nodding {
         let (camera, now) = (moment.camera(layout.view)?, self.station.at(moment.time)?);
         let seen = self.seen(&now);
         let attitude = seen * now.world_from_body;
-        for star in BACKGROUND.iter() {
-            let far = seen * star * 40.0;
-            if let Ok(place) = camera.on_page(far)
+        let sight = eye_direction(moment, layout.view);
+        // Most stars are behind the reader.
+        let ahead = seen.inverse() * -sight;
+        for star in BACKGROUND.iter().filter(|star| star.dot(&ahead) > AHEAD) {
+            if let Ok(place) = camera.on_page(seen * star * 40.0)
                 && layout.panel.grown(-4.0).contains(place)
             {
                 drawing.dot(place, 0.8, Hue::Muted);
             }
         }
         // What points out of the wheel lies above its plane: from above it is painted last, from below first.
-        let wheel = Wheel { attitude, sight: eye_direction(moment, layout.view) };
+        let wheel = Wheel { attitude, sight };
         let from_below = wheel.sight.dot(&(attitude * Vector3::z())) < 0.0;
         if !from_below {
             wheel.draw(&camera, drawing)?;

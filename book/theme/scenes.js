@@ -83,33 +83,34 @@ class Picture {
   draw(text) {
     if (!this.#isLive) this.svg.replaceChildren(...this.words, ...this.#nodes.map(({ node }) => node));
     this.#isLive = true;
-    const all = text.trimEnd().split("\n").map((line) => line.split('"'));
+    const all = text.trimEnd().split("\n");
     // Where lines have come or gone, those behind them keep their nodes.
     const more = all.length - this.#nodes.length;
-    const stay = this.#nodes.findIndex((old, index) => more !== 0 && !(all[index] && areAlike(old.parts, all[index])));
+    const isOther = ({ parts }, index) => !(index < all.length && areAlike(parts, all[index].split('"')));
+    const stay = more === 0 ? -1 : this.#nodes.findIndex(isOther);
     const from = Math.min(stay < 0 ? Infinity : stay, all.length, this.#nodes.length);
     const gone = this.#nodes.splice(from, Math.max(-more, 0), ...Array(Math.max(more, 0)).fill(null));
     gone.forEach(({ node }) => node.remove());
-    all.forEach((parts, index) => this.#put(parts, index));
+    all.forEach((line, index) => this.#nodes[index]?.line === line || this.#put(line, index));
   }
   /** Puts a line in its place: if it can, as new values of the attributes of the node that is there. */
-  #put(parts, index) {
-    const old = this.#nodes[index];
+  #put(line, index) {
+    const [old, parts] = [this.#nodes[index], line.split('"')];
     if (old && areAlike(old.parts, parts)) {
       old.attributes.forEach((attribute, place) => {
         const value = parts[2 * place + 1];
         if (value !== old.parts[2 * place + 1]) attribute.value = value;
       });
-      old.parts = parts;
+      Object.assign(old, { line, parts });
       return;
     }
     const holder = document.createElementNS("http://www.w3.org/2000/svg", "g");
-    holder.innerHTML = parts.join('"');
+    holder.innerHTML = line;
     const node = holder.firstChild;
     const attributes = [...holder.querySelectorAll("*")].flatMap((element) => [...element.attributes]);
     this.svg.insertBefore(node, (old ?? this.#nodes.slice(index).find(Boolean))?.node ?? null);
     old?.node.remove();
-    this.#nodes[index] = { node, parts, attributes };
+    this.#nodes[index] = { node, line, parts, attributes };
   }
   /** Puts the still back. */
   rest() {
@@ -274,11 +275,10 @@ class Scene {
       const isStale = hasChanged || !this.isPlaying || this.says.classList.contains("trouble");
       if (isStale) this.#say(this.machine.text(this.machine.run.words(this.now)), false);
     } catch (error) {
-      if (!(error instanceof Trouble)) return this.fail(error);
-      this.#say(error.message, true); // and the last picture stays
+      if (error instanceof Trouble) this.#say(error.message, true); // and the last picture stays
+      else this.fail(error);
     }
     if (this.isPlaying && this.#isOnScreen && !this.#isChanged) this.ask();
-    return undefined;
   }
   #advance(moment) {
     this.now += (within(moment - (this.#before ?? moment), 0, 100) / 1000) * this.pace;

@@ -161,9 +161,9 @@ impl Toss {
         self.half_edge_angle().map_or(1.0, |half| FRAC_2_PI * half) // eq:same-face
     }
 
-    /// Half the angle Λt at which the coin first stands on edge, rad.
+    /// Half the angle Λt at which the coin first stands on edge, rad (`eq:edge-half`).
     fn half_edge_angle(&self) -> Option<f64> {
-        (!self.keeps_its_face()).then(|| 1_f64.atan2((-self.cosine_of_double_angle).sqrt())) // eq:edge-time
+        (!self.keeps_its_face()).then(|| 1_f64.atan2((-self.cosine_of_double_angle).sqrt())) // eq:edge-half
     }
 }
 
@@ -228,7 +228,7 @@ pub struct FlightParameters {
     pub speed: f64,
     /// Gravity g, m/s², more than zero.
     pub gravity: f64,
-    /// How far above the throwing hand the coin is caught, h, m; below, if negative.
+    /// How far above the throwing hand the coin is caught, z_catch, m; below, if negative.
     pub catch_height: f64,
 }
 

@@ -52,6 +52,10 @@ pub(super) struct Rolled {
     pub(super) start: Rolling,
     /// The states of the run and their times, s: [`STEP`] apart, and closer where it whirls.
     pub(super) states: Vec<(f64, Rolling)>,
+    /// Where each touches the table, in radii; the middle of the track, and how far it reaches from there.
+    pub(super) contacts: Vec<Complex<f64>>,
+    pub(super) middle: Complex<f64>,
+    pub(super) reach: f64,
     /// The smallest and the largest lean of the run, and the largest energy of the rate of lean, in mga.
     pub(super) swings: [f64; 2],
     pub(super) liveliest: f64,
@@ -89,6 +93,9 @@ impl Rolled {
             course,
             start,
             states: Vec::new(),
+            contacts: Vec::new(),
+            middle: Complex::ZERO,
+            reach: 0.0,
             swings: [lean; 2],
             liveliest: 0.0,
         };
@@ -103,6 +110,7 @@ impl Rolled {
             }
             before = after;
         }
+        rolled.measure();
         // What a kick would do is shown before it is given.
         for k in 0..=120 {
             let Some(wobble) = rolled.wobble.as_ref().filter(|_| loss == 0.0) else { break };
@@ -114,7 +122,20 @@ impl Rolled {
 
     fn add(&mut self, time: f64, state: Rolling) {
         self.states.push((time, state));
+        self.contacts.push(state.contact(RADIUS) / RADIUS);
         self.widen(&state);
+    }
+
+    /// Finds the middle of the track, and how far it reaches from there.
+    fn measure(&mut self) {
+        let (mut low, mut high) =
+            (Complex::new(f64::INFINITY, f64::INFINITY), -Complex::new(f64::INFINITY, f64::INFINITY));
+        for place in &self.contacts {
+            low = Complex::new(low.re.min(place.re), low.im.min(place.im));
+            high = Complex::new(high.re.max(place.re), high.im.max(place.im));
+        }
+        self.middle = (low + high) * 0.5;
+        self.reach = self.contacts.iter().map(|place| (place - self.middle).norm()).fold(0.0, f64::max);
     }
 
     /// Counts a state among those between which the lean swings.

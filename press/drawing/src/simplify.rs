@@ -18,12 +18,15 @@ pub fn simplify(points: &[Point], tolerance: f64) -> Vec<Point> {
     keep[points.len() - 1] = true;
     let mut spans = vec![(0, points.len() - 1)];
     while let Some((first, last)) = spans.pop() {
-        let furthest = (first + 1..last)
-            .map(|index| (index, distance(points[index], points[first], points[last])))
-            .max_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((index, far)) = furthest
-            && far > tolerance
-        {
+        let (mut index, mut far) = (first, 0.0);
+        let distance = distance_from(points[first], points[last]);
+        for (between, &point) in points.iter().enumerate().take(last).skip(first + 1) {
+            let away = distance(point);
+            if away >= far {
+                (index, far) = (between, away);
+            }
+        }
+        if far > tolerance * tolerance {
             keep[index] = true;
             spans.push((first, index));
             spans.push((index, last));
@@ -32,11 +35,15 @@ pub fn simplify(points: &[Point], tolerance: f64) -> Vec<Point> {
     points.iter().zip(keep).filter_map(|(&point, keep)| keep.then_some(point)).collect()
 }
 
-/// The distance of a point from a segment.
-fn distance(point: Point, start: Point, end: Point) -> f64 {
-    let (chord, step) = (end - start, point - start);
+/// The square of a point's distance from a segment.
+fn distance_from(start: Point, end: Point) -> impl Fn(Point) -> f64 {
+    let chord = end - start;
     let square = chord.x * chord.x + chord.y * chord.y;
-    let part =
-        if square > 0.0 { ((step.x * chord.x + step.y * chord.y) / square).clamp(0.0, 1.0) } else { 0.0 };
-    (step - chord * part).length()
+    let scale = if square > 0.0 { 1.0 / square } else { 0.0 };
+    move |point| {
+        let step = point - start;
+        let part = ((step.x * chord.x + step.y * chord.y) * scale).clamp(0.0, 1.0);
+        let away = step - chord * part;
+        away.x * away.x + away.y * away.y
+    }
 }

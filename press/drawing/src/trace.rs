@@ -3,6 +3,7 @@
 use crate::drawing::Shape;
 use crate::label::Segment;
 use crate::point::Point;
+use arrayvec::ArrayVec;
 
 /// Hundredths of a pixel, which cannot be seen.
 const FINENESS: f64 = 100.0;
@@ -77,7 +78,7 @@ impl Trace {
             self.letter = 'M';
             return;
         };
-        let mut steps = Vec::with_capacity(6);
+        let mut steps = ArrayVec::<i64, 6>::new();
         let mut place = self.pen;
         for &point in points {
             let step = point - origin;

@@ -2,12 +2,15 @@
 
 use super::error::{SpaceError, finite, positive};
 use super::ray::Ray;
+use super::track::CHORDS;
 use super::vector::Vec3;
 use crate::point::{Point, at};
 use std::f64::consts::FRAC_PI_2;
 
 /// A point must be further from the eye's plane than this part of the distance between eye and target.
 const NEAREST: f64 = 0.02;
+/// The radius of a circle that has all its chords, px: they stay 0.015 px inside.
+const LARGE: f64 = 100.0;
 
 /// How a scene is looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,6 +107,13 @@ impl Camera {
     /// How far the point lies in front of the eye's plane, in distances from eye to target.
     fn weight(&self, point: Vec3) -> f64 {
         1.0 - self.nearness * (point - self.target).dot(self.back)
+    }
+
+    /// Into how many chords a circle is divided: the smaller it is seen, the fewer, so that they stay as near to it.
+    pub(super) fn chords(&self, centre: Vec3, radius: f64) -> u32 {
+        let seen = self.scale * radius / self.weight(centre);
+        let part = (seen / LARGE).sqrt().max(0.2).min(1.0); // 0.2 if it is no number
+        2 * (0.5 * f64::from(CHORDS) * part).ceil() as u32
     }
 
     /// The direction from a point towards the eye, of a length that is linear in the point: the eye is

@@ -140,7 +140,8 @@ impl Form for Cone {
         let side = |angle: f64| Track::segment(self.apex, self.rim(angle));
         let mut edges = match self.kept() {
             None => {
-                let rim = Track::circle(self.rim_centre(), first, second);
+                let chords = camera.chords(self.rim_centre(), self.radius());
+                let rim = Track::circle(self.rim_centre(), [first, second], chords);
                 vec![Edge { track: rim, outline: false }]
             }
             Some((from, sweep)) => {

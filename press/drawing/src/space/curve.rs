@@ -1,7 +1,7 @@
 //! Curves and straight lines that are drawn by themselves.
 
 use super::error::{SpaceError, direction, finite, positive};
-use super::track::Track;
+use super::track::{CHORDS, Track};
 use super::vector::Vec3;
 
 /// How much of a curve is drawn where a solid hides it.
@@ -87,7 +87,7 @@ impl Curve {
         let (centre, axis) = (finite("centre", centre)?, direction("axis", axis)?);
         let (first, second) = axis.companions();
         let radius = positive("radius", radius)?;
-        Ok(Self::new(Track::circle(centre, first * radius, second * radius)))
+        Ok(Self::new(Track::circle(centre, [first * radius, second * radius], CHORDS)))
     }
 
     /// The arc of an angle at `vertex`, from one direction to another, by the shorter way.

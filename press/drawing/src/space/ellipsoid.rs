@@ -97,7 +97,8 @@ impl Form for Ellipsoid {
     fn edges(&self, camera: &Camera) -> Vec<Edge> {
         let (normal, offset) = self.seen_cap(camera);
         let (centre, first, second) = self.circle(normal, offset);
-        vec![Edge { track: Track::circle(centre, first, second), outline: true }]
+        let chords = camera.chords(centre, first.length().max(second.length()));
+        vec![Edge { track: Track::circle(centre, [first, second], chords), outline: true }]
     }
 
     fn enters(&self, ray: &Ray, _: &Part) -> Option<f64> {

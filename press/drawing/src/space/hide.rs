@@ -12,6 +12,7 @@ use super::ray::{Ray, zeros};
 use super::track::Track;
 use super::vector::Vec3;
 use crate::point::{Point, Rect};
+use std::mem;
 
 /// What lies this little behind a surface counts as lying on it, in least thicknesses of the solid.
 const SURFACE: f64 = 3e-3;
@@ -89,12 +90,13 @@ pub(super) fn runs(
     judge: impl Fn(Vec3) -> Sight,
 ) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
-    let mut values = [const { Vec::new() }; 3];
+    let mut room = vec![Boundaries::default(); shields.len()];
     for chord in 0..track.chords() {
-        let ends = breaks(track.points[chord], track.points[chord + 1], camera, shields, &mut values);
-        for pair in ends.windows(2) {
+        let ends = breaks(track, chord, camera, shields, &mut room);
+        for pair in ends.as_deref().unwrap_or(&[0.0, 1.0]).windows(2) {
             let middle = 0.5 * (pair[0] + pair[1]);
-            let sight = judge(track.on_chord(chord, middle));
+            // What is far from all solids is seen.
+            let sight = if ends.is_none() { Sight::Seen } else { judge(track.on_chord(chord, middle)) };
             let [from, to, probe] = [pair[0], pair[1], middle].map(|part| chord as f64 + part);
             match runs.last_mut() {
                 Some(last) if last.sight == sight => (last.to, last.probes.1) = (to, probe),
@@ -113,28 +115,51 @@ pub(super) fn runs(
     runs
 }
 
-/// The fractions of a chord at which what hides it may change, from 0 to 1, in order. `values` is room to work in.
+/// Room to work in: the values that a solid's boundaries have at both ends of a chord and in its middle.
+#[derive(Debug, Clone, Default)]
+struct Boundaries {
+    start: Vec<f64>,
+    middle: Vec<f64>,
+    end: Vec<f64>,
+    /// The chord whose values these are.
+    chord: Option<usize>,
+}
+
+/// The fractions of a chord at which what hides it may change, from 0 to 1, in order; none if no solid is near.
 fn breaks(
-    start: Vec3,
-    end: Vec3,
+    track: &Track,
+    chord: usize,
     camera: &Camera,
     shields: &[Shield<'_>],
-    values: &mut [Vec<f64>; 3],
-) -> Vec<f64> {
-    let mut breaks = vec![0.0, 1.0];
-    let middle = start.towards(end, 0.5);
-    let seen = bounds([start, end].into_iter().map(|point| camera.land(point)));
-    for shield in shields.iter().filter(|shield| shield.bounds.overlaps(&seen.grown(1.0))) {
-        for (values, point) in values.iter_mut().zip([start, middle, end]) {
+    room: &mut [Boundaries],
+) -> Option<Vec<f64>> {
+    let (start, end) = (track.points[chord], track.points[chord + 1]);
+    let seen = bounds([start, end].into_iter().map(|point| camera.land(point))).grown(1.0);
+    let mut breaks: Option<Vec<f64>> = None;
+    for (shield, room) in shields.iter().zip(room) {
+        if !shield.bounds.overlaps(&seen) {
+            continue;
+        }
+        let value = |values: &mut Vec<f64>, point: Vec3| {
             values.clear();
             shield.form.boundaries(camera, point, values);
+        };
+        // One chord ends where the next begins.
+        if chord > 0 && room.chord == Some(chord - 1) {
+            mem::swap(&mut room.start, &mut room.end);
+        } else {
+            value(&mut room.start, start);
         }
-        for ((first, second), third) in values[0].iter().zip(&values[1]).zip(&values[2]) {
+        value(&mut room.middle, start.towards(end, 0.5));
+        value(&mut room.end, end);
+        room.chord = Some(chord);
+        let breaks = breaks.get_or_insert_with(|| vec![0.0, 1.0]);
+        for ((first, second), third) in room.start.iter().zip(&room.middle).zip(&room.end) {
             breaks.extend(zeros(*first, *second, *third));
         }
     }
-    if breaks.len() > 2 {
-        put_in_order(&mut breaks, |part| *part);
+    if let Some(breaks) = breaks.as_mut().filter(|breaks| breaks.len() > 2) {
+        put_in_order(breaks, |part| *part);
         breaks.dedup_by(|later, earlier| *later - *earlier < 1e-12);
         // Of two that nearly coincide the first stays; the end must be the end.
         if let Some(last) = breaks.last_mut() {

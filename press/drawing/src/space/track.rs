@@ -4,7 +4,9 @@ use super::vector::Vec3;
 use arrayvec::ArrayVec;
 use std::f64::consts::TAU;
 
-/// Into how many chords a full turn is divided.
+/// Into how many chords a full turn is divided; one that is seen to be small, into fewer ([`Camera::chords`]).
+///
+/// [`Camera::chords`]: super::camera::Camera::chords
 pub(super) const CHORDS: u32 = 180;
 
 /// A line in space.
@@ -39,10 +41,10 @@ impl Track {
         Self { points: points.collect(), smooth: true }
     }
 
-    /// A circle about a centre; `first` and `second` are its radii in two perpendicular directions.
-    pub(super) fn circle(centre: Vec3, first: Vec3, second: Vec3) -> Self {
-        let points = (0..=CHORDS).map(|index| {
-            let (sin, cos) = (TAU * f64::from(index % CHORDS) / f64::from(CHORDS)).sin_cos();
+    /// A circle about a centre in so many chords; `first` and `second` are its radii in two perpendicular directions.
+    pub(super) fn circle(centre: Vec3, [first, second]: [Vec3; 2], chords: u32) -> Self {
+        let points = (0..=chords).map(|index| {
+            let (sin, cos) = (TAU * f64::from(index % chords) / f64::from(chords)).sin_cos();
             centre + first * cos + second * sin
         });
         Self { points: points.collect(), smooth: true }
@@ -85,6 +87,14 @@ impl Track {
         if knots.windows(2).any(|pair| pair[1] <= pair[0]) {
             return from.towards(to, part);
         }
+        // In the middle of chords of one length, as most are.
+        if let [(first, _), (second, _), (third, _), (fourth, _)] = nearest[..]
+            && part == 0.5
+            && own == 1
+            && (knots[1] - step).abs().max((knots[3] - knots[2] - step).abs()) < 1e-9 * step
+        {
+            return (second + third) * 0.5625 - (first + fourth) * 0.0625;
+        }
         let wanted = knots[own] + part * step;
         let mut sum = Vec3::ZERO;
         for (index, &(point, _)) in nearest.iter().enumerate() {
@@ -116,7 +126,7 @@ impl Track {
 
 #[cfg(test)]
 mod tests {
-    use super::{Track, Vec3};
+    use super::{CHORDS, Track, Vec3};
     use std::f64::consts::{FRAC_PI_2, TAU};
 
     #[test]
@@ -125,7 +135,7 @@ mod tests {
         let (first, second) = axis.companions();
         let turn = Track::arc(Vec3::ZERO, axis, first, TAU);
         let quarter = Track::arc(Vec3::ZERO, axis, first, FRAC_PI_2);
-        let circle = Track::circle(Vec3::ZERO, first, second);
+        let circle = Track::circle(Vec3::ZERO, [first, second], CHORDS);
         for track in [&turn, &quarter, &circle] {
             let worst = (0..track.chords() * 10)
                 .map(|tenth| (track.at(tenth as f64 / 10.0).length() - 1.0).abs())

@@ -181,9 +181,10 @@ impl Form for Tube {
     fn edges(&self, camera: &Camera) -> Vec<Edge> {
         let mut edges = Vec::new();
         for radius in [self.outer, self.inner].into_iter().filter(|&radius| radius > 0.0) {
+            let radii = [self.across.0 * radius, self.across.1 * radius];
             for end in [self.half, -self.half] {
-                let (first, second) = (self.across.0 * radius, self.across.1 * radius);
-                let track = Track::circle(self.centre + self.axis * end, first, second);
+                let centre = self.centre + self.axis * end;
+                let track = Track::circle(centre, radii, camera.chords(centre, radius));
                 edges.push(Edge { track, outline: false });
             }
         }

@@ -3,28 +3,54 @@
 
 use crate::{PIXELS, curve, figures, lies_on};
 use drawing::space::View;
-use drawing::{Drawing, Fill, Hue, Piece, Point, Role, Shape, at};
+use drawing::{Drawing, Fill, Hue, Piece, Point, Role, Shape, Stroke, at};
 use std::f64::consts::{PI, TAU};
 
-#[test]
-fn the_height_of_the_normal_is_a_cosine() {
-    for (ratio, name) in [(0.2, "0.2"), (0.49, "0.49"), (0.5, "0.5"), (0.51, "0.51")] {
-        let tangent: f64 = 1.0 / (2.0 * ratio);
-        let sine = tangent * tangent / (1.0 + tangent * tangent);
-        let height = |turns: f64| 1.0 - sine + sine * (TAU * turns).cos();
-        lies_on("threshold", &format!("whole-{name}"), height);
-        if ratio > 0.4 {
-            lies_on("threshold", &format!("part-{name}"), height);
-        }
-    }
+/// The lines of a hue and a stroke.
+fn lines(drawing: &Drawing, wanted: (Stroke, Hue)) -> Vec<Vec<Point>> {
+    let is_wanted = |role: Role| matches!(role, Role::Line(stroke, hue) if (stroke, hue) == wanted);
+    drawing.items().iter().filter(|item| is_wanted(item.role)).map(|item| item.shape.points()).collect()
 }
 
 #[test]
-fn the_bias_is_an_inverse_sine() {
-    lies_on("bias", "probability", |degrees| {
-        let cotangent = 1.0 / degrees.to_radians().tan();
-        if degrees <= 45.0 { 0.9999999 } else { 0.5 + (cotangent * cotangent).asin() / PI }
+fn the_circles_are_blue_down_to_the_equator_and_no_further() {
+    let figure = figures().iter().find(|figure| figure.id == "fig:above").expect("the circles");
+    let parts = figure.drawing.parts();
+    let [edge_on, face_on] = parts[..] else { panic!("two drawings") };
+    // Edge-on: chords of the sphere, from the pole to 2ψ, the part above the equator in blue.
+    let [blue, grey] = [Hue::Blue, Hue::Muted].map(|hue| lines(edge_on, (Stroke::Curve, hue)));
+    let pole = blue[0][0];
+    let south = grey.iter().flatten().max_by(|one, other| one.y.total_cmp(&other.y)).expect("lowest");
+    let radius = 0.5 * (south.y - pole.y);
+    let on_sphere = |angle: f64| pole + at(angle.sin(), 1.0 - angle.cos()) * radius;
+    assert_eq!((blue.len(), grey.len()), (5, 3));
+    for (line, degrees) in blue.iter().zip([30.0_f64, 45.0, 60.0, 75.0, 90.0]) {
+        let lowest = on_sphere(2.0 * degrees.to_radians());
+        assert_eq!(line[0], pole);
+        assert!(line[1].y - pole.y < radius + 0.01, "{degrees}: blue below the equator");
+        // The equator cuts the chord where it is as far down as the centre.
+        let part = (radius / (lowest.y - pole.y)).min(1.0);
+        assert!((line[1] - pole.towards(lowest, part)).length() < 0.01, "{degrees}");
+        let below = grey.iter().find(|below| (below[0] - line[1]).length() < 0.01);
+        assert_eq!(below.is_some(), degrees > 45.1);
+        assert!(below.is_none_or(|below| (below[1] - lowest).length() < 0.01));
+    }
+    // Face-on: the blue part of the circle is that of eq:same-face for 60°, whose cotangent squared is 1/3.
+    let length = |hue: Hue| -> f64 {
+        let lines = lines(face_on, (Stroke::Curve, hue));
+        lines.iter().flat_map(|line| line.windows(2)).map(|ends| (ends[1] - ends[0]).length()).sum()
+    };
+    let (above, below) = (length(Hue::Blue), length(Hue::Muted));
+    let expected = 0.5 + (1.0_f64 / 3.0).asin() / PI;
+    assert!((above / (above + below) - expected).abs() < 1e-3);
+}
+
+#[test]
+fn the_bias_is_an_inverse_sine_and_begins_as_a_square() {
+    lies_on("bias", "probability", |ratio| {
+        if ratio >= 0.5 { 0.9999999 } else { 0.5 + (4.0 * ratio * ratio).asin() / PI }
     });
+    lies_on("bias", "square", |ratio| 0.5 + 4.0 / PI * ratio * ratio);
 }
 
 /// The middles of the faces of coins in a layout of the film, each with its hue; of faces that cover each other the
