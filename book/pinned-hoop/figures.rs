@@ -321,7 +321,7 @@ pub(crate) fn tumble(id: &str) -> Outcome {
 /// The stills, in rows.
 fn stills(id: &str, room: Room) -> Outcome {
     let in_a_row = room.of(4, 2);
-    let (wide, high) = (154.0, 208.0);
+    let (wide, high) = (154.0, 212.0);
     let rows = STILLS.len().div_ceil(in_a_row);
     let mut drawing = Drawing::new(id, wide * in_a_row as f64 + 10.0, high * rows as f64 + 10.0).titled(
         "Eight stills of a tumbling hoop",
@@ -362,7 +362,7 @@ fn stills(id: &str, room: Room) -> Outcome {
         }
         stage.dot_in_front([0.0; 3], 4.0, Hue::Pink)?;
         stage.write(&mut drawing);
-        drawing.label(pin + at(0.0, 88.0), Side::Over, &format!("$t = {time}$"), Hue::Ink)?;
+        drawing.label(pin + at(0.0, 80.0), Side::Over, &format!("$t = {time}$"), Hue::Ink)?;
     }
     Ok(drawing)
 }
