@@ -124,8 +124,8 @@ impl Pinning {
         self.about_centre.angular_momentum(&self.omega_before())
     }
 
-    /// The part of the rotation about the tangent that survives, its moment about the centre over that about A: 1/3, 1/5
-    /// or 2/7 (`eq:pin-components`).
+    /// The part of the rotation about the tangent that survives, the moment about the centre over that about A: 1/3,
+    /// 1/5 or 2/7 (`eq:pin-components`).
     pub fn survival(&self) -> f64 {
         self.about_centre.to_array()[0] / self.about_pin.to_array()[0]
     }
