@@ -275,7 +275,7 @@ pub(crate) fn turn_rate(id: &str) -> Outcome {
         plot.curve(&format!("lean-{degrees}"), values, Stroke::Curve, Hue::Orange);
     }
     plot.label((0.25, 6.2), Side::AboveRight, r"$\theta = 70°$", Hue::Orange)?;
-    plot.label((0.36, 1.75), Side::AboveRight, "$45°$", Hue::Orange)?;
+    plot.label((0.2, 2.3), Side::AboveRight, "$45°$", Hue::Orange)?;
     plot.label((0.02, 0.9), Side::Over, "$20°$", Hue::Orange)?;
     Ok(drawing)
 }
