@@ -228,6 +228,51 @@ fn eq52_in_the_room_the_station_nods_twice_as_fast_and_not_at_the_old_spin() {
 }
 
 #[test]
+fn a_mark_on_the_rim_goes_round_as_much_slower_than_the_nod_as_the_axis_of_rotation_on_board() {
+    let (_, _, spin) = RING;
+    for impulse in [1e5, 1.8e6, 9e6] {
+        let struck = struck(impulse);
+        // The mark goes round unevenly; after whole rounds on board it has the same place among the axes again.
+        let step = TAU / spin / 1000.0;
+        let times: Vec<f64> = (0..=3000).map(|n| step * f64::from(n)).collect();
+        let momentum = struck.angular_momentum_world().normalize();
+        let marks: Vec<Vector3<f64>> =
+            simulated(&struck, &times).iter().map(|turning| turning.world_from_body * Vector3::y()).collect();
+        let rate = rate_about(&momentum, &marks, step);
+        let expected = (4.0 * spin * spin + struck.added_rate().powi(2)).sqrt() - spin; // eq:mark-rate
+        assert_relative_eq!(rate, expected, max_relative = 1e-9);
+        assert_relative_eq!(rate, struck.nodding_rate() - struck.body_rate(), max_relative = 1e-9);
+    }
+}
+
+#[test]
+fn the_cones_roll_off_equal_lengths() {
+    // Both rates counted in a simulation, the angles from the blow: eq:cones-roll, and the third side of its triangle.
+    let struck = struck(5e6);
+    let step = 0.02;
+    let times: Vec<f64> = (0..=5000).map(|n| step * f64::from(n)).collect();
+    let turnings = simulated(&struck, &times);
+    let momentum = struck.angular_momentum_world().normalize();
+    let axes: Vec<Vector3<f64>> = turnings.iter().map(Turning::axis_3_world).collect();
+    let omegas: Vec<Vector3<f64>> = turnings.iter().map(|turning| turning.omega_body).collect();
+    let nods = rate_about(&momentum, &axes, step);
+    let on_board = rate_about(&Vector3::z(), &omegas, step);
+    let (axis, lean) = (struck.axis_angle(), struck.momentum_angle());
+    assert_relative_eq!(nods * (axis - lean).sin(), on_board * axis.sin(), max_relative = 1e-8);
+    assert_relative_eq!(nods * lean.sin(), omegas[0].norm() * axis.sin(), max_relative = 1e-8);
+}
+
+#[test]
+fn thirty_years_later_the_axis_keeps_its_angle() {
+    let struck = struck(1.8e6);
+    let time = 30.0 * 365.25 * 86_400.0;
+    assert!(struck.nodding_rate() * time / TAU > 1e8);
+    let late = struck.at(time).unwrap().axis_3_world();
+    let angle = angle_between(&late, &struck.angular_momentum_world());
+    assert!((angle - struck.momentum_angle()).abs() < 1e-15);
+}
+
+#[test]
 fn a_mark_on_the_rim_drifts_and_turns_as_simulated() {
     let struck = struck(1.8e6);
     let times: Vec<f64> = (0..=100).map(|n| 0.5 * f64::from(n)).collect();

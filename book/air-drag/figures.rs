@@ -2,7 +2,7 @@
 
 use crate::{Axis, Cause, Outcome, Plot, linear_steps};
 use drawing::kit::{Heads, Marker, arrow, head};
-use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
+use drawing::space::{Camera, Curve, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
@@ -16,66 +16,6 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 fn body(ratio: f64, drag: f64, omega_body: Vector3<f64>) -> Result<DraggedTop, InvalidQuantity> {
     let (moments, drag) = (PrincipalMoments::symmetric(1.0, ratio)?, Drag::isotropic(drag));
     DraggedTop::new(Parameters { moments, drag, omega_body })
-}
-
-/// A flat and a long body, and the way that drag sends the angular velocity.
-pub(crate) fn two_bodies(id: &str) -> Outcome {
-    let panel = |[title, description, name]: [&str; 3], ratio: f64, solid: Solid, height: f64| -> Outcome {
-        let mut drawing = Drawing::new("", 320.0, 350.0).titled(title, description);
-        let mut stage = Stage::new(Camera::new(View {
-            target: [0.0, 0.0, 0.2],
-            azimuth: -1.25,
-            elevation: 0.3,
-            distance: 9.0,
-            centre: at(150.0, height),
-            scale: 90.0,
-        })?);
-        stage.solid(solid, Hue::Blue)?;
-        // The direction of ω in the plane through the axis; its turning about the axis is left out.
-        let top = body(ratio, 1.0, Vector3::new(0.6, 0.0, 1.0))?;
-        let length = 1.5;
-        let path = linear_steps(0.0, 2.2, 120)
-            .map(|time| {
-                let (sin, cos) = top.axis_angle(time)?.sin_cos();
-                Ok([length * sin, 0.0, length * cos])
-            })
-            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        let start = path[0];
-        let travelled = Curve::smooth(path)?.hiding(Hiding::Ignored);
-        stage.named_vector([0.0; 3], [0.0, 0.0, 1.75], r"$\hat{\mathbf{3}}$", Hue::Ink)?;
-        stage.vector([0.0; 3], start, Hue::Orange)?;
-        let (shift, side) =
-            if ratio > 1.0 { (at(4.0, 2.0), Side::Right) } else { (at(-2.0, -4.0), Side::AboveLeft) };
-        stage.label_shifted(start, shift, side, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        stage.arrow(travelled, Stroke::Curve, Heads::End, Hue::Orange)?;
-        stage.angle([0.0; 3], Vector3::z(), start, 0.75, r"$\theta$", Hue::Ink)?;
-        stage.write(&mut drawing);
-        drawing.label(at(150.0, 322.0), Side::Over, name, Hue::Ink)?;
-        Ok(drawing)
-    };
-    let flat = panel(
-        [
-            "Where drag sends the angular velocity of a disc",
-            "A flat disc with its axis 3 upright and an angular velocity omega at an angle theta to it. A \
-             heavy arrow from the tip of omega bends towards the axis.",
-            r"flat: $\theta \to 0$",
-        ],
-        2.0,
-        Solid::disc([0.0; 3], Vector3::z(), 1.0, 0.14)?,
-        220.0,
-    )?;
-    let long = panel(
-        [
-            "Where drag sends the angular velocity of a pencil",
-            "An upright pencil with an angular velocity omega at an angle theta to its axis. A heavy arrow \
-             from the tip of omega bends away from the axis, down to the horizontal.",
-            r"long: $\theta \to 90°$",
-        ],
-        0.4,
-        Solid::rod([0.0, 0.0, -1.1], [0.0, 0.0, 1.1], 0.085)?,
-        180.0,
-    )?;
-    Ok(Drawing::panels(id, vec![flat, long]))
 }
 
 /// The pencil of the stills: radius and half its length.
@@ -404,36 +344,4 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
         &[("momentum", &enlarged, Hue::Green)],
     )?;
     Ok(Drawing::panels(id, vec![board, room, close]))
-}
-
-/// The relative error of the angle by the inverse cosine and by the arctangent of the two parts, against its
-/// own exponential.
-pub(crate) fn drag_fault(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
-        "Error of the angle by the inverse cosine",
-        "The relative error on a logarithmic scale against the angle, also logarithmic, from one radian \
-         down to 1e-12. By the inverse cosine it rises from 1e-16 as the inverse square of the angle and \
-         reaches one near 1e-8, where the curve ends. By the arctangent of the two parts it stays below \
-         1e-15.",
-    );
-    let top = body(2.0, 1.0, Vector3::new(1.0, 0.0, 1.0))?;
-    let (mut naive, mut better) = (Vec::new(), Vec::new());
-    for t in linear_steps(1.0, 55.0, 90) {
-        let omega = top.at(t)?;
-        let cosine = (omega.z / omega.norm()).acos();
-        let exact = top.axis_angle(t)?;
-        if cosine > 0.0 {
-            naive.push((exact, (cosine / exact - 1.0).abs().max(1e-17)));
-        }
-        let tangent = omega.x.hypot(omega.y).atan2(omega.z);
-        better.push((exact, (tangent / exact - 1.0).abs().max(1e-17)));
-    }
-    let angle = Axis::log(1e-12, 1.0, 2)?.titled(r"angle $\theta$, rad");
-    let error = Axis::log(1e-17, 10.0, 2)?.titled("relative error of the angle");
-    let mut plot = Plot::new(&mut drawing, Rect::new(56.0, 34.0, 320.0, 252.0), angle, error)?;
-    plot.series("cosine", &naive, Marker::Disc, Hue::Orange);
-    plot.series("arctangent", &better, Marker::Square, Hue::Blue);
-    plot.label((1e-6, 1e-3), Side::Right, "inverse cosine", Hue::Orange)?;
-    plot.label((1e-7, 2e-15), Side::Above, "arctangent of the two parts", Hue::Blue)?;
-    Ok(drawing)
 }

@@ -46,8 +46,8 @@ pub(crate) const SCENE: Scene = Scene {
         Preset { words: "neither flat nor long", settings: &[("ratio", 1.0)] },
         Preset { words: "a pencil", settings: &[("ratio", 0.0024), ("drag", 81.0), ("lean", 6.0)] },
         Preset {
-            words: "vanes at its ends",
-            settings: &[("ratio", 0.0024), ("drag", 1500.0), ("lean", 20.0)],
+            words: "a straw through it",
+            settings: &[("ratio", 0.002), ("drag", 810.0), ("lean", 20.0)],
         },
     ],
     readings: &[

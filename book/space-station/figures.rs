@@ -181,18 +181,24 @@ pub(crate) fn crew_sky(id: &str) -> Outcome {
     plot.curve("pole", poles.iter().copied(), Stroke::Outline, Hue::Orange);
     let [from, to] = [poles.len() - 3, poles.len() - 1].map(|index| plot.at(poles[index]));
     head(&mut after, to + (to - from).unit() * 6.0, to - from, 0.8, Hue::Orange);
-    let (later, _) = sky(
+    let (mut later, _) = sky(
         [
             "turn",
             "a whole turn, shutter open",
             "Long trails that cross each other: each star draws nearly an ellipse about the middle, some \
-             round, some flat.",
+             round, some flat. A heavy trail goes through the middle, nearly straight, to both sides.",
         ],
         &struck,
         (0.0, turn),
         26,
         (1.0, 1.0),
     )?;
+    // The star that stood on the cross.
+    let mut plot = Plot::plane(&mut later, MIDDLE, RADIUS_OF_PICTURE, 1.0)?;
+    let nodding = linear_steps(0.0, turn, 400)
+        .map(|time| Ok(in_picture(&(struck.at(time)?.world_from_body.inverse() * Vector3::z()))))
+        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+    plot.curve("old-pole", nodding.iter().copied(), Stroke::Curve, Hue::Ink);
     Ok(Drawing::panels(id, vec![before, after, later]))
 }
 
@@ -357,7 +363,7 @@ pub(crate) fn nodding(id: &str) -> Outcome {
         "Nods in the room and turns on board",
         "Two curves against time in turns of the old spin, from 0 to 4, one above the other. Above, how \
          far the axis of the station is to one side of the angular momentum: a wave that swings a little \
-         more than eight times, through dots from a simulation. A dashed wave, the source's claim, swings \
+         more than eight times, through dots from a simulation. A dashed wave, once a turn, swings \
          four times. Below, how far the angular velocity is to one side of the axis on board: a wave that \
          swings four times.",
     );
@@ -395,7 +401,7 @@ pub(crate) fn nodding(id: &str) -> Outcome {
     let dots: Vec<(f64, f64)> =
         simulated.iter().zip(&times).map(|(state, t)| (t / period, in_room(&state.axis_3_world()))).collect();
     plot.markers(&dots, Marker::Disc, Hue::Blue);
-    plot.label((4.06, 1.1), Side::AboveLeft, "dashed: the source", Hue::Muted)?;
+    plot.label((4.06, 1.1), Side::AboveLeft, "dashed: once a turn", Hue::Muted)?;
 
     let lower = side(r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$: $4$ turns")?;
     let time = turns("time, turns of the old spin")?;

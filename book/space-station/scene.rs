@@ -28,7 +28,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "A station nods after a blow",
     description: "A wheel with hub and spokes, a moment after a blow on its rim. Its axis 3 goes round the angular momentum L on a circle; the \
                   angular velocity omega goes round on the other side. Beside it the crew’s sky: star trails curl round omega, away from \
-                  the cross where axis 3 points. Below, two waves against time: in four turns the axis nods 8.2 times in the room, and \
+                  the cross where axis 3 points; a ring marks the star that stood there. Below, two waves against time: in four turns the axis nods 8.2 times in the room, and \
                   omega goes round four times on board.",
     question: "In the time of one old turn, how often does the station nod in the room, and how often does \
                $\\boldsymbol\\omega$ go round on board? And when must a thruster fire to end the nod?",

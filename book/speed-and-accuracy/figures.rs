@@ -2,7 +2,7 @@
 
 #[allow(dead_code, reason = "shared with the runner and the tests, which also write, and make tables")]
 #[path = "../../benches/speed/measured.rs"]
-pub(crate) mod measured;
+mod measured;
 
 use crate::{Axis, Cause, Look, Outcome, Plot};
 use drawing::kit::{self, Marker};
@@ -40,7 +40,7 @@ const TYPE: f64 = 13.0;
 type Series = ((String, String), Vec<(f64, f64)>);
 
 /// The committed measurements.
-pub(crate) fn measurements() -> Result<Vec<Measurement>, Cause> {
+fn measurements() -> Result<Vec<Measurement>, Cause> {
     Ok(parse(include_str!("measured.csv"))?)
 }
 

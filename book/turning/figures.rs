@@ -1,39 +1,36 @@
 //! The figures of the chapter "How a body turns".
 
-use crate::{Axis, Cause, Look, Outcome, Plot, Room, in_both, linear_steps};
+use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
 use mechanics::InvalidQuantity;
-use mechanics::attitude::rotation_between;
-use mechanics::euler::{self, Turning};
+use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::{Body, Cylinder, PrincipalMoments, Spheroid};
-use mechanics::integrate::{Dop853, rk4};
-use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{PI, TAU};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::f64::consts::TAU;
 
 /// The chapter's plate, thrown so that its momentum is upright and its axis leans to one side by a good angle.
-fn careless_plate(omega_body: Vector3<f64>, turned: f64) -> Result<FreeSymmetricTop, Cause> {
+fn careless_plate(omega_body: Vector3<f64>) -> Result<FreeSymmetricTop, Cause> {
     let disc = Body::thin_disk(0.6, 0.13)?.moments();
     let momentum_body = disc.angular_momentum(&omega_body);
     let upright =
         UnitQuaternion::rotation_between(&momentum_body, &Vector3::z()).ok_or("L is not opposite to z")?;
-    let turned = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), turned);
-    Ok(FreeSymmetricTop::new(disc, Turning { world_from_body: turned * upright, omega_body })?)
+    Ok(FreeSymmetricTop::new(disc, Turning { world_from_body: upright, omega_body })?)
 }
 
-/// The way of a tip until it is this part of a round after its start, from what the library says.
+/// The way of a point from the start for some seconds, from what the library says.
 fn way(top: &FreeSymmetricTop, seconds: f64, tip: impl Fn(&Turning) -> Vector3<f64>) -> Result<Curve, Cause> {
     let points = linear_steps(0.0, seconds, 120)
         .map(|time| Ok(tip(&top.at(time)?)))
         .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-    Ok(Curve::smooth(points)?.hiding(Hiding::Omitted))
+    Ok(Curve::smooth(points)?.hiding(Hiding::Pale))
 }
 
 /// The careless throw at five moments of one turn: the axis has gone round twice when the mark is back.
 pub(crate) fn wobbles(id: &str) -> Outcome {
-    let top = careless_plate(Vector3::new(0.62, 0.0, 1.5), 0.0)?;
+    let top = careless_plate(Vector3::new(0.62, 0.0, 1.5))?;
     // A mark on a plate that wobbles but slightly goes round with ω₃: Λ cos θ − σ.
     let quarter = 0.25 * TAU / top.start().omega_body.z;
     let mut panels = Vec::new();
@@ -82,79 +79,224 @@ pub(crate) fn wobbles(id: &str) -> Outcome {
     ))
 }
 
-/// What stands still and what goes round, in the room and for a passenger on the plate.
-pub(crate) fn views(id: &str) -> Outcome {
-    let top = careless_plate(Vector3::new(1.15, 0.0, 1.5), PI + 0.35)?;
-    let rounds = [TAU / top.precession_rate(), TAU / top.body_rate()];
-    let momentum = top.angular_momentum_world();
-    let length = 1.5 / top.start().omega_body.norm();
+/// Two specks of a plate on circles of their own, at the start and a quarter turn later.
+pub(crate) fn specks(id: &str) -> Outcome {
+    let top = careless_plate(Vector3::new(0.62, 0.0, 1.5))?;
+    let turn = TAU / top.start().omega_body.z;
+    // One where the plate is high at the start, one a quarter of the plate ahead of it.
+    let specks = [(Vector3::x(), Hue::Pink), (Vector3::y(), Hue::Ink)];
     let mut panels = Vec::new();
-    for (on_board, name, words) in [
+    for (time, name, words) in [
         (
-            false,
-            r"in the room: $\boldsymbol{L}$ stands still",
-            "The plate leans. The momentum L points straight up; the axis 3 and the angular velocity go round it, on opposite sides, \
-             counter-clockwise as seen from above.",
+            0.0,
+            "start: pink is high",
+            "A leaning plate with two specks on its rim, each with a thread to the centre and its path, a tilted circle: the pink speck is on \
+             the right, at the top of its circle; the other is behind, half-way up a circle that is high on the left.",
         ),
         (
-            true,
-            r"on the plate: $\hat{\mathbf{3}}$ stands still",
-            "The plate lies level and its axis 3 points straight up. Both L and the angular velocity lean to the same side, the angular \
-             velocity further, and go round the axis, counter-clockwise as seen from above.",
+            0.25 * turn,
+            "a quarter turn later: the other is",
+            "The same a quarter turn later: the pink speck is behind, half-way down; the other is on the left at the top of its circle, \
+             and the plate leans to the other side.",
         ),
     ] {
-        let mut drawing = Drawing::new("", 320.0, 330.0).titled(name_of(on_board), words);
+        let now = top.at(time)?;
+        let mut drawing = Drawing::new("", 320.0, 250.0).titled("Specks on threads", words);
         let mut stage = Stage::new(Camera::new(View {
-            target: [0.0, 0.0, 0.45],
-            azimuth: -1.35,
-            elevation: 0.36,
+            target: [0.0; 3],
+            azimuth: -1.57,
+            elevation: 0.42,
             distance: 8.0,
-            centre: at(160.0, 170.0),
-            scale: 92.0,
+            centre: at(160.0, 110.0),
+            scale: 118.0,
         })?);
-        // What is seen of a state: turned into the room, or along the axes of the plate.
-        let seen = |turning: &Turning, vector: Vector3<f64>| {
-            if on_board { vector } else { turning.world_from_body * vector }
-        };
-        let axis = |turning: &Turning| seen(turning, Vector3::z() * 1.5);
-        let omega = |turning: &Turning| seen(turning, turning.omega_body * length);
-        let steady = |turning: &Turning| {
-            let body = turning.world_from_body.inverse() * momentum.normalize() * 1.7;
-            seen(turning, body)
-        };
-        let now = top.at(0.0)?;
-        stage.solid(Solid::disc([0.0; 3], axis(&now), 1.0, 0.05)?, Hue::Blue)?;
-        let most = 0.86 * rounds[usize::from(on_board)];
-        stage.arrow(way(&top, most, omega)?, Stroke::Outline, Heads::End, Hue::Orange)?;
-        if on_board {
-            stage.arrow(way(&top, most, steady)?, Stroke::Outline, Heads::End, Hue::Green)?;
-        } else {
-            stage.arrow(way(&top, most, axis)?, Stroke::Outline, Heads::End, Hue::Ink)?;
-        }
-        let (beside_omega, beside_momentum) =
-            if on_board { (Side::Right, Side::Right) } else { (Side::Left, Side::Above) };
-        for (tip, side, name, hue) in [
-            (axis(&now), if on_board { Side::Above } else { Side::Right }, r"$\hat{\mathbf{3}}$", Hue::Ink),
-            (steady(&now), beside_momentum, r"$\boldsymbol{L}$", Hue::Green),
-            (omega(&now), beside_omega, r"$\boldsymbol{\omega}$", Hue::Orange),
-        ] {
-            stage.vector([0.0; 3], tip, hue)?;
-            let step = match side {
-                Side::Left => at(-10.0, -4.0),
-                Side::Right => at(8.0, -6.0),
-                _ => at(0.0, 2.0),
-            };
-            stage.label_shifted(tip, step, side, name, hue)?;
+        stage.solid(Solid::disc([0.0; 3], now.axis_3_world(), 0.96, 0.02)?, Hue::Blue)?;
+        for (speck, hue) in specks {
+            let place = now.world_from_body * speck;
+            let path = way(&top, 0.94 * turn, |state| state.world_from_body * speck)?;
+            stage.arrow(path, Stroke::Outline, Heads::End, hue)?;
+            stage.curve(Curve::segment([0.0; 3], place)?.hiding(Hiding::Ignored), Stroke::Outline, hue)?;
+            stage.dot_in_front(place, 5.0, hue)?;
         }
         stage.write(&mut drawing);
-        drawing.label(at(160.0, 300.0), Side::Over, name, Hue::Ink)?;
+        drawing.label(at(160.0, 214.0), Side::Over, name, Hue::Ink)?;
         panels.push(drawing);
     }
     Ok(Drawing::panels(id, panels))
 }
 
-fn name_of(on_board: bool) -> &'static str {
-    if on_board { "The motion on the plate" } else { "The motion in the room" }
+/// How far the plate of `shares` leans from the upright line about which it is turned.
+const LEAN: f64 = 0.62;
+
+/// Each speck's share of the angular momentum of a plate that is turned about an upright line, and the pulls it takes.
+pub(crate) fn shares(id: &str) -> Outcome {
+    let slope = Vector3::new(LEAN.cos(), 0.0, LEAN.sin());
+    let axis = Vector3::new(-LEAN.sin(), 0.0, LEAN.cos());
+    let specks = [slope, -slope, Vector3::y(), -Vector3::y()];
+    let share = |r: &Vector3<f64>| r.cross(&Vector3::z().cross(r));
+    let sum: Vector3<f64> = specks.iter().map(share).sum();
+    let stage_of = |azimuth: f64, elevation: f64| -> Result<Stage, Cause> {
+        Ok(Stage::new(Camera::new(View {
+            target: [0.0, 0.0, 0.35],
+            azimuth,
+            elevation,
+            distance: 8.0,
+            centre: at(160.0, 150.0),
+            scale: 96.0,
+        })?))
+    };
+
+    let mut left = Drawing::new("", 320.0, 310.0).titled(
+        "Shares of the angular momentum",
+        "A plate that leans, its right side high, and four specks on its rim: left, right, in front and behind. Thin arrows at the specks show \
+         their shares of the angular momentum: in front and behind they point straight up, on the slope they lean to the left. The angular \
+         velocity points straight up from the centre; the angular momentum, the sum, leans to the left of it, and the axis 3 leans further.",
+    );
+    let mut stage = stage_of(-1.2, 0.36)?;
+    stage.solid(Solid::disc([0.0; 3], axis, 1.0, 0.04)?, Hue::Blue)?;
+    for speck in &specks {
+        let arrow = Curve::segment(*speck, speck + 0.55 * share(speck))?.hiding(Hiding::Ignored);
+        stage.arrow(arrow, Stroke::Outline, Heads::End, Hue::Green)?;
+        stage.curve(
+            Curve::segment([0.0; 3], *speck)?.hiding(Hiding::Ignored),
+            Stroke::Outline,
+            Hue::Muted,
+        )?;
+        stage.dot_in_front(*speck, 4.0, Hue::Ink)?;
+    }
+    for (vector, name, hue) in [
+        (Vector3::z() * 1.55, r"$\boldsymbol{\omega}$", Hue::Orange),
+        (sum.normalize() * 1.45, r"$\boldsymbol{L}$", Hue::Green),
+        (axis * 1.35, r"$\hat{\mathbf{3}}$", Hue::Ink),
+    ] {
+        stage.vector([0.0; 3], vector, hue)?;
+        stage.label_shifted(vector, at(0.0, 2.0), Side::Above, name, hue)?;
+    }
+    stage.write(&mut left);
+    left.label(at(160.0, 286.0), Side::Over, "shares, and their sum", Hue::Ink)?;
+
+    let mut right = Drawing::new("", 320.0, 310.0).titled(
+        "The pulls that the specks need",
+        "The same plate from the side, a line that rises to the right. From the high speck on the right an arrow points level to the left, \
+         towards the upright line; from the low speck on the left one points level to the right, along a lower line.",
+    );
+    let mut stage = stage_of(-0.25 * TAU, 0.0)?;
+    stage.solid(Solid::disc([0.0; 3], axis, 1.0, 0.04)?, Hue::Blue)?;
+    stage.vector([0.0; 3], Vector3::z() * 1.55, Hue::Orange)?;
+    stage.label_shifted(
+        Vector3::z() * 1.55,
+        at(0.0, 2.0),
+        Side::Above,
+        r"$\boldsymbol{\omega}$",
+        Hue::Orange,
+    )?;
+    for speck in [slope, -slope] {
+        // What keeps it on its circle: ω × (ω × r).
+        let pull = Vector3::z().cross(&Vector3::z().cross(&speck));
+        let arrow = Curve::segment(speck, speck + 0.8 * pull)?.hiding(Hiding::Ignored);
+        stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Purple)?;
+        stage.dot_in_front(speck, 4.0, Hue::Ink)?;
+    }
+    stage.write(&mut right);
+    right.label(at(160.0, 286.0), Side::Over, "pulls that nobody provides", Hue::Ink)?;
+    Ok(Drawing::panels(id, vec![left, right]))
+}
+
+/// The cones of a slight wobble from above: the hoop in the plate, the waist in the room.
+pub(crate) fn waist(id: &str) -> Outcome {
+    // So slight that rims are circles from above; all is drawn in units of the tangent of the waist's half-angle.
+    let top = careless_plate(Vector3::new(0.015, 0.0, 1.5))?;
+    let [theta, theta_l] = [top.omega_angle(), top.momentum_angle()];
+    let [hoop, waist] = [theta.sin(), (theta - theta_l).sin()];
+    let scale = 14.5 / waist;
+    let quarter = 0.25 * TAU / top.start().omega_body.z;
+    let mut panels = Vec::new();
+    for (quarters, mark_name, contact_name) in [
+        (0.0, "start", ""),
+        (1.0, r"$\tfrac14$ turn", r"$\tfrac12$ wobble"),
+        (2.0, r"$\tfrac12$ turn", "1 wobble"),
+        (3.0, r"$\tfrac34$ turn", r"$1\tfrac12$ wobbles"),
+        (4.0, "1 turn", "2 wobbles"),
+    ] {
+        let now = top.at(quarters * quarter)?;
+        let mut drawing = Drawing::new("", 132.0, 200.0).titled(
+            &format!("The hoop after {quarters} quarter turns"),
+            "A small circle, and a circle twice as wide round it that touches it from outside at one side, with a mark on its rim.",
+        );
+        let place = |v: Vector3<f64>| at(66.0, 62.0) + at(v.x, -v.y) * scale;
+        let middle = at(66.0, 62.0);
+        let axis = place(now.axis_3_world());
+        let reach = at(43.0, 0.0); // of the hoop, on any side: what stands still in the room
+        drawing.line(middle - reach, middle + reach, Stroke::Dotted, Hue::Muted);
+        drawing.circle(middle, waist * scale, Role::Line(Stroke::Curve, Hue::Green));
+        drawing.circle(axis, hoop * scale, Role::Line(Stroke::Curve, Hue::Blue));
+        drawing.dot(middle, 3.0, Hue::Green);
+        drawing.dot(axis, 3.0, Hue::Ink);
+        drawing.dot(place(now.omega_world().normalize()), 6.0, Hue::Orange);
+        let mark = now.world_from_body * (Vector3::new(-hoop, 0.0, theta.cos()));
+        drawing.dot(place(mark), 4.0, Hue::Pink);
+        drawing.label(at(66.0, 136.0), Side::Over, mark_name, Hue::Pink)?;
+        if !contact_name.is_empty() {
+            drawing.label(at(66.0, 162.0), Side::Over, contact_name, Hue::Ink)?;
+        }
+        panels.push(drawing);
+    }
+    Ok(Drawing::panels(id, panels).titled(
+        "A hoop twice as wide as the waist",
+        "Five stills from above. A small circle stands still; a circle of twice its size hangs round it, and touches it at one point. The \
+         point of contact is at the right, at the left, at the right, at the left, and at the right again; the mark on the large circle is at \
+         the left, below, at the right, above, and at the left again.",
+    ))
+}
+
+/// A flag, its image in one mirror, and the image of that in another.
+pub(crate) fn mirrors(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 400.0, 330.0).titled(
+        "Two mirrors are a turn",
+        "Two lines through one point, mirrors seen end on, at 35 degrees to each other. A flag below the first; its image above it, pale, the \
+         other way round; and the image of that in the second mirror, the same way round as the flag and turned from it by 70 degrees.",
+    );
+    let origin = at(70.0, 250.0);
+    let [first, half] = [28_f64.to_radians(), 35_f64.to_radians()];
+    let normal = |angle: f64| Vector3::new(-angle.sin(), angle.cos(), 0.0);
+    let [u1, u2] = [normal(first), normal(first + half)];
+    // A mirror with the normal u, and both of them: the quaternion of eq:quaternion-turn.
+    let reflected = |u: &Vector3<f64>, r: &Vector3<f64>| r - 2.0 * u.dot(r) * u;
+    let turn = UnitQuaternion::from_quaternion(Quaternion::from_parts(u1.dot(&u2), u1.cross(&u2)));
+    let flag = [(150.0, 0.0), (250.0, 0.0), (250.0, 34.0), (215.0, 17.0), (215.0, 0.0)];
+    let flag = flag
+        .map(|(x, y)| UnitQuaternion::from_axis_angle(&Vector3::z_axis(), 0.06) * Vector3::new(x, y, 0.0));
+    let image = flag.map(|r| reflected(&u1, &r));
+    let turned = flag.map(|r| turn * r);
+    let place = |v: &Vector3<f64>| origin + at(v.x, -v.y);
+    for (angle, name, mirror) in [
+        (first, r"$\hat{\boldsymbol{u}}_1$", "mirror 1"),
+        (first + half, r"$\hat{\boldsymbol{u}}_2$", "mirror 2"),
+    ] {
+        let end = origin + Point::polar(278.0, angle);
+        drawing.line(origin, end, Stroke::Curve, Hue::Muted);
+        let tip = place(&(Vector3::new(angle.cos(), angle.sin(), 0.0) * 278.0 + normal(angle) * 42.0));
+        kit::arrow(&mut drawing, end, tip, Hue::Ink);
+        drawing.label(end, Side::Right, mirror, Hue::Muted)?;
+        drawing.label(tip, Side::Above, name, Hue::Ink)?;
+    }
+    for (points, fill, stroke) in [
+        (image, Fill::Ghost, Stroke::Outline),
+        (flag, Fill::Face, Stroke::Curve),
+        (turned, Fill::Face, Stroke::Curve),
+    ] {
+        let points: Vec<Point> = points.iter().map(place).collect();
+        drawing.polygon(points[1..].to_vec(), fill, Hue::Blue);
+        drawing.polyline(&[&points[..], &points[1..2]].concat(), stroke, Hue::Blue);
+    }
+    kit::angle(&mut drawing, origin, 70.0, first, half, Heads::None, Hue::Ink);
+    let label = origin + Point::polar(74.0, first + 0.5 * half);
+    drawing.label(label, Side::AboveRight, r"$\tfrac12\chi$", Hue::Ink)?;
+    kit::angle(&mut drawing, origin, 132.0, 0.06, 2.0 * half, Heads::End, Hue::Ink);
+    let label = origin + Point::polar(136.0, 0.06 + half - 0.25);
+    drawing.label(label, Side::Right, r"$\chi$", Hue::Ink)?;
+    drawing.dot(origin, 3.0, Hue::Ink);
+    Ok(drawing)
 }
 
 /// The plane of axis, angular momentum and angular velocity for a flat and for a long body.
@@ -366,60 +508,4 @@ pub(crate) fn possible_moments(id: &str) -> Outcome {
     plot.markers(&[nothing], Marker::Ring, Hue::Muted);
     plot.label(nothing, Side::Below, "$(2, 3, 9)$: no body", Hue::Muted)?;
     Ok(drawing)
-}
-
-/// What ten seconds of stepping do to the quaternion.
-pub(crate) fn drift(id: &str) -> Outcome {
-    let plate = Body::thin_disk(0.6, 0.13)?.moments();
-    let start =
-        Turning { world_from_body: UnitQuaternion::identity(), omega_body: Vector3::new(1.5, 0.0, 30.0) };
-    let seconds = 10.0;
-    let top = FreeSymmetricTop::new(plate, start)?;
-    let exact = top.at(seconds)?.world_from_body;
-    let wobbles = seconds * top.precession_rate() / TAU;
-    let free = || euler::turning_rates(plate, |_, _| Vector3::zeros());
-    let (mut lengths, mut attitudes) = (Vec::new(), Vec::new());
-    for half_octave in 4..=18 {
-        let per_wobble = 2_f64.powf(0.5 * f64::from(half_octave));
-        let steps = (per_wobble * wobbles).round() as usize;
-        let state = rk4(free(), 0.0, start.to_array(), seconds, steps)?;
-        let length = state[..4].iter().map(|part| part * part).sum::<f64>().sqrt();
-        let per_wobble = steps as f64 / wobbles;
-        lengths.push((per_wobble, (length - 1.0).abs()));
-        let found = Turning::from_array(state).world_from_body;
-        attitudes.push((per_wobble, rotation_between(&found, &exact)));
-    }
-    let judge = Dop853::new(1e-13)?.solve(free(), 0.0, start.to_array(), seconds)?;
-    let closed = rotation_between(&Turning::from_array(judge.state).world_from_body, &exact);
-
-    in_both(|room: Room| {
-        let mut drawing = Drawing::new(id, room.of(660.0, 400.0), 372.0).titled(
-            "Length and error of a stepped quaternion",
-            "Both scales are logarithmic: along x the steps a wobble of the Runge-Kutta method of order four, from four to five hundred; \
-             along y errors after 96 wobbles. The error of the attitude falls with the fourth power, from a tenth of a radian to \
-             3e-10. The error of the length of the quaternion, \
-             falling with the fifth power, lies below it, by a factor of forty at twenty steps. A horizontal line at 3e-13 \
-             is the difference between the closed form and the judge.",
-        );
-        let steps = Axis::log(4.0, 600.0, 1)?.titled("steps a wobble");
-        let error = Axis::log(1e-14, 10.0, 2)?.titled("error after 96 wobbles");
-        let frame = Rect::new(60.0, 34.0, room.of(570.0, 316.0), 286.0);
-        let mut plot = Plot::new(&mut drawing, frame, steps, error)?;
-        plot.level(closed, Stroke::Reference);
-        plot.series("attitude", &attitudes, Look::RK4.marker, Look::RK4.hue);
-        plot.series("length", &lengths, Marker::Ring, Look::RK4.hue);
-        let labelled = nearest(&attitudes, 45.0)?;
-        plot.label(labelled, Side::AboveRight, "attitude, rad", Look::RK4.hue)?;
-        let labelled = nearest(&lengths, room.of(30.0, 45.0))?;
-        plot.label(labelled, Side::BelowLeft, "length", Look::RK4.hue)?;
-        plot.label((5.0, closed), Side::AboveRight, "closed form, against DOP853", Hue::Muted)?;
-        Ok(drawing)
-    })
-}
-
-/// The point of a curve whose x is nearest.
-fn nearest(values: &[(f64, f64)], x: f64) -> Result<(f64, f64), Cause> {
-    let far = |value: &(f64, f64)| (value.0 / x).ln().abs();
-    let found = values.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
-    found.copied().ok_or_else(|| "an empty curve has no nearest point".into())
 }

@@ -1,14 +1,13 @@
 //! The figures of the chapter "The wobble plate".
 
-use crate::{Axis, Cause, Outcome, Plot, in_both, linear_steps, log_steps};
-use drawing::kit::{self, Marker};
-use drawing::space::{Camera, Curve, Edges, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Rect, Role, Side, Stroke, at};
+use crate::{Axis, Cause, Outcome, Plot, in_both, linear_steps};
+use drawing::kit::{self, Heads};
+use drawing::space::{Camera, Curve, Edges, Solid, Stage, View};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
 use mechanics::inertia::SymmetricMoments;
-use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
+use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters, in_room};
 use nalgebra::Vector3;
-use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The spin of the chapter's shaft, rad/s, and the tilt of its plate, degrees.
 const SPIN: f64 = 100.0;
@@ -16,11 +15,7 @@ const TILT: f64 = 25.0;
 
 /// The chapter's plate: 2 kg, 10 cm, with a tilt in degrees.
 fn plate(degrees: f64) -> Result<Plate, InvalidQuantity> {
-    plate_at(degrees.to_radians())
-}
-
-fn plate_at(tilt: f64) -> Result<Plate, InvalidQuantity> {
-    Plate::new(PlateParameters { mass: 2.0, radius: 0.1, thickness: 0.0, tilt })
+    Plate::new(PlateParameters { mass: 2.0, radius: 0.1, thickness: 0.0, tilt: degrees.to_radians() })
 }
 
 /// So many pistons on the chapter's plate, all of them together with a multiple of the mass that balances three and
@@ -35,20 +30,20 @@ fn with_pistons(plate: Plate, count: u32, part: f64) -> Result<Engine, Cause> {
     Ok(Engine::new(plate, Pistons::new(pistons)?))
 }
 
-/// The plate on its shaft, with its axes, the angular momentum and the two angles.
+/// The plate on its shaft, with its own axes and those that turn with the shaft.
 pub(crate) fn wobble_plate(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 500.0, 470.0).titled(
         "The wobble plate on its shaft",
-        "A round plate on an upright shaft that stands on the floor, tilted so that its left side is low. Its normal i3 leans to the left of \
-         the shaft by the angle alpha. The axis i1 lies in the plate and rises to the right. The angular velocity omega points up along the \
-         shaft; the angular momentum L lies between shaft and normal, at the angle beta to the shaft. A radius of the plate is marked R. \
-         Beside it stand the axes that turn with the shaft: x prime to the right, y prime away from the reader, z upwards.",
+        "A round plate on an upright shaft that stands on the floor, tilted so that its right side is high. Axis 1 lies in the plate and \
+         rises to the right, axis 2 lies in it and points level away from the reader, axis 3 is its normal and leans to the left of the \
+         shaft by the angle alpha. The angular velocity omega points up along the shaft. A radius of the plate is marked R. Beside it \
+         stand the axes that turn with the shaft: x prime to the right, under axis 1, y prime away from the reader, along axis 2, and z \
+         upwards.",
     );
     let plate = plate(32.0)?;
     let (sin, cos) = plate.tilt().sin_cos();
-    let normal = Vector3::new(-sin, 0.0, cos);
-    let first = Vector3::new(cos, 0.0, sin);
-    let momentum = plate.angular_momentum_rotating(1.0).normalize();
+    let (first, second) = (Vector3::new(cos, 0.0, sin), Vector3::y());
+    let normal = first.cross(&second);
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0, 0.0, 0.35],
         azimuth: -1.25,
@@ -64,19 +59,16 @@ pub(crate) fn wobble_plate(id: &str) -> Outcome {
     stage.solid(shaft.edges(Edges::BehindOthers), Hue::Muted)?;
     stage.named_vector([0.0, 0.0, 1.45], [0.0, 0.0, 2.0], r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.turning([0.0, 0.0, 1.68], [0.0, 0.0, 1.0], 0.2, Hue::Orange)?;
-    for (tip, name, hue) in [
-        (normal * 1.75, r"$\hat{\imath}_3$", Hue::Ink),
-        (first * 1.5, r"$\hat{\imath}_1$", Hue::Ink),
-        (momentum * 1.8, r"$\boldsymbol{L}$", Hue::Green),
+    for (tip, name) in [
+        (first * 1.5, r"$\hat{\mathbf{1}}$"),
+        (second * 1.6, r"$\hat{\mathbf{2}}$"),
+        (normal * 1.75, r"$\hat{\mathbf{3}}$"),
     ] {
-        stage.named_vector([0.0; 3], tip, name, hue)?;
+        stage.named_vector([0.0; 3], tip, name, Hue::Ink)?;
     }
-    stage.angle([0.0; 3], [0.0, 0.0, 1.0], normal, 1.2, "", Hue::Ink)?;
-    let beside = (normal * 0.75 + Vector3::z() * 0.25).normalize() * 1.2;
-    stage.label_shifted(beside, at(2.0, -2.0), Side::Above, r"$\alpha$", Hue::Ink)?;
-    stage.angle([0.0; 3], [0.0, 0.0, 1.0], momentum, 0.72, r"$\beta$", Hue::Green)?;
+    stage.angle([0.0; 3], [0.0, 0.0, 1.0], normal, 1.2, r"$\alpha$", Hue::Ink)?;
     // A radius on the upper face.
-    let across = Vector3::new(0.0, -1.0, 0.0);
+    let across = -second;
     let towards = across * 0.8 - first * 0.6;
     let face = normal * 0.036;
     stage.curve(Curve::segment(face, face + towards)?, Stroke::Outline, Hue::Ink)?;
@@ -88,116 +80,140 @@ pub(crate) fn wobble_plate(id: &str) -> Outcome {
         (Vector3::y(), r"$\hat{\mathbf{y}}'$"),
         (Vector3::z(), r"$\hat{\mathbf{z}}$"),
     ] {
-        stage.named_vector(corner, corner + axis * 0.45, name, Hue::Muted)?;
+        stage.named_vector(corner, corner + axis * 0.55, name, Hue::Muted)?;
     }
     stage.write(&mut drawing);
     Ok(drawing)
 }
 
-/// Lean of the angular momentum against the tilt, for four thicknesses.
-pub(crate) fn beta(id: &str) -> Outcome {
-    let radius = 0.1;
-    let mut curves = Vec::new();
-    for thickness in [0.0, 0.5, 1.0, 2.0] {
-        let lean_at = |degrees: f64| -> Result<(f64, f64), InvalidQuantity> {
-            let (thickness, tilt) = (thickness * radius, degrees.to_radians());
-            let plate = Plate::new(PlateParameters { mass: 2.0, radius, thickness, tilt })?;
-            Ok((degrees, plate.momentum_angle().to_degrees()))
-        };
-        curves.push(linear_steps(0.0, 89.999, 300).map(lean_at).collect::<Result<Vec<_>, _>>()?);
-    }
-    let largest = plate(10.0)?.largest_momentum_angle();
-    let top = (largest.tilt.to_degrees(), largest.momentum_angle.to_degrees());
-    in_both(|room| {
-        let mut drawing = Drawing::new(id, room.of(660.0, 400.0), 372.0).titled(
-            "Lean of the angular momentum against the tilt",
-            "The lean beta in degrees, from minus 10 to 20, against the tilt alpha from 0 to 90 degrees. For the thin plate the curve rises \
-             from zero at half the slope of the diagonal to a maximum of 19.47 degrees at 54.74 and falls to zero. For a thickness of half \
-             the radius and of one radius the curves are lower; for two radii the curve is negative.",
-        );
-        let step = room.of(15.0, 30.0);
-        let tilt = Axis::linear(0.0, 90.0, step)?.minor(5.0).titled(r"tilt $\alpha$, degrees");
-        let lean =
-            Axis::linear(-10.0, 22.0, 5.0)?.minor(1.0).titled(r"lean of the momentum $\beta$, degrees");
-        let frame = Rect::new(52.0, 34.0, room.of(580.0, 320.0), 286.0);
-        let mut plot = Plot::new(&mut drawing, frame, tilt, lean)?;
-        plot.level(0.0, Stroke::Reference);
-        let names = [
-            (0.0, Hue::Blue, "thin", (20.0, 11.9)),
-            (0.5, Hue::Green, r"$h = \tfrac12R$", (45.0, 13.5)),
-            (1.0, Hue::Pink, "$h = R$", (45.0, 8.6)),
-            (2.0, Hue::Orange, "$h = 2R$", (45.0, -6.3)),
-        ];
-        for ((thickness, hue, name, place), values) in names.into_iter().zip(&curves) {
-            let name_of_curve = format!("thickness-{thickness}");
-            plot.curve(&name_of_curve, values.iter().copied(), Stroke::Curve, hue);
-            plot.label(place, Side::Over, name, hue)?;
-        }
-        plot.markers(&[top], Marker::Disc, Hue::Blue);
-        plot.label(top, Side::Above, "$19.47°$ at $54.74°$", Hue::Blue)?;
-        Ok(drawing)
-    })
+/// A side view in the plane of x′ and z, in radii of the plate: where the plate's centre stands on the page, and how
+/// long a radius is, px.
+struct SideView {
+    centre: Point,
+    scale: f64,
 }
 
-/// Why the shaft pulls at its bearings: the centrifugal forces on the plate, and what holds against them.
-pub(crate) fn bearings(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 480.0, 430.0).titled(
-        "The forces of the bearings",
-        "The tilted plate on its upright shaft, as it looks from a frame that turns with it. The shaft runs in two bearings, one above and one \
-         below the plate. Thin arrows on the high right half of the plate point outwards to the right, thin arrows on the low left half \
-         outwards to the left: together they would turn the plate flat, clockwise as it is seen. The upper bearing pushes the shaft to the \
-         left, the lower one equally to the right, and so they hold against it.",
+impl SideView {
+    fn at(&self, x: f64, z: f64) -> Point {
+        self.centre + at(x, -z) * self.scale
+    }
+
+    /// The tilted plate, edge on, with its shaft from a height to another.
+    fn plate(&self, drawing: &mut Drawing, plate: &Plate, heights: [f64; 2]) {
+        let (sin, cos) = plate.tilt().sin_cos();
+        let (along, across) = (at(cos, -sin) * self.scale, at(-sin, -cos) * (0.045 * self.scale));
+        let rod = |from: f64, to: f64| {
+            let x = 0.04;
+            vec![self.at(-x, from), self.at(x, from), self.at(x, to), self.at(-x, to)]
+        };
+        let disc = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let disc = disc.map(|(a, b)| self.centre + along * a + across * b);
+        let bodies =
+            [(rod(heights[0], heights[1]), Fill::Side, Hue::Muted), (disc.into(), Fill::Face, Hue::Blue)];
+        for (points, fill, hue) in bodies {
+            outlined(drawing, points, fill, hue);
+        }
+    }
+
+    /// How far out a point is and how high, as two thin lines with their letters.
+    fn arms(&self, drawing: &mut Drawing, x: f64, z: f64, aside: f64) -> Result<(), Cause> {
+        kit::dimension(drawing, self.at(0.0, 0.0), self.at(x, 0.0), Heads::Both, Hue::Ink);
+        drawing.label(self.at(0.55 * x, 0.0), Side::Below, "$x'$", Hue::Ink)?;
+        kit::dimension(drawing, self.at(x + aside, 0.0), self.at(x + aside, z), Heads::Both, Hue::Ink);
+        drawing.label(self.at(x + aside, 0.5 * z), Side::Right, "$z$", Hue::Ink)?;
+        Ok(())
+    }
+}
+
+/// A filled shape with its outline.
+fn outlined(drawing: &mut Drawing, points: Vec<Point>, fill: Fill, hue: Hue) {
+    let mut border = points.clone();
+    border.push(points[0]);
+    drawing.polygon(points, fill, hue);
+    drawing.polyline(&border, Stroke::Outline, hue);
+}
+
+/// Why plate and pistons are opposed: centrifugal pulls lay the plate flat, the pistons' inertia makes it steeper.
+pub(crate) fn opposition(id: &str) -> Outcome {
+    Ok(Drawing::panels(id, vec![plate_pulls()?, pistons_push()?]))
+}
+
+fn plate_pulls() -> Outcome {
+    let mut drawing = Drawing::new("", 400.0, 372.0).titled(
+        "The plate alone",
+        "Side view of the tilted plate on its upright shaft, its right end high. Specks of its right half are pulled outwards to the right, \
+         specks of its left half outwards to the left, the harder the farther out they are: together the pulls would turn the plate flat, \
+         clockwise as it is seen. For one speck its distance x prime from the shaft and its height z above the centre are marked. The \
+         upper bearing holds the shaft with a force to the left, the lower one with an equal force to the right.",
     );
-    let plate = plate(TILT)?;
+    let (plate, side) = (plate(TILT)?, SideView { centre: at(200.0, 186.0), scale: 104.0 });
+    side.plate(&mut drawing, &plate, [-1.42, 1.42]);
     let (sin, cos) = plate.tilt().sin_cos();
-    let (normal, first) = (Vector3::new(-sin, 0.0, cos), Vector3::new(cos, 0.0, sin));
+    for place in [-0.92, -0.5, 0.5, 0.92] {
+        // A pull in proportion to the distance from the shaft.
+        let (x, z) = (place * cos, place * sin);
+        kit::dimension(&mut drawing, side.at(x, z), side.at(1.5 * x, z), Heads::End, Hue::Purple);
+        drawing.dot(side.at(x, z), 2.6, Hue::Blue);
+    }
+    drawing.label(side.at(1.5 * 0.92 * cos, 0.92 * sin), Side::AboveLeft, "pull", Hue::Purple)?;
+    side.arms(&mut drawing, 0.92 * cos, 0.92 * sin, 0.0)?;
     // A pair of forces at ±h along the shaft with the torque that is wanted: 2h z × F = τ.
-    let half = 1.3;
-    let force = plate.bearing_torque_rotating(SPIN).cross(&Vector3::z());
-    let force = force.normalize() * 0.85;
-    let mut stage = Stage::new(Camera::new(View {
-        target: [0.0, 0.0, 0.0],
-        azimuth: -1.35,
-        elevation: 0.27,
-        distance: 9.0,
-        centre: at(240.0, 215.0),
-        scale: 112.0,
-    })?);
-    stage.solid(Solid::disc([0.0; 3], normal, 1.0, 0.07)?, Hue::Blue)?;
-    let shaft = Solid::rod([0.0, 0.0, -1.6], [0.0, 0.0, 1.6], 0.045)?;
-    stage.solid(shaft.edges(Edges::BehindOthers), Hue::Muted)?;
-    for (side, name) in [(1.0, r"$\boldsymbol{F}$"), (-1.0, r"$-\boldsymbol{F}$")] {
-        let place = Vector3::z() * (side * half);
-        stage.solid(Solid::ring(place, Vector3::z(), 0.2, 0.05, 0.16)?, Hue::Muted)?;
-        let way = force * side;
-        let start = place - way.normalize() * 0.22 - way; // it ends at the rim of the bearing
-        stage.vector(start, start + way, Hue::Purple)?;
-        let above = if side > 0.0 { Side::Above } else { Side::Below };
-        stage.label(start + way * 0.4, above, name, Hue::Purple)?;
+    let force = plate.bearing_torque_rotating(SPIN).cross(&Vector3::z()).normalize();
+    for (end, name) in [(1.0, r"$\boldsymbol{F}$"), (-1.0, r"$-\boldsymbol{F}$")] {
+        let (height, way) = (1.18 * end, force.x * end);
+        for x in [-0.13, 0.05] {
+            let corners = [(x, -0.07), (x + 0.08, -0.07), (x + 0.08, 0.07), (x, 0.07)];
+            let corners = corners.map(|(x, z)| side.at(x, height + z));
+            outlined(&mut drawing, corners.into(), Fill::Face, Hue::Muted);
+        }
+        kit::arrow(&mut drawing, side.at(-0.75 * way, height), side.at(-0.17 * way, height), Hue::Purple);
+        drawing.label(side.at(-0.55 * way, height), Side::Above, name, Hue::Purple)?;
     }
-    // On specks of the upper face: away from the shaft, as far as they are from it.
-    let face = normal * 0.037;
-    for along in [-0.88, -0.5, 0.5, 0.88] {
-        let speck = first * along;
-        let outwards = Vector3::new(speck.x, speck.y, 0.0) * 0.8;
-        stage.dot(face + speck, 2.6, Hue::Blue)?;
-        let arrow = Curve::segment(face + speck, face + speck + outwards)?.hiding(Hiding::Ignored);
-        stage.arrow(arrow, Stroke::Outline, kit::Heads::End, Hue::Purple)?;
+    drawing.label(side.at(-0.2, 1.18), Side::Left, "bearing", Hue::Ink)?;
+    drawing.label(side.at(0.2, -1.18), Side::Right, "bearing", Hue::Ink)?;
+    // The low end is turned up.
+    kit::angle(&mut drawing, side.centre, 1.13 * side.scale, 3.30, -0.42, Heads::End, Hue::Purple);
+    drawing.label(side.at(-1.13, 0.26), Side::Above, "flatter", Hue::Purple)?;
+    Ok(drawing)
+}
+
+fn pistons_push() -> Outcome {
+    let mut drawing = Drawing::new("", 400.0, 372.0).titled(
+        "The pistons",
+        "The same side view with two pistons that hang by upright rods under the plate, one under its high right end, one under its low left \
+         end. The inertia of the right one, at the top of its stroke, pushes upwards, that of the left one, at the bottom of its stroke, \
+         downwards: together they would turn the plate steeper, counter-clockwise as it is seen. The distance x prime of the right rod \
+         from the shaft and the height z of its end are marked.",
+    );
+    let side = SideView { centre: at(200.0, 186.0), scale: 104.0 };
+    let tilt = TILT.to_radians();
+    let plate = Plate::new(PlateParameters { mass: 2.0, radius: 1.0, thickness: 0.0, tilt })?;
+    let pistons = PistonParameters { count: 4, mass: 0.4, distance: 0.72, rod: 0.86 };
+    let engine = Engine::new(plate, Pistons::new(pistons)?);
+    side.plate(&mut drawing, &plate, [-1.42, 0.75]);
+    // At the phase 0 piston 1 is highest and piston 3 lowest.
+    for n in [1, 3] {
+        let (contact, centre) = (engine.contact(n, 0.0), engine.centre(n, 0.0));
+        let upright = |half: f64, from: f64, to: f64| {
+            let x = contact.x;
+            [(x - half, from), (x + half, from), (x + half, to), (x - half, to)].map(|(x, z)| side.at(x, z))
+        };
+        let rod = upright(0.028, centre.z + 0.17, contact.z - 0.055);
+        let piston = upright(0.15, centre.z - 0.17, centre.z + 0.17);
+        for points in [rod, piston] {
+            outlined(&mut drawing, points.into(), Fill::Side, Hue::Muted);
+        }
+        let push = -engine.acceleration(n, 0.0, 1.0) * 1.25;
+        let (x, from) = (contact.x + 0.24 * contact.x.signum(), centre.z - 0.5 * push);
+        kit::arrow(&mut drawing, side.at(x, from), side.at(x, from + push), Hue::Purple);
+        let beside = if n == 1 { Side::Right } else { Side::Left };
+        drawing.label(side.at(x, centre.z), beside, "push", Hue::Purple)?;
     }
-    for (side, where_to) in [(1.0, Side::Above), (-1.0, Side::Below)] {
-        let tip = face + first * (0.88 * side) + Vector3::x() * (0.88 * cos * 0.8 * side);
-        stage.label_shifted(tip, at(4.0 * side, 0.0), where_to, "centrifugal", Hue::Purple)?;
-        let beside = if side > 0.0 { Side::Left } else { Side::Right };
-        stage.label_shifted(
-            Vector3::z() * (side * half),
-            at(-22.0 * side, 0.0),
-            beside,
-            "bearing",
-            Hue::Ink,
-        )?;
-    }
-    stage.named_vector([0.0, 0.0, 1.6], [0.0, 0.0, 2.0], r"$\boldsymbol{\omega}$", Hue::Orange)?;
-    stage.write(&mut drawing);
+    let contact = engine.contact(1, 0.0);
+    side.arms(&mut drawing, contact.x, contact.z, 0.09)?;
+    // The high end is turned up.
+    kit::angle(&mut drawing, side.centre, 1.13 * side.scale, 0.42, 0.42, Heads::End, Hue::Purple);
+    drawing.label(side.at(0.95, 0.78), Side::AboveRight, "steeper", Hue::Purple)?;
     Ok(drawing)
 }
 
@@ -243,7 +259,7 @@ fn pistons_under_the_plate() -> Outcome {
     }
     // The normal and its angle, a radius of the plate, and the distance of a rod from the shaft.
     stage.vector([0.0; 3], normal * 1.1, Hue::Ink)?;
-    stage.label(normal * 1.1, Side::Left, r"$\hat{\imath}_3$", Hue::Ink)?;
+    stage.label(normal * 1.1, Side::Left, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
     stage.angle([0.0; 3], [0.0, 0.0, 1.0], normal, 0.68, r"$\alpha$", Hue::Ink)?;
     let face = normal * 0.037;
     let rim = normal.cross(&Vector3::new(-0.35, 1.0, 0.0)).normalize();
@@ -251,7 +267,7 @@ fn pistons_under_the_plate() -> Outcome {
     stage.label(face + rim * 0.5, Side::Above, "$R$", Hue::Ink)?;
     let centre = engine.centre(1, phase) - Vector3::z() * 0.17;
     let foot = Vector3::new(0.0, 0.0, centre.z);
-    stage.arrow(Curve::segment(foot, centre)?, Stroke::Outline, kit::Heads::Both, Hue::Ink)?;
+    stage.arrow(Curve::segment(foot, centre)?, Stroke::Outline, Heads::Both, Hue::Ink)?;
     stage.label(foot + (centre - foot) * 0.25, Side::Below, "$r$", Hue::Ink)?;
     stage.named_vector([0.0, 0.0, 0.75], [0.0, 0.0, 1.25], r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.turning([0.0, 0.0, 0.97], [0.0, 0.0, 1.0], 0.2, Hue::Orange)?;
@@ -284,44 +300,6 @@ fn heights() -> Outcome {
     }
     plot.label((360.0, 0.0), Side::Right, "sum", Hue::Muted)?;
     Ok(drawing)
-}
-
-/// The two parts of the momentum across the shaft, at four moments, seen along it.
-pub(crate) fn antiphase(id: &str) -> Outcome {
-    let engine = with_pistons(plate(TILT)?, 4, 0.75)?;
-    let scale = 54.0 / engine.plate().angular_momentum_rotating(SPIN).x.abs();
-    let mut panels = Vec::new();
-    for (name, eighths) in [("0", 0.0), ("45°", 1.0), ("90°", 2.0), ("135°", 3.0)] {
-        let mut drawing = Drawing::new("", 148.0, 180.0).titled(
-            &format!("Momenta of plate and pistons at the phase {name}"),
-            "A circle, the view along the shaft. From its centre a long arrow shows the plate’s angular momentum across the shaft, and a \
-             shorter one, three quarters as long, points exactly the other way: that of the pistons.",
-        );
-        let phase = TAU * eighths / 8.0;
-        let centre = at(74.0, 76.0);
-        drawing.circle(centre, 61.0, Role::Line(Stroke::Grid, Hue::Ink));
-        let pistons = engine.piston_momentum(phase, SPIN);
-        let plate = engine.angular_momentum(phase, SPIN) - pistons;
-        let tip = |momentum: Vector3<f64>| centre + at(momentum.x, -momentum.y) * scale;
-        kit::arrow(&mut drawing, centre, tip(plate), Hue::Green);
-        kit::dimension(&mut drawing, centre, tip(pistons), kit::Heads::End, Hue::Green);
-        if eighths == 0.0 {
-            for (momentum, word) in [(plate, "plate"), (pistons, "pistons")] {
-                drawing.label(centre.towards(tip(momentum), 0.6), Side::Above, word, Hue::Green)?;
-            }
-        }
-        drawing.dot(centre, 3.0, Hue::Ink);
-        let from = (tip(pistons) - centre).angle();
-        kit::angle(&mut drawing, centre, 61.0, from - 0.35, 0.7, kit::Heads::End, Hue::Orange);
-        drawing.label(at(74.0, 164.0), Side::Over, &format!(r"$\omega t = {name}$"), Hue::Ink)?;
-        panels.push(drawing);
-    }
-    Ok(Drawing::panels(id, panels).titled(
-        "Momenta of plate and pistons across the shaft",
-        "Four circles, views along the shaft at four moments an eighth of a turn apart. In each an arrow from the centre shows the plate’s \
-         angular momentum across the shaft, another, three quarters as long and opposite, that of the pistons; both turn \
-         counter-clockwise together.",
-    ))
 }
 
 /// Torque on the frame against the mass of the pistons: three and more, and the band of one or two.
@@ -373,60 +351,95 @@ pub(crate) fn residual(id: &str) -> Outcome {
     })
 }
 
-/// Errors of three programs for β.
-pub(crate) fn beta_error(id: &str) -> Outcome {
-    type Program = fn(&Plate) -> f64;
-    let programs: [(&str, Program, Hue, Marker); 3] = [
-        ("cosine", by_cosine, Hue::Orange, Marker::Disc),
-        ("difference", by_difference, Hue::Pink, Marker::Triangle),
-        ("arctangent", Plate::momentum_angle, Hue::Blue, Marker::Square),
-    ];
-    let panels = [
+/// What two pistons do for the plate during a turn, and what three do.
+pub(crate) fn sharing(id: &str) -> Outcome {
+    let mut panels = Vec::new();
+    for (count, word, title, description) in [
         (
-            "tilt",
-            r"tilt $\alpha$, rad",
-            "Against the tilt from 1e-9 to one: the inverse cosine loses digits as the tilt shrinks and has none left at 1e-8; the \
-             difference of angles and the arctangent stay at the last digit.",
+            2,
+            "two",
+            "Two pistons",
+            "The torque that would make the plate steeper, in units of m r squared omega squared tan alpha, against the phase from 0 to 360 \
+             degrees. Each of two opposite pistons has the same curve, which goes between 0 and 1 twice a turn, so that their sum goes \
+             between 0 and 2 about its mean of 1.",
         ),
         (
-            "rest",
-            r"$\tfrac12\pi - \alpha$, rad",
-            "Against the distance of the tilt from a right angle, from 1e-9 to one: both the inverse cosine and the difference of angles \
-             lose digits, the arctangent none.",
+            3,
+            "three",
+            "Three pistons",
+            "The same for three pistons. Each goes between 0 and 1 twice a turn, one after the other, and their sum is a level line at 1.5.",
         ),
-    ];
-    let mut drawn = Vec::new();
-    for (side, title, description) in panels {
-        let mut drawing = Drawing::new("", 350.0, 350.0)
-            .titled("Relative errors of three programs for the lean", description);
-        let x = Axis::log(1e-9, 1.0, 3)?.titled(title);
-        let y = Axis::log(1e-17, 10.0, 4)?.titled(r"relative error of $\beta$");
-        let mut plot = Plot::new(&mut drawing, Rect::new(54.0, 34.0, 252.0, 262.0), x, y)?;
-        for (name, program, hue, form) in programs {
-            let mut values = Vec::new();
-            for small in log_steps(1e-9, 1.0, 36) {
-                let plate = plate_at(if side == "tilt" { small } else { FRAC_PI_2 - small })?;
-                // The judge: tan β = sin α cos α/(1 + cos² α), in which nothing is lost.
-                let (sin, cos) = plate.tilt().sin_cos();
-                let exact = (sin * cos / (1.0 + cos * cos)).atan();
-                values.push((small, (program(&plate) / exact - 1.0).abs().max(1e-17)));
-            }
-            plot.series(&format!("{side}-{name}"), &values, form, hue);
+    ] {
+        let engine = with_pistons(plate(TILT)?, count, 1.0)?;
+        let (mass, distance) = (engine.pistons().mass(), engine.pistons().distance());
+        let unit = mass * (distance * SPIN).powi(2) * engine.plate().tilt().tan();
+        // Push times lever of piston n, about −y′.
+        let part = |n: u32, phase: f64| {
+            let uphill = in_room(&Vector3::x(), phase);
+            let push = -mass * engine.acceleration(n, phase, SPIN);
+            push * engine.contact(n, phase).dot(&uphill) / unit
+        };
+        let mut drawing = Drawing::new("", 340.0, 330.0).titled(title, description);
+        let phase = Axis::linear(0.0, 360.0, 90.0)?.minor(30.0).titled(r"phase $\omega t$, degrees");
+        let torque =
+            Axis::linear(0.0, 2.2, 0.5)?.minor(0.1).titled(r"steepening over $mr^2\omega^2\tan\alpha$");
+        let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 52.0, 270.0, 200.0), phase, torque)?;
+        let degrees = || linear_steps(0.0, 360.0, 240);
+        for n in 1..=if count == 2 { 1 } else { count } {
+            let values = degrees().map(|degrees| (degrees, part(n, degrees.to_radians())));
+            plot.curve(&format!("{word}-{n}"), values, Stroke::Outline, Hue::Purple);
         }
-        plot.label((3e-6, 1e-1), Side::Right, "inverse cosine", Hue::Orange)?;
-        plot.label((1.3e-9, 1e-12), Side::Right, "difference", Hue::Pink)?;
-        plot.label((1.3e-9, 1e-14), Side::Right, "arctangent", Hue::Blue)?;
-        drawn.push(drawing);
+        let sum = |degrees: f64| (1..=count).map(|n| part(n, degrees.to_radians())).sum::<f64>();
+        plot.curve(word, degrees().map(|degrees| (degrees, sum(degrees))), Stroke::Curve, Hue::Purple);
+        let (place, each) =
+            if count == 2 { ((90.0, 2.0), (90.0, 1.0)) } else { ((180.0, 1.5), (180.0, 1.0)) };
+        let words = if count == 2 { ["both", "each"] } else { ["all three", "each"] };
+        plot.label(place, Side::Above, words[0], Hue::Purple)?;
+        plot.label(each, Side::Above, words[1], Hue::Purple)?;
+        panels.push(drawing);
     }
-    Ok(Drawing::panels(id, drawn))
+    Ok(Drawing::panels(id, panels))
 }
 
-fn by_cosine(plate: &Plate) -> f64 {
-    let momentum = plate.angular_momentum_rotating(1.0);
-    (momentum.z / momentum.norm()).acos()
-}
-
-/// eq:momentum-from-normal, and a subtraction.
-fn by_difference(plate: &Plate) -> f64 {
-    plate.tilt() - (0.5 * plate.tilt().tan()).atan()
+/// The angular momentum of the plate, its lean, and how the pistons' takes the lean away.
+pub(crate) fn lean(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 330.0, 330.0).titled(
+        "The momenta of plate and pistons in the plane of shaft and normal",
+        "Arrows from the centre of the plate, whose edge is seen below, in the plane of x prime and z. The angular velocity omega points up \
+         along the shaft. Axis 3 leans to the left by the angle alpha, and the angular momentum L of the plate, between the two, by the \
+         angle beta. The angular momentum of the pistons, set at the tip of that arrow, points level to the right and ends on the shaft.",
+    );
+    let plate = plate(35.0)?;
+    let engine = with_pistons(plate, 4, 1.0)?;
+    let side = SideView { centre: at(165.0, 250.0), scale: 84.0 };
+    side.plate(&mut drawing, &plate, [-0.5, 0.0]);
+    let (sin, cos) = plate.tilt().sin_cos();
+    let origin = side.at(0.0, 0.0);
+    drawing.line(origin, side.at(0.0, 2.55), Stroke::Reference, Hue::Muted);
+    kit::dimension(&mut drawing, origin, side.at(-2.3 * sin, 2.3 * cos), Heads::End, Hue::Ink);
+    drawing.label(side.at(-2.3 * sin, 2.3 * cos), Side::AboveLeft, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
+    // The momenta in units of I₁ω, the spin in units of its own.
+    let unit = plate.angular_momentum_body(1.0).x / sin;
+    let of_plate = plate.angular_momentum_rotating(1.0) / unit * 1.3;
+    let of_pistons = engine.piston_momentum(0.0, 1.0) / unit * 1.3;
+    let tip = side.at(of_plate.x, of_plate.z);
+    kit::arrow(&mut drawing, origin, side.at(0.0, 1.15), Hue::Orange);
+    drawing.label(side.at(0.0, 1.0), Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    kit::arrow(&mut drawing, origin, tip, Hue::Green);
+    drawing.label(tip, Side::AboveLeft, r"$\boldsymbol{L}_{\text{plate}}$", Hue::Green)?;
+    let end = side.at(of_plate.x + of_pistons.x, of_plate.z + of_pistons.z);
+    kit::arrow(&mut drawing, tip, end, Hue::Green);
+    drawing.label(end, Side::Right, r"$\boldsymbol{L}_{\text{p}}$", Hue::Green)?;
+    let upwards = std::f64::consts::FRAC_PI_2;
+    kit::angle(&mut drawing, origin, 150.0, upwards, plate.tilt(), Heads::None, Hue::Ink);
+    drawing.label(
+        origin + Point::polar(154.0, upwards + 0.8 * plate.tilt()),
+        Side::Above,
+        r"$\alpha$",
+        Hue::Ink,
+    )?;
+    kit::angle(&mut drawing, origin, 112.0, upwards, plate.momentum_angle(), Heads::None, Hue::Green);
+    let beside = origin + Point::polar(114.0, upwards + 0.5 * plate.momentum_angle());
+    drawing.label(beside, Side::Above, r"$\beta$", Hue::Green)?;
+    Ok(drawing)
 }

@@ -1,5 +1,6 @@
 //! Lists the chapters and their figures, so that nobody has to: a module for `book/figures.rs` and for each
-//! `book/*/figures.rs` in the order of SUMMARY.md, and an entry for each function in it that draws a figure.
+//! `book/*/figures.rs` in the order of SUMMARY.md, and an entry for each function in it, or in a module of its folder
+//! `book/*/figures/`, that draws a figure.
 
 #[path = "src/list.rs"]
 mod list;
@@ -29,20 +30,37 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rerun-if-changed={}", path.display());
         let module = if folder == list::FRONT { "front".into() } else { folder.replace('-', "_") };
         writeln!(modules, "#[path = {path:?}]\nmod {module};")?;
-        let found = list::figures(&source).unwrap_or_else(|faults| {
-            faults.iter().for_each(|(line, what)| fault(&format!("book/{file}:{line}"), what));
-            Vec::new()
-        });
-        for list::Found { id, function, line } in found {
-            let place = format!("book/{file}:{line}");
-            if let Some(other) = places.insert(id.clone(), place.clone()) {
-                fault(&place, &format!("{id}: {other} has a figure of this name too"));
+        // Its parts, if it has some: book/laundromat/figures/ramp.rs is the module `ramp` of the figures there.
+        let mut sources = vec![(file.clone(), module, source)];
+        let parts = path.with_extension("");
+        if folder != list::FRONT && parts.is_dir() {
+            println!("cargo::rerun-if-changed={}", parts.display());
+            let mut paths = fs::read_dir(parts)?
+                .map(|entry| Ok(entry?.path()))
+                .collect::<Result<Vec<_>, std::io::Error>>()?;
+            paths.sort();
+            for part in paths {
+                let name = part.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                let module = format!("{}::{name}", sources[0].1);
+                sources.push((format!("{folder}/figures/{name}.rs"), module, fs::read_to_string(part)?));
             }
-            let draw = format!("{module}::{function}");
-            writeln!(
-                entries,
-                "    Entry {{ id: {id:?}, chapter: {folder:?}, file: \"book/{file}\", line: {line}, draw: {draw} }},"
-            )?;
+        }
+        for (file, module, source) in sources {
+            let found = list::figures(&source).unwrap_or_else(|faults| {
+                faults.iter().for_each(|(line, what)| fault(&format!("book/{file}:{line}"), what));
+                Vec::new()
+            });
+            for list::Found { id, function, line } in found {
+                let place = format!("book/{file}:{line}");
+                if let Some(other) = places.insert(id.clone(), place.clone()) {
+                    fault(&place, &format!("{id}: {other} has a figure of this name too"));
+                }
+                let draw = format!("{module}::{function}");
+                writeln!(
+                    entries,
+                    "    Entry {{ id: {id:?}, chapter: {folder:?}, file: \"book/{file}\", line: {line}, draw: {draw} }},"
+                )?;
+            }
         }
     }
     let text = format!("{modules}\nconst ENTRIES: &[Entry] = &[\n{entries}];\n");

@@ -148,9 +148,13 @@ impl Printer<'_, '_> {
     /// The title of a page of a numbered chapter, below the number of the chapter.
     fn title(&self, heading: &str) -> Option<String> {
         let chapter = self.page.chapter?;
-        let part = self.page.part.as_ref().map(|part| format!(" · {}", escaped(part))).unwrap_or_default();
+        // Only the sections of a chapter's first page have numbers.
+        let (class, part) = match &self.page.part {
+            None => ("kicker", String::new()),
+            Some(part) => ("kicker leaf", format!(" · {}", escaped(part))),
+        };
         Some(format!(
-            "<p class=\"kicker\" style=\"--chapter: {chapter}\">Chapter {chapter}{part}</p>\n\n{heading}"
+            "<p class=\"{class}\" style=\"--chapter: {chapter}\">Chapter {chapter}{part}</p>\n\n{heading}"
         ))
     }
 
@@ -717,11 +721,11 @@ mod tests {
             let page = Page::new("book", "a.md".to_owned(), chapter, part.map(str::to_owned), text);
             render(&[page], &Rendered::default(), &Items::default(), &[]).unwrap_or_default().remove(0)
         };
-        let kicker = |words: &str| {
-            format!("<p class=\"kicker\" style=\"--chapter: 4\">{words}</p>\n\n# A {{#sec-a}}\n")
+        let kicker = |class: &str, words: &str| {
+            format!("<p class=\"{class}\" style=\"--chapter: 4\">{words}</p>\n\n# A {{#sec-a}}\n")
         };
-        assert_eq!(print(Some(4), None), kicker("Chapter 4"));
-        assert_eq!(print(Some(4), Some("Exercises")), kicker("Chapter 4 · Exercises"));
+        assert_eq!(print(Some(4), None), kicker("kicker", "Chapter 4"));
+        assert_eq!(print(Some(4), Some("Exercises")), kicker("kicker leaf", "Chapter 4 · Exercises"));
         assert_eq!(print(None, None), "# A {#sec-a}\n");
     }
 

@@ -228,7 +228,7 @@ pub struct FlightParameters {
     pub speed: f64,
     /// Gravity g, m/s², more than zero.
     pub gravity: f64,
-    /// How far above the throwing hand the coin is caught, z_catch, m; below, if negative.
+    /// How far above the throwing hand the coin is caught, `z_catch`, m; below, if negative.
     pub catch_height: f64,
 }
 

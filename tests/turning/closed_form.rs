@@ -5,9 +5,10 @@ use approx::assert_relative_eq;
 use mechanics::attitude::{angle_between, rotation_between};
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
-use mechanics::inertia::PrincipalMoments;
+use mechanics::inertia::{Body, Cylinder, PrincipalMoments};
 use mechanics::integrate::Dop853;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use std::f64::consts::TAU;
 
 /// A few units in the last place: what the closed form may lose, at any time.
 const FEW_ULP: f64 = 2e-15;
@@ -69,6 +70,63 @@ fn the_closed_form_is_the_integration_of_eulers_equations() {
     }
 }
 
+/// How far specks of a plate that turns with this lean of ω are, after one turn and at the worst, from where they would
+/// be on threads of their own to the centre: each on a great circle, at a constant rate. `height` is theirs over it.
+fn missed_by_threads(lean: f64, height: f64) -> f64 {
+    let disc = Body::cylinder(1.0, Cylinder { radius: 1.0, height: 2.0 * height }).unwrap();
+    let omega = Vector3::new(lean, 0.0, 1.0);
+    let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body: omega };
+    let now = FreeSymmetricTop::new(disc.moments(), start).unwrap().at(TAU).unwrap();
+    let specks =
+        (0..12).map(|k| (TAU * f64::from(k) / 12.0).sin_cos()).map(|(y, x)| Vector3::new(x, y, height));
+    let missed = specks.map(|speck| {
+        let velocity = omega.cross(&speck);
+        let (sin, cos) = (TAU * velocity.norm() / speck.norm()).sin_cos();
+        let on_thread = speck * cos + velocity.normalize() * (speck.norm() * sin);
+        (on_thread - now.world_from_body * speck).norm()
+    });
+    missed.fold(0.0, f64::max)
+}
+
+#[test]
+fn a_slightly_wobbling_plate_needs_no_stiffness_and_a_thick_one_does() {
+    // To the first order the specks of a flat plate stay together by themselves: what is left goes with the square.
+    for lean in [1e-2, 1e-3, 1e-4] {
+        let miss = missed_by_threads(lean, 0.0);
+        assert!(miss < 1.7 * lean * lean && miss > 1.4 * lean * lean, "{lean}: {miss}");
+        assert!(missed_by_threads(lean, 0.5) > 0.3, "on a thread a speck above the middle leaves at once");
+    }
+}
+
+#[test]
+fn wobbles_in_a_turn_are_the_ratio_of_the_moments_over_a_cosine() {
+    // By a simulation that counts nothing of the kind: the axis, followed round L for a turn about itself.
+    let mut random = fastrand::Rng::with_seed(15);
+    for _ in 0..50 {
+        let ratio = between(&mut random, 0.1, 2.0);
+        let moments = PrincipalMoments::symmetric(1.0, ratio).unwrap();
+        let omega_body = Vector3::new(between(&mut random, 0.01, 2.0), 0.0, 1.0);
+        let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
+        let momentum = start.angular_momentum_world(&moments).normalize();
+        let free = mechanics::euler::turning_rates(moments, |_, _| Vector3::zeros());
+        let times: Vec<f64> = (0..=200).map(|k| TAU * f64::from(k) / 200.0).collect();
+        let (states, _) = Dop853::new(1e-12).unwrap().sample(free, 0.0, start.to_array(), &times).unwrap();
+        let aside = momentum.cross(&Vector3::z());
+        let ahead = aside.cross(&momentum);
+        let azimuths = states.into_iter().map(Turning::from_array).map(|state| {
+            let axis = state.axis_3_world();
+            axis.dot(&aside).atan2(axis.dot(&ahead))
+        });
+        let (mut round, mut before) = (0.0, 0.0);
+        for azimuth in azimuths {
+            round += (azimuth - before + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+            before = azimuth;
+        }
+        let cosine = momentum.z; // of the angle between L and axis 3
+        assert_relative_eq!(round / TAU, ratio / cosine, max_relative = 1e-8);
+    }
+}
+
 #[test]
 fn momentum_energy_spin_and_angle_stay_for_a_million_turns() {
     let mut random = fastrand::Rng::with_seed(8);
@@ -80,7 +138,7 @@ fn momentum_energy_spin_and_angle_stay_for_a_million_turns() {
         let energy = moments.kinetic_energy(&start.omega_body);
         for n in 0..30 {
             let turns = 1e6 * random.f64() * if n % 2 == 0 { 1.0 } else { -1.0 };
-            let turning = top.at(turns * std::f64::consts::TAU / top.precession_rate()).unwrap();
+            let turning = top.at(turns * TAU / top.precession_rate()).unwrap();
             let error = (turning.angular_momentum_world(&moments) - momentum).norm() / momentum.norm();
             assert!(error < FEW_ULP, "angular momentum changes by {error:e}");
             assert_relative_eq!(moments.kinetic_energy(&turning.omega_body), energy, max_relative = FEW_ULP);

@@ -136,7 +136,14 @@ fn the_table_of_moments_is_the_integral_over_the_mass() {
             .collect();
         let shell: Elements = shell_directions().into_iter().map(|(weight, n)| (weight, n * a)).collect();
         let square = m * a * a;
+        // A rod is that high and has no width; a brick, of which the page gives one moment, has three edges.
+        let rod: Elements = gauss(-0.5 * height, 0.5 * height)
+            .map(|(weight, z)| (weight, Vector3::new(0.0, 0.0, z)))
+            .collect();
+        let brick = inertia(m, &block([a, b, height]), &Vector3::zeros());
+        assert_relative_eq!(brick[(0, 0)], m * (b * b + height * height) / 12.0, max_relative = ROUNDING);
         for (row, elements, first, third) in [
+            ("rod", rod, m * height * height / 12.0, 0.0),
             ("hoop", ring, square / 2.0, square),
             ("thin disc", disc, square / 4.0, square / 2.0),
             ("thick disc", tube(0.0, a, height), m * (a * a / 4.0 + height * height / 12.0), square / 2.0),

@@ -11,7 +11,9 @@ use std::sync::LazyLock;
 const EXPOSURE: f64 = 1.7;
 const FIELD: f64 = 50.0 * TAU / 360.0;
 
-static STARS: LazyLock<Vec<Vector3<f64>>> = LazyLock::new(|| directions(260));
+/// The stars; the last one stood on the cross before the blow.
+static STARS: LazyLock<Vec<Vector3<f64>>> =
+    LazyLock::new(|| directions(260).into_iter().chain([Vector3::z()]).collect());
 
 /// Directions spread evenly over the sky: steps of the golden angle, equal areas.
 pub(super) fn directions(count: u32) -> Vec<Vector3<f64>> {
@@ -52,6 +54,10 @@ pub(super) fn draw_sky(
     }
     for star in seen {
         drawing.polyline(&[star, star], Stroke::Curve, Hue::Ink); // a dot: all of them are one element
+    }
+    let left = in_picture(&(attitudes[0] * Vector3::z()));
+    if inside(left) {
+        drawing.circle(left, 6.0, Role::Line(Stroke::Curve, Hue::Ink));
     }
     drawing.circle(sky, radius, Role::Line(Stroke::Outline, Hue::Muted));
     let now = station.at(time)?;

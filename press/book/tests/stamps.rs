@@ -67,6 +67,7 @@ fn a_stamp_changes_with_what_its_figures_are_drawn_from_and_with_nothing_else() 
         (&[("src/scenes/two_coins/mod.rs", "new")], [true, false]),
         (&[("src/scenes/two_coins/deep/er.rs", "new")], [true, false]),
         (&[("book/two-coins/figures.rs", "new")], [true, false]),
+        (&[("book/two-coins/figures/edge.rs", "new")], [true, false]),
         (&[("book/two-coins/data.csv", "new")], [true, false]),
         (&[("tests/data.csv", "new")], [false, true]),
     ] {

@@ -1,9 +1,9 @@
 //! Every figure of the book: the house plot style, and the collection of `book/*/figures.rs`.
 //!
 //! A figure is a function that takes what the library computes and returns a [`Drawing`]. Each chapter keeps
-//! its figures in its own folder, in `figures.rs`; this crate finds and compiles those files and gives them
-//! the plot style ([`Plot`], [`Axis`]) and the drawing kit. Another build script calls [`of`] for the
-//! chapters whose code has changed.
+//! its figures in its own folder, in `figures.rs` and, where they are many, in `figures/`; this crate finds and
+//! compiles those files and gives them the plot style ([`Plot`], [`Axis`]) and the drawing kit. Another build
+//! script calls [`of`] for the chapters whose code has changed.
 
 mod axis;
 mod canvas;

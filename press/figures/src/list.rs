@@ -1,11 +1,12 @@
-//! The list of figures, read from the pages' order and the text of `book/*/figures.rs`; the build script uses it.
+//! The list of figures, read from the pages' order and the text of `book/*/figures.rs` and its parts; the build script
+//! uses it.
 
 /// A figure as it stands in the text of its chapter.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Found {
-    /// Its label on the page, as in `fig:two-bodies`.
+    /// Its label on the page, as in `fig:two-clocks`.
     pub(crate) id: String,
-    /// The function that draws it, as in `two_bodies`.
+    /// The function that draws it, as in `two_clocks`.
     pub(crate) function: String,
     /// The line that names it.
     pub(crate) line: usize,
@@ -26,7 +27,7 @@ pub(crate) fn chapters(summary: &str) -> impl Iterator<Item = &str> {
     summary.lines().filter_map(|line| Some(line.split_once("](")?.1.split_once("/index.md)")?.0))
 }
 
-/// The figures of a chapter: every function `pub(crate) fn two_bodies(…) -> Outcome` is the figure `fig:two-bodies`.
+/// The figures of a file: every function `pub(crate) fn two_clocks(…) -> Outcome` is the figure `fig:two-clocks`.
 ///
 /// # Errors
 /// The line and the fault of each function whose name makes no id.
@@ -67,12 +68,12 @@ mod tests {
 
     #[test]
     fn every_function_that_draws_is_a_figure_of_its_name() {
-        let source = "//! Figures.\nfn helper(id: &str) -> Outcome {\npub(crate) fn two_bodies(id: &str) -> Outcome {\n\
+        let source = "//! Figures.\nfn helper(id: &str) -> Outcome {\npub(crate) fn two_clocks(id: &str) -> Outcome {\n\
                       pub(crate) fn data() -> Result<(), Cause> {\npub(crate) fn drag2(id: &str) -> Outcome {\n";
         let found = |id: &str, function: &str, line| Found { id: id.into(), function: function.into(), line };
         assert_eq!(
             figures(source),
-            Ok(vec![found("fig:two-bodies", "two_bodies", 3), found("fig:drag2", "drag2", 5)])
+            Ok(vec![found("fig:two-clocks", "two_clocks", 3), found("fig:drag2", "drag2", 5)])
         );
         for name in ["Gimbal", "two__bodies", "_top", "top_", "kreisel_ä"] {
             let faults = figures(&format!("\npub(crate) fn {name}(id: &str) -> Outcome {{"));

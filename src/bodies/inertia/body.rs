@@ -49,7 +49,7 @@ pub struct Cylinder {
 pub struct Spheroid {
     /// Radius a of the equator, m, more than zero.
     pub equatorial_radius: f64,
-    /// Distance c of the poles from the centre, m, more than zero.
+    /// Distance b of the poles from the centre, m, more than zero.
     pub polar_radius: f64,
 }
 
@@ -138,7 +138,7 @@ impl Body {
         Self::per_mass(mass, [b + c, a + c, a + b])
     }
 
-    /// A spheroid of even density and mass, kg: `⅕m(a² + c²)` across its axis, `⅖ma²` about it.
+    /// A spheroid of even density and mass, kg: `⅕m(a² + b²)` across its axis, `⅖ma²` about it.
     ///
     /// # Errors
     /// As [`Body::hoop`].
@@ -146,8 +146,8 @@ impl Body {
         let Spheroid { equatorial_radius, polar_radius } = spheroid;
         length("equatorial radius", equatorial_radius)?;
         length("polar radius", polar_radius)?;
-        let [a, c] = [equatorial_radius * equatorial_radius, polar_radius * polar_radius];
-        Self::symmetric(mass, (a + c) / 5.0, a / 2.5)
+        let [a, b] = [equatorial_radius * equatorial_radius, polar_radius * polar_radius];
+        Self::symmetric(mass, (a + b) / 5.0, a / 2.5)
     }
 
     /// Mass, kg.

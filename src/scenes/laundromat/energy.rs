@@ -5,7 +5,7 @@ use super::shaft::Shaft;
 use nalgebra::Complex;
 
 impl Machine {
-    /// Position w = z + b e<sup>iΩt</sup> of the centre of mass of drum and load, m, in the laboratory
+    /// Position z + b e<sup>iΩt</sup> of the centre of mass of drum and load, m, in the laboratory
     /// (`eq:centre-of-mass-motion`).
     ///
     /// At high spin the two terms nearly cancel; [`super::Transient::centre_of_mass`] does not form them.
@@ -45,8 +45,8 @@ impl Machine {
     pub fn jacobi_integral(&self, t: f64, shaft: &Shaft) -> f64 {
         let spin = self.spin();
         let turned_back = self.load_direction(t).conj();
-        let position = shaft.position * turned_back; // u
-        let speed = (shaft.velocity - Complex::i() * spin * shaft.position).norm(); // |u̇|
+        let position = shaft.position * turned_back; // ζ
+        let speed = (shaft.velocity - Complex::i() * spin * shaft.position).norm(); // |ζ̇|
         0.5 * speed * speed + 0.5 * self.detuning() * position.norm_sqr()
             - self.offset() * spin * spin * position.re
     }

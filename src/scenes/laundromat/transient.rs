@@ -48,8 +48,8 @@ enum Form {
 pub(crate) struct Circle {
     pub(crate) amplitude: Complex<f64>,     // Z
     centre_of_mass_amplitude: Complex<f64>, // Z + b
-    pub(crate) displacement: Complex<f64>,  // u₀
-    pub(crate) velocity: Complex<f64>,      // v₀
+    pub(crate) displacement: Complex<f64>,  // s₀
+    pub(crate) velocity: Complex<f64>,      // ṡ₀
 }
 
 /// Near resonance, with little damping, the circle is huge and nearly cancelled by the free motion at first. So
@@ -160,7 +160,7 @@ impl Circle {
     fn new(spin: f64, offset: f64, start: Shaft, steady: &SteadyMotion) -> Self {
         let turning = Complex::i() * spin;
         let (amplitude, centre_of_mass_amplitude) = (steady.amplitude(), steady.centre_of_mass_amplitude());
-        // u₀ and v₀ of eq:transient, for the shaft or for the centre of mass, whichever has the smaller circle to be
+        // s₀ and ṡ₀ of eq:transient, for the shaft or for the centre of mass, whichever has the smaller circle to be
         // taken off.
         let (position, velocity, circle) = if steady.radius() <= steady.centre_of_mass_radius() {
             (start.position, start.velocity, amplitude)

@@ -124,7 +124,7 @@ impl Root {
         let phase = root.phase * quarters;
         // A phase that cannot be reduced is that of a passing beyond reach, or of one that damping leaves nothing of.
         let phase = if phase.rounded().abs() < ROUNDABLE { phase } else { TwoPart::from(0.0) };
-        let position = root.weight * drum.kappa();
+        let position = root.weight * drum.scale();
         let around = numbers(position, position * root.lambda());
         Self {
             decay: root.decay,
@@ -148,7 +148,7 @@ impl Root {
         }
     }
 
-    /// Adds the weighted P and λP to x, y, ẋ, ẏ.
+    /// Adds the weighted S and λS to x, y, ẋ, ẏ.
     #[inline(always)]
     fn add<const N: usize>(
         &self,

@@ -112,7 +112,7 @@ impl Camera {
     /// Into how many chords a circle is divided: the smaller it is seen, the fewer, so that they stay as near to it.
     pub(super) fn chords(&self, centre: Vec3, radius: f64) -> u32 {
         let seen = self.scale * radius / self.weight(centre);
-        let part = (seen / LARGE).sqrt().max(0.2).min(1.0); // 0.2 if it is no number
+        let part = f64::min((seen / LARGE).sqrt().max(0.2), 1.0); // 0.2 if it is no number
         2 * (0.5 * f64::from(CHORDS) * part).ceil() as u32
     }
 

@@ -161,6 +161,14 @@ fn star_trails_are_circles_about_one_axis_or_two() {
         }
     }
     assert!(checked > 2000, "{checked}");
+    // The star that stood on the cross: to and fro through it, at half the rate of the nods.
+    let old_pole = curve("crew-sky", "old-pole");
+    for turns in [0.05, 0.2, 0.45, 0.6, 0.8] {
+        let reach = 2.0 * (lean.sin() * (0.5 * TAU * nods * turns).sin()).asin();
+        let [x, y, z] = struck([0.0, 0.0, 1.0], turns);
+        assert!((z - reach.cos()).abs() < 1e-12, "{turns}");
+        assert!(old_pole.distance(in_picture([x, y, z])) < PIXELS, "{turns}");
+    }
     let pole = curve("crew-sky", "pole");
     for turns in [0.01, 0.07, 0.13, 0.19] {
         let (sin, cos) = (TAU * turns).sin_cos();

@@ -200,17 +200,6 @@ fn on_a_line_of_the_map_the_largest_swing_of_an_integrated_ramp_is_the_same() {
 }
 
 #[test]
-fn the_displaced_circle_shrinks_towards_o_as_its_mode_decays() {
-    let centre = curve("displaced", "centre").values();
-    let steady = machine(0.3, 20.0).steady().expect("damped").radius();
-    let distance = |&(x, y): &(f64, f64)| x.hypot(y) / steady;
-    let (first, last) = (distance(&centre[0]), distance(&centre[centre.len() - 1]));
-    // e^(−Γt/2) over two turns of the drum at Ω = 20 ω₀ with Γ = 0.3 ω₀: t = 4π/Ω.
-    let decay = (-0.15 * 2.0 * std::f64::consts::TAU / 20.0).exp();
-    assert!((first - 0.4).abs() < 2e-3 && (last / first - decay).abs() < 2e-3, "{first} {last}");
-}
-
-#[test]
 fn eigenvalues_end_where_the_polynomials_vanish() {
     let (mut growing, mut through_zero) = (0, 0);
     for index in 0..4 {
@@ -257,28 +246,4 @@ fn what_the_descriptions_say_in_numbers_is_so() {
     assert!(first.log10() > -2.3 && last.log10() < -9.0);
     let cartesian = curve("polar-fault", "cartesian").values();
     assert!(cartesian.iter().all(|point| (point.1 / 3e-11).log10().abs() < 0.15));
-}
-
-#[test]
-fn the_measurements_say_what_the_figure_claims() {
-    // Rows of: problem, contestant, method, setting, error, evaluations, ...
-    let rows: Vec<Vec<&str>> = include_str!("../../../../book/speed-and-accuracy/measured.csv")
-        .lines()
-        .map(|line| line.split(',').collect::<Vec<_>>())
-        .filter(|row| row[0] == "washer" && row[1] == "mechanics")
-        .collect();
-    assert!(rows.len() > 15);
-    let value = |row: &[&str], column: usize| row[column].parse::<f64>().expect("a number");
-    let find =
-        |setting: &str| rows.iter().find(|row| row[3] == setting).unwrap_or_else(|| panic!("{setting}"));
-    let (closed, others): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row[2] == "closed form");
-    let [closed] = closed[..] else { panic!("one line for the closed form") };
-    assert!(others.iter().all(|row| value(row, 4) > value(closed, 4)), "the closed form is the most exact");
-    // Timings vary from machine to machine, and nothing asserts on them; evaluations do not.
-    let dop853 = value(find("tolerance 1e-10"), 5) / value(find("tolerance 1e-6"), 5);
-    assert!((2.7..3.3).contains(&dop853), "{dop853} times the evaluations for four digits");
-    let (coarse, fine) = (find("50 steps a sample"), find("400 steps a sample"));
-    let digits = (value(coarse, 4) / value(fine, 4)).log10();
-    let rk4 = (value(fine, 5) / value(coarse, 5)).powf(4.0 / digits);
-    assert!((9.0..11.0).contains(&rk4), "{rk4} times the evaluations for four digits");
 }

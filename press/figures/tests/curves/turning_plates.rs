@@ -28,19 +28,6 @@ fn step(line: &[Point]) -> (f64, f64) {
     (last.x - first.x, first.y - last.y)
 }
 
-#[test]
-fn the_lean_of_the_momentum_follows_its_tangent() {
-    for thickness in [0.0, 0.5, 1.0, 2.0] {
-        let lean = |degrees: f64| {
-            let u = degrees.to_radians().tan();
-            // I₃/I₁ of a disc of that thickness, and tan β = (I₃ − I₁)u/(I₃ + I₁u²).
-            let across = 0.25 + thickness * thickness / 12.0;
-            ((0.5 - across) * u / (0.5 + across * u * u)).atan().to_degrees()
-        };
-        lies_on("beta", &format!("thickness-{thickness}"), lean);
-    }
-}
-
 /// What the bearings give the chapter's plate alone, N m, eq:bearing-torque.
 fn alone() -> f64 {
     let (mass, radius, spin, tilt) = (2.0, 0.1, 100.0, 25_f64.to_radians());
@@ -64,7 +51,7 @@ fn the_heights_are_four_sines() {
 }
 
 #[test]
-fn bearings_hold_against_the_centrifugal_forces() {
+fn the_pulls_of_the_plate_are_held_by_the_bearings_and_opposed_by_the_pistons() {
     // The torque of the centrifugal forces on specks of the plate, in its own frame: x′, y′, z.
     let (spin, mass, radius, tilt) = (100.0, 2.0, 0.1, 25_f64.to_radians());
     let (rings, around) = (100, 500);
@@ -79,46 +66,147 @@ fn bearings_hold_against_the_centrifugal_forces() {
     // Clockwise as it is seen, along y′, away from the reader; and the bearings 40 cm apart.
     assert!((couple - Vector3::y() * alone()).norm() < 1e-3 * alone(), "{couple}");
     assert!((alone() / 0.4 - 48.0).abs() < 0.2);
-    let [part] = parts("bearings")[..] else { panic!("one drawing") };
-    let forces = lines(part, Stroke::Vector, Hue::Purple);
+    let [plate, pistons] = parts("opposition")[..] else { panic!("two drawings") };
+    let forces = lines(plate, Stroke::Vector, Hue::Purple);
     let [upper, lower] = forces[..] else { panic!("two forces") };
-    assert!(upper[0].y < lower[0].y && step(upper).0 < -50.0 && step(lower).0 > 50.0, "against it");
-    let centrifugal = lines(part, Stroke::Outline, Hue::Purple);
-    assert_eq!(centrifugal.len(), 4);
-    let outwards =
-        centrifugal.iter().filter(|arrow| (step(arrow).0 > 0.0) == (arrow[0].x > upper[0].x - 120.0));
-    assert_eq!(outwards.count(), 4, "every speck is pulled away from the shaft");
+    assert!(upper[0].y < lower[0].y && step(upper).0 < -40.0 && step(lower).0 > 40.0, "against it");
+    let pulls = lines(plate, Stroke::Outline, Hue::Purple);
+    let middle = 0.5 * (upper[0].x + lower[0].x);
+    assert_eq!(pulls.len(), 4);
+    for pull in pulls {
+        // Away from the shaft, in proportion to the distance from it but for the head.
+        let (along, rise) = step(pull);
+        let distance = pull[0].x - middle;
+        assert!(
+            rise == 0.0 && (along + 6.3 * along.signum() - 0.5 * distance).abs() < 1.0,
+            "{along}, {distance}"
+        );
+    }
+    let pushes = lines(pistons, Stroke::Vector, Hue::Purple);
+    let [high, low] = pushes[..] else { panic!("two pushes") };
+    assert!(high[0].x > low[0].x && step(high).1 > 30.0 && step(low).1 < -30.0, "up at the high end");
 }
 
 #[test]
-fn plate_and_pistons_are_opposite_at_every_phase() {
-    let parts = parts("antiphase");
-    assert_eq!(parts.len(), 4);
-    for (part, eighths) in parts.into_iter().zip([0.0, 1.0, 2.0, 3.0]) {
-        let plate = step(lines(part, Stroke::Vector, Hue::Green)[0]);
-        let pistons = step(lines(part, Stroke::Outline, Hue::Green)[0]);
-        let phase = TAU * eighths / 8.0;
-        // The pistons' momentum lies along x′, the plate's against it.
-        let along = |(x, y): (f64, f64)| (y.atan2(x) - phase).cos();
-        assert!(along(pistons) > 0.9999 && along(plate) < -0.9999, "{eighths} eighths of a turn");
+fn two_pistons_share_unevenly_and_three_evenly() {
+    let square = |degrees: f64, n: f64, count: f64| (n * TAU / count - degrees.to_radians()).sin().powi(2);
+    // Piston n of N is at its highest when ωt has come to its azimuth, and at its lowest half a turn later.
+    lies_on("sharing", "two-1", |degrees| square(degrees, 1.0, 2.0));
+    lies_on("sharing", "two", |degrees| 1.0 - (2.0 * degrees.to_radians()).cos());
+    for n in [1.0, 2.0, 3.0] {
+        lies_on("sharing", &format!("three-{n}"), |degrees| square(degrees, n, 3.0));
+    }
+    lies_on("sharing", "three", |_| 1.5);
+}
+
+#[test]
+fn the_momentum_of_the_plate_leans_by_beta_and_the_pistons_take_it_back_to_the_shaft() {
+    let [part] = parts("lean")[..] else { panic!("one drawing") };
+    let arrows = lines(part, Stroke::Vector, Hue::Green);
+    let [plate, pistons] = arrows[..] else { panic!("two arrows") };
+    let tangent = 35_f64.to_radians().tan();
+    let (across, along) = step(plate);
+    assert!((-across / along - tangent / (2.0 + tangent * tangent)).abs() < 1e-6, "(39)");
+    let (back, rise) = step(pistons);
+    let shaft = lines(part, Stroke::Vector, Hue::Orange)[0];
+    // Up to the heads, of which the lines show but the beginnings.
+    assert!(back > 20.0 && rise.abs() < 1e-9 && (pistons[0].x + back + 7.8 - shaft[0].x).abs() < 0.1);
+}
+
+/// The dots of a hue, in the order in which they were painted.
+fn dots(part: &Drawing, hue: Hue) -> Vec<Point> {
+    let items = part.items().iter().filter(|item| item.role == Role::Area(drawing::Fill::Solid, hue));
+    let centres = items.filter_map(|item| match item.shape {
+        Shape::Circle { centre, .. } => Some(centre),
+        _ => None,
+    });
+    centres.collect()
+}
+
+#[test]
+fn a_speck_is_at_the_top_of_its_circle_when_its_side_of_the_plate_is_high() {
+    let [start, later] = parts("specks")[..] else { panic!("two moments") };
+    for (part, hue, side) in [(start, Hue::Pink, 1.0), (later, Hue::Ink, -1.0)] {
+        let [speck] = dots(part, hue)[..] else { panic!("one speck") };
+        // Of the two sides of its tilted circle, the speck is on the one that is higher on the page.
+        let path = lines(part, Stroke::Outline, hue).into_iter().filter(|line| line.len() > 4).flatten();
+        let end =
+            |sign: f64| path.clone().copied().max_by(|p, q| (sign * p.x).total_cmp(&(sign * q.x))).unwrap();
+        assert!((speck.x - end(side).x).abs() < 2.0, "{hue:?}: {speck:?}, {:?}", end(side));
+        assert!(speck.y < end(-side).y - 20.0, "{hue:?}: y grows downwards");
     }
 }
 
 #[test]
-fn everything_goes_round_counter_clockwise() {
-    let mut checked = 0;
-    for part in parts("views") {
-        for hue in [Hue::Ink, Hue::Orange, Hue::Green] {
-            // In front, low on the page, what turns counter-clockwise as seen from above runs to the right.
-            let ways: Vec<_> =
-                lines(part, Stroke::Outline, hue).into_iter().filter(|way| way.len() > 4).collect();
-            let pairs = ways.iter().flat_map(|way| way.windows(2)).filter(|pair| pair[0].x != pair[1].x);
-            let Some(front) = pairs.max_by(|a, b| a[0].y.total_cmp(&b[0].y)) else { continue };
-            assert!(front[1].x > front[0].x, "{hue:?}");
-            checked += 1;
+fn shares_are_perpendicular_to_their_arms_and_the_pulls_are_a_couple() {
+    let [shares, pulls] = parts("shares")[..] else { panic!("shares and pulls") };
+    // L, the sum, is between the angular velocity and the axis.
+    let lean = |hue| step(lines(shares, Stroke::Vector, hue)[0]).0;
+    assert!(lean(Hue::Ink) < lean(Hue::Green) && lean(Hue::Green) < lean(Hue::Orange) - 5.0);
+    assert_eq!(lines(shares, Stroke::Outline, Hue::Green).len(), 4);
+    // From the side: level, towards each other, on two lines.
+    let [first, second] = lines(pulls, Stroke::Vector, Hue::Purple)[..] else { panic!("two pulls") };
+    for (pull, other) in [(first, second), (second, first)] {
+        let (across, up) = step(pull);
+        assert!(up.abs() < 0.5 && across * (other[0].x - pull[0].x) > 0.0);
+    }
+    assert!((first[0].y - second[0].y).abs() > 50.0);
+}
+
+#[test]
+fn the_hoop_rolls_once_round_while_it_touches_the_waist_twice_on_each_side() {
+    let mut before: Option<[f64; 2]> = None;
+    for (quarters, part) in parts("waist").into_iter().enumerate() {
+        let circle = |hue| {
+            let found = part.items().iter().find_map(|item| match item.shape {
+                Shape::Circle { centre, radius } if item.role == Role::Line(Stroke::Curve, hue) => {
+                    Some((centre, radius))
+                }
+                _ => None,
+            });
+            found.expect("a circle")
+        };
+        let ((middle, waist), (axis, hoop)) = (circle(Hue::Green), circle(Hue::Blue));
+        let [contact] = dots(part, Hue::Orange)[..] else { panic!("one contact") };
+        let [mark] = dots(part, Hue::Pink)[..] else { panic!("one mark") };
+        assert!((hoop / waist - 2.0).abs() < 1e-3);
+        assert!(
+            ((contact - middle).length() - waist).abs() < 0.1
+                && ((contact - axis).length() - hoop).abs() < 0.1
+        );
+        assert!(((mark - axis).length() - hoop).abs() < 0.1);
+        // Rolling: the arc from mark to contact grows on the hoop by as much as the contact's way round the waist.
+        let angle = |of: Point, about: Point| (about.y - of.y).atan2(of.x - about.x);
+        let now = [angle(contact, middle), angle(contact, axis) - angle(mark, axis)];
+        if let Some(then) = before {
+            let way = |k: usize| (now[k] - then[k]).rem_euclid(TAU);
+            assert!((waist * way(0) - hoop * way(1)).abs() < 0.3, "{quarters}: {now:?} after {then:?}");
         }
+        before = Some(now);
     }
-    assert_eq!(checked, 4, "ways");
+    assert!(before.is_some());
+}
+
+#[test]
+fn two_mirrors_turn_a_flag_by_twice_their_angle() {
+    let [part] = parts("mirrors")[..] else { panic!("one drawing") };
+    let [first, second] = lines(part, Stroke::Curve, Hue::Muted)[..] else { panic!("two mirrors") };
+    let direction = |line: &[Point]| step(line).1.atan2(step(line).0);
+    let between = direction(second) - direction(first);
+    let flags: Vec<_> = lines(part, Stroke::Curve, Hue::Blue);
+    let [flag, turned] = flags[..] else { panic!("a flag before and after") };
+    let [image] = lines(part, Stroke::Outline, Hue::Blue)[..] else { panic!("its image") };
+    let origin = first[0];
+    let polar = |point: &Point| {
+        let arm = *point - origin;
+        (arm.length(), (-arm.y).atan2(arm.x))
+    };
+    for ((before, mirrored), after) in flag.iter().zip(image).zip(turned) {
+        let [(r, phi), (r1, phi1), (r2, phi2)] = [before, mirrored, after].map(polar);
+        assert!((r1 - r).abs() < 0.01 && (r2 - r).abs() < 0.01);
+        assert!((phi1 - (2.0 * direction(first) - phi)).abs() < 1e-3);
+        assert!((phi2 - phi - 2.0 * between).abs() < 1e-3);
+    }
 }
 
 #[test]
@@ -129,13 +217,7 @@ fn the_plate_wobbles_twice_while_its_mark_goes_round_once() {
     for part in &parts {
         let axis = lines(part, Stroke::Vector, Hue::Ink)[0];
         leans.push(step(axis).0 > 0.0);
-        let mark = part.items().iter().find_map(|item| match item.shape {
-            Shape::Circle { centre, .. } if item.role == Role::Area(drawing::Fill::Solid, Hue::Pink) => {
-                Some(centre)
-            }
-            _ => None,
-        });
-        let mark = mark.expect("a mark");
+        let [mark] = dots(part, Hue::Pink)[..] else { panic!("a mark") };
         marks.push((mark.x - axis[0].x, axis[0].y - mark.y));
     }
     assert_eq!(leans, [false, true, false, true, false]);

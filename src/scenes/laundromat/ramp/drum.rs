@@ -30,18 +30,18 @@ impl Drum {
         TwoPart::product(self.acceleration, time) + TwoPart::from(self.spin)
     }
 
-    /// κ of `eq:ramp-arguments`.
-    pub(crate) fn kappa(&self) -> Complex<f64> {
+    /// G of `eq:ramp-faddeeva`.
+    pub(crate) fn scale(&self) -> Complex<f64> {
         Complex::new(0.5, 0.5) * (PI / self.acceleration).sqrt()
     }
 
-    /// dx/dλ = (1 − i)/2√α of `eq:ramp-arguments`.
+    /// dξ/dλ = (1 − i)/2√α of `eq:ramp-arguments`.
     pub(super) fn slope(&self) -> Complex<f64> {
         Complex::new(0.5, -0.5) / self.acceleration.sqrt()
     }
 }
 
-/// The ways to form (λ₁ⁿP₁ − λ₂ⁿP₂)/(λ₁ − λ₂) of `eq:ramp-motion`.
+/// The ways to form (λ₁ⁿS₁ − λ₂ⁿS₂)/(λ₁ − λ₂) of `eq:ramp-motion`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Forced {
     /// As it stands.
@@ -67,7 +67,7 @@ impl Forced {
             }
             Roots::Real { slow, fast, gap } => ((slow, zero), (fast, zero), Complex::new(0.5 * gap, 0.0)),
         };
-        // P varies over this width of λ, so that λ²P and its change from root to root are as λ² to λ₁ − λ₂ times the
+        // S varies over this width of λ, so that λ²S and its change from root to root are as λ² to λ₁ − λ₂ times the
         // width.
         let width = drum.acceleration.sqrt().max(decay).max(half_difference.norm());
         let largest = decay + half_difference.norm();
@@ -89,7 +89,7 @@ impl Forced {
             Self::Together(together) => together.quotients(drum, load, time),
             Self::Early(early) => early.quotients(drum, load, time),
         };
-        // The rate of P is λP + e^{iφ}, and λ₁ + λ₂ = −Γ.
+        // The rate of S is λS + e^{iφ}, and λ₁ + λ₂ = −Γ.
         let rate = Complex::new(-drum.damping, drum.rate(time).rounded());
         Shaft { position: -drum.offset * (load + squares), velocity: -drum.offset * (rate * load + cubes) }
     }

@@ -49,7 +49,7 @@ impl Early {
         })
     }
 
-    /// (λ₁ⁿP₁ − λ₂ⁿP₂)/(λ₁ − λ₂) for n = 2 and 3, P of the resonant root counted from the start.
+    /// (λ₁ⁿS₁ − λ₂ⁿS₂)/(λ₁ − λ₂) for n = 2 and 3, S of the resonant root counted from the start.
     pub(super) fn quotients(&self, drum: &Drum, load: Complex<f64>, time: f64) -> [Complex<f64>; 2] {
         let resonant = self.integral(drum, time);
         let [square, cube] = self.other.weighted(drum, load, time);

@@ -36,18 +36,18 @@ impl Root {
         Complex::new(-self.decay, self.turning.rounded())
     }
 
-    /// P and λP with the root's weight.
+    /// S and λS with the root's weight.
     pub(super) fn weighted(&self, drum: &Drum, load: Complex<f64>, time: f64) -> [Complex<f64>; 2] {
         let part = self.weight * self.integral(drum, load, time);
         [part, part * self.lambda()]
     }
 
-    /// P of `eq:ramp-integral`; of a passing before the start, less what that leaves behind, which the free motion
+    /// S of `eq:ramp-integral`; of a passing before the start, less what that leaves behind, which the free motion
     /// then has.
     fn integral(&self, drum: &Drum, load: Complex<f64>, time: f64) -> Complex<f64> {
         let x = self.argument(drum, time);
         let around = if x.im >= 0.0 { load * faddeeva(x) } else { -load * faddeeva(-x) };
-        drum.kappa()
+        drum.scale()
             * match (x.im < 0.0, self.passed) {
                 (true, false) => around + self.left_behind(drum, time) * 2.0,
                 (false, true) => around - self.left_behind(drum, time) * 2.0,
@@ -60,12 +60,12 @@ impl Root {
         Complex::new(-self.decay, (self.turning - drum.rate(time)).rounded())
     }
 
-    /// x of `eq:ramp-arguments`.
+    /// ξ of `eq:ramp-arguments`.
     fn argument(&self, drum: &Drum, time: f64) -> Complex<f64> {
         drum.slope() * self.off_resonance(drum, time)
     }
 
-    /// e^{λT + i(λ² − Ω²)/2α}. Since αT = φ̇, the real part of the exponent is Re λ (φ̇ − Im λ)/α; the imaginary
+    /// e^{λφ̇/α + i(λ² − Ω²)/2α}. The real part of the exponent is Re λ (φ̇ − Im λ)/α; the imaginary
     /// part, of any size, is Im λ t + ½((Re λ)² − (Im λ − Ω)²)/α, from 32 digits.
     fn left_behind(&self, drum: &Drum, time: f64) -> Complex<f64> {
         let off = self.off_resonance(drum, time);

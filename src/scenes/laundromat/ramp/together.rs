@@ -33,8 +33,8 @@ impl Together {
         Self { mean, half_difference, phase: square / (TwoPart::from(drum.acceleration) * 2.0) }
     }
 
-    /// (λ₁ⁿP₁ − λ₂ⁿP₂)/(λ₁ − λ₂) for n = 2 and 3: each term of `eq:ramp-integral` by itself, as is tame for it. All λ
-    /// of a circle take the case of the mean, so that P is one analytic function.
+    /// (λ₁ⁿS₁ − λ₂ⁿS₂)/(λ₁ − λ₂) for n = 2 and 3: each term of `eq:ramp-integral` by itself, as is tame for it. All λ
+    /// of a circle take the case of the mean, so that S is one analytic function.
     pub(super) fn quotients(&self, drum: &Drum, load: Complex<f64>, time: f64) -> [Complex<f64>; 2] {
         let (slope, rate) = (drum.slope(), drum.rate(time).rounded());
         let x = slope * Complex::new(self.mean, -rate); // eq:ramp-arguments for the mean
@@ -57,7 +57,7 @@ impl Together {
             let left = self.divided(tame, |aside| turned * exponent(aside).exp() * 2.0);
             quotients = [quotients[0] + left[0], quotients[1] + left[1]];
         }
-        quotients.map(|quotient| drum.kappa() * quotient)
+        quotients.map(|quotient| drum.scale() * quotient)
     }
 
     /// The divided differences of λ²f and λ³f between the two roots: as the mean over a circle about them
