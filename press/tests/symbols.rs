@@ -290,7 +290,7 @@ fn every_row_is_used_and_first_where_it_says() {
                     None => faults.push(format!("no chapter uses {symbol} as the book does")),
                     Some(first) if says.contains(&format!("({}/index.md)", chapters[first])) => {}
                     Some(first) => {
-                        faults.push(format!("{symbol} is first in {}, not in {says}", chapters[first]))
+                        faults.push(format!("{symbol} is first in {}, not in {says}", chapters[first]));
                     }
                 }
             }
