@@ -330,9 +330,9 @@ pub(crate) fn tongue(id: &str) -> Outcome {
 type Compared = (&'static str, &'static str, (f64, f64), MomentFactors, Hue);
 const COMPARED: [Compared; 4] = [
     ("disc", "disc", (0.57, 12.5), MomentFactors::DISK, Hue::Blue),
-    ("hoop", "hoop", (0.2, 19.6), MomentFactors::HOOP, Hue::Ink),
-    ("weights", "weights", (2.3, 27.0), MomentFactors { transverse: 2.0, axial: 0.5 }, Hue::Purple),
-    ("beads", "beads", (40.0, 36.5), MomentFactors { transverse: 0.1, axial: 0.002 }, Hue::Green),
+    ("hoop", "hoop", (0.11, 20.3), MomentFactors::HOOP, Hue::Ink),
+    ("weights", "weights", (2.3, 28.6), MomentFactors { transverse: 2.0, axial: 0.5 }, Hue::Purple),
+    ("beads", "beads", (90.0, 38.0), MomentFactors { transverse: 0.1, axial: 0.002 }, Hue::Green),
 ];
 
 /// The tongues of four wheels, over seven decades of the circle's radius.
@@ -341,7 +341,7 @@ pub(crate) fn tongue_tips(id: &str) -> Outcome {
         "The tongues of four wheels",
         "The lean, from 0 to 50 degrees, against the radius of the centre’s circle over a, from 0.01 to 10000 on a logarithmic scale. Four curves rise to a rounded tip and come down again; \
          below each its wheel is unstable. The tips of hoop and disc are near 19 degrees at half a radius, that of a disc with weights on its axle is at 25.8 degrees, that of two beads on \
-         an axle at 40.5 degrees and a radius of 13. Dashed lines at 17.6 and 45 degrees bound all tips.",
+         an axle at 40.5 degrees and six radii. Dashed lines at 17.6 and 45 degrees bound all tips.",
     );
     let b = Axis::log(0.01, 1e4, 1)?.titled("radius of the centre’s circle $b/a$");
     let lean = Axis::linear(0.0, 50.0, 10.0)?.minor(5.0).titled(r"lean $\theta$, degrees");
@@ -365,8 +365,8 @@ pub(crate) fn tongue_tips(id: &str) -> Outcome {
     for bound in [least, 45.0] {
         plot.level(bound, Stroke::Reference);
     }
-    plot.label((0.013, 45.0), Side::AboveRight, "no tip above $45°$", Hue::Muted)?;
-    plot.label((80.0, least), Side::BelowRight, "none below $17.6°$", Hue::Muted)?;
+    plot.label((2500.0, 45.0), Side::AboveRight, "$45°$", Hue::Muted)?;
+    plot.label((1500.0, least), Side::AboveRight, "$17.6°$", Hue::Muted)?;
     plot.label((1.0, 5.0), Side::Over, "unstable", Hue::Ink)?;
     Ok(drawing)
 }

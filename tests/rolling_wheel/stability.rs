@@ -232,7 +232,7 @@ fn a_wheel_that_falls_from_upright_leaves_the_table_if_its_moment_is_below_a_thi
 #[test]
 fn the_contact_of_a_disc_that_is_dropped_almost_flat_runs_round_as_the_whole_body_has_it() {
     let unit = (RADIUS / GRAVITY).sqrt();
-    for (k, q, near) in [(0.5, 0.05, 0.08), (1.0, 0.05, 0.08), (0.5, 0.005, 0.01), (1.0, 0.005, 0.01)] {
+    for (k, q, near) in [(0.5, 0.05, 0.08), (1.0, 0.05, 0.08), (0.5, 0.005, 0.02), (1.0, 0.005, 0.02)] {
         let tilt = 0.1;
         let start = Rolling { tilt, omega_2: q / unit, ..Rolling::UPRIGHT };
         let wobble = wheel(k).wobble(start, &Taylor::new(1e-15).unwrap()).unwrap();
