@@ -331,7 +331,7 @@ type Compared = (&'static str, &'static str, (f64, f64), MomentFactors, Hue);
 const COMPARED: [Compared; 4] = [
     ("disc", "disc", (0.57, 12.5), MomentFactors::DISK, Hue::Blue),
     ("hoop", "hoop", (0.11, 20.3), MomentFactors::HOOP, Hue::Ink),
-    ("weights", "weights", (2.3, 28.6), MomentFactors { transverse: 2.0, axial: 0.5 }, Hue::Purple),
+    ("weights", "weights", (16.0, 25.4), MomentFactors { transverse: 2.0, axial: 0.5 }, Hue::Purple),
     ("beads", "beads", (90.0, 38.0), MomentFactors { transverse: 0.1, axial: 0.002 }, Hue::Green),
 ];
 
