@@ -5,8 +5,10 @@ mod printed;
 
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
+use mechanics::euler::{self, Turning};
+use mechanics::integrate::Dop853;
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector3};
 use printed::corrected_holds_and_printed_fails;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::AddAssign;
@@ -354,6 +356,56 @@ fn the_hoop_at_a_right_angle_is_unstable_and_the_sphere_turns_steadily() {
             nalgebra::Rotation3::from_scaled_axis(axis * (2.0 / 7.0 * BODY.2 * t)) * sphere.centre();
         assert_relative_eq!(centre, expected, epsilon = 1e-13);
     }
+}
+
+/// Euler's equations and the attitude, stepped from the outcome of the snap as `snapped` finds it.
+fn stepped(degrees: f64, times: &[f64]) -> Vec<Turning> {
+    let unit = BODY.0 * BODY.1 * BODY.1;
+    let moments = mechanics::inertia::PrincipalMoments::new(1.5 * unit, 0.5 * unit, 2.0 * unit).unwrap();
+    let (_, omega_body, _) = snapped(Shape::Hoop, degrees);
+    let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
+    let rates = euler::turning_rates(moments, |_, _| Vector3::zeros());
+    let (states, _) = Dop853::new(1e-13).unwrap().sample(rates, 0.0, start.to_array(), times).unwrap();
+    states.into_iter().map(Turning::from_array).collect()
+}
+
+#[test]
+fn the_tangent_swings_from_its_angle_to_the_momentum_to_the_supplement_and_the_hoop_keeps_its_sense() {
+    for degrees in [20.0, 60.0, 85.0, 89.0_f64] {
+        let momentum = spin_before(degrees); // L_A lies along it, and stands still
+        let half = 0.5 * pinning(Shape::Hoop, degrees).free_motion().unwrap().period().unwrap();
+        let times: Vec<f64> = (0..=400).map(|n| half * f64::from(n) / 400.0).collect();
+        let states = stepped(degrees, &times);
+        let angle =
+            |now: &Turning| angle_between(&(now.world_from_body * Vector3::x()), &momentum).to_degrees();
+        assert_relative_eq!(angle(&states[0]), 90.0 - degrees, epsilon = 1e-9);
+        assert_relative_eq!(angle(&states[400]), 90.0 + degrees, epsilon = 1e-6);
+        assert!(states.windows(2).all(|pair| angle(&pair[1]) > angle(&pair[0])), "{degrees}");
+        // It goes round the momentum in the same sense all the time, and ω·L is constant.
+        let sense = |now: &Turning| now.omega_world().dot(&momentum);
+        assert!(sense(&states[0]) > 0.0);
+        for now in &states {
+            assert_relative_eq!(sense(now), sense(&states[0]), max_relative = 1e-9);
+        }
+    }
+}
+
+#[test]
+fn the_first_tumble_comes_after_a_quarter_period_that_grows_as_a_logarithm() {
+    // Where it is, by stepping: ω₁ vanishes there for the first time.
+    for degrees in [30.0, 60.0, 89.0] {
+        let wait = 0.25 * pinning(Shape::Hoop, degrees).free_motion().unwrap().period().unwrap();
+        let states = stepped(degrees, &[0.99 * wait, wait]);
+        assert!(states[0].omega_body.x > 0.0 && states[1].omega_body.x.abs() < 1e-9, "{degrees}");
+    }
+    // A billionth from a right angle: the pin's place is given, and with it cos θ.
+    let (mass, radius, spin) = BODY;
+    let gap = 1e-9_f64;
+    let pin = Pin::Point { from_axis: radius * gap.cos(), height: radius * gap.sin() };
+    let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass, radius, spin, pin }).unwrap();
+    let wait = 0.25 * hoop.free_motion().unwrap().period().unwrap();
+    let expected = 3.0 * 2_f64.sqrt() / spin * (4.0 / (3.0 * gap)).ln();
+    assert_relative_eq!(wait, expected, max_relative = 1e-14);
 }
 
 #[test]

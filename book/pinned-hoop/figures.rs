@@ -1,25 +1,21 @@
 //! The figures of the chapter "The pinned hoop".
 
-use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
+use crate::{Axis, Cause, Outcome, Plot, in_both, linear_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
+use drawing::{Drawing, Hue, Point, Rect, Role, Room, Side, Stroke, at};
 use mechanics::InvalidQuantity;
-use mechanics::elliptic::quarter_period;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
+use mechanics::inertia::PrincipalMoments;
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-/// A body of mass, radius and spin one.
-fn pinned(shape: Shape, pin: Pin) -> Result<Pinning, InvalidQuantity> {
-    Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })
-}
-
-/// The same, pinned at an angle in degrees.
+/// A body of mass, radius and spin one, pinned at an angle in degrees.
 fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidQuantity> {
-    pinned(shape, Pin::Angle(degrees.to_radians()))
+    let pin = Pin::Angle(degrees.to_radians());
+    Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })
 }
 
 /// Where the drawn hoop lies on its panel: the centre, and the radius, px.
@@ -88,7 +84,7 @@ fn after_the_snap(id: &str) -> Outcome {
         "The hoop after the snap",
         "The same hoop, pinned at A. The angular momentum about A is the same arrow. From A the axis 2 points to the centre and the axis 1 along the tangent, up and to the left; axis 3, \
          the impulse of the pin and the velocity of the centre come out of the page. The new angular velocity omega leans from the vertical away from the hoop by phi, and makes the angle \
-         alpha with axis 1; its line, through A, cuts the hoop. The point B is a quarter of the circle from A, at the lower right.",
+         chi zero with axis 1; its line, through A, cuts the hoop. The point B is a quarter of the circle from A, at the lower right.",
     );
     let hoop = pinning(Shape::Hoop, CAUGHT)?;
     let theta = hoop.angle();
@@ -109,15 +105,15 @@ fn after_the_snap(id: &str) -> Outcome {
     drawing.label(pin + second * 52.0, Side::BelowRight, r"$\hat{\mathbf{2}}$", Hue::Ink)?;
     kit::arrow(&mut drawing, pin, pin + direction * 98.0, Hue::Orange);
     drawing.label(pin + direction * 98.0, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-    // Angles at A: φ from the upright to ω, α from ω to axis 1.
-    let (alpha, phi) = (hoop.axis_angle(), hoop.axis_shift());
+    // Angles at A: φ from the upright to ω, χ₀ from ω to axis 1.
+    let (chi, phi) = (hoop.axis_angle(), hoop.axis_shift());
     kit::angle(&mut drawing, pin, 72.0, FRAC_PI_2, -phi, Heads::None, Hue::Ink);
     drawing.label(pin + Point::polar(72.0, FRAC_PI_2 - 0.55 * phi), Side::Above, r"$\varphi$", Hue::Ink)?;
-    kit::angle(&mut drawing, pin, 36.0, direction.angle(), alpha, Heads::None, Hue::Ink);
+    kit::angle(&mut drawing, pin, 36.0, direction.angle(), chi, Heads::None, Hue::Ink);
     drawing.label(
-        pin + Point::polar(52.0, direction.angle() + 0.77 * alpha),
+        pin + Point::polar(54.0, direction.angle() + 0.74 * chi),
         Side::Over,
-        r"$\alpha$",
+        r"$\chi_0$",
         Hue::Ink,
     )?;
     let b = on_rim(theta + FRAC_PI_2);
@@ -237,109 +233,136 @@ pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
     Ok(drawing)
 }
 
-/// ω in the body after the snap, on the ellipsoid of equal energy.
-pub(crate) fn polhodes(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 330.0).titled(
-        "Polhodes of the pinned hoop",
-        "An ellipsoid, longest along axis 2, seen from the side of the negative axis 2. Four closed curves on it, the paths of omega, circle that axis: a small one for 30 degrees, larger ones for \
-         60 and 80, and one for 89 degrees that reaches almost to axis 1 and to its opposite, next to a dashed curve, the separatrix, that passes through axis 1.",
-    );
-    let moments = pinning(Shape::Hoop, 45.0)?.moments_about_pin().to_array();
-    let semi = moments.map(|moment| 1.0 / moment.sqrt());
-    let mut stage = Stage::new(Camera::new(View {
-        target: [0.0; 3],
-        azimuth: -1.05,
-        elevation: 0.40,
-        distance: 9.0,
-        centre: at(195.0, 170.0),
-        scale: 118.0,
-    })?);
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    stage.solid(Solid::ellipsoid([0.0; 3], axes, semi)?, Hue::Blue)?;
-    for degrees in [30.0, 60.0, 80.0, 89.0] {
-        let hoop = pinning(Shape::Hoop, degrees)?;
-        let top = hoop.free_motion()?;
-        let period = top.period().ok_or("a polhode closes")?;
-        let size = (2.0 * hoop.moments_about_pin().kinetic_energy(&hoop.omega_after())).sqrt();
-        let path = linear_steps(0.0, period, 720)
-            .map(|time| Ok(top.at(time)?.omega_body / size))
-            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        // Named inside the loop, where it begins, nearest to axis 1; or else where there is room.
-        let (place, aside, side) = match degrees {
-            89.0 => (path[600], at(2.0, -6.0), Side::AboveRight),
-            _ => (path[0], at(2.0, 0.0), Side::Left),
-        };
-        stage.label_shifted(place, aside, side, &format!("${degrees}°$"), Hue::Orange)?;
-        stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Orange)?;
-    }
-    // The separatrix: L² = 2T I₁ on the ellipsoid, two plane curves through axis 1.
-    let [i1, i2, i3] = moments;
-    let slope = (i2 * (i1 - i2) / (i3 * (i3 - i1))).sqrt();
-    for sign in [1.0, -1.0] {
-        let across = 1.0 / (i2 + i3 * slope * slope).sqrt();
-        let path: Vec<[f64; 3]> = linear_steps(0.0, 2.0 * PI, 360)
-            .map(|angle| {
-                let (sin, cos) = angle.sin_cos();
-                [semi[0] * cos, across * sin, sign * slope * across * sin]
-            })
-            .collect();
-        stage.curve(Curve::smooth(path)?.hiding(Hiding::Omitted), Stroke::Border, Hue::Ink)?;
-    }
-    for (k, sign, name) in
-        [(0, 1.0, r"$\hat{\mathbf{1}}$"), (1, -1.0, r"$-\hat{\mathbf{2}}$"), (2, 1.0, r"$\hat{\mathbf{3}}$")]
-    {
-        let direction = Vector3::from(axes[k]) * sign;
-        stage.named_vector(direction * semi[k], direction * (semi[k] + 0.42), name, Hue::Ink)?;
-    }
-    stage.write(&mut drawing);
-    Ok(drawing)
+/// Where the angular momentum goes in the hoop: level lines of the energy on a sphere.
+pub(crate) fn momentum_in_hoop(id: &str) -> Outcome {
+    in_both(|room| {
+        let mut drawing = Drawing::new(id, 440.0, 360.0).titled(
+            "Where the angular momentum goes in the hoop",
+            "A sphere in the axes of the hoop, whose plane is its equator, seen from the side of the negative axis 2. Four closed curves on it circle that axis, the hill: they begin on the equator \
+             at 30, 60, 80 and 89 degrees from it, and the last reaches almost to axis 1, a pass, and to its opposite. Next to it a dashed curve, the separatrix, crosses itself at axis 1. Two pale \
+             curves circle axis 3, a valley.",
+        );
+        let moments = pinning(Shape::Hoop, 45.0)?.moments_about_pin();
+        let mut stage = Stage::new(Camera::new(View {
+            target: [0.0; 3],
+            azimuth: -0.92,
+            elevation: 0.3,
+            distance: 9.0,
+            centre: at(210.0, 190.0),
+            scale: room.of(128.0, 108.0),
+        })?);
+        stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
+        let equator = Curve::circle([0.0; 3], [0.0, 0.0, 1.0], 1.0)?.hiding(Hiding::Omitted);
+        stage.curve(equator, Stroke::Outline, Hue::Blue)?;
+        for from_axis_3 in [25.0_f64, 52.0] {
+            let (sin, cos) = from_axis_3.to_radians().sin_cos();
+            let path = level_line(moments, Vector3::new(sin, 0.0, cos))?;
+            stage.curve(Curve::smooth(path)?.hiding(Hiding::Omitted), Stroke::Outline, Hue::Muted)?;
+        }
+        // The separatrix, L² = 2T I₁: two great circles through axis 1.
+        let [i1, i2, i3] = moments.to_array();
+        let slope = (i3 * (i1 - i2) / (i2 * (i3 - i1))).sqrt();
+        for sign in [1.0, -1.0] {
+            let across = Vector3::new(0.0, 1.0, sign * slope).normalize();
+            let path = linear_steps(0.0, 2.0 * PI, 360)
+                .map(|angle| Vector3::x() * angle.cos() + across * angle.sin());
+            stage.curve(Curve::smooth(path)?.hiding(Hiding::Omitted), Stroke::Border, Hue::Ink)?;
+        }
+        for degrees in [30.0, 60.0, 80.0, 89.0] {
+            let start = pinning(Shape::Hoop, degrees)?.angular_momentum().normalize();
+            let path = level_line(moments, start)?;
+            // Named where it begins, or where there is room.
+            let (place, aside, side) = match degrees {
+                89.0 => (start, at(24.0, -12.0), Side::Right),
+                30.0 => (start, at(3.0, 3.0), Side::BelowRight),
+                _ => (start, at(-3.0, -4.0), Side::AboveLeft),
+            };
+            stage.label_shifted(place, aside, side, &format!("${degrees}°$"), Hue::Green)?;
+            stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Green)?;
+            stage.dot(start, 3.5, Hue::Green)?;
+        }
+        for (direction, name) in
+            [(Vector3::x(), r"$\hat{\mathbf{1}}$, pass"), (Vector3::z(), r"$\hat{\mathbf{3}}$, valley")]
+        {
+            stage.named_vector(direction, direction * 1.35, name, Hue::Ink)?;
+        }
+        stage.dot(-Vector3::y(), 3.0, Hue::Ink)?;
+        stage.label_shifted(
+            -Vector3::y(),
+            at(-8.0, -4.0),
+            Side::AboveRight,
+            r"$-\hat{\mathbf{2}}$, hill",
+            Hue::Ink,
+        )?;
+        stage.write(&mut drawing);
+        Ok(drawing)
+    })
+}
+
+/// The direction of L in a free body over a period, from a direction at the start.
+fn level_line(moments: PrincipalMoments, start: Vector3<f64>) -> Result<Vec<Vector3<f64>>, Cause> {
+    let omega_body = start.component_div(&Vector3::from(moments.to_array()));
+    let top = FreeTop::new(moments, Turning { world_from_body: UnitQuaternion::identity(), omega_body })?;
+    let period = top.period().ok_or("a level line closes")?;
+    linear_steps(0.0, period, 720)
+        .map(|time| Ok(moments.angular_momentum(&top.at(time)?.omega_body)))
+        .collect()
 }
 
 /// When the stills of the tumble are taken, in 1/ω₀, of a hoop that is pinned at 89.9 degrees.
-const STILLS: [f64; 6] = [18.0, 22.0, 26.0, 30.0, 34.0, 38.0];
+const STILLS: [f64; 8] = [0.0, 7.0, 16.0, 22.0, 25.0, 28.0, 32.0, 46.0];
 const NEARLY: f64 = 89.9;
 
-/// Six stills of the hoop in the room while it tumbles.
+/// Eight stills of the hoop in the room, from the snap through a tumble.
 pub(crate) fn tumble(id: &str) -> Outcome {
-    Ok(stills(id, 6)?.with_narrow(stills("", 3)?))
+    in_both(|room| stills(id, room))
 }
 
-/// The stills in rows of so many.
-fn stills(id: &str, in_a_row: usize) -> Outcome {
-    let (wide, high) = (95.0, 170.0);
+/// The stills, in rows.
+fn stills(id: &str, room: Room) -> Outcome {
+    let in_a_row = room.of(4, 2);
+    let (wide, high) = (154.0, 212.0);
     let rows = STILLS.len().div_ceil(in_a_row);
-    let mut drawing = Drawing::new(id, wide * in_a_row as f64 + 20.0, high * rows as f64 + 10.0).titled(
-        "Six stills of a tumbling hoop",
-        "The hoop in the room at six moments, pinned at A, with the fixed upright angular momentum. In the first it turns about its tangent at A, which points up, like a door about its hinge. \
-         In the middle ones the hoop swings out of the vertical, and in the last it turns about the tangent again, which now points down. All the time it goes round the angular momentum in the \
-         same sense.",
+    let mut drawing = Drawing::new(id, wide * in_a_row as f64 + 10.0, high * rows as f64 + 10.0).titled(
+        "Eight stills of a tumbling hoop",
+        "The hoop in the room at eight moments, pinned at A, with the fixed upright angular momentum. In the first three it turns about its tangent at A, axis 1, which points up, like a door about \
+         its hinge. Then the tangent leans over, the hoop passes through an almost level place, and in the last it turns about the tangent again, which now points down. The angular velocity \
+         points upwards all the time.",
     );
     let hoop = pinning(Shape::Hoop, NEARLY)?;
     let (top, upright) = along_momentum(&hoop)?;
     for (n, time) in STILLS.into_iter().enumerate() {
-        let pin = at(wide * ((n % in_a_row) as f64 + 0.5) + 10.0, high * (n / in_a_row) as f64 + 82.0);
+        let pin = at(wide * ((n % in_a_row) as f64 + 0.5) + 5.0, high * (n / in_a_row) as f64 + 100.0);
         let now = top.at(time)?;
-        let room = upright * now.world_from_body;
+        let attitude = upright * now.world_from_body;
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0; 3],
             azimuth: -0.9,
             elevation: 0.3,
             distance: 12.0,
             centre: pin,
-            scale: 27.0,
+            scale: 38.0,
         })?);
-        stage.solid(Solid::ring(room * hoop.centre(), room * Vector3::z(), 1.0, 0.88, 0.1)?, Hue::Blue)?;
-        for (tip, hue) in [
-            (Vector3::z() * 2.5, Hue::Green),
-            (room * Vector3::x() * 1.7, Hue::Ink),
-            (upright * now.omega_world() * 5.0, Hue::Orange),
+        let (centre, normal) = (attitude * hoop.centre(), attitude * Vector3::z());
+        stage.solid(Solid::ring(centre, normal, 1.0, 0.88, 0.1)?, Hue::Blue)?;
+        let [tangent, omega] = [attitude * Vector3::x() * 1.5, upright * now.omega_world() * 4.5];
+        let to_the_left = |tip: &Vector3<f64>| tip.x * 0.9_f64.sin() + tip.y * 0.9_f64.cos() < -0.05;
+        let sides = [
+            if to_the_left(&tangent) || n < 2 { Side::Left } else { Side::Right },
+            if to_the_left(&omega) || n == 2 { Side::Left } else { Side::Right },
+        ];
+        for (tip, side, name, hue) in [
+            (Vector3::z() * 2.2, Side::Above, r"$\boldsymbol{L}_A$", Hue::Green),
+            (tangent, sides[0], r"$\hat{\mathbf{1}}$", Hue::Ink),
+            (omega, sides[1], r"$\boldsymbol{\omega}$", Hue::Orange),
         ] {
             let arrow = Curve::segment([0.0; 3], tip)?.hiding(Hiding::Ignored);
             stage.arrow(arrow, Stroke::Vector, Heads::End, hue)?;
+            stage.label(tip, side, name, hue)?;
         }
         stage.dot_in_front([0.0; 3], 4.0, Hue::Pink)?;
         stage.write(&mut drawing);
-        drawing.label(pin + at(0.0, 70.0), Side::Over, &format!("$t = {time}$"), Hue::Ink)?;
+        drawing.label(pin + at(0.0, 80.0), Side::Over, &format!("$t = {time}$"), Hue::Ink)?;
     }
     Ok(drawing)
 }
@@ -350,7 +373,7 @@ pub(crate) fn flip(id: &str) -> Outcome {
         "The flip of a hoop pinned at 89.9 degrees",
         "Two components of omega against time in units of one over omega zero, from 0 to 120. The component along the tangent stays near one \
          third until about 20, falls through zero at 28 to minus one third, stays there till 78, and rises again. The component along the diameter through A is near zero but for \
-         short negative pulses, to minus one third, at each of these flips. Six dots on the first fall mark the stills.",
+         short negative pulses, to minus one third, at each of these flips. Eight dots from the start through the first fall mark the stills.",
     );
     let hoop = pinning(Shape::Hoop, NEARLY)?;
     let top = hoop.free_motion()?;
@@ -500,37 +523,5 @@ fn path_of_centre(shape: Shape, name: &str, degrees: f64) -> Outcome {
     stage.label_shifted([0.0; 3], at(2.0, -6.0), Side::Right, "$A$", Hue::Pink)?;
     stage.write(&mut drawing);
     drawing.label(at(160.0, 316.0), Side::Over, name, Hue::Muted)?;
-    Ok(drawing)
-}
-
-/// Error of the period by the parameter and by the complement.
-pub(crate) fn period_error(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
-        "Error of the period near a right angle",
-        "Both scales are logarithmic: along x the distance of the pin from a right angle, from 1e-12 to 0.1; along y the relative error of the period. Computed from the \
-         parameter it rises from 1e-16 to a hundredth at 1e-8, where the curve ends. From the complement it stays at 1e-16.",
-    );
-    let (mut naive, mut better) = (Vec::new(), Vec::new());
-    for distance in log_steps(1e-12, 0.1, 44) {
-        let (cos, sin) = distance.sin_cos();
-        let hoop = pinned(Shape::Hoop, Pin::Point { from_axis: sin, height: cos })?;
-        let found = hoop.free_motion()?.period().ok_or("it tumbles")?;
-        // eq:hoop-jacobi, with W from the same sine and cosine.
-        let w = (sin * sin / 9.0 + cos * cos).sqrt();
-        let exact = 4.0 * SQRT_2 / w * quarter_period(9.0 * cos * cos / (1.0 + 8.0 * cos * cos));
-        let parameter = sin * sin / (1.0 + 8.0 * cos * cos);
-        let by_parameter = 4.0 * SQRT_2 / w * quarter_period((1.0 - parameter).max(0.0));
-        if by_parameter.is_finite() {
-            naive.push((distance, (by_parameter / exact - 1.0).abs().max(1e-17)));
-        }
-        better.push((distance, (found / exact - 1.0).abs().max(1e-17)));
-    }
-    let distance = Axis::log(1e-12, 0.1, 3)?.titled(r"distance of the pin from a right angle, rad");
-    let error = Axis::log(1e-17, 1.0, 4)?.titled("relative error of the period");
-    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 246.0), distance, error)?;
-    plot.series("parameter", &naive, Marker::Disc, Hue::Ink);
-    plot.series("complement", &better, Look::EXACT.marker, Look::EXACT.hue);
-    plot.label((3e-7, 1e-3), Side::Right, "from the parameter $k^2$", Hue::Ink)?;
-    plot.label((3e-12, 3e-14), Side::Right, r"from the complement $k'^2$", Look::EXACT.hue)?;
     Ok(drawing)
 }

@@ -18,13 +18,12 @@ pub(crate) const SCENE: Scene = Scene {
     name: "pinned-hoop",
     title: "A pinned hoop turns over",
     description: "A hoop that is pinned at A, in the middle of turning over, with the upright angular \
-                  momentum. Beside it an ellipsoid with the path of omega on it, a pendulum that falls from \
+                  momentum. Beside it a sphere in the axes of the hoop with the path of the momentum on it, a pendulum that falls from \
                   near its upright balance, and the plane of the hoop at the moment of the snap, with A a \
                   degree from the place at a quarter of the circle. A plot: how long the hoop waits, a \
                   straight line against the logarithm of that degree.",
-    question: "The pin catches the hoop nearly at $90°$ from its axis. It turns like a door on its hinge, \
-               and then it turns over. How long does it wait, at $80°$, $89°$ and $89.9°$? Why are the \
-               steps equal?",
+    question: "The pin catches the hoop nearly at $90°$ from its axis, and makes a door of it. How long does it \
+               turn like a door, at $80°$, $89°$ and $89.9°$? And what does it do then?",
     size: [[640.0, 505.0], [360.0, 640.0]],
     view: Some([-0.9, 0.3]),
     still: 15.0,
@@ -65,8 +64,6 @@ const BY_HAND: f64 = 0.1;
 const TRAIL: f64 = 7.0;
 /// How many points half a path has.
 const POINTS: u32 = 120;
-/// The axes of the body, in its own picture.
-const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// A body of mass, radius and spin one, pinned so many degrees from a right angle.
 fn pinned(shape: Shape, gap: f64) -> Result<Pinning, Cause> {
@@ -86,12 +83,12 @@ struct Pinned {
     upright: UnitQuaternion<f64>,
     /// The period of its pendulum; none if it never turns over.
     period: Option<f64>,
-    /// The path of ω in the body over a period.
+    /// The path of the direction of L in the body over a period.
     path: Vec<Vector3<f64>>,
     /// How long it waits, s, against the gap, degrees.
     waits: Vec<(f64, f64)>,
-    /// What does not move of the picture of the ellipsoid, on a page and on a phone, once it has been drawn.
-    ellipsoid: [OnceCell<Vec<Item>>; 2],
+    /// What does not move of the picture of the sphere, on a page and on a phone, once it has been drawn.
+    sphere: [OnceCell<Vec<Item>>; 2],
 }
 
 impl Pinned {
@@ -103,7 +100,9 @@ impl Pinned {
         let upright = UnitQuaternion::rotation_between(&body.angular_momentum(), &Vector3::z())
             .unwrap_or_else(|| UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI));
         let period = top.period();
-        let path = times_of_path(period.unwrap_or(0.0)).map(|time| Ok(top.at(time)?.omega_body));
+        let moments = body.moments_about_pin();
+        let path = times_of_path(period.unwrap_or(0.0))
+            .map(|time| Ok(moments.angular_momentum(&top.at(time)?.omega_body).normalize()));
         let path = path.collect::<Result<Vec<_>, Cause>>()?;
         let mut waits = Vec::new();
         if shape != Shape::Sphere {
@@ -112,7 +111,7 @@ impl Pinned {
                 waits.extend(wait(shape, gap)?.map(|wait| (gap, wait)));
             }
         }
-        Ok(Self { body, shape, gap, top, upright, period, path, waits, ellipsoid: Default::default() })
+        Ok(Self { body, shape, gap, top, upright, period, path, waits, sphere: Default::default() })
     }
 
     fn is_flat(&self) -> bool {
@@ -210,15 +209,16 @@ impl Pinned {
         Ok(())
     }
 
-    /// ω in the body, on the ellipsoid of its energy. But for the dot nothing in it moves.
-    fn draw_ellipsoid(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let cell = moment.room.of(&self.ellipsoid[0], &self.ellipsoid[1]);
+    /// L in the body, on the sphere of its length. But for the dot nothing in it moves.
+    fn draw_sphere(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let cell = moment.room.of(&self.sphere[0], &self.sphere[1]);
         if cell.get().is_none() {
-            let _ = cell.set(self.still_ellipsoid(moment.room)?);
+            let _ = cell.set(self.still_sphere(moment.room)?);
         }
-        let mut over = self.ellipsoid_alone(moment.room)?;
-        let omega = self.top.at(moment.time)?.omega_body * self.on_ellipsoid();
-        over.dot(omega, moment.room.of(5.0, 4.5), Hue::Orange)?;
+        let mut over = Self::sphere_alone(moment.room)?;
+        let omega = self.top.at(moment.time)?.omega_body;
+        let direction = self.body.moments_about_pin().angular_momentum(&omega).normalize();
+        over.dot(direction, moment.room.of(5.0, 4.5), Hue::Green)?;
         let mut dotted = Drawing::new("", 0.0, 0.0);
         over.write(&mut dotted);
         let dot = dotted.items().last();
@@ -228,64 +228,54 @@ impl Pinned {
         Ok(())
     }
 
-    /// From ω to its place on the drawn ellipsoid, whose longest semi-axis, the second, is 1.
-    fn on_ellipsoid(&self) -> f64 {
-        let moments = self.body.moments_about_pin();
-        (moments.to_array()[1] / (2.0 * moments.kinetic_energy(&self.body.omega_after()))).sqrt()
-    }
-
-    fn semi_axes(&self) -> [f64; 3] {
-        let moments = self.body.moments_about_pin().to_array();
-        moments.map(|moment| (moments[1] / moment).sqrt())
-    }
-
-    fn ellipsoid_alone(&self, room: Room) -> Result<Stage, Cause> {
+    fn sphere_alone(room: Room) -> Result<Stage, Cause> {
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0; 3],
-            azimuth: -1.25,
-            elevation: 0.12,
+            azimuth: -1.0,
+            elevation: 0.3,
             distance: 8.0,
-            centre: room.of(at(500.0, 128.0), at(296.0, 372.0)),
-            scale: room.of(125.0, 54.0),
+            centre: room.of(at(498.0, 140.0), at(292.0, 372.0)),
+            scale: room.of(88.0, 42.0),
         })?);
-        stage.solid(Solid::ellipsoid([0.0; 3], AXES, self.semi_axes())?, Hue::Blue)?;
+        stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
         Ok(stage)
     }
 
-    fn still_ellipsoid(&self, room: Room) -> Result<Vec<Item>, Cause> {
-        let mut stage = self.ellipsoid_alone(room)?;
-        let semi = self.semi_axes();
+    fn still_sphere(&self, room: Room) -> Result<Vec<Item>, Cause> {
+        let mut stage = Self::sphere_alone(room)?;
         if self.is_flat() {
-            // The separatrix: L² = 2T I₁ on the ellipsoid, two plane curves through axis 1.
+            // The separatrix: L² = 2T I₁, two great circles through axis 1.
             let [i1, i2, i3] = self.body.moments_about_pin().to_array();
-            let slope = (i2 * (i1 - i2) / (i3 * (i3 - i1))).sqrt();
-            let across = (1.0 + i3 / i2 * slope * slope).sqrt().recip();
+            let slope = (i3 * (i1 - i2) / (i2 * (i3 - i1))).sqrt();
+            let across = (1.0 + slope * slope).sqrt().recip();
             for slope in [slope, -slope] {
                 let point = |n: u32| {
                     let (sin, cos) = (TAU * f64::from(n) / 120.0).sin_cos();
-                    [semi[0] * cos, across * sin, slope * across * sin]
+                    [cos, across * sin, slope * across * sin]
                 };
                 let border = Curve::smooth((0..=120).map(point))?.hiding(Hiding::Omitted);
                 stage.curve(border, Stroke::Border, Hue::Ink)?;
             }
         }
-        if self.path.iter().any(|omega| (omega - self.path[0]).norm() > 1e-3) {
-            let path = self.path.iter().map(|omega| omega * self.on_ellipsoid());
-            stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Orange)?;
+        if self.path.iter().any(|direction| (direction - self.path[0]).norm() > 1e-3) {
+            stage.curve(Curve::smooth(self.path.iter().copied())?, Stroke::Curve, Hue::Green)?;
         }
-        for (k, sign, name) in [
-            (0, 1.0, r"$\hat{\mathbf{1}}$"),
-            (1, -1.0, r"$-\hat{\mathbf{2}}$"),
-            (2, 1.0, r"$\hat{\mathbf{3}}$"),
-        ] {
-            let direction = Vector3::from(AXES[k]) * sign;
-            let more = room.of(0.25, 0.4);
-            stage.named_vector(direction * semi[k], direction * (semi[k] + more), name, Hue::Ink)?;
+        for (direction, name) in [(Vector3::x(), r"$\hat{\mathbf 1}$"), (Vector3::z(), r"$\hat{\mathbf 3}$")]
+        {
+            stage.named_vector(direction, direction * room.of(1.3, 1.35), name, Hue::Ink)?;
         }
+        stage.dot(-Vector3::y(), 2.5, Hue::Ink)?;
+        stage.label_shifted(
+            -Vector3::y(),
+            at(0.0, 2.0),
+            Side::BelowRight,
+            r"$-\hat{\mathbf 2}$",
+            Hue::Ink,
+        )?;
         let mut drawing = Drawing::new("", 0.0, 0.0);
         stage.write(&mut drawing);
-        let below = room.of(at(500.0, 262.0), at(296.0, 440.0));
-        drawing.label(below, Side::Over, r"$\boldsymbol{\omega}$ in the body", Hue::Orange)?;
+        let below = room.of(at(498.0, 262.0), at(292.0, 440.0));
+        drawing.label(below, Side::Over, r"$\boldsymbol L_A$ in the body", Hue::Green)?;
         Ok(drawing.items().to_vec())
     }
 
@@ -399,7 +389,7 @@ impl Motion for Pinned {
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         self.draw_body(moment, drawing)?;
-        self.draw_ellipsoid(moment, drawing)?;
+        self.draw_sphere(moment, drawing)?;
         self.draw_plane(moment.room, drawing)?;
         self.draw_pendulum(moment, drawing)?;
         self.draw_waits(moment.room, drawing)

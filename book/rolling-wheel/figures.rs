@@ -275,34 +275,8 @@ pub(crate) fn turn_rate(id: &str) -> Outcome {
         plot.curve(&format!("lean-{degrees}"), values, Stroke::Curve, Hue::Orange);
     }
     plot.label((0.25, 6.2), Side::AboveRight, r"$\theta = 70°$", Hue::Orange)?;
-    plot.label((0.36, 1.75), Side::AboveRight, "$45°$", Hue::Orange)?;
+    plot.label((0.2, 2.3), Side::AboveRight, "$45°$", Hue::Orange)?;
     plot.label((0.02, 0.9), Side::Over, "$20°$", Hue::Orange)?;
-    Ok(drawing)
-}
-
-/// Friction needed against the radius of the circle.
-pub(crate) fn friction(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
-        "Least coefficient of friction against the radius of the circle",
-        "The least coefficient of friction against b over a from 0 to 3, for a disc leaning by 20, 45 and 70 degrees. Each curve starts at zero and rises towards a dashed level, two thirds \
-         of the tangent of the lean.",
-    );
-    let b = Axis::linear(0.0, 3.0, 1.0)?.minor(0.2).titled("radius of the centre’s circle $b/a$");
-    let coefficient = Axis::linear(0.0, 2.0, 0.5)?.minor(0.1).titled("least coefficient of friction");
-    let mut plot = Plot::new(&mut drawing, Rect::new(36.0, 34.0, 270.0, 246.0), b, coefficient)?;
-    let disc = wheel(MomentFactors::DISK)?;
-    for degrees in LEANS {
-        let lean = f64::to_radians(degrees);
-        let values = linear_steps(0.0, 3.0, 300)
-            .map(|b| Ok((b, disc.steady(lean, b)?.friction_needed())))
-            .collect::<Result<Vec<_>, Cause>>()?;
-        let end = values.last().copied().ok_or("a curve has an end")?;
-        plot.level(lean.tan() / 1.5, Stroke::Reference);
-        plot.curve(&format!("lean-{degrees}"), values, Stroke::Curve, Hue::Purple);
-        let name = if degrees > 60.0 { format!(r"$\theta = {degrees}°$") } else { format!("${degrees}°$") };
-        plot.label(end, Side::Right, &name, Hue::Purple)?;
-    }
-    plot.label((2.0, 0.5 * (0.69 + 1.75)), Side::Over, r"two thirds of $\tan\theta$", Hue::Muted)?;
     Ok(drawing)
 }
 

@@ -46,7 +46,7 @@ pub(crate) fn wobbles(id: &str) -> Outcome {
         let round = (quarters * quarter * top.precession_rate() / TAU * 100.0).round() / 100.0;
         let mut drawing = Drawing::new("", 124.0, 190.0).titled(
             &format!("The plate after {quarters} quarter turns"),
-            &format!("A leaning plate with a red mark near its rim and its axis; the axis has gone round {round} times."),
+            &format!("A leaning plate with a mark near its rim and its axis; the axis has gone round {round} times."),
         );
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0, 0.0, 0.3],

@@ -22,7 +22,7 @@ pub(crate) const SCENE: Scene = Scene {
                   along the axis as omega. Below, the axis swings to the right twice between two passages \
                   of the stripe.",
     question: "How often does a plate wobble while it turns once? And what becomes of the wobble, and of \
-               the order of the three arrows, as $I_3/I_1$ passes 1?",
+               the order of the three arrows, as it grows into a long can?",
     size: [[640.0, 480.0], [380.0, 716.0]],
     view: Some([-1.35, 0.36]),
     still: 0.0,

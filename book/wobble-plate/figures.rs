@@ -335,16 +335,16 @@ pub(crate) fn residual(id: &str) -> Outcome {
         let band = most.iter().map(|&(x, y)| (x, ends(y)));
         let band =
             band.chain(least.iter().rev().map(|&(x, y)| (x, ends(y)))).map(|value| plot.at(value)).collect();
-        plot.drawing().polygon(band, Fill::Ground, Hue::Orange);
+        plot.drawing().polygon(band, Fill::Ground, Hue::Purple);
         plot.level(alone, Stroke::Reference);
-        plot.curve("pair-least", least.iter().copied(), Stroke::Outline, Hue::Orange);
-        plot.curve("pair-most", most.iter().copied(), Stroke::Outline, Hue::Orange);
+        plot.curve("pair-least", least.iter().copied(), Stroke::Outline, Hue::Purple);
+        plot.curve("pair-most", most.iter().copied(), Stroke::Outline, Hue::Purple);
         plot.curve("torque", many.iter().copied(), Stroke::Curve, Hue::Purple);
         let label = |plot: &mut Plot<'_>, value, side, text: &str, hue| {
             let place = plot.at(value);
             plot.drawing().label_on_face(place, side, text, hue)
         };
-        label(&mut plot, (1.76, 29.0), Side::Over, "one or two", Hue::Orange)?;
+        label(&mut plot, (1.76, 29.0), Side::Over, "one or two", Hue::Purple)?;
         label(&mut plot, (1.28, 2.4), Side::Right, "three or more", Hue::Purple)?;
         plot.label((0.03, alone), Side::AboveRight, "the plate alone", Hue::Muted)?;
         Ok(drawing)

@@ -124,7 +124,8 @@ impl Pinning {
         self.about_centre.angular_momentum(&self.omega_before())
     }
 
-    /// κ = I₁/(I₁ + ma²): the part of the rotation about the tangent that survives; 1/3, 1/5 or 2/7.
+    /// The part of the rotation about the tangent that survives, the moment about the centre over that about A: 1/3,
+    /// 1/5 or 2/7 (`eq:pin-components`).
     pub fn survival(&self) -> f64 {
         self.about_centre.to_array()[0] / self.about_pin.to_array()[0]
     }
@@ -174,18 +175,18 @@ impl Pinning {
         omega.cross(&omega.cross(&self.centre())) * self.mass
     }
 
-    /// The angle α from axis 1, the tangent at A, to the axis of rotation after the snap, rad: `tan α = cos θ/(κ sin
-    /// θ)` (`eq:pin-angles`). For positive spin.
+    /// The angle χ₀ from axis 1, the tangent at A, to the axis of rotation after the snap, rad; for the hoop `tan χ₀ =
+    /// 3 cot θ` (`eq:pin-angles`). For positive spin.
     pub fn axis_angle(&self) -> f64 {
         self.cos.atan2(self.survival() * self.sin)
     }
 
-    /// The angle φ from the axis of rotation before the snap to that after it, towards A, rad: `α + θ − φ = π/2`
+    /// The angle φ from the axis of rotation before the snap to that after it, towards A, rad: `χ₀ + θ − φ = π/2`
     /// (`eq:pin-angles`). For positive spin.
     pub fn axis_shift(&self) -> f64 {
-        let kappa = self.survival();
-        // eq:pin-angles with κ for ⅓.
-        ((1.0 - kappa) * self.sin * self.cos).atan2(self.cos * self.cos + kappa * self.sin * self.sin)
+        let left = self.survival();
+        // eq:pin-angles with this for ⅓.
+        ((1.0 - left) * self.sin * self.cos).atan2(self.cos * self.cos + left * self.sin * self.sin)
     }
 
     /// The motion afterwards if nothing but the pin holds the body: free rotation about A, in closed form.

@@ -2,7 +2,8 @@
 //!
 //! Two tables of the page of conventions say which: readers have them as a key, and the press reads the same. One
 //! begins with the column `quantity`, one with `chapter`; a column `letters` holds formulas, and a column
-//! `colour` the name of a colour or `none`.
+//! `colour` the name of a colour or `none`. A table below a heading `{#sec:symbols-chapter}` shows letters as that
+//! chapter means them.
 
 use super::MathsFault;
 use super::tree::Element;
@@ -76,7 +77,11 @@ impl Letters {
             return letters;
         };
         let mut report = page.reporter(faults);
-        for table in tables(&page.text) {
+        for (section, table) in tables(&page.text) {
+            if let Some(folder) = section.strip_prefix("sec:symbols-") {
+                let formulas = table.iter().flatten().flat_map(|cell| &cell.formulas);
+                letters.shown.extend(formulas.map(|(range, _)| (range.start, folder.to_owned())));
+            }
             let Some((head, rows)) = table.split_first() else {
                 continue;
             };
@@ -198,28 +203,29 @@ fn key(sign: &Element) -> Option<String> {
     }
 }
 
-/// The tables of a page: rows of cells, the head first.
-fn tables(text: &str) -> Vec<Vec<Vec<Cell>>> {
-    let mut tables: Vec<Vec<Vec<Cell>>> = Vec::new();
-    let mut in_cell = false;
+/// The tables of a page: the label of the heading above, and rows of cells, the head first.
+fn tables(text: &str) -> Vec<(String, Vec<Vec<Cell>>)> {
+    let mut tables: Vec<(String, Vec<Vec<Cell>>)> = Vec::new();
+    let (mut in_cell, mut section) = (false, String::new());
     for (event, range) in Parser::new_ext(text, options()).into_offset_iter() {
         match &event {
-            Event::Start(Tag::Table(_)) => tables.push(Vec::new()),
+            Event::Start(Tag::Heading { id, .. }) => section = id.as_deref().unwrap_or("").to_owned(),
+            Event::Start(Tag::Table(_)) => tables.push((section.clone(), Vec::new())),
             Event::Start(Tag::TableHead | Tag::TableRow) => {
-                if let Some(table) = tables.last_mut() {
+                if let Some((_, table)) = tables.last_mut() {
                     table.push(Vec::new());
                 }
             }
             Event::End(TagEnd::TableCell) => in_cell = false,
             Event::Start(Tag::TableCell) => {
                 in_cell = true;
-                if let Some(row) = tables.last_mut().and_then(|table| table.last_mut()) {
+                if let Some(row) = tables.last_mut().and_then(|(_, table)| table.last_mut()) {
                     row.push(Cell { place: range.start, ..Cell::default() });
                 }
             }
             _ => {}
         }
-        let row = tables.last_mut().and_then(|table| table.last_mut());
+        let row = tables.last_mut().and_then(|(_, table)| table.last_mut());
         let Some(cell) = row.and_then(|row| row.last_mut()).filter(|_| in_cell) else {
             continue;
         };
@@ -289,6 +295,17 @@ mod tests {
     fn a_chapter_may_mean_something_else() {
         assert_eq!(coloured(r"\omega_0\omega_1nL\hat L", "one"), "ω0s:ω1nLLˆ");
         assert_eq!(coloured(r"\omega_0nL", "two"), "s:ω0s:nm:L");
+    }
+
+    #[test]
+    fn a_table_of_symbols_shows_them_as_its_chapter_means_them() {
+        let text = format!(
+            "{TABLES}\n### One {{#sec:symbols-one}}\n\n| symbol | meaning |\n|---|---|\n| $L$ | a length |\n"
+        );
+        let place = text.rfind("$L$").unwrap();
+        let (maths, faults) = maths(&text);
+        assert_eq!((maths.folder("conventions.md", place), faults.len()), ("one", 0));
+        assert_eq!(maths.folder("conventions.md", place + 1), "conventions.md");
     }
 
     #[test]

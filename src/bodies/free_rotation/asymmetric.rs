@@ -1,7 +1,7 @@
 //! A free body with three different moments: Jacobi's functions for the angular velocity, a theta function for the
 //! attitude.
 //!
-//! The section "The attitude of any free body" in the chapter "The pinned hoop" derives it. As there, axes 1, 2, 3 are
+//! The page "The attitude of any free body" of the chapter "The pinned hoop" derives it. As there, axes 1, 2, 3 are
 //! the body's own, renamed: 2 has the middle moment, 3 is the one that ω circles, and at the start `ω₁ ≥ 0` and
 //! `ω₃ > 0`. C. G. J. Jacobi, *Journal für die reine und angewandte Mathematik* **39** (1850) 293; R. van Zon & J.
 //! Schofield, *Journal of Computational Physics* **225** (2007) 145.
@@ -21,7 +21,7 @@ pub(crate) struct Asymmetric {
     pub(crate) first_argument: TwoPart,    // u₀
     pub(crate) quarter: Option<TwoPart>,   // K; none, as it is infinite, on the separatrix
     pub(crate) complement: f64,            // k'²
-    pub(crate) amplitudes: Vector3<f64>,   // A, B, C, rad/s
+    pub(crate) amplitudes: Vector3<f64>,   // W₁, W₂, W₃, rad/s
     pub(crate) moments_by_l: Vector3<f64>, // I₁/L, I₂/L, I₃/L, s
     pub(crate) steady_rate: TwoPart,       // Λ − σ, rad/s
     pub(crate) theta: Theta,
@@ -123,9 +123,9 @@ impl Asymmetric {
         let (u, sign) = self.argument(time);
         let [sn, cn, dn] = jacobi(u, self.complement);
         let omega = self.amplitudes.component_mul(&Vector3::new(sign * cn, sign * sn, dn)); // eq:free-jacobi
-        let momentum_direction = self.moments_by_l.component_mul(&omega); // eq:spin-momentum, over L
+        let momentum_direction = self.moments_by_l.component_mul(&omega); // eq:momentum-direction
 
-        // eq:beyond-steady: where axis 3 heads in the room, less where L heads in the body
+        // eq:beyond-steady: where axis 3 heads in the room, less where L heads in the body (eq:tip)
         let [l1, l2, _]: [f64; 3] = momentum_direction.into();
         let beyond = (sign * self.theta.direction(u) * Complex::new(l1, -l2)).arg();
         let angle = self.steady_rate * time + TwoPart::from(beyond);

@@ -3,7 +3,7 @@
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The factor `is ϑ₁(v − iη)` of `eq:beyond-steady`, up to a positive number, with `v = πu/2K` and `η = πa/2K`.
+/// The factor `is ϑ₁(v − iη)` of `eq:beyond-steady`, up to a positive number, with `v = πu/2K` and `η = πy₀/2K`.
 ///
 /// Its nome `q = e^{−πK'/K}` is small where K is not much larger than K'. Elsewhere Jacobi's imaginary transformation
 /// gives the same direction from the nome `q' = e^{−πK/K'}` (`eq:theta-imaginary`). So the nome is never above e^−π.
@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 pub(crate) struct Theta {
     pub(crate) side: Side,
     pub(crate) nome: f64,          // q or q'
-    pub(crate) shift: f64,         // η or α = πa/2K'
+    pub(crate) shift: f64,         // η or η' = πy₀/2K'
     pub(crate) sense: f64,         // s
     pub(crate) quarter: f64,       // K, infinite on the separatrix
     pub(crate) other_quarter: f64, // K'
@@ -27,7 +27,7 @@ pub(crate) enum Side {
 }
 
 impl Theta {
-    /// From k², K, K', the sign s and the zero `a` of `eq:tip-zero`.
+    /// From k², K, K', the sign s and the zero `y₀` of `eq:tip-zero`.
     pub(crate) fn new(parameter: f64, [quarter, other_quarter]: [f64; 2], sense: f64, zero: f64) -> Self {
         let (side, first, second) = if parameter <= 0.5 {
             (Side::Circular, quarter, other_quarter)
@@ -47,10 +47,10 @@ impl Theta {
                 Complex::i() * s * theta_1(Complex::new(v, -shift), nome) // eq:tip-theta
             }
             Side::Hyperbolic => {
-                // Further out tanh w is one to rounding, and so are the ratios of the terms: the direction no longer
+                // Further out tanh v' is one to rounding, and so are the ratios of the terms: the direction no longer
                 // changes.
-                let w = (FRAC_PI_2 * u / other_quarter).clamp(-FAR, FAR);
-                s * Complex::cis(shift * u / quarter) * theta_1(Complex::new(shift, w), nome) // eq:theta-imaginary
+                let v = (FRAC_PI_2 * u / other_quarter).clamp(-FAR, FAR);
+                s * Complex::cis(shift * u / quarter) * theta_1(Complex::new(shift, v), nome) // eq:theta-imaginary
             }
         }
     }

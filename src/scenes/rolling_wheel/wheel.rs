@@ -41,7 +41,7 @@ impl Wheel {
     pub fn slowed_rates(&self, slowing: f64, time: f64, state: &[f64; 8]) -> [f64; 8] {
         let mut rates = self.disk.rates(time, state);
         let MomentFactors { transverse: i1, axial: i3 } = self.disk.parameters.moments;
-        // What eq:rolling-laws leaves of it: the foot at rest adds one to the moments about axes 1 and 3.
+        // What eq:contact-force leaves of it: the foot at rest adds one to the moments about axes 1 and 3.
         for (k, moment) in [(1, 1.0 + i1), (2, i1), (3, 1.0 + i3)] {
             rates[k] -= slowing * state[k] / moment;
         }

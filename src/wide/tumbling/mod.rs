@@ -23,7 +23,7 @@ pub(crate) struct Tumbling {
     first_argument: TwoPart,
     half_turn: Clock, // half the steady angle about L
     sense: f64,       // s
-    ratio: f64,       // |I₂B/I₁A| = √(1 + n)
+    ratio: f64,       // |I₂W₂/I₁W₁| = √(1 + n)
     amplitudes: Vector3<f64>,
     moments_by_l: Vector3<f64>,
     series: Series,
@@ -105,7 +105,7 @@ impl Tumbling {
         let (first, first_low) = self.first_argument.parts();
         let (argument, argument_low) = (TwoPart::sum(high, first) + (low + first_low)).parts();
         let Values { jacobi: [cn, sn, dn], theta: [re, im], flip, drift } = series.at(argument, argument_low);
-        // Z of eq:beyond-steady without the factor e^{iαu/K}, and |Z| + Z, without a difference.
+        // Z of eq:beyond-steady without the factor e^{iη'u/K}, and |Z| + Z, without a difference.
         let (x, y) = (re * cn + im * self.ratio * sn, im * cn - re * self.ratio * sn);
         // x is a sum of two products of numbers with the same sign.
         let half_x = (x * x + y * y).sqrt() + x.abs();

@@ -1,0 +1,79 @@
+//! The exercises of every chapter: enough of them, graded, from what takes minutes to what takes an evening.
+
+use press::book::{Page, from_disk};
+use std::path::Path;
+
+/// The grades, in the order in which a page has them, and how many minutes each may take.
+const GRADES: [(&str, [f64; 2]); 3] =
+    [("Check", [2.0, 15.0]), ("Problem", [10.0, 60.0]), ("Project", [60.0, 600.0])];
+
+fn pages(name: &str) -> Vec<Page> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the press lies in the workspace");
+    let pages = from_disk(root).expect("a book without faults").1;
+    pages.into_iter().filter(|page| page.path.ends_with(name)).collect()
+}
+
+/// The sections of a page: their headings, with their labels, and what stands below.
+fn sections(text: &str) -> Vec<(&str, &str)> {
+    text.split("\n## ").skip(1).filter_map(|section| section.split_once('\n')).collect()
+}
+
+/// The grade of an exercise, as its place among the grades, and its minutes.
+fn effort(line: &str) -> Option<(usize, f64)> {
+    let (grade, time) = line.strip_prefix('*')?.strip_suffix('*')?.split_once(" · ")?;
+    let (number, unit) = time.split_once(' ')?;
+    let minutes = match unit {
+        "minutes" => 1.0,
+        "hour" | "hours" => 60.0,
+        _ => return None,
+    };
+    Some((GRADES.iter().position(|(name, _)| *name == grade)?, minutes * number.parse::<f64>().ok()?))
+}
+
+#[test]
+fn every_chapter_has_exercises_of_all_grades_in_their_order() {
+    let (mut faults, mut chapters) = (Vec::new(), 0);
+    for page in pages("/exercises.md") {
+        let exercises = sections(&page.text);
+        let mut grades = Vec::new();
+        for (heading, below) in &exercises {
+            let first = below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+            let Some((grade, minutes)) = effort(first) else {
+                faults.push(format!("{}: `{heading}` has no grade, but `{first}`", page.file));
+                continue;
+            };
+            let [least, most] = GRADES[grade].1;
+            if !(least..=most).contains(&minutes) {
+                faults.push(format!("{}: `{heading}` takes {minutes} minutes", page.file));
+            }
+            if !below.contains("<details>") {
+                faults.push(format!("{}: `{heading}` has no hint", page.file));
+            }
+            grades.push(grade);
+        }
+        if grades.len() < 10 || !(0..GRADES.len()).all(|grade| grades.contains(&grade)) || !grades.is_sorted()
+        {
+            faults.push(format!("{}: {} exercises, of grades {grades:?}", page.file, grades.len()));
+        }
+        chapters += 1;
+    }
+    assert!(chapters >= 11, "only {chapters} chapters");
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn every_solution_runs_a_program_and_says_what_it_teaches() {
+    let (mut faults, mut solutions) = (Vec::new(), 0);
+    for page in pages("/solutions.md") {
+        for (heading, below) in sections(&page.text) {
+            solutions += 1;
+            for wanted in ["```rust", "The lesson: "] {
+                if !below.contains(wanted) {
+                    faults.push(format!("{}: `{heading}` has no `{wanted}`", page.file));
+                }
+            }
+        }
+    }
+    assert!(solutions >= 110, "only {solutions} solutions");
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
