@@ -100,6 +100,7 @@ fn the_flip_is_a_half_turn_in_a_frame_that_turns_steadily() {
         assert!(off < 1e-9, "{body:?}: {off} rad off");
         assert!((end.omega_body - body.angular_velocity(&(i2 * direction(to)))).norm() < 1e-9);
     }
+    assert!(seen > 150, "only {seen} bodies");
 }
 
 /// The finer the throw, the more exact the half turn and the logarithm of the wait: eq:flip-wait.
@@ -132,5 +133,30 @@ fn a_fine_throw_waits_for_a_logarithm_and_makes_half_a_turn() {
                 assert!(off < 30.0 * fine, "{body:?} {fine}: {off} rad off");
             }
         }
+    }
+}
+
+/// However rough the throw: what goes round axis 1 has made half a turn about it after half a period, but for a turn
+/// about L.
+#[test]
+fn half_a_period_is_half_a_turn_about_the_axis_that_is_circled() {
+    let mut random = fastrand::Rng::with_seed(167);
+    for _ in 0..100 {
+        let (body, _) = ascending(&mut random);
+        let [i1, i2, i3] = body.to_array();
+        if i2 / i1 < 1.05 || i3 / i2 < 1.05 {
+            continue;
+        }
+        let momentum = Vector3::new(0.05 + 0.9 * random.f64(), 1.0, 0.0);
+        let start = upright_start(body, momentum);
+        let half = 0.5 * FreeTop::new(body, start).unwrap().period().unwrap();
+        let free = euler::turning_rates(body, |_, _| Vector3::zeros());
+        let end = Dop853::new(1e-13).unwrap().solve(free, 0.0, start.to_array(), half).unwrap();
+        let end = Turning::from_array(end.state);
+        // Undo the start and the half turn: what is left turns about the upright.
+        let rest = end.world_from_body
+            * UnitQuaternion::from_scaled_axis(Vector3::x() * PI)
+            * start.world_from_body.inverse();
+        assert!((rest * Vector3::z() - Vector3::z()).norm() < 1e-8, "{body:?} {momentum}");
     }
 }

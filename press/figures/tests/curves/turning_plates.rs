@@ -324,11 +324,11 @@ fn the_bat_is_thrown_with_one_side_up_and_caught_with_the_other() {
     assert_eq!(stills.len(), 5);
     // Of the two faces the one that is seen is painted last.
     let seen = |still: &Drawing| {
-        let faces = still.items().iter().filter_map(|item| match item.role {
+        let mut faces = still.items().iter().filter_map(|item| match item.role {
             Role::Area(Fill::Face, hue) if matches!(item.shape, Shape::Ellipse { .. }) => Some(hue),
             _ => None,
         });
-        faces.last()
+        faces.next_back()
     };
     assert_eq!((seen(stills[0]), seen(stills[4])), (Some(Hue::Pink), Some(Hue::Blue)));
     // L stands still: its arrow, which comes out of the blade, has its tip in one place.
