@@ -16,8 +16,8 @@ fn stepped(moments: &PrincipalMoments, start: [f64; 3], time: f64) -> [f64; 3] {
     Dop853::new(1e-13).unwrap().solve(rates, 0.0, start, time).unwrap().state
 }
 
-/// Two neighbouring motions, one of them steady: over one radian their distance along the next axis is multiplied by the
-/// hyperbolic cosine of the growth rate, or by the cosine of the rate of swinging: eq:middle-growth.
+/// Two neighbouring motions, one of them steady: over one radian their distance along the next axis is multiplied by
+/// the hyperbolic cosine of the growth rate, or by the cosine of the rate of swinging: eq:middle-growth.
 #[test]
 fn a_disturbance_grows_about_the_middle_axis_and_swings_about_the_others() {
     let (mut random, mut seen) = (fastrand::Rng::with_seed(164), [0, 0]);

@@ -97,9 +97,10 @@ impl PrincipalMoments {
         0.5 * omega_body.dot(&self.angular_momentum(omega_body))
     }
 
-    /// How a small disturbance of a rotation about axis 1, 2, 3 goes on: its growth rate squared, over the square of that
-    /// rotation's angular velocity (`eq:middle-growth`). It grows about the axis of the middle moment, where this is
-    /// more than zero (and less than one); where it is less than zero, the disturbance swings, at the root of its size.
+    /// How a small disturbance of a rotation about axis 1, 2, 3 goes on: its growth rate squared, over the square of
+    /// that rotation's angular velocity (`eq:middle-growth`). It grows about the axis of the middle moment, where this
+    /// is more than zero (and less than one); where it is less than zero, the disturbance swings, at the root of its
+    /// size.
     /// Exact to rounding also where moments are nearly equal.
     ///
     /// ```
