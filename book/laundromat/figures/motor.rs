@@ -55,7 +55,7 @@ pub(crate) fn motor_line(id: &str) -> Outcome {
             plot.markers(&[meeting], marker, Hue::Ink);
         }
         plot.label((9.0, 2.0), Side::Left, "stuck", Hue::Ink)?;
-        plot.label((34.0, 0.75), Side::AboveRight, "fast", Hue::Ink)?;
+        plot.label((30.4, 1.3), Side::Over, "fast", Hue::Ink)?;
         plot.label((20.0, 2.1), Side::AboveRight, "the motor", Hue::Blue)?;
         plot.label((13.4, 1.3), Side::Right, "the shaking", Hue::Orange)?;
         Ok(drawing)

@@ -113,7 +113,7 @@ impl Driven {
         self.inertia
     }
 
-    /// Rates of the state ([`DrivenState::to_array`]) for an integrator (`eq:driven-rates`). Time does not occur.
+    /// Rates of the state ([`DrivenState::to_array`]) for an integrator (`eq:driven-shaft`, `eq:driven-spin`). Time does not occur.
     pub fn rates(&self, state: &[f64; 5]) -> [f64; 5] {
         let DrivenState { position, velocity, spin } = DrivenState::from_array(*state);
         let turn = Complex::i() * spin;
