@@ -113,7 +113,8 @@ impl Driven {
         self.inertia
     }
 
-    /// Rates of the state ([`DrivenState::to_array`]) for an integrator (`eq:driven-shaft`, `eq:driven-spin`). Time does not occur.
+    /// Rates of the state ([`DrivenState::to_array`]) for an integrator (`eq:driven-shaft`, `eq:driven-spin`). Time does
+    /// not occur in them.
     pub fn rates(&self, state: &[f64; 5]) -> [f64; 5] {
         let DrivenState { position, velocity, spin } = DrivenState::from_array(*state);
         let turn = Complex::i() * spin;
@@ -259,7 +260,7 @@ impl DrivenState {
     }
 }
 
-/// Where a function that is monotone between `low` and `high` changes its sign, to the last place; `None` if it does not.
+/// Where a function changes its sign between `low` and `high`, if it does so at most once, to the last place.
 fn root(function: impl Fn(f64) -> f64, low: f64, high: f64) -> Option<f64> {
     let rises = function(low) < 0.0;
     if rises == (function(high) < 0.0) {
