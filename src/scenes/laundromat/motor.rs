@@ -113,8 +113,8 @@ impl Driven {
         self.inertia
     }
 
-    /// Rates of the state ([`DrivenState::to_array`]) for an integrator (`eq:driven-shaft`, `eq:driven-spin`). Time does
-    /// not occur in them.
+    /// Rates of the state ([`DrivenState::to_array`]) for an integrator (`eq:driven-shaft`, `eq:driven-spin`). They do
+    /// not contain the time.
     pub fn rates(&self, state: &[f64; 5]) -> [f64; 5] {
         let DrivenState { position, velocity, spin } = DrivenState::from_array(*state);
         let turn = Complex::i() * spin;
