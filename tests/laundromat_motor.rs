@@ -351,6 +351,13 @@ fn a_start_from_rest_escapes_below_the_fold_the_more_so_the_lighter_the_rotor() 
         let part = threshold(UNITS, motor, DrivenState::AT_REST, 600.0 * (1.0 + inertia));
         assert!((part - known).abs() < 0.0075, "{inertia}: {part}");
     }
+    // The table of the page, in newton metres.
+    for (inertia, torque) in [(0.0, 3.4), (0.1, 4.0), (0.5, 5.0), (2.0, 6.4), (20.0, 7.5)] {
+        let (parameters, motor) = light(1.0, inertia);
+        let fold = driven(parameters, motor).folds().expect("two").up.stall_torque;
+        let found = fold * threshold(parameters, motor, DrivenState::AT_REST, 60.0 + 60.0 * inertia);
+        assert!((found - torque).abs() < 0.06, "{inertia}: {found}, {} of the fold", found / fold);
+    }
     // Not universal: where the shaft starts matters too.
     let from = |angle: f64| {
         let position = Complex::from_polar(0.05, angle);

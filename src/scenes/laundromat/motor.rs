@@ -7,12 +7,12 @@ use nalgebra::{Complex, Matrix5};
 
 /// A motor with a straight characteristic, and the drum that it turns.
 ///
-/// Its torque at the spin φ̇ is τ_stall (1 − φ̇/Ω_idle) (`eq:motor-line`), also beyond the idle spin, where it brakes.
+/// Its torque at the spin φ̇ is `τ_stall (1 − φ̇/Ω_idle)`, `eq:motor-line`, also beyond the idle spin, where it brakes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motor {
-    /// Torque τ_stall on a drum that stands still, N m; more than zero.
+    /// Torque `τ_stall` on a drum that stands still, N m; more than zero.
     pub stall_torque: f64,
-    /// Spin Ω_idle at which the torque is zero, rad/s; more than zero.
+    /// Spin `Ω_idle` at which the torque is zero, rad/s; more than zero.
     pub idle_spin: f64,
     /// Moment of inertia I of the drum, without the load, about its shaft, kg m²; zero or more.
     pub drum_inertia: f64,
@@ -108,7 +108,7 @@ impl Driven {
         self.motor.stall_torque * (1.0 - spin / self.motor.idle_spin)
     }
 
-    /// Moment of inertia I_cm = I + mMa²/(m + M) of what turns, about the common centre of mass, kg m².
+    /// Moment of inertia `I_cm` = I + mMa²/(m + M) of what turns, about the common centre of mass, kg m².
     pub fn inertia(&self) -> f64 {
         self.inertia
     }
