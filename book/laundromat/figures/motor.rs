@@ -111,8 +111,8 @@ pub(crate) fn motor_hysteresis(id: &str) -> Outcome {
         plot.markers(&up, Marker::Ring, Hue::Orange);
         plot.markers(&down, Marker::Cross, Hue::Blue);
         plot.label((4.4, 9.0), Side::Below, "raised", Hue::Orange)?;
-        plot.label((2.6, 33.5), Side::Above, "lowered", Hue::Blue)?;
-        plot.label((3.0, 13.6), Side::AboveRight, "no one stays here", Hue::Muted)?;
+        plot.label((2.3, 35.0), Side::Above, "lowered", Hue::Blue)?;
+        plot.label((3.0, 13.6), Side::AboveRight, "no drum stays here", Hue::Muted)?;
         Ok(drawing)
     })
 }
