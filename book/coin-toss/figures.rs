@@ -512,11 +512,14 @@ fn likely_spreads() -> Outcome {
     let values: Vec<(f64, f64)> = linear_steps(0.06, 0.14, 80)
         .map(|spread| Ok::<_, InvalidQuantity>((spread, of(spread)? - top)))
         .collect::<Result<_, _>>()?;
-    let within = |value: &&(f64, f64)| value.1 > -2.0;
-    let (first, last) = (values.iter().find(within), values.iter().rfind(within));
-    if let (Some(first), Some(last)) = (first, last) {
-        plot.region((first.0, -8.0), (last.0, 0.0), Hue::Blue);
-    }
+    // Where it is two below its top, on the straight line between two values.
+    let ends: Vec<f64> = values
+        .windows(2)
+        .filter(|pair| (pair[0].1 > -2.0) != (pair[1].1 > -2.0))
+        .map(|pair| pair[0].0 + (pair[1].0 - pair[0].0) * (-2.0 - pair[0].1) / (pair[1].1 - pair[0].1))
+        .collect();
+    let [from, to] = ends[..] else { return Err("a hill has two sides".into()) };
+    plot.region((from, -8.0), (to, 0.0), Hue::Blue);
     plot.curve("likelihood", values, Stroke::Curve, Hue::Blue);
     plot.level(-2.0, Stroke::Reference);
     plot.label((0.094, -5.0), Side::Over, "95 %", Hue::Blue)?;
