@@ -77,7 +77,7 @@ impl Tossers {
             let (sin, cos) = (from + f64::from(n) * step).sin_cos();
             let weight = match n {
                 0 | STEPS => 1.0,
-                _ if n % 2 == 0 => 2.0,
+                _ if n.is_multiple_of(2) => 2.0,
                 _ => 4.0,
             };
             let deviation = (threshold * sin - mean) / spread;
