@@ -397,6 +397,20 @@ fn the_mean_over_people_is_that_of_a_count_and_of_its_series() {
             / f64::from(count);
         assert_relative_eq!(tossers(mean, spread).same_face_probability(), drawn, epsilon = 2e-3);
     }
+    // And against a plain sum over the twist, which knows of no corner.
+    for (mean, spread) in [(0.0, 0.09), (0.2, 0.3_f64)] {
+        let steps = 4_000_000;
+        let width = 6.0 / f64::from(steps);
+        let sum: f64 = (0..steps)
+            .map(|n| {
+                let s = width * (f64::from(n) + 0.5) - 3.0;
+                let p = 0.5 + (4.0 * s * s).min(1.0).asin() / PI;
+                (-0.5 * ((s - mean) / spread).powi(2)).exp() * p * width
+            })
+            .sum();
+        let plain = sum / (spread * TAU.sqrt());
+        assert_relative_eq!(tossers(mean, spread).same_face_probability(), plain, epsilon = 1e-8);
+    }
     // asin x = x + x³/6 + …, and the mean of s⁶ is 15 S⁶.
     for spread in [0.001_f64, 0.003, 0.01, 0.03] {
         let x = 4.0 * spread * spread;

@@ -96,7 +96,7 @@ impl Tossers {
     }
 
     /// The probability that somebody's toss shows the same face, the mean of `eq:same-face` over the people
-    /// (`eq:people-mean`); to 1e-9 if the spread is a thousandth or more.
+    /// (`eq:people-mean`); to 1e-8 if the spread is from a thousandth to a third.
     pub fn same_face_probability(&self) -> f64 {
         self.certain + self.nodes.iter().map(|node| node.part * node.probability).sum::<f64>()
     }
