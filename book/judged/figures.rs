@@ -128,8 +128,8 @@ pub(crate) fn judged_toutatis(id: &str) -> Outcome {
     let mut plot = Plot::new(&mut drawing, Rect::new(56.0, 34.0, 310.0, 250.0), day, rate)?;
     let looks = rows(include_str!("toutatis.csv"), 1)?;
     let parts = [
-        (0, "first", r"$\omega_1$", Marker::Disc, Hue::Blue, Stroke::Curve, (37.6, 29.0)),
-        (1, "second", r"$\omega_2$", Marker::Ring, Hue::Orange, Stroke::Second, (39.6, 30.0)),
+        (0, "first", r"$\omega_1$", Marker::Disc, Hue::Blue, Stroke::Curve, (31.24, 38.6)),
+        (1, "second", r"$\omega_2$", Marker::Ring, Hue::Orange, Stroke::Second, (27.4, 36.4)),
     ];
     for (axis, name, text, marker, hue, stroke, place) in parts {
         let states =
@@ -138,7 +138,7 @@ pub(crate) fn judged_toutatis(id: &str) -> Outcome {
         let seen: Vec<_> =
             looks.iter().filter(|look| look[0] < 100.0).map(|look| (look[0], look[4 + axis])).collect();
         plot.markers(&seen, marker, hue);
-        plot.label(place, Side::AboveRight, text, hue)?;
+        plot.label(place, Side::Above, text, hue)?;
     }
     Ok(drawing)
 }
