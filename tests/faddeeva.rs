@@ -42,6 +42,23 @@ fn mirror_images_are_conjugate_and_opposites_add_up_to_a_gaussian() {
 }
 
 #[test]
+fn it_is_an_integral_along_a_level_path_and_never_longer_than_one() {
+    // eq:faddeeva-integral, by Simpson's rule from 0 to 7, where e^{−49} is left.
+    let steps = 4000;
+    let step = 7.0 / f64::from(steps);
+    let mut random = fastrand::Rng::with_seed(15);
+    for _ in 0..200 {
+        let z = Complex::new(12.0 * random.f64() - 6.0, 6.0 * random.f64());
+        let integrand = |l: f64| (Complex::<f64>::i() * z * (2.0 * l) - l * l).exp();
+        let weight = |n: i32| if n == 0 || n == steps { 1.0 } else { 2.0 + 2.0 * f64::from(n % 2) };
+        let sum: Complex<f64> = (0..=steps).map(|n| integrand(step * f64::from(n)) * weight(n)).sum();
+        let expected = sum * (step / 3.0 * 2.0 / PI.sqrt());
+        assert!((faddeeva(z) - expected).norm() < 1e-9, "{z}: {} for {expected}", faddeeva(z));
+        assert!(faddeeva(z).norm() <= 1.0, "{z}");
+    }
+}
+
+#[test]
 fn the_nodes_of_the_rule_leave_no_trace() {
     // Along a line close above the real axis the choice of the rule changes every quarter of its spacing,
     // √(π/12); the function, of slope at most 2/√π, must not jump.

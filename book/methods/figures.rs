@@ -421,10 +421,10 @@ const LONG_RUN: [(Fixed, &str, Look, Places); 4] = [
 pub(crate) fn method_energy(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Energy errors of four methods over ten thousand rounds",
-        "Both scales are logarithmic: rounds of the polhode from 1 to 10000, and the largest relative error of the energy so far. RK4 and DOP853 rise along straight lines of slope one, \
+        "Both scales are logarithmic: rounds from 1 to 10000, and the largest relative error of the energy so far. RK4 and DOP853 rise along straight lines of slope one, \
          those of the two splittings stay level.",
     );
-    let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds of the polhode");
+    let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds");
     let error = Axis::log(1e-10, 1.0, 2)?.titled("largest relative error of the energy so far");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 250.0), rounds, error)?;
     for (method, name, look, place) in LONG_RUN {
@@ -438,10 +438,10 @@ pub(crate) fn method_energy(id: &str) -> Outcome {
 pub(crate) fn method_attitude(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Attitude errors of four methods over ten thousand rounds",
-        "Both scales are logarithmic: rounds of the polhode from 1 to 10000, and the largest error of the attitude so far, up to half a turn. RK4 and DOP853 rise with slope two, \
+        "Both scales are logarithmic: rounds from 1 to 10000, and the largest error of the attitude so far, up to half a turn. RK4 and DOP853 rise with slope two, \
          the two splittings with slope one; Strang's begins highest and ends beside RK4 at half a turn, that of Blanes and Moan is the lowest in the end.",
     );
-    let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds of the polhode");
+    let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds");
     let error = Axis::log(1e-8, 10.0, 1)?.titled("largest error of the attitude so far, rad");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 250.0), rounds, error)?;
     plot.level(PI, Stroke::Reference);

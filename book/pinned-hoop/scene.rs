@@ -20,8 +20,8 @@ pub(crate) const SCENE: Scene = Scene {
     description: "A hoop that is pinned at A, in the middle of turning over, with the upright angular \
                   momentum. Beside it a sphere in the axes of the hoop with the path of the momentum on it, a pendulum that falls from \
                   near its upright balance, and the plane of the hoop at the moment of the snap, with A a \
-                  degree from the place at a quarter of the circle. A plot: how long the hoop waits, a \
-                  straight line against the logarithm of that degree.",
+                  degree from the place at a quarter of the circle. A plot against that degree, in which a dot \
+                  climbs as long as the hoop waits.",
     question: "The pin catches the hoop nearly at $90°$ from its axis, and makes a door of it. How long does it \
                turn like a door, at $80°$, $89°$ and $89.9°$? And what does it do then?",
     size: [[640.0, 505.0], [360.0, 640.0]],
@@ -353,30 +353,38 @@ impl Pinned {
         centre + Point::polar(radius, self.gap.to_radians())
     }
 
-    /// How long it waits.
-    fn draw_waits(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (frame, x, y) = plot(room, self.shape);
+    /// How long it has waited; and once it has turned over, how long it would have waited elsewhere.
+    fn draw_waits(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (frame, x, y) = plot(moment.room, self.shape);
         let mut graph = Graph::new(drawing, frame, x, y)?;
         if !self.is_flat() {
             graph.label((0.1, 30.0), Side::Over, "it never turns over", Hue::Muted)?;
             return Ok(());
         }
-        graph.curve(self.waits.iter().copied(), Stroke::Curve, Hue::Blue);
-        for (gap, name) in [(10.0, "80°"), (1.0, "89°"), (0.1, "89.9°"), (0.01, "89.99°")] {
-            let place = (gap, wait(self.shape, gap)?.unwrap_or_default());
-            graph.dot(place, 3.0, Hue::Blue);
-            let place = graph.at(place);
-            graph.drawing().label_set(place, Side::AboveRight, 8.0, 13.0, name, Role::Text(Hue::Blue))?;
+        if self.has_turned(moment.time) {
+            graph.curve(self.waits.iter().copied(), Stroke::Curve, Hue::Blue);
+            for (gap, name) in [(10.0, "80°"), (1.0, "89°"), (0.1, "89.9°"), (0.01, "89.99°")] {
+                let place = (gap, wait(self.shape, gap)?.unwrap_or_default());
+                graph.dot(place, 3.0, Hue::Blue);
+                let place = graph.at(place);
+                let blue = Role::Text(Hue::Blue);
+                graph.drawing().label_set(place, Side::AboveRight, 8.0, 13.0, name, blue)?;
+            }
         }
         if self.gap > 0.0 {
-            graph.dot(self.on_plot(), 6.0, Hue::Pink);
+            graph.dot(self.on_plot(moment.time), 6.0, Hue::Pink);
         }
         Ok(())
     }
 
-    /// Where the pin stands in the plot.
-    fn on_plot(&self) -> (f64, f64) {
-        (self.gap, self.period.map_or(0.0, |period| 0.25 * period))
+    /// Where the pin stands in the plot: it climbs as long as the body waits.
+    fn on_plot(&self, time: f64) -> (f64, f64) {
+        (self.gap, self.period.map_or(0.0, |period| time.min(0.25 * period)))
+    }
+
+    /// Whether it has turned over by then, as the pendulum has passed its rest.
+    fn has_turned(&self, time: f64) -> bool {
+        self.period.is_some_and(|period| time >= 0.25 * period)
     }
 }
 
@@ -392,7 +400,7 @@ impl Motion for Pinned {
         self.draw_sphere(moment, drawing)?;
         self.draw_plane(moment.room, drawing)?;
         self.draw_pendulum(moment, drawing)?;
-        self.draw_waits(moment.room, drawing)
+        self.draw_waits(moment, drawing)
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
@@ -415,7 +423,7 @@ impl Motion for Pinned {
         ])
     }
 
-    fn words(&self, _time: f64) -> String {
+    fn words(&self, time: f64) -> String {
         let theta = self.theta();
         if self.gap == GAPS[1] {
             return "A lies on the axis and was at rest: the body turns on as if nothing had happened."
@@ -445,6 +453,11 @@ impl Motion for Pinned {
                 0.5 * period
             );
         }
+        if !self.has_turned(time) {
+            return format!(
+                "Pinned at {shown}°, it is a door, with the tangent at A for a hinge. For how long? Let it run."
+            );
+        }
         format!(
             "Pinned at {shown}°, it turns over after {wait:.1} s and then every {:.1} s. Ten times as near \
              to 90° it would wait {:.1} s longer: each tenfold growth of the tilt of its pendulum takes as \
@@ -458,7 +471,7 @@ impl Motion for Pinned {
         let (frame, x, y) = plot(moment.room, self.shape);
         let mut grips = vec![self.pin(moment.room)];
         if self.is_flat() && self.gap > 0.0 {
-            grips.push(point_at(frame, &x, &y, self.on_plot()));
+            grips.push(point_at(frame, &x, &y, self.on_plot(moment.time)));
         }
         grips
     }

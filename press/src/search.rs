@@ -3,7 +3,7 @@
 //! mdBook's own holds every number of every drawing, all code, and formulas with a space between any two of their
 //! letters. This one holds what is read: headings, text, captions, and formulas within a text as words (`ω0`). The form
 //! is elasticlunr's, so that mdBook's scripts search it; only what they cut off at both ends of a word, anything but
-//! Latin letters, is kept, so that `ω` is a word.
+//! Latin letters, is kept, so that `ω` is a word. Solutions are not found, but the exercises that lead to them.
 
 use elasticlunr::lang::{English, Language};
 use elasticlunr::{IndexBuilder, Pipeline};
@@ -19,6 +19,9 @@ const END: &str = "'));";
 
 /// How much longer than it is a section counts whose page has no number: the bibliography comes after the chapters.
 const LOOKED_UP: u64 = 16;
+
+/// What the anchors of solutions begin with.
+const SOLUTION: &str = "sol-";
 
 /// A part of a page under one heading.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -79,7 +82,9 @@ fn index(site: &Path, context: &RenderContext, mut search: Value) -> io::Result<
         let path = path.with_extension("html").to_string_lossy().replace('\\', "/");
         let mut way = chapter.parent_names.clone();
         way.push(chapter.name.clone());
-        for (n, section) in sections(&fs::read_to_string(site.join(&path))?).into_iter().enumerate() {
+        let sections = sections(&fs::read_to_string(site.join(&path))?);
+        let read = sections.into_iter().filter(|section| !section.id.starts_with(SOLUTION));
+        for (n, section) in read.enumerate() {
             let way = if n == 0 { way.clone() } else { [way.clone(), vec![section.title.clone()]].concat() };
             let sources = section.sources.iter().map(|number| format!(" source {number}"));
             let title = section.title + &sources.collect::<String>();

@@ -178,6 +178,39 @@ fn jacobi_integral_is_energy_less_spin_times_angular_momentum() {
 }
 
 #[test]
+fn a_damper_on_the_radius_takes_the_jacobi_integral_and_dampers_on_the_floor_also_lend() {
+    // A moment earlier and later, with velocity and acceleration for the change of the shaft's state.
+    let mut random = fastrand::Rng::with_seed(8);
+    let mut lent = 0;
+    for _ in 0..300 {
+        let mut number = || 3.0 * random.f64() - 1.5;
+        let (time, spin) = (5.0 * number(), 2.0 * number());
+        let state: [f64; 4] = std::array::from_fn(|_| number());
+        let damping = 2.0 + number();
+        let machine = machine(damping, spin);
+        let gain = |rates: [f64; 4]| {
+            let moment = 1e-5;
+            let after = |t: f64| {
+                let shaft = Shaft::from_array(std::array::from_fn(|n| state[n] + t * rates[n]));
+                machine.jacobi_integral(time + t, &shaft)
+            };
+            (after(moment) - after(-moment)) / (2.0 * moment)
+        };
+        let [x, y, vx, vy] = state;
+        let square = x * x + y * y;
+        let (out, round) = ((x * vx + y * vy) / square.sqrt(), (x * vy - y * vx) / square); // ṙ and θ̇
+        let taken = damping * (out * out + square * (round - spin).powi(2));
+        let given = damping * spin * square * (spin - round);
+        let found = gain(machine.cartesian_rates(time, &state));
+        assert!((found - (given - taken)).abs() < 1e-7, "{found} for {}", given - taken); // eq:jacobi-floor
+        let found = gain(machine.radial_damping_rates(time, &state));
+        assert!((found + damping * out * out).abs() < 1e-7, "{found} for {}", -damping * out * out);
+        lent += usize::from(given > taken);
+    }
+    assert!((30..270).contains(&lent), "{lent} of 300 gain");
+}
+
+#[test]
 fn times_that_are_none_are_refused_by_every_motion_of_the_drum() {
     let machine = machine(0.5, 3.0);
     let transient = machine.transient(start()).unwrap();

@@ -82,6 +82,24 @@ fn rk4_has_its_order() {
     assert_order("RK4, pair", observed(&steps, |n| rk4_error(&PAIR, n)), promised);
 }
 
+/// By which factor one step of RK4 multiplies an oscillation of rate one, and a decay of rate one.
+fn rk4_factors(step: f64) -> (f64, f64) {
+    let [x, v] = rk4(|_t, &[x, v]| [v, -x], 0.0, [1.0, 0.0], step, 1).unwrap();
+    let [left] = rk4(|_t, &[y]| [-y], 0.0, [1.0], step, 1).unwrap();
+    (x.hypot(v), left)
+}
+
+#[test]
+fn rk4_damps_a_swing_up_to_a_step_of_two_root_two_and_a_decay_up_to_its_own_limit() {
+    for z in [0.03_f64, 0.3, 1.0, 2.0, 3.0] {
+        let square = 1.0 - z.powi(6) / 72.0 + z.powi(8) / 576.0; // eq:rk4-amplitude
+        assert!((rk4_factors(z).0.powi(2) - square).abs() < 1e-14 * (1.0 + square), "{z}");
+    }
+    let limit = 2.0 * std::f64::consts::SQRT_2; // eq:rk4-limit
+    assert!(rk4_factors(limit - 0.01).0 < 1.0 && rk4_factors(limit + 0.01).0 > 1.0);
+    assert!(rk4_factors(2.78).1 < 1.0 && rk4_factors(2.79).1 > 1.0);
+}
+
 #[test]
 fn dop853_has_its_order() {
     let promised = method("DOP853").order;

@@ -56,8 +56,10 @@ fn it_waits_as_long_as_eulers_equations_do() {
     for n in 0..24 {
         let (shape, gap) = (n % 2, 1e-3 * 3e4_f64.powf(random.f64()));
         let player = scene(&[("gap", gap), ("shape", shape as f64)]);
-        let words = player.words(0.0);
         let wait = first_tumble(MOMENTS[shape], gap);
+        // It keeps its answer to itself until it has turned over.
+        assert!(player.words(0.99 * wait).contains("For how long?"), "{}", player.words(0.99 * wait));
+        let words = player.words(1.01 * wait);
         assert!((seconds(&words, "turns over after") - wait).abs() < 0.0501, "{wait}: {words}");
         assert!((seconds(&words, "then every") - 2.0 * wait).abs() < 0.0502, "{wait}: {words}");
         let later = first_tumble(MOMENTS[shape], 0.1 * gap) - wait;

@@ -548,6 +548,7 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
             let link = format!("{text_links}[{index}]");
             for _ in 0..2 {
                 page.get(&format!("{figure}.querySelector('.reset').click()"));
+                page.settle(); // the words below the scene may come to take another line
                 act(&mut page, Means::Mouse, &link, 0.5, "");
                 page.get(&format!("{figure}.querySelector('.play').textContent === 'Pause' && {figure}.querySelector('.play').click()"));
                 page.settle();
