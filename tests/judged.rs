@@ -6,7 +6,7 @@ use mechanics::attitude::rotation_between;
 use mechanics::euler::{Turning, rates};
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
-use mechanics::integrate::Taylor;
+use mechanics::integrate::{Taylor, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
 use nalgebra::{Complex, Matrix3, Rotation3, UnitQuaternion, Vector3};
@@ -253,4 +253,22 @@ fn the_rolling_coin_is_what_exudyn_converges_to() {
     // What EXUDYN's own test has pinned since 2020, at half a millisecond, has the same error.
     let pinned = 0.002_004_099_927_340_136 - contact.re;
     assert!((pinned / 2.5e-7 + 3.39).abs() < 0.01, "{pinned:e}");
+}
+
+#[test]
+fn the_first_and_the_fourth_step_by_runge_and_kutta() {
+    let rate =
+        |_: f64, &[a, b, c]: &[f64; 3]| rates(&brick(), &Vector3::new(a, b, c), &Vector3::zeros()).into();
+    for (simulator, most) in [(1.0, 9e-11), (4.0, 6e-11)] {
+        let mut omega: [f64; 3] = brick_start().omega_body.into();
+        for (k, row) in brick_rows(simulator).iter().enumerate() {
+            if k > 0 {
+                omega = rk4(rate, 0.0, omega, 0.5, 50).expect("fifty steps");
+            }
+            for axis in 0..3 {
+                let apart = (omega[axis].to_degrees() - row[2 + axis]).abs();
+                assert!(apart < most, "{simulator} at {}: {apart:e}", row[1]);
+            }
+        }
+    }
 }
