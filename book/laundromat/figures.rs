@@ -5,6 +5,8 @@
 
 #[path = "figures/disturbed.rs"]
 pub(crate) mod disturbed;
+#[path = "figures/motor.rs"]
+pub(crate) mod motor;
 #[path = "figures/parts.rs"]
 pub(crate) mod parts;
 #[path = "figures/polar.rs"]

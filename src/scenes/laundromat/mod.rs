@@ -22,12 +22,14 @@
 //! | the same while the drum speeds up or slows down | [`Machine::ramp`] |
 //! | rates for an integrator | [`Machine::cartesian_rates`], [`Machine::polar_rates`] |
 //! | what the motor must do | [`Machine::motor_torque`], [`SteadyMotion::motor_torque`] |
+//! | what the drum does with a motor of limited torque | [`Machine::driven`] |
 
 mod energy;
 mod locked;
 mod machine;
 mod modes;
 mod motion;
+mod motor;
 pub(crate) mod oscillator;
 pub(crate) mod ramp;
 mod shaft;
@@ -37,6 +39,7 @@ mod transient;
 pub use locked::{LockedMotion, LockedState};
 pub use machine::{Machine, Parameters};
 pub use modes::Mode;
+pub use motor::{Driven, DrivenState, Fold, Folds, Motor};
 pub use ramp::Ramp;
 pub use shaft::{Polar, Shaft};
 pub use steady::{Peak, SteadyMotion};

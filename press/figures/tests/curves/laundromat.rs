@@ -226,6 +226,53 @@ fn eigenvalues_end_where_the_polynomials_vanish() {
     assert_eq!((growing, through_zero), (2, 2));
 }
 
+/// The stall torque, N m, at which a spin can last: γ b² Ω⁵/D² over 1 − Ω/40, for the chapter's machine with half its
+/// damper.
+fn stall_torque(spin: f64) -> f64 {
+    let d = (100.0 - spin * spin).hypot(1.5 * spin);
+    45.0 / 3600.0 * spin.powi(5) / (d * d) / (1.0 - spin / 40.0)
+}
+
+#[test]
+fn the_motor_meets_the_shaking_where_the_formula_says() {
+    let shaking = curve("motor-line", "shaking");
+    for spin in (3..400).map(|n| 0.1 * f64::from(n)) {
+        let off = shaking.distance((spin, stall_torque(spin) * (1.0 - spin / 40.0)));
+        assert!(off < PIXELS, "{spin}: {off}");
+    }
+    // The broken lines end at 40 and touch: the least torque above the valley, the largest on the hill.
+    let torques: Vec<f64> = (1..398).map(|n| stall_torque(0.1 * f64::from(n))).collect();
+    let hill = torques[..130].iter().copied().fold(0.0, f64::max);
+    let valley = torques[130..].iter().copied().fold(f64::MAX, f64::min);
+    for (name, torque) in [("line-up", hill), ("line", 4.0), ("line-down", valley)] {
+        let line = curve("motor-line", name);
+        assert!(
+            line.distance((0.0, torque)) < PIXELS && line.distance((20.0, 0.5 * torque)) < PIXELS,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn the_knob_goes_along_the_steady_speeds_and_jumps_at_their_ends() {
+    for (name, from, to) in [("stuck", 50, 100), ("middle", 102, 177), ("fast", 178, 374)] {
+        let branch = curve("motor-hysteresis", name);
+        for spin in (from..=to).map(|n| 0.1 * f64::from(n)) {
+            let off = branch.distance((stall_torque(spin), spin));
+            assert!(off < PIXELS, "{name} at {spin}: {off}");
+        }
+    }
+    // The simulated points: on the formula, and above the middle branch or below it as the knob's past wants.
+    for (name, ends) in [("up", 7.53), ("down", 0.84)] {
+        let points = curve("motor-hysteresis", name).values();
+        assert!(points.len() > 8, "{}", points.len());
+        for &(torque, spin) in &points {
+            assert!((stall_torque(spin) / torque - 1.0).abs() < 0.05, "{name}: {torque} {spin}");
+            assert_eq!(spin > 14.0, torque > ends, "{name}: {torque} {spin}");
+        }
+    }
+}
+
 #[test]
 fn what_the_descriptions_say_in_numbers_is_so() {
     let torque = curve("torque", "torque-0.2").values();

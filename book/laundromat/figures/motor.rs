@@ -1,0 +1,118 @@
+//! A motor of limited torque: where its line meets the torque of shaking, and what a slowly turned knob does.
+
+use super::{Values, washing_machine};
+use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
+use drawing::kit::Marker;
+use drawing::{Drawing, Hue, Rect, Side, Stroke};
+use mechanics::integrate::Dop853;
+use mechanics::scenes::laundromat::{Driven, DrivenState, Folds, Motor};
+
+/// The motor's idle spin, rad/s.
+const IDLE: f64 = 40.0;
+
+/// The chapter's machine with half its damper, turned by a motor of this stall torque, N m.
+fn driven(stall_torque: f64) -> Result<Driven, Cause> {
+    let motor = Motor { stall_torque, idle_spin: IDLE, drum_inertia: 0.5 };
+    Ok(washing_machine(0.15, 0.0)?.driven(motor)?)
+}
+
+fn folds(drive: &Driven) -> Result<Folds, Cause> {
+    drive.folds().ok_or_else(|| "no folds".into())
+}
+
+/// Torque against spin: the hill of shaking and three lines of the motor.
+pub(crate) fn motor_line(id: &str) -> Outcome {
+    let drive = driven(4.0)?;
+    let folds = folds(&drive)?;
+    let shaking = linear_steps(0.2, IDLE, 2000)
+        .map(|spin| Ok((spin, washing_machine(0.15, spin / 10.0)?.steady()?.motor_torque())))
+        .collect::<Result<Values, Cause>>()?;
+    in_both(|room: Room| {
+        let mut drawing = Drawing::new(id, room.of(660.0, 400.0), 380.0).titled(
+            "Where the motor meets the shaking",
+            "Torque in newton metres against spin in radians a second. The torque that shaking takes is a steep hill of height 5.6 at a spin of \
+             10, then a long valley below one. A straight line falls from 4 at standstill to nothing at 40, the torque of the motor, and \
+             cuts the hill on both of its sides, at 9.5 and 11, and the valley at 35: full discs mark the outer two, a ring the middle one. \
+             Two more lines, broken, end at 40 too. The upper starts at 7.5 and touches the hill at its top, the lower \
+             starts at 0.84 and touches the floor of the valley at 18.",
+        );
+        let spin = Axis::linear(0.0, IDLE, 10.0)?.minor(2.0).titled(r"spin $\dot\phi$, rad/s");
+        let torque = Axis::linear(0.0, 8.0, 2.0)?.minor(0.5).titled("torque, N m");
+        let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 292.0);
+        let mut plot = Plot::new(&mut drawing, frame, spin, torque)?;
+        plot.curve("shaking", shaking.iter().copied(), Stroke::Curve, Hue::Orange);
+        for (name, fold) in [("line-up", folds.up), ("line-down", folds.down)] {
+            let touching = driven(fold.stall_torque)?;
+            let line = [0.0, IDLE].map(|spin| (spin, touching.motor_torque(spin)));
+            plot.curve(name, line, Stroke::DashedCurve, Hue::Blue);
+        }
+        let line = [0.0, IDLE].map(|spin| (spin, drive.motor_torque(spin)));
+        plot.curve("line", line, Stroke::Curve, Hue::Blue);
+        let meetings: Values =
+            drive.steady_spins().into_iter().map(|spin| (spin, drive.motor_torque(spin))).collect();
+        for (place, &meeting) in meetings.iter().enumerate() {
+            let marker = if place == 1 { Marker::Ring } else { Marker::Disc };
+            plot.markers(&[meeting], marker, Hue::Ink);
+        }
+        plot.label((9.0, 2.0), Side::Left, "stuck", Hue::Ink)?;
+        plot.label((30.4, 1.3), Side::Over, "fast", Hue::Ink)?;
+        plot.label((20.0, 2.1), Side::AboveRight, "the motor", Hue::Blue)?;
+        plot.label((13.4, 1.3), Side::Right, "the shaking", Hue::Orange)?;
+        Ok(drawing)
+    })
+}
+
+/// The spin against a stall torque that is slowly raised and lowered.
+pub(crate) fn motor_hysteresis(id: &str) -> Outcome {
+    let drive = driven(1.0)?;
+    let folds = folds(&drive)?;
+    let branch = |from: f64, to: f64| -> Result<Values, Cause> {
+        let spins = linear_steps(from, to, 600);
+        spins.map(|spin| Ok((drive.required_stall_torque(spin)?, spin))).collect()
+    };
+    let stuck = branch(4.0, folds.up.spin)?;
+    let middle = branch(folds.up.spin, folds.down.spin)?;
+    let fast = branch(folds.down.spin, 37.6)?;
+
+    // A knob that is turned by a notch a minute.
+    let solver = Dop853::new(1e-8)?;
+    let mut state = DrivenState::AT_REST.to_array();
+    let mut turned = |torques: &[f64]| -> Result<Values, Cause> {
+        let mut values = Values::new();
+        for &torque in torques {
+            let drive = drive.with_stall_torque(torque)?;
+            state = solver.solve(|_, state: &[f64; 5]| drive.rates(state), 0.0, state, 60.0)?.state;
+            values.push((torque, state[4]));
+        }
+        Ok(values)
+    };
+    let raised: Vec<f64> = (1..=22).map(|notch| 0.4 * f64::from(notch)).collect();
+    let lowered: Vec<f64> = (1..=22).rev().map(|notch| 0.4 * f64::from(notch) - 0.2).collect();
+    let up = turned(&raised)?;
+    let down = turned(&lowered)?;
+    in_both(|room: Room| {
+        let mut drawing = Drawing::new(id, room.of(660.0, 400.0), 400.0).titled(
+            "The spin while the motor’s knob is slowly turned",
+            "Spin in radians a second against the stall torque in newton metres, from 0 to 9. The curve of steady speeds has the shape of an S: it rises to 10 \
+             at once and hardly further as the torque grows to 7.5, turns back, broken, to a torque of 0.84 at a spin of 18, and from there runs \
+             to the right again, up to 37. Rings, from a simulation of a torque that is raised in steps, lie on the \
+             lower branch to its end and then on the upper. Crosses, while it is lowered, lie on the upper branch back to 1, and then on the lower.",
+        );
+        let torque =
+            Axis::linear(0.0, 9.0, 1.0)?.titled(r"stall torque of the motor $\tau_\text{stall}$, N m");
+        let spin = Axis::linear(0.0, 40.0, 10.0)?.minor(2.0).titled(r"spin $\dot\phi$, rad/s");
+        let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 312.0);
+        let mut plot = Plot::new(&mut drawing, frame, torque, spin)?;
+        plot.curve("stuck", stuck.iter().copied(), Stroke::Outline, Hue::Muted);
+        plot.curve("middle", middle.iter().copied(), Stroke::DashedCurve, Hue::Muted);
+        plot.curve("fast", fast.iter().copied(), Stroke::Outline, Hue::Muted);
+        plot.curve("up", up.iter().copied(), Stroke::Dotted, Hue::Orange);
+        plot.curve("down", down.iter().copied(), Stroke::Dotted, Hue::Blue);
+        plot.markers(&up, Marker::Ring, Hue::Orange);
+        plot.markers(&down, Marker::Cross, Hue::Blue);
+        plot.label((4.4, 9.0), Side::Below, "raised", Hue::Orange)?;
+        plot.label((2.3, 35.0), Side::Above, "lowered", Hue::Blue)?;
+        plot.label((3.0, 13.6), Side::AboveRight, "no drum stays here", Hue::Muted)?;
+        Ok(drawing)
+    })
+}
