@@ -99,7 +99,7 @@ fn drives(seed: u64, count: usize) -> impl Iterator<Item = (Parameters, Motor)> 
     })
 }
 
-/// The stall torque that a spin takes, with nothing but the formula: γ b² Ω⁵ / D² over `1 − Ω/Ω_idle`.
+/// The stall torque that a spin takes, with nothing but the formula: `γ b² Ω⁵ / D²` over `1 − Ω/Ω_idle`.
 fn required(parameters: &Parameters, motor: &Motor, spin: f64) -> f64 {
     let mass = parameters.drum_mass + parameters.load_mass;
     let offset = parameters.load_mass * parameters.load_radius / mass;

@@ -1,6 +1,6 @@
 //! The figures of the chapter "The rolling wheel".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps};
+use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at};
@@ -280,6 +280,22 @@ pub(crate) fn turn_rate(id: &str) -> Outcome {
     Ok(drawing)
 }
 
+/// The edge of the tongue of unstable motions, as radius and lean in degrees, from near the upright up to the tip and
+/// down again.
+fn edge(wheel: &Wheel) -> Result<Vec<(f64, f64)>, Cause> {
+    let tip = wheel.safe_lean();
+    let (mut inner, mut outer) = (Vec::new(), Vec::new());
+    // Closer together towards the upright and towards the tip, where the edges meet.
+    let leans = linear_steps(0.0, 1.0, 400).skip(1).map(|part| tip * (1.0 - (1.0 - part * part).powi(2)));
+    for lean in leans {
+        if let Some([small, large]) = wheel.unstable_circles(lean)? {
+            inner.push((small, lean.to_degrees()));
+            outer.push((large, lean.to_degrees()));
+        }
+    }
+    Ok(inner.into_iter().chain(outer.into_iter().rev()).collect())
+}
+
 /// The boundary of instability in the plane of radius and lean.
 pub(crate) fn tongue(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
@@ -295,26 +311,8 @@ pub(crate) fn tongue(id: &str) -> Outcome {
         (MomentFactors::HOOP, "hoop", Hue::Ink, (0.62, 20.9)),
     ] {
         let wheel = wheel(moments)?;
-        // The largest unstable lean of each radius, found by halving between an unstable and a stable one.
-        let mut boundary = Vec::new();
-        for b in linear_steps(0.004, 4.0, 500) {
-            let unstable =
-                |degrees: f64| Ok::<bool, Cause>(!wheel.steady(degrees.to_radians(), b)?.is_stable());
-            let candidates: Vec<f64> = linear_steps(0.05, 25.0, 250).collect();
-            let mut last = None;
-            for &degrees in &candidates {
-                if unstable(degrees)? {
-                    last = Some(degrees);
-                }
-            }
-            let Some(mut low) = last else { continue };
-            let mut high = low + 0.1;
-            for _ in 0..30 {
-                let middle = 0.5 * (low + high);
-                if unstable(middle)? { low = middle } else { high = middle }
-            }
-            boundary.push((b, low));
-        }
+        let boundary = edge(&wheel)?;
+        let boundary: Vec<_> = boundary.into_iter().filter(|&(b, _)| b <= 4.0).collect();
         if name == "disc" {
             let corners = [(0.0, 0.0)].iter().chain(&boundary).chain(&[(4.0, 0.0)]);
             let corners = corners.map(|&corner| plot.at(corner)).collect();
@@ -325,6 +323,83 @@ pub(crate) fn tongue(id: &str) -> Outcome {
     }
     plot.label((2.6, 17.0), Side::Over, "stable", Hue::Ink)?;
     plot.label((1.5, 5.0), Side::Over, "unstable", Hue::Ink)?;
+    Ok(drawing)
+}
+
+/// Wheels whose tongues are compared: name, label and its place, moments, hue.
+type Compared = (&'static str, &'static str, (f64, f64), MomentFactors, Hue);
+const COMPARED: [Compared; 4] = [
+    ("disc", "disc", (0.57, 12.5), MomentFactors::DISK, Hue::Blue),
+    ("hoop", "hoop", (0.11, 20.3), MomentFactors::HOOP, Hue::Ink),
+    ("weights", "weights", (16.0, 25.4), MomentFactors { transverse: 2.0, axial: 0.5 }, Hue::Purple),
+    ("beads", "beads", (90.0, 38.0), MomentFactors { transverse: 0.1, axial: 0.002 }, Hue::Green),
+];
+
+/// The tongues of four wheels, over seven decades of the circle's radius.
+pub(crate) fn tongue_tips(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 390.0, 350.0).titled(
+        "The tongues of four wheels",
+        "The lean, from 0 to 50 degrees, against the radius of the centre’s circle over a, from 0.01 to 10000 on a logarithmic scale. Four curves rise to a rounded tip and come down again; \
+         below each its wheel is unstable. The tips of hoop and disc are near 19 degrees at half a radius, that of a disc with weights on its axle is at 25.8 degrees, that of two beads on \
+         an axle at 40.5 degrees and six radii. Dashed lines at 17.6 and 45 degrees bound all tips.",
+    );
+    let b = Axis::log(0.01, 1e4, 1)?.titled("radius of the centre’s circle $b/a$");
+    let lean = Axis::linear(0.0, 50.0, 10.0)?.minor(5.0).titled(r"lean $\theta$, degrees");
+    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 262.0), b, lean)?;
+    for (name, label, place, moments, hue) in COMPARED {
+        let wheel = wheel(moments)?;
+        let within = |&(b, _): &(f64, f64)| (0.01..=1e4).contains(&b);
+        let boundary: Vec<_> = edge(&wheel)?.into_iter().filter(within).collect();
+        if name == "disc" {
+            let corners = boundary.iter().map(|&corner| plot.at(corner));
+            let ends = [plot.at((1e4, 0.0)), plot.at((0.01, 0.0))];
+            let corners = corners.chain(ends).collect();
+            plot.drawing().polygon(corners, Fill::Ground, hue);
+        }
+        let tip = boundary.iter().copied().fold((0.0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
+        plot.curve(name, boundary, Stroke::Curve, hue);
+        plot.markers(&[tip], Marker::Disc, hue);
+        plot.label(place, Side::Over, label, hue)?;
+    }
+    let least = ((3.0 - 6_f64.sqrt()) / 6.0).sqrt().asin().to_degrees(); // eq:safe-lean of a point
+    for bound in [least, 45.0] {
+        plot.level(bound, Stroke::Reference);
+    }
+    plot.label((2500.0, 45.0), Side::AboveRight, "$45°$", Hue::Muted)?;
+    plot.label((1500.0, least), Side::AboveRight, "$17.6°$", Hue::Muted)?;
+    plot.label((1.0, 5.0), Side::Over, "unstable", Hue::Ink)?;
+    Ok(drawing)
+}
+
+/// How far the contact runs round while a wheel that is let go almost flat falls and gets up again.
+pub(crate) fn near_flat_turn(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 390.0, 320.0).titled(
+        "How far the contact runs round",
+        "The angle in degrees, from 270 to 500, against the turn at the start over that of steady rolling, from a ten-thousandth to one on a logarithmic scale. For the disc it rises \
+         from the level of 402.5 degrees to 465 degrees, for the hoop from 311.8 to 360; below a hundredth both curves lie on their levels. A dotted line marks 360 degrees.",
+    );
+    let part = Axis::log(1e-4, 1.0, 1)?.titled("turn at the start, in that of steady rolling");
+    let angle = Axis::linear(270.0, 500.0, 50.0)?.minor(10.0).titled("angle of the contact, degrees");
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 320.0, 236.0), part, angle)?;
+    plot.level(360.0, Stroke::Dotted);
+    let tilt = 0.05;
+    for (moments, name, hue, place) in
+        [(MomentFactors::DISK, "disc", Hue::Blue, 415.0), (MomentFactors::HOOP, "hoop", Hue::Ink, 324.0)]
+    {
+        let wheel = wheel(moments)?;
+        let steady = wheel.steady(FRAC_PI_2 - tilt, 0.0)?.state().omega_2;
+        plot.level(wheel.near_flat_turn().to_degrees(), Stroke::Reference);
+        let solver = Taylor::new(1e-15)?;
+        let values = log_steps(1e-4, 0.999, 160)
+            .map(|part| {
+                let start = Rolling { tilt, omega_2: part * steady, ..Rolling::UPRIGHT };
+                Ok((part, wheel.wobble(start, &solver)?.heading_advance().to_degrees()))
+            })
+            .collect::<Result<Vec<_>, Cause>>()?;
+        plot.curve(name, values, Stroke::Curve, hue);
+        plot.label((3e-4, place), Side::Over, name, hue)?;
+    }
+    plot.label((0.012, 364.0), Side::AboveRight, "once round", Hue::Muted)?;
     Ok(drawing)
 }
 

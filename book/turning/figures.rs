@@ -11,6 +11,9 @@ use mechanics::inertia::{Body, Cylinder, PrincipalMoments, Spheroid};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
+#[path = "figures/middle_axis.rs"]
+pub(crate) mod middle_axis;
+
 /// The chapter's plate, thrown so that its momentum is upright and its axis leans to one side by a good angle.
 fn careless_plate(omega_body: Vector3<f64>) -> Result<FreeSymmetricTop, Cause> {
     let disc = Body::thin_disk(0.6, 0.13)?.moments();

@@ -5,6 +5,7 @@ mod any_body;
 mod closed_form;
 mod euler;
 mod inertia;
+mod middle_axis;
 
 use mechanics::euler::Turning;
 use mechanics::inertia::PrincipalMoments;

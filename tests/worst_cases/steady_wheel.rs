@@ -103,6 +103,29 @@ fn the_turn_of_a_wheel_that_is_almost_flat_has_all_its_digits() {
 }
 
 #[test]
+fn the_lean_from_which_on_all_circles_are_stable_has_all_its_digits() {
+    let worst = search("safe lean", 2000, |draw| {
+        let transverse = draw.decades(1e-10, 10.0);
+        let axial = transverse * draw.decades(1e-6, 2.0);
+        let moments = MomentFactors { transverse, axial };
+        let wheel = Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments, gravity: 1.0 }).ok()?;
+        let found = wheel.safe_lean();
+        // The quadratic for sin²θ, and one step of Newton's method.
+        let [i1, i3] = [transverse, axial].map(long);
+        let (s, c) = long(found).sin_cos();
+        let square = s * s;
+        let bracket = (square * 2.0 - 1.0) * (i3 + 1.0) + i3 * square * 2.0;
+        let rest = (square * (i1 * 3.0 - 1.0) + 1.0) * square;
+        let value = bracket * bracket - i3 / i1 * (i3 + 1.0) * rest * 4.0;
+        let slope = bracket * (i3 * 2.0 + 1.0) * 4.0
+            - i3 / i1 * (i3 + 1.0) * ((i1 * 3.0 - 1.0) * square * 2.0 + 1.0) * 4.0;
+        let error = (value / (slope * s * c * 2.0)).abs().rounded() / found;
+        Some(Case { ratio: error / FEW, way: "any wheel", said: format!("{moments:?}: {found:?}") })
+    });
+    worst.keeps_its_promise(&["any wheel"]);
+}
+
+#[test]
 fn the_tilt_for_a_speed_has_all_its_digits() {
     let worst = search("tilt for a speed", 2000, |draw| {
         let transverse = draw.decades(1e-3, 10.0);

@@ -97,6 +97,26 @@ impl PrincipalMoments {
         0.5 * omega_body.dot(&self.angular_momentum(omega_body))
     }
 
+    /// How a small disturbance of a rotation about axis 1, 2, 3 goes on: its growth rate squared, over the square of
+    /// that rotation's angular velocity (`eq:middle-growth`). It grows about the axis of the middle moment, where this
+    /// is more than zero (and less than one); where it is less than zero, the disturbance swings, at the root of its
+    /// size.
+    /// Exact to rounding also where moments are nearly equal.
+    ///
+    /// ```
+    /// use mechanics::inertia::Body;
+    /// let book = Body::cuboid(1.0, [0.22, 0.15, 0.03])?.moments();
+    /// let signs = book.growth_squared().map(f64::signum);
+    /// assert_eq!(signs, [-1.0, 1.0, -1.0]);
+    /// # Ok::<(), mechanics::InvalidQuantity>(())
+    /// ```
+    pub fn growth_squared(self) -> [f64; 3] {
+        std::array::from_fn(|axis| {
+            let [own, one, other] = self.renamed(axis).moments;
+            (own - one) / one * ((other - own) / other)
+        })
+    }
+
     /// The angular velocity along the body's axes, rad/s, that belongs to an angular momentum along the same axes,
     /// kg·m²/s.
     pub fn angular_velocity(self, momentum_body: &Vector3<f64>) -> Vector3<f64> {

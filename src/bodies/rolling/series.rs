@@ -7,9 +7,9 @@
 //! - `y = ln tan(α/2)`, so that sin α = 1/cosh y and cos α = −tanh y;
 //! - `u = ω₁/sin α = −ẏ` and `Ω = ω₂/sin α`, the rate of the heading φ.
 //!
-//! The contact moves with −ω_rel e^{iφ} in the plane of the table. Its path winds, and the series of e^{iφ} would ask
-//! for short steps. So it is followed as z in `anchor + z e^{iφ}`, ż = −ω_rel − iΩz, from an anchor that is chosen anew
-//! for each series: the centre of the path's curvature, about which z is at rest to begin with and stays so for a
+//! The contact moves with `−ω_rel e^{iφ}` in the plane of the table. Its path winds, and the series of e^{iφ} would ask
+//! for short steps. So it is followed as z in `anchor + z e^{iφ}`, `ż = −ω_rel − iΩz`, from an anchor that is chosen
+//! anew for each series: the centre of the path's curvature, about which z is at rest to begin with and stays so for a
 //! steady motion.
 
 use super::{Disk, MomentFactors, Rolling, sin_cos_lean};

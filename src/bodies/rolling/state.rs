@@ -18,7 +18,7 @@ pub struct Rolling {
     pub omega_3: f64,
     /// The heading φ of axis 1 from x, rad.
     pub heading: f64,
-    /// The angle through which the disk has turned about its axle relative to the frame, at the rate ω_rel, rad.
+    /// The angle through which the disk has turned about its axle relative to the frame, at the rate `ω_rel`, rad.
     pub roll_angle: f64,
     /// The place of the centre over the table, x + iy, m.
     pub centre: Complex<f64>,

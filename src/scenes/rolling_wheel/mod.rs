@@ -6,12 +6,14 @@
 //! | to find | call |
 //! |---|---|
 //! | steady rolling on a circle | [`Wheel::steady`] |
+//! | which circles are stable | [`Wheel::safe_lean`], [`Wheel::unstable_circles`] |
 //! | rates of the general motion, energy, contact force | [`Wheel::rates`], [`Wheel::energy`], [`Wheel::contact_force`] |
 //! | rates of a wheel that slows down | [`Wheel::slowed_rates`] |
 //! | the two constants of the motion, and what follows from them | [`Wheel::constants`], [`Wheel::at_tilt`] |
 //! | the motion at any time from half a wobble | [`Wheel::wobble`] |
 
 mod constants;
+mod stability;
 mod steady;
 mod swing;
 mod wheel;

@@ -65,7 +65,7 @@ impl SteadyRolling {
         self.turn_rate
     }
 
-    /// The spin ω_rel about the axle relative to the frame that goes round, rad/s (`eq:rolling-constraint`).
+    /// The spin `ω_rel` about the axle relative to the frame that goes round, rad/s (`eq:rolling-constraint`).
     pub fn relative_spin(&self) -> f64 {
         self.turn_rate * (self.centre_radius / self.radius() + self.lean.sin())
     }

@@ -2,7 +2,8 @@
 //! out here, and arrows point and turn as they should.
 
 use crate::{figures, lies_on};
-use drawing::{Drawing, Hue, Point, Role, Shape, Stroke};
+use drawing::space::{Camera, View};
+use drawing::{Drawing, Fill, Hue, Point, Role, Shape, Stroke, at};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
@@ -266,4 +267,76 @@ fn the_brick_stands_where_its_program_has_it() {
         discs.map(|centre| (centre.x - wanted.0).hypot(centre.y - wanted.1)).fold(f64::MAX, f64::min);
     assert!(nearest < 0.01, "{nearest} px off");
     lies_on("possible-moments", "flat", |first| 1.0 - first);
+}
+
+/// A point of Poinsot's ellipsoid, moments 1 : 2 : 3 and 2T = 1, on the page of the left drawing of `polhodes`.
+fn on_ellipsoid(camera: &Camera, [x, y, z]: [f64; 3]) -> Point {
+    camera.on_page([x, y / 2_f64.sqrt(), z / 3_f64.sqrt()]).expect("before the eye")
+}
+
+#[test]
+fn polhodes_lie_on_both_ellipsoids_and_the_separatrix_between_them() {
+    let left = parts("polhodes")[0];
+    let camera = Camera::new(View {
+        target: [0.0; 3],
+        azimuth: 1.18,
+        elevation: 0.42,
+        distance: 9.0,
+        centre: at(190.0, 165.0),
+        scale: 148.0,
+    });
+    let camera = camera.expect("a view");
+    // All places with x² + y² + z² = 1 and x² + 2y² + 3z² = L² of the six curves and their images, finely.
+    let mut polhodes = Vec::new();
+    for degrees in [14.0_f64, 27.0, 38.0, 52.0, 63.0, 76.0] {
+        let square = 1.0 + 2.0 * degrees.to_radians().sin().powi(2);
+        let widest = (square - 1.0).min(3.0 - square).sqrt();
+        for n in 0..4000 {
+            let y = widest * (TAU * f64::from(n) / 4000.0).sin();
+            let z = (0.5 * (square - 1.0 - y * y)).max(0.0).sqrt();
+            let x = (1.0 - y * y - z * z).max(0.0).sqrt();
+            let images = [[x, y, z], [-x, y, z], [x, y, -z], [-x, y, -z]];
+            polhodes.extend(images.map(|place| on_ellipsoid(&camera, place)));
+        }
+    }
+    // On the separatrix x² = z²: two great circles of the ball that becomes the ellipsoid.
+    let mut separatrix = Vec::new();
+    for n in 0..4000 {
+        let (y, aside) = (TAU * f64::from(n) / 4000.0).sin_cos();
+        let aside = aside * 0.5_f64.sqrt();
+        separatrix.extend([[aside, y, aside], [aside, y, -aside]].map(|place| on_ellipsoid(&camera, place)));
+    }
+    for (stroke, hue, truth, least) in
+        [(Stroke::Curve, Hue::Orange, polhodes, 6), (Stroke::Border, Hue::Ink, separatrix, 2)]
+    {
+        let drawn = lines(left, stroke, hue);
+        assert!(drawn.len() >= least, "{} lines", drawn.len());
+        for point in drawn.into_iter().flatten() {
+            let off = truth.iter().map(|place| (*place - *point).length()).fold(f64::INFINITY, f64::min);
+            assert!(off < 0.2, "{off} px off at {point:?}");
+        }
+    }
+}
+
+#[test]
+fn the_bat_is_thrown_with_one_side_up_and_caught_with_the_other() {
+    let stills = parts("bat-flip");
+    assert_eq!(stills.len(), 5);
+    // Of the two faces the one that is seen is painted last.
+    let seen = |still: &Drawing| {
+        let mut faces = still.items().iter().filter_map(|item| match item.role {
+            Role::Area(Fill::Face, hue) if matches!(item.shape, Shape::Ellipse { .. }) => Some(hue),
+            _ => None,
+        });
+        faces.next_back()
+    };
+    assert_eq!((seen(stills[0]), seen(stills[4])), (Some(Hue::Pink), Some(Hue::Blue)));
+    // L stands still: its arrow, which comes out of the blade, has its tip in one place.
+    let tips: Vec<Point> = stills
+        .iter()
+        .map(|still| {
+            *lines(still, Stroke::Vector, Hue::Green).last().and_then(|line| line.last()).expect("L")
+        })
+        .collect();
+    assert!(tips.iter().all(|tip| (*tip - tips[0]).length() < 0.01), "{tips:?}");
 }
