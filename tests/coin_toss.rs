@@ -5,8 +5,8 @@ use mechanics::euler::{self, Turning};
 use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::coin_toss::{
-    Face, Flight, FlightParameters, Toss, TossParameters, angle_for_probability, ratio_for_probability,
-    steady_face_ratio,
+    Counted, Face, Flight, FlightParameters, Toss, TossParameters, Tossers, TossersParameters,
+    angle_for_probability, ratio_for_probability, steady_face_ratio,
 };
 use nalgebra::{UnitQuaternion, Vector3};
 use serde_json::Value;
@@ -328,4 +328,172 @@ fn a_window_of_catches_is_off_by_no_more_than_a_part_over_its_length() {
         }
     }
     assert!(nearest > 0.99);
+}
+
+/// The counts of 48 people, as they are kept: tosses that began with heads and with tails up, and how many of each
+/// showed the same face.
+fn counted() -> Vec<[u32; 4]> {
+    let rows = include_str!("../book/coin-toss/flips.csv").lines();
+    let rows = rows.filter(|line| !line.starts_with('#')).skip(1);
+    let number = |cell: &str| cell.parse::<u32>().expect("a count");
+    let rows: Vec<[u32; 4]> =
+        rows.map(|row| row.split(',').map(number).collect::<Vec<_>>().try_into().expect("four")).collect();
+    assert_eq!(rows.len(), 48);
+    rows
+}
+
+fn people() -> Vec<Counted> {
+    let sum = |&[heads, heads_same, tails, tails_same]: &[u32; 4]| Counted {
+        same: heads_same + tails_same,
+        tosses: heads + tails,
+    };
+    counted().iter().map(sum).collect()
+}
+
+fn tossers(mean: f64, spread: f64) -> Tossers {
+    Tossers::new(TossersParameters { moments: coin(), mean, spread }).expect("a spread")
+}
+
+#[test]
+fn one_angle_for_everybody_is_refuted_in_integers() {
+    // Σ (kN − nK)²/(n K (N − K)) is eq:people-chi with p = K/N, and each numerator and denominator is a whole number.
+    let people = people();
+    let [same, all] = [|c: &Counted| c.same, |c: &Counted| c.tosses]
+        .map(|of| people.iter().map(|counted| i128::from(of(counted))).sum::<i128>());
+    assert_eq!((same, all), (178_078, 350_757));
+    let square = |counted: &Counted| {
+        let (k, n) = (i128::from(counted.same), i128::from(counted.tosses));
+        let off = k * all - n * same;
+        // To millionths.
+        1_000_000 * off * off / (n * same * (all - same))
+    };
+    let millionths: i128 = people.iter().map(square).sum();
+    assert_eq!(millionths / 100_000, 2652);
+    assert_eq!(people.iter().filter(|counted| 2 * counted.same < counted.tosses).count(), 10);
+    // One hand is alike with heads and with tails up.
+    let differ: f64 = counted()
+        .iter()
+        .map(|&row| {
+            let [n1, k1, n2, k2] = row.map(f64::from);
+            let p = (k1 + k2) / (n1 + n2);
+            (k1 / n1 - k2 / n2).powi(2) / (p * (1.0 - p) * (1.0 / n1 + 1.0 / n2))
+        })
+        .sum();
+    assert_relative_eq!(differ, 47.86, max_relative = 1e-3);
+}
+
+#[test]
+fn the_mean_over_people_is_that_of_a_count_and_of_its_series() {
+    // Quadrature against people who are drawn.
+    let mut random = fastrand::Rng::with_seed(48);
+    for (mean, spread) in [(0.0, 0.09), (0.1, 0.05), (0.3, 0.2), (-0.45, 0.02), (0.0, 1.5)] {
+        let count = 200_000;
+        let drawn: f64 = (0..count)
+            .map(|_| {
+                let (radius, turn) = ((-2.0 * (1.0 - random.f64()).ln()).sqrt(), TAU * random.f64());
+                tossed(coin(), 1.0, mean + spread * radius * turn.cos()).same_face_probability()
+            })
+            .sum::<f64>()
+            / f64::from(count);
+        assert_relative_eq!(tossers(mean, spread).same_face_probability(), drawn, epsilon = 2e-3);
+    }
+    // And against a plain sum over the twist, which knows of no corner.
+    for (mean, spread) in [(0.0, 0.09), (0.2, 0.3_f64)] {
+        let steps = 4_000_000;
+        let width = 6.0 / f64::from(steps);
+        let sum: f64 = (0..steps)
+            .map(|n| {
+                let s = width * (f64::from(n) + 0.5) - 3.0;
+                let p = 0.5 + (4.0 * s * s).min(1.0).asin() / PI;
+                (-0.5 * ((s - mean) / spread).powi(2)).exp() * p * width
+            })
+            .sum();
+        let plain = sum / (spread * TAU.sqrt());
+        assert_relative_eq!(tossers(mean, spread).same_face_probability(), plain, epsilon = 1e-8);
+    }
+    // asin x = x + x³/6 + …, and the mean of s⁶ is 15 S⁶.
+    for spread in [0.001_f64, 0.003, 0.01, 0.03] {
+        let x = 4.0 * spread * spread;
+        let series = 0.5 + (x + 15.0 * x.powi(3) / 6.0) / PI;
+        let next = 3.0 / 40.0 * 945.0 * x.powi(5);
+        assert_relative_eq!(tossers(0.0, spread).same_face_probability(), series, epsilon = 1e-9 + next);
+    }
+}
+
+/// The likelihood of eq:people-likelihood as a plain sum over the twist, by the formula for the bias.
+fn plain_log_likelihood(people: &[Counted], density: impl Fn(f64) -> f64, bias: impl Fn(f64) -> f64) -> f64 {
+    let steps = 40_000;
+    let nodes: Vec<(f64, f64)> = (0..steps)
+        .map(|n| 2.0 * (f64::from(n) + 0.5) / f64::from(steps) - 1.0)
+        .map(|s| (density(s), bias(s)))
+        .collect();
+    let total: f64 = nodes.iter().map(|node| node.0).sum();
+    let of = |counted: &Counted| {
+        let (k, n) = (f64::from(counted.same), f64::from(counted.tosses));
+        let times = |p: f64| k * p.ln() + (n - k) * (1.0 - p).ln();
+        let sum: f64 = nodes.iter().map(|(w, b)| w * (times(0.5 + b) - times(k / n)).exp()).sum();
+        (sum / total).ln()
+    };
+    people.iter().map(of).sum()
+}
+
+#[test]
+fn the_counts_want_a_bell_of_twists_about_zero_and_no_bell_of_probabilities() {
+    let people = people();
+    let bell = |x: f64| (-0.5 * x * x).exp();
+    let arcsine = |s: f64| (4.0 * s * s).min(1.0).asin() / PI;
+    for (mean, spread) in [(0.0, 0.09), (0.05, 0.078), (0.0, 0.04), (-0.02, 0.12)] {
+        let plain = plain_log_likelihood(&people, |s| bell((s - mean) / spread), arcsine);
+        let ours = tossers(mean, spread).log_likelihood(&people);
+        assert_relative_eq!(ours, plain, epsilon = 1e-5);
+    }
+    let at = |spread: f64| tossers(0.0, spread).log_likelihood(&people);
+    let best = at(0.0904);
+    assert!(best > at(0.0894) && best > at(0.0914));
+    assert_relative_eq!(best, -55.08, epsilon = 0.01);
+    // Within two of the best from 0.073 to 0.114.
+    assert!(at(0.0730) < best - 2.0 && at(0.0740) > best - 2.0);
+    assert!(at(0.1135) > best - 2.0 && at(0.1145) < best - 2.0);
+    // A mean other than zero gains nothing.
+    for hundredth in 0..=10 {
+        for spread in (50..=110).step_by(5) {
+            let mean = 0.01 * f64::from(hundredth);
+            assert!(tossers(mean, 0.001 * f64::from(spread)).log_likelihood(&people) < best + 0.001);
+        }
+    }
+    let best_about = |mean: f64| {
+        let of = |n: u32| tossers(mean, 0.002 * f64::from(n)).log_likelihood(&people);
+        (25..=50).map(of).fold(f64::NEG_INFINITY, f64::max)
+    };
+    assert_relative_eq!(best - best_about(0.06), 0.7, epsilon = 0.05);
+    assert_relative_eq!(best - best_about(0.08), 2.7, epsilon = 0.05);
+    // Without the boldest, and with a bell whose tails fall exponentially.
+    let without = |spread: f64| tossers(0.0, spread).log_likelihood(&people[..47]);
+    assert!(without(0.0807) > without(0.0797) && without(0.0807) > without(0.0817));
+    let exponential = plain_log_likelihood(&people, |s| (-s.abs() / 0.0647).exp(), arcsine);
+    assert_relative_eq!(exponential - best, 0.28, epsilon = 0.03);
+    // One probability for all, and a bell of probabilities at its best: the variable is p − 1/2 itself.
+    let common = 178_078.0 / 350_757.0 - 0.5;
+    let one = plain_log_likelihood(&people, |_| 1.0, |_| common);
+    assert_relative_eq!(one, -133.08, epsilon = 0.01);
+    let of = |middle: f64, width: f64| {
+        plain_log_likelihood(&people, |b| bell((b - middle) / width), |b| b.clamp(-0.49, 0.49))
+    };
+    let best_bell = of(0.00996, 0.01562);
+    assert_relative_eq!(best_bell, -72.76, epsilon = 0.01);
+    assert!(best_bell > of(0.0109, 0.0156) && best_bell > of(0.0089, 0.0156));
+    assert!(best_bell > of(0.00996, 0.0166) && best_bell > of(0.00996, 0.0146));
+}
+
+#[test]
+fn a_person_whose_coin_never_flips_is_certain_to_show_the_same_face() {
+    let surely = tossers(5.0, 0.1);
+    assert_eq!(surely.same_face_probability(), 1.0);
+    assert_eq!(surely.log_likelihood(&[Counted { same: 7, tosses: 7 }]), 0.0);
+    assert_eq!(surely.log_likelihood(&[Counted { same: 6, tosses: 7 }]), f64::NEG_INFINITY);
+    let message = |mean, spread| {
+        Tossers::new(TossersParameters { moments: coin(), mean, spread }).unwrap_err().to_string()
+    };
+    assert!(message(f64::NAN, 0.1).contains("mean of twist over tumble"));
+    assert!(message(0.0, 0.0).contains("spread of twist over tumble"));
 }

@@ -10,7 +10,9 @@ use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::rk4;
-use mechanics::scenes::coin_toss::{Toss, TossParameters, ratio_for_probability};
+use mechanics::scenes::coin_toss::{
+    Counted, Toss, TossParameters, Tossers, TossersParameters, ratio_for_probability,
+};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -415,5 +417,111 @@ pub(crate) fn gimbal(id: &str) -> Outcome {
     plot.series("quaternion", &quaternions, Marker::Square, Hue::Blue);
     plot.label((1e-5, 3.0), Side::Right, "Euler’s angles", Hue::Orange)?;
     plot.label((1e-5, 1e-7), Side::Right, "quaternion", Hue::Blue)?;
+    Ok(drawing)
+}
+
+/// What 48 people counted: their tosses that showed the same face, and all.
+fn people_counted() -> Result<Vec<Counted>, Cause> {
+    let rows = include_str!("flips.csv").lines().filter(|line| !line.starts_with('#')).skip(1);
+    rows.map(|row| {
+        let cells: Vec<u32> = row.split(',').map(str::parse).collect::<Result<_, _>>()?;
+        let [heads, heads_same, tails, tails_same] = cells[..] else {
+            return Err("four counts in a row".into());
+        };
+        Ok(Counted { same: heads_same + tails_same, tosses: heads + tails })
+    })
+    .collect()
+}
+
+/// The spread of twist over tumble that fits those counts best.
+const FITTED_SPREAD: f64 = 0.0904;
+
+/// Each person's part of tosses with the same face, beside one probability for all and a fitted spread of twists.
+pub(crate) fn people(id: &str) -> Outcome {
+    Ok(Drawing::panels(id, vec![sorted_people()?, likely_spreads()?]))
+}
+
+/// The people in the order of what they counted.
+fn sorted_people() -> Outcome {
+    let mut drawing = Drawing::new("", 400.0, 350.0).titled(
+        "Forty-eight people, sorted",
+        "The part of tosses that showed the same face, for 48 people in ascending order, from 0.488 to 0.601, \
+         each a dot with an upright bar of one standard deviation to either side. Ten are below one half, by \
+         little more than their bars. Thirty-three follow a flat line, and the last five rise steeply. A \
+         dashed level at 0.508 misses both ends by far. A curve, the spread of twists that fits best, begins \
+         level at one half and rises ever more steeply to the right, through most bars.",
+    );
+    let mut people = people_counted()?;
+    let share = |counted: &Counted| f64::from(counted.same) / f64::from(counted.tosses);
+    people.sort_by(|one, other| share(one).total_cmp(&share(other)));
+    let rank = Axis::linear(0.0, 48.0, 12.0)?.minor(4.0).titled("people, sorted");
+    let probability = Axis::linear(0.46, 0.62, 0.02)?.titled("part of tosses with the same face");
+    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 262.0), rank, probability)?;
+    plot.level(0.5, Stroke::Axis);
+    let [same, all] = [|counted: &Counted| counted.same, |counted: &Counted| counted.tosses]
+        .map(|of| f64::from(people.iter().map(of).sum::<u32>()));
+    plot.curve("common", [(0.0, same / all), (48.0, same / all)], Stroke::DashedCurve, Hue::Muted);
+    for (n, counted) in people.iter().enumerate() {
+        let (p, x) = (share(counted), n as f64 + 0.5);
+        let deviation = (p * (1.0 - p) / f64::from(counted.tosses)).sqrt();
+        let [low, high] = [p - deviation, p + deviation].map(|end| plot.at((x, end)));
+        plot.drawing().line(low, high, Stroke::Outline, Hue::Ink);
+        let place = plot.at((x, p));
+        plot.drawing().dot(place, 2.2, Hue::Ink);
+    }
+    // The people with a twist below s, of either sign, are the part of the bell between −s and s, added up.
+    let steps = 2000;
+    let width = 4.5 * FITTED_SPREAD / f64::from(steps);
+    let (mut below, mut values) = (0.0, Vec::new());
+    for n in 0..steps {
+        let twist = f64::from(n) * width;
+        let p = tossed(1.0, twist)?.same_face_probability();
+        if p > 0.62 {
+            break;
+        }
+        values.push((48.0 * below, p));
+        let middle = (twist + 0.5 * width) / FITTED_SPREAD;
+        below += 2.0 / TAU.sqrt() * (-0.5 * middle * middle).exp() * width / FITTED_SPREAD;
+    }
+    plot.curve("spread", values, Stroke::Curve, Hue::Blue);
+    plot.label((21.0, 0.532), Side::Over, "a bell of twists", Hue::Blue)?;
+    plot.label((9.0, 0.5145), Side::Over, "one $p$ for all", Hue::Muted)?;
+    Ok(drawing)
+}
+
+/// The likelihood of the counts against the spread of the twist.
+fn likely_spreads() -> Outcome {
+    let mut drawing = Drawing::new("", 400.0, 350.0).titled(
+        "Likelihood of the spread",
+        "The logarithm of the likelihood of what 48 people counted, less its largest value, against the \
+         spread of the ratio of twist to tumble over the people. A hill with its top at 0.090, steeper to \
+         the left than to the right. It is two below its top at 0.073 and at 0.114, and between these the \
+         plot is tinted.",
+    );
+    let people = people_counted()?;
+    let moments = coin()?;
+    let of = |spread: f64| {
+        Ok::<_, InvalidQuantity>(
+            Tossers::new(TossersParameters { moments, mean: 0.0, spread })?.log_likelihood(&people),
+        )
+    };
+    let top = of(FITTED_SPREAD)?;
+    let spread = Axis::linear(0.06, 0.14, 0.02)?.minor(0.01).titled(r"spread $S$ of twist over tumble");
+    let likelihood = Axis::linear(-8.0, 0.0, 2.0)?.minor(1.0).titled("log-likelihood, from its top");
+    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 262.0), spread, likelihood)?;
+    let values: Vec<(f64, f64)> = linear_steps(0.06, 0.14, 80)
+        .map(|spread| Ok::<_, InvalidQuantity>((spread, of(spread)? - top)))
+        .collect::<Result<_, _>>()?;
+    // Where it is two below its top, on the straight line between two values.
+    let ends: Vec<f64> = values
+        .windows(2)
+        .filter(|pair| (pair[0].1 > -2.0) != (pair[1].1 > -2.0))
+        .map(|pair| pair[0].0 + (pair[1].0 - pair[0].0) * (-2.0 - pair[0].1) / (pair[1].1 - pair[0].1))
+        .collect();
+    let [from, to] = ends[..] else { return Err("a hill has two sides".into()) };
+    plot.region((from, -8.0), (to, 0.0), Hue::Blue);
+    plot.curve("likelihood", values, Stroke::Curve, Hue::Blue);
+    plot.level(-2.0, Stroke::Reference);
+    plot.label((0.094, -5.0), Side::Over, "95 %", Hue::Blue)?;
     Ok(drawing)
 }

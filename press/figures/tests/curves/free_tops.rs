@@ -53,6 +53,57 @@ fn the_bias_is_an_inverse_sine_and_begins_as_a_square() {
     lies_on("bias", "square", |ratio| 0.5 + 4.0 / PI * ratio * ratio);
 }
 
+#[test]
+fn the_people_stand_about_the_spread_that_fits_them() {
+    // A person of rank r has a twist below s = S z, where half the bell, the error function of z/√2, is r/48.
+    let half_bell = |z: f64| -> f64 {
+        // By its series, which shares nothing with the sum of the figure.
+        let mut term = z * (2.0 / PI).sqrt();
+        let mut sum = term;
+        for n in 1..100 {
+            let n = f64::from(n);
+            term *= -0.5 * z * z / n;
+            sum += term / (2.0 * n + 1.0);
+        }
+        sum
+    };
+    lies_on("people", "spread", |rank| {
+        let (mut low, mut high) = (0.0, 5.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if half_bell(middle) < rank / 48.0 { low = middle } else { high = middle }
+        }
+        0.5 + (4.0 * (0.0904_f64 * low).powi(2)).asin() / PI
+    });
+    lies_on("people", "common", |_| 178_078.0 / 350_757.0);
+    let rows = include_str!("../../../../book/coin-toss/flips.csv").lines();
+    let rows: Vec<Vec<f64>> = rows
+        .filter(|line| line.starts_with(|sign: char| sign.is_ascii_digit()))
+        .map(|row| row.split(',').map(|cell| cell.parse().expect("a count")).collect())
+        .collect();
+    // In the bias b itself, whose bell has the weight ds = (ds/db) db, by midpoints in √b.
+    let of = |spread: f64| -> f64 {
+        let nodes: Vec<(f64, f64)> = (0..4000)
+            .map(|n| (f64::from(n) + 0.5) / 4000.0 * 0.49_f64.sqrt())
+            .map(|root| {
+                let (bias, turn) = (root * root, PI * root * root);
+                let square = 0.25 * turn.sin();
+                // s² = sin(πb)/4, so ds/db = π cos(πb)/(8 s), and db = 2 √b d√b.
+                let weight = PI * turn.cos() / (8.0 * square.sqrt()) * 2.0 * root;
+                (weight * (-0.5 * square / (spread * spread)).exp() / spread, bias)
+            })
+            .collect();
+        let person = |row: &Vec<f64>| {
+            let (k, n) = (row[1] + row[3], row[0] + row[2]);
+            let times = |p: f64| k * p.ln() + (n - k) * (1.0 - p).ln();
+            nodes.iter().map(|(w, b)| w * (times(0.5 + b) - times(k / n)).exp()).sum::<f64>().ln()
+        };
+        rows.iter().map(person).sum()
+    };
+    let top = of(0.0904);
+    lies_on("people", "likelihood", |spread| of(spread) - top);
+}
+
 /// The middles of the faces of coins in a layout of the film, each with its hue; of faces that cover each other the
 /// one that is painted last.
 fn faces(film: &Drawing) -> Vec<(Point, Hue)> {

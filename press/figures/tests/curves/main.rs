@@ -7,6 +7,7 @@
 mod constrained;
 mod free_tops;
 mod hard_cases;
+mod judged;
 mod laundromat;
 mod methods;
 mod report;

@@ -4,6 +4,10 @@
 //! room z is up and x lies along that diameter at time zero. The flight of the centre of mass is another matter
 //! ([`Flight`]): it decides only when the coin is caught. Air, edges and bounces are left out.
 
+mod people;
+
+pub use people::{Counted, Tossers, TossersParameters};
+
 use crate::euler::Turning;
 use crate::free_rotation::FreeSymmetricTop;
 use crate::inertia::{PrincipalMoments, SymmetricMoments};
