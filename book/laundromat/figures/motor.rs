@@ -56,7 +56,12 @@ pub(crate) fn motor_line(id: &str) -> Outcome {
         }
         plot.label((9.0, 2.0), Side::Left, "stuck", Hue::Ink)?;
         plot.label((30.4, 1.3), Side::Over, "fast", Hue::Ink)?;
-        plot.label((20.0, 2.1), Side::AboveRight, "the motor", Hue::Blue)?;
+        plot.label(
+            (room.of(20.0, 18.0), room.of(2.1, 2.3)),
+            Side::AboveRight,
+            room.of("the motor", "motor"),
+            Hue::Blue,
+        )?;
         plot.label((13.4, 1.3), Side::Right, "the shaking", Hue::Orange)?;
         Ok(drawing)
     })
