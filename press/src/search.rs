@@ -3,7 +3,7 @@
 //! mdBook's own holds every number of every drawing, all code, and formulas with a space between any two of their
 //! letters. This one holds what is read: headings, text, captions, and formulas within a text as words (`ω0`). The form
 //! is elasticlunr's, so that mdBook's scripts search it; only what they cut off at both ends of a word, anything but
-//! Latin letters, is kept, so that `ω` is a word. Solutions are not found, but the exercises that lead to them.
+//! Latin letters, is kept, so that `ω` is a word. Solutions and hints are not found, but their exercises.
 
 use elasticlunr::lang::{English, Language};
 use elasticlunr::{IndexBuilder, Pipeline};
@@ -20,8 +20,9 @@ const END: &str = "'));";
 /// How much longer than it is a section counts whose page has no number: the bibliography comes after the chapters.
 const LOOKED_UP: u64 = 16;
 
-/// What the anchors of solutions begin with.
-const SOLUTION: &str = "sol-";
+/// What the anchors of parts begin with that are not searched: solutions, and tables of symbols, whose words are those
+/// of their chapters.
+const NOT_SEARCHED: [&str; 2] = ["sol-", "sec-symbols-"];
 
 /// A part of a page under one heading.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -83,7 +84,9 @@ fn index(site: &Path, context: &RenderContext, mut search: Value) -> io::Result<
         let mut way = chapter.parent_names.clone();
         way.push(chapter.name.clone());
         let sections = sections(&fs::read_to_string(site.join(&path))?);
-        let read = sections.into_iter().filter(|section| !section.id.starts_with(SOLUTION));
+        let read = sections
+            .into_iter()
+            .filter(|section| !NOT_SEARCHED.iter().any(|label| section.id.starts_with(label)));
         for (n, section) in read.enumerate() {
             let way = if n == 0 { way.clone() } else { [way.clone(), vec![section.title.clone()]].concat() };
             let sources = section.sources.iter().map(|number| format!(" source {number}"));
@@ -215,7 +218,7 @@ fn upright(c: char) -> char {
 }
 
 /// What is no text, or none of its place.
-const LEFT_OUT: [&str; 7] = ["svg", "pre", "script", "style", "button", "template", "nav"];
+const LEFT_OUT: [&str; 8] = ["svg", "pre", "script", "style", "button", "template", "nav", "details"];
 const LEFT_OUT_CLASSES: [&str; 4] = ["save", "note-mark", "note-number", "turn"];
 /// Elements within a line: there is no space where they begin and end.
 const IN_LINE: [&str; 12] =
