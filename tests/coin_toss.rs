@@ -345,7 +345,7 @@ fn counted() -> Vec<[u32; 4]> {
 fn people() -> Vec<Counted> {
     let sum = |&[heads, heads_same, tails, tails_same]: &[u32; 4]| Counted {
         same: heads_same + tails_same,
-        tosses: heads + tails,
+        other: heads + tails - heads_same - tails_same,
     };
     counted().iter().map(sum).collect()
 }
@@ -358,18 +358,20 @@ fn tossers(mean: f64, spread: f64) -> Tossers {
 fn one_angle_for_everybody_is_refuted_in_integers() {
     // Σ (kN − nK)²/(n K (N − K)) is eq:people-chi with p = K/N, and each numerator and denominator is a whole number.
     let people = people();
-    let [same, all] = [|c: &Counted| c.same, |c: &Counted| c.tosses]
-        .map(|of| people.iter().map(|counted| i128::from(of(counted))).sum::<i128>());
+    let counts = people.iter().map(|counted| [counted.same, counted.other].map(i128::from));
+    let (same, other) = counts.fold((0, 0), |sum, [same, other]| (sum.0 + same, sum.1 + other));
+    let all = same + other;
     assert_eq!((same, all), (178_078, 350_757));
     let square = |counted: &Counted| {
-        let (k, n) = (i128::from(counted.same), i128::from(counted.tosses));
+        let k = i128::from(counted.same);
+        let n = k + i128::from(counted.other);
         let off = k * all - n * same;
         // To millionths.
         1_000_000 * off * off / (n * same * (all - same))
     };
     let millionths: i128 = people.iter().map(square).sum();
     assert_eq!(millionths / 100_000, 2652);
-    assert_eq!(people.iter().filter(|counted| 2 * counted.same < counted.tosses).count(), 10);
+    assert_eq!(people.iter().filter(|counted| counted.same < counted.other).count(), 10);
     // One hand is alike with heads and with tails up.
     let differ: f64 = counted()
         .iter()
@@ -429,7 +431,7 @@ fn plain_log_likelihood(people: &[Counted], density: impl Fn(f64) -> f64, bias: 
         .collect();
     let total: f64 = nodes.iter().map(|node| node.0).sum();
     let of = |counted: &Counted| {
-        let (k, n) = (f64::from(counted.same), f64::from(counted.tosses));
+        let (k, n) = (f64::from(counted.same), f64::from(counted.same) + f64::from(counted.other));
         let times = |p: f64| k * p.ln() + (n - k) * (1.0 - p).ln();
         let sum: f64 = nodes.iter().map(|(w, b)| w * (times(0.5 + b) - times(k / n)).exp()).sum();
         (sum / total).ln()
@@ -489,8 +491,8 @@ fn the_counts_want_a_bell_of_twists_about_zero_and_no_bell_of_probabilities() {
 fn a_person_whose_coin_never_flips_is_certain_to_show_the_same_face() {
     let surely = tossers(5.0, 0.1);
     assert_eq!(surely.same_face_probability(), 1.0);
-    assert_eq!(surely.log_likelihood(&[Counted { same: 7, tosses: 7 }]), 0.0);
-    assert_eq!(surely.log_likelihood(&[Counted { same: 6, tosses: 7 }]), f64::NEG_INFINITY);
+    assert_eq!(surely.log_likelihood(&[Counted { same: 7, other: 0 }]), 0.0);
+    assert_eq!(surely.log_likelihood(&[Counted { same: 6, other: 1 }]), f64::NEG_INFINITY);
     let message = |mean, spread| {
         Tossers::new(TossersParameters { moments: coin(), mean, spread }).unwrap_err().to_string()
     };

@@ -428,7 +428,8 @@ fn people_counted() -> Result<Vec<Counted>, Cause> {
         let [heads, heads_same, tails, tails_same] = cells[..] else {
             return Err("four counts in a row".into());
         };
-        Ok(Counted { same: heads_same + tails_same, tosses: heads + tails })
+        let same = heads_same + tails_same;
+        Ok(Counted { same, other: heads + tails - same })
     })
     .collect()
 }
@@ -452,18 +453,18 @@ fn sorted_people() -> Outcome {
          level at one half and rises ever more steeply to the right, through most bars.",
     );
     let mut people = people_counted()?;
-    let share = |counted: &Counted| f64::from(counted.same) / f64::from(counted.tosses);
+    let share = |counted: &Counted| f64::from(counted.same) / counted.tosses();
     people.sort_by(|one, other| share(one).total_cmp(&share(other)));
     let rank = Axis::linear(0.0, 48.0, 12.0)?.minor(4.0).titled("people, sorted");
     let probability = Axis::linear(0.46, 0.62, 0.02)?.titled("part of tosses with the same face");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 262.0), rank, probability)?;
     plot.level(0.5, Stroke::Axis);
-    let [same, all] = [|counted: &Counted| counted.same, |counted: &Counted| counted.tosses]
-        .map(|of| f64::from(people.iter().map(of).sum::<u32>()));
+    let same = f64::from(people.iter().map(|counted| counted.same).sum::<u32>());
+    let all: f64 = people.iter().map(Counted::tosses).sum();
     plot.curve("common", [(0.0, same / all), (48.0, same / all)], Stroke::DashedCurve, Hue::Muted);
     for (n, counted) in people.iter().enumerate() {
         let (p, x) = (share(counted), n as f64 + 0.5);
-        let deviation = (p * (1.0 - p) / f64::from(counted.tosses)).sqrt();
+        let deviation = (p * (1.0 - p) / counted.tosses()).sqrt();
         let [low, high] = [p - deviation, p + deviation].map(|end| plot.at((x, end)));
         plot.drawing().line(low, high, Stroke::Outline, Hue::Ink);
         let place = plot.at((x, p));

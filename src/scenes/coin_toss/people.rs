@@ -38,10 +38,17 @@ pub struct TossersParameters {
 /// How often a coin fell on the side that was up in the hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counted {
-    /// Tosses that show the same face; not more than all.
+    /// Tosses that show the same face.
     pub same: u32,
+    /// Tosses that show the other.
+    pub other: u32,
+}
+
+impl Counted {
     /// All tosses.
-    pub tosses: u32,
+    pub fn tosses(&self) -> f64 {
+        f64::from(self.same) + f64::from(self.other)
+    }
 }
 
 /// A part of the people, and what their coins do.
@@ -111,8 +118,7 @@ impl Tossers {
 
     /// The mean over the people of p^k (1 − p)^(n − k), in units of its largest.
     fn likelihood(&self, counted: &Counted) -> f64 {
-        let (same, all) = (f64::from(counted.same), f64::from(counted.tosses));
-        let other = all - same;
+        let (same, other, all) = (f64::from(counted.same), f64::from(counted.other), counted.tosses());
         // 0 ln 0 is 0.
         let times_ln = |count: f64, ln: f64| if count == 0.0 { 0.0 } else { count * ln };
         let largest = times_ln(same, (same / all).ln()) + times_ln(other, (other / all).ln());
