@@ -109,10 +109,14 @@ impl Camera {
         1.0 - self.nearness * (point - self.target).dot(self.back)
     }
 
+    /// How long a length at a point is on the page if it lies across the line of sight, px.
+    pub(super) fn seen(&self, point: Vec3, length: f64) -> f64 {
+        self.scale * length / self.weight(point)
+    }
+
     /// Into how many chords a circle is divided: the smaller it is seen, the fewer, so that they stay as near to it.
     pub(super) fn chords(&self, centre: Vec3, radius: f64) -> u32 {
-        let seen = self.scale * radius / self.weight(centre);
-        let part = f64::min((seen / LARGE).sqrt().max(0.2), 1.0); // 0.2 if it is no number
+        let part = f64::min((self.seen(centre, radius) / LARGE).sqrt().max(0.2), 1.0); // 0.2 if it is no number
         2 * (0.5 * f64::from(CHORDS) * part).ceil() as u32
     }
 

@@ -18,6 +18,10 @@ use std::mem;
 const SURFACE: f64 = 3e-3;
 /// Pieces shorter than this are joined to their neighbours, px: nobody sees them, and rounding makes some.
 const SHORTEST: f64 = 1.2;
+/// Chords from which a smooth curve bends away by less than this, px, are treated as one.
+const BEND: f64 = 0.6;
+/// How often the piece of a chord in which a boundary lies is halved: to a hundred-thousandth of a pixel.
+const HALVINGS: u32 = 20;
 
 /// What hides a point from the eye.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,18 +95,21 @@ pub(super) fn runs(
 ) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut room = vec![Boundaries::default(); shields.len()];
-    for chord in 0..track.chords() {
-        let ends = breaks(track, chord, camera, shields, &mut room);
+    let mut chord = 0;
+    while chord < track.chords() {
+        let count = nearly_one(track, chord, camera);
+        let ends = breaks(track, [chord, chord + count], camera, shields, &mut room);
         for pair in ends.as_deref().unwrap_or(&[0.0, 1.0]).windows(2) {
-            let middle = 0.5 * (pair[0] + pair[1]);
+            let [from, to, probe] =
+                [pair[0], pair[1], 0.5 * (pair[0] + pair[1])].map(|part| chord as f64 + count as f64 * part);
             // What is far from all solids is seen.
-            let sight = if ends.is_none() { Sight::Seen } else { judge(track.on_chord(chord, middle)) };
-            let [from, to, probe] = [pair[0], pair[1], middle].map(|part| chord as f64 + part);
+            let sight = if ends.is_none() { Sight::Seen } else { judge(track.at(probe)) };
             match runs.last_mut() {
                 Some(last) if last.sight == sight => (last.to, last.probes.1) = (to, probe),
                 _ => runs.push(Run { sight, from, to, probes: (probe, probe) }),
             }
         }
+        chord += count;
     }
     if track.smooth {
         for index in 1..runs.len() {
@@ -115,26 +122,37 @@ pub(super) fn runs(
     runs
 }
 
+/// How many chords from this one on are so nearly one that they are treated as one.
+fn nearly_one(track: &Track, chord: usize, camera: &Camera) -> usize {
+    let is_near = |&count: &usize| {
+        let Some(&end) = track.points.get(chord + count) else { return false };
+        let (middle, bend) = (track.points[chord + count / 2], track.points[chord].towards(end, 0.5));
+        camera.seen(middle, (middle - bend).length()) < BEND
+    };
+    if track.smooth { [4, 2].into_iter().find(is_near).unwrap_or(1) } else { 1 }
+}
+
 /// Room to work in: the values that a solid's boundaries have at both ends of a chord and in its middle.
 #[derive(Debug, Clone, Default)]
 struct Boundaries {
     start: Vec<f64>,
     middle: Vec<f64>,
     end: Vec<f64>,
-    /// The chord whose values these are.
-    chord: Option<usize>,
+    /// The point at which the chord ends whose values these are.
+    end_point: Option<usize>,
 }
 
-/// The fractions of a chord at which what hides it may change, from 0 to 1, in order; none if no solid is near.
+/// The fractions of the chord between two points at which what hides it may change, from 0 to 1, in order; none if no
+/// solid is near.
 fn breaks(
     track: &Track,
-    chord: usize,
+    [from, to]: [usize; 2],
     camera: &Camera,
     shields: &[Shield<'_>],
     room: &mut [Boundaries],
 ) -> Option<Vec<f64>> {
-    let (start, end) = (track.points[chord], track.points[chord + 1]);
-    let seen = bounds([start, end].into_iter().map(|point| camera.land(point))).grown(1.0);
+    let (start, end) = (track.points[from], track.points[to]);
+    let seen = bounds([start, end].into_iter().map(|point| camera.land(point))).grown(1.0 + BEND);
     let mut breaks: Option<Vec<f64>> = None;
     for (shield, room) in shields.iter().zip(room) {
         if !shield.bounds.overlaps(&seen) {
@@ -145,14 +163,14 @@ fn breaks(
             shield.form.boundaries(camera, point, values);
         };
         // One chord ends where the next begins.
-        if chord > 0 && room.chord == Some(chord - 1) {
+        if room.end_point == Some(from) {
             mem::swap(&mut room.start, &mut room.end);
         } else {
             value(&mut room.start, start);
         }
         value(&mut room.middle, start.towards(end, 0.5));
         value(&mut room.end, end);
-        room.chord = Some(chord);
+        room.end_point = Some(to);
         let breaks = breaks.get_or_insert_with(|| vec![0.0, 1.0]);
         for ((first, second), third) in room.start.iter().zip(&room.middle).zip(&room.end) {
             breaks.extend(zeros(*first, *second, *third));
@@ -171,7 +189,7 @@ fn breaks(
 
 /// Where a condition that holds at `yes` and not at `no` ceases to hold.
 fn bisect(mut yes: f64, mut no: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..40 {
+    for _ in 0..HALVINGS {
         let middle = 0.5 * (yes + no);
         *(if holds(middle) { &mut yes } else { &mut no }) = middle;
     }
