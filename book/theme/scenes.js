@@ -180,6 +180,7 @@ class Scene {
   #isAtStill = true; // at the moment of the still: it plays from the beginning
   #isOnScreen = false;
   #shown = []; // readings
+  #read = 0; // when they were
   isPlaying = false;
   hasFailed = false;
 
@@ -240,20 +241,20 @@ class Scene {
   }
 
   /** Draws the present moment, in the picture for the page or for the phone, and writes what is beside it. */
-  #draw() {
+  #draw(moment) {
     const { machine, now, pictures } = this;
-    this.picture ??= pictures.find(({ svg }) => svg.getClientRects().length > 0) ?? pictures[0];
-    const { picture } = this;
-    const [azimuth, elevation] = this.angles.map((angle) => (angle * Math.PI) / 180);
-    const isNarrow = picture.svg.classList.contains("narrow");
-    picture.draw(machine.text(machine.run.draw(now, azimuth ?? 0, elevation ?? 0, isNarrow)));
+    const picture = (this.picture ??= pictures.find(({ svg }) => svg.getClientRects().length > 0) ?? pictures[0]);
+    const [azimuth = 0, elevation = 0] = this.angles.map((angle) => (angle * Math.PI) / 180);
+    picture.draw(machine.text(machine.run.draw(now, azimuth, elevation, picture.svg.matches(".narrow"))));
+    this.time.value = now;
+    this.clock.textContent = written(now, this.digits, "s");
+    if (this.isPlaying && moment - this.#read < 100) return; // nobody reads numbers that change faster
+    this.#read = moment;
     const values = machine.text(machine.run.readings(now)).split("\n");
     this.readings.forEach((place, index) => {
       if (this.#shown[index] !== values[index]) place.innerHTML = values[index];
     });
     this.#shown = values;
-    this.time.value = now;
-    this.clock.textContent = written(now, this.digits, "s");
     if (!this.isPlaying) this.time.setAttribute("aria-valuetext", this.clock.textContent);
   }
 
@@ -271,7 +272,7 @@ class Scene {
       if (hasChanged) this.#begin();
       if (this.isPlaying) this.#advance(moment);
       this.now = within(this.now, 0, this.duration);
-      this.#draw();
+      this.#draw(moment);
       const isStale = hasChanged || !this.isPlaying || this.says.classList.contains("trouble");
       if (isStale) this.#say(this.machine.text(this.machine.run.words(this.now)), false);
     } catch (error) {
@@ -448,10 +449,7 @@ class Scene {
       };
       this.ask();
     });
-    this.on([svg], "pointerup pointercancel", () => {
-      held = null;
-      drawing.style.cursor = "";
-    });
+    this.on([svg], "pointerup pointercancel", () => ([held, drawing.style.cursor] = [null, ""]));
   }
 }
 

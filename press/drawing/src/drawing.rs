@@ -305,6 +305,14 @@ impl Drawing {
 }
 
 impl Shape {
+    /// The area of the shape, without its shading.
+    pub(crate) fn unshaded(&self) -> Self {
+        match *self {
+            Self::Rounded { centre, radii, turn, .. } => Self::Ellipse { centre, radii, turn },
+            _ => self.clone(),
+        }
+    }
+
     /// The shape's lines as points, circles, arcs and ellipses divided finely; a label's are the corners of its ink.
     pub fn points(&self) -> Vec<Point> {
         match self {

@@ -105,6 +105,9 @@ pub enum Role {
 /// The classes of the three stops of a rounded body's shading, from where it is brightest to its outline.
 pub(crate) const STOPS: [&str; 3] = ["f-lit", "f-half-lit", "f-unlit"];
 
+/// The class of a tint under which the page is, and not what is painted behind it.
+pub(crate) const OPAQUE: &str = "f-opaque";
+
 /// The class of a label's rim where it is drawn by itself.
 pub(crate) const RIM: &str = "f-rim";
 
@@ -185,6 +188,11 @@ impl Stroke {
 }
 
 impl Fill {
+    /// Whether one sees through it what is painted behind it.
+    pub(crate) const fn is_tint(self) -> bool {
+        !matches!(self, Self::Solid | Self::Page)
+    }
+
     /// All of them.
     pub const ALL: [Self; 9] = [
         Self::Solid,

@@ -5,10 +5,12 @@
 //! nor `light-dark()` nor `color-mix()`, so here all of them are resolved: the rules once for light, and
 //! those that differ once more for dark.
 
+use crate::role::OPAQUE;
+
 const PAGE: &str = include_str!("../../../book/theme/figures.css");
 
 /// A tint as the page has it, before and after its percentage.
-const TINT: (&str, &str) = ("color-mix(in srgb, currentColor ", "%, transparent)");
+const TINT: (&str, &str) = ("color-mix(in srgb, currentColor ", "%, var(--under, transparent))");
 
 #[derive(Clone, Copy)]
 enum Side {
@@ -19,7 +21,7 @@ enum Side {
 /// Rules for light, then for dark, in plain CSS without variables.
 pub(crate) fn standalone() -> String {
     let (mut light, mut dark) = (String::new(), String::new());
-    for rule in PAGE.lines().filter(|line| line.starts_with(".f-")) {
+    for rule in PAGE.lines().filter(|line| line.starts_with(".f-") && !line.contains(OPAQUE)) {
         let [on_light, on_dark] = [Side::Light, Side::Dark].map(|side| resolved(rule, side) + "\n");
         light += &on_light;
         if on_dark != on_light {
@@ -96,7 +98,7 @@ fn halves(arguments: &str) -> (&str, &str) {
 #[cfg(test)]
 mod tests {
     use super::{PAGE, standalone};
-    use crate::role::{Fill, Hue, Role, STOPS, Stroke};
+    use crate::role::{Fill, Hue, OPAQUE, Role, STOPS, Stroke};
 
     #[test]
     fn every_role_has_a_rule_in_the_style_sheet() {
@@ -106,7 +108,7 @@ mod tests {
             .chain(Stroke::ALL.map(Stroke::class))
             .chain(Fill::ALL.map(Fill::class))
             .chain(STOPS)
-            .chain(["f-line", "f-text", "f-plain", "f-rim"]);
+            .chain(["f-line", "f-text", "f-plain", "f-rim", OPAQUE]);
         for class in classes {
             let rule = format!(".{class} {{");
             assert!(PAGE.lines().any(|line| line.starts_with(&rule)), "figures.css has no rule for {class}");

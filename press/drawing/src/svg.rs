@@ -5,7 +5,7 @@ use crate::flaw::Flaw;
 use crate::label::{Label, Piece};
 use crate::layout::{self, Pages};
 use crate::point::{Point, Rect, at};
-use crate::role::{RIM, Role, STOPS};
+use crate::role::{Fill, OPAQUE, RIM, Role, STOPS};
 use crate::trace::number;
 use crate::{style, trace};
 use std::fmt::Write as _;
@@ -44,7 +44,7 @@ impl Drawing {
             } else {
                 format!("<svg class=\"{class}\" {size} aria-hidden=\"true\">\n")
             };
-            part.write_items(&mut out);
+            part.write_items(&mut out, true);
             out += "</svg>";
             match &part.link {
                 Some(target) => format!(
@@ -66,7 +66,7 @@ impl Drawing {
     pub fn to_elements(&self) -> Result<String, Flaw> {
         self.flaw().map_or(Ok(()), Err)?;
         let mut out = String::new();
-        self.write_items(&mut out);
+        self.write_items(&mut out, true);
         Ok(out)
     }
 
@@ -91,17 +91,24 @@ impl Drawing {
         for (part, place) in parts.into_iter().zip(places) {
             let (x, y) = (number(place.x), number(place.y));
             let _ = writeln!(out, "<g transform=\"translate({x} {y})\">");
-            part.write_items(&mut out);
+            part.write_items(&mut out, false);
             out += "</g>\n";
         }
         Ok(out + "</svg>\n")
     }
 
-    fn write_items(&self, out: &mut String) {
+    /// Writes an element a line. On a page, a tint and the colour of the page under it are one element, which the
+    /// page's style sheet can mix; a file's cannot.
+    fn write_items(&self, out: &mut String, is_page: bool) {
         let id = self.id.replace(':', "-");
         let items = self.items();
         let mut index = 0;
         while let Some(item) = items.get(index) {
+            if is_page && let Some(tint) = items.get(index + 1).filter(|tint| is_under(item, tint)) {
+                write_item(out, &id, index + 1, tint, &format!("{OPAQUE} {}", tint.role.classes()));
+                index += 2;
+                continue;
+            }
             // A floor's grid, or the ticks of an axis, are one element: a page that moves pays for each.
             let alike = |next: &&Item| is_plain_line(next) && next.role == item.role;
             let count = items[index..].iter().take_while(alike).count();
@@ -110,7 +117,7 @@ impl Drawing {
                 let data = trace::all(items[index..index + count].iter().map(|item| &item.shape));
                 let _ = writeln!(out, "<path class=\"{class}\" d=\"{data}\"/>");
             } else {
-                write_item(out, &id, index, item);
+                write_item(out, &id, index, item, &item.role.classes());
             }
             index += count.max(1);
         }
@@ -121,6 +128,17 @@ impl Drawing {
 fn is_plain_line(item: &Item) -> bool {
     let is_line = matches!(item.shape, Shape::Polyline(_) | Shape::Polygon(_));
     is_line && item.name.is_none() && matches!(item.role, Role::Line(..))
+}
+
+/// Whether an item is the colour of the page under nothing but a tint, to hide what lies behind it.
+fn is_under(item: &Item, tint: &Item) -> bool {
+    let areas = match (item.role, tint.role) {
+        (Role::Area(Fill::Page, _), Role::Area(fill, _)) => fill.is_tint(),
+        _ => false,
+    };
+    let alike = item.shape == tint.shape
+        || matches!(tint.shape, Shape::Rounded { .. }) && item.shape == tint.shape.unshaded();
+    areas && item.name.is_none() && alike
 }
 
 /// The tag that opens an SVG, with the words for those who cannot see it.
@@ -154,9 +172,8 @@ fn rows(seen: &[Rect]) -> (Vec<Point>, Rect) {
     (places, all)
 }
 
-fn write_item(out: &mut String, id: &str, index: usize, item: &Item) {
+fn write_item(out: &mut String, id: &str, index: usize, item: &Item, class: &str) {
     let name = item.name.as_ref().map_or(String::new(), |name| format!(" id=\"{id}-{}\"", escaped(name)));
-    let class = item.role.classes();
     let element = match &item.shape {
         Shape::Label(label) => return write_label(out, &name, item.role, label),
         Shape::Circle { centre, radius } => {
@@ -177,7 +194,7 @@ fn write_item(out: &mut String, id: &str, index: usize, item: &Item) {
         }
         Shape::Rounded { centre, radii, turn, light } => {
             let shade = format!("{id}-shade-{index}");
-            let gradient = gradient(&shade, &class, *centre, *radii, *turn, *light);
+            let gradient = gradient(&shade, class, *centre, *radii, *turn, *light);
             let path = ellipse(*centre, *radii, *turn);
             format!("{gradient}\n<path{name} class=\"{class}\" fill=\"url(#{shade})\" d=\"{path}\"/>")
         }

@@ -269,6 +269,26 @@ fn rounded_bodies_are_shaded_by_a_gradient_of_their_own() {
 }
 
 #[test]
+fn a_tint_on_the_colour_of_the_page_is_one_element_of_a_page_and_two_of_a_file() {
+    let mut drawing = Drawing::new("fig:coins", 100.0, 100.0);
+    drawing.disc(at(30.0, 30.0), 20.0, Hue::Blue);
+    // What is tinted apart from the page stays apart.
+    drawing.circle(at(70.0, 70.0), 20.0, Role::Area(Fill::Page, Hue::Ink));
+    drawing.circle(at(70.0, 70.0), 10.0, Role::Area(Fill::Face, Hue::Ink));
+    let circles = |svg: &str| {
+        let document = Document::parse(svg).expect("valid XML");
+        let circles = document.descendants().filter(|node| node.has_tag_name("circle"));
+        circles.map(|node| node.attribute("class").unwrap_or_default().to_owned()).collect::<Vec<_>>()
+    };
+    let (page, file) = (drawing.to_svg(), drawing.to_standalone_svg());
+    let apart = ["f-page f-ink", "f-face f-ink"];
+    let [coin, of_a_file] = [&["f-opaque f-face f-blue"][..], &["f-page f-blue", "f-face f-blue"]]
+        .map(|coin| [coin, &["f-line f-outline f-blue"]].concat());
+    assert_eq!(circles(&page.expect("no flaw")), [coin, apart.to_vec()].concat());
+    assert_eq!(circles(&file.expect("no flaw")), [of_a_file, apart.to_vec()].concat());
+}
+
+#[test]
 fn arrows_end_at_their_points() {
     for (from, to) in [(at(10.0, 90.0), at(80.0, 20.0)), (at(10.0, 10.0), at(14.0, 10.0))] {
         let mut drawing = Drawing::new("fig:arrow", 100.0, 100.0);

@@ -167,24 +167,16 @@ impl Stage {
             let (solid, hue) = &self.solids[coat.body];
             for patch in coat.patches {
                 if solid.finish != Finish::Glass {
-                    drawing.push(Role::Area(Fill::Page, *hue), unshaded(&patch.shape));
+                    drawing.push(Role::Area(Fill::Page, *hue), patch.shape.unshaded());
                 }
                 let flat = matches!(patch.fill, Fill::Face | Fill::Side);
                 let (fill, shape) = match solid.finish {
                     Finish::Glass if flat => (Fill::Glass, patch.shape),
-                    Finish::Ghost => (Fill::Ghost, unshaded(&patch.shape)),
+                    Finish::Ghost => (Fill::Ghost, patch.shape.unshaded()),
                     Finish::Opaque | Finish::Glass => (patch.fill, patch.shape),
                 };
                 drawing.push(Role::Area(fill, *hue), shape);
             }
         }
-    }
-}
-
-/// The area of a shape, without its shading.
-fn unshaded(shape: &Shape) -> Shape {
-    match *shape {
-        Shape::Rounded { centre, radii, turn, .. } => Shape::Ellipse { centre, radii, turn },
-        _ => shape.clone(),
     }
 }
