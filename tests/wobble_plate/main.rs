@@ -2,6 +2,7 @@
 
 mod engine;
 mod plate;
+mod unbalance;
 #[path = "../printed/mod.rs"]
 mod printed;
 

@@ -82,6 +82,25 @@ fn the_turn_rate_of_a_disc_follows_its_formula() {
 }
 
 #[test]
+fn waits_are_integrals_of_the_pendulum_and_of_a_steady_turn() {
+    // The time from χ₀ to 90°, of χ̇² = λ²(cos²χ₀ − cos²χ): with cos χ = cos χ₀ sin ξ and tan ξ = e^ζ/√k′ an integral
+    // over a plateau, which equal steps add up at once.
+    let wait = |survival: f64, growth: f64, gap: f64| {
+        let (tangent, diameter) = (survival * (1.0 - gap * gap).sqrt(), gap);
+        let plane = tangent.hypot(diameter);
+        let k1 = diameter / plane; // k′ = sin χ₀
+        let step = 0.05;
+        let reach = (0.5 * (1.0 / k1).ln() + 40.0) / step;
+        let values = (-(reach as i32)..=reach as i32)
+            .map(|n| 1.0 / (1.0 + k1 * k1 + 2.0 * k1 * (2.0 * step * f64::from(n)).cosh()).sqrt());
+        step * values.sum::<f64>() / (plane * growth)
+    };
+    lies_on("waits", "hoop", |gap| wait(1.0 / 3.0, 0.5_f64.sqrt(), gap));
+    lies_on("waits", "disc", |gap| wait(0.2, (2.0_f64 / 3.0).sqrt(), gap));
+    lies_on("waits", "ball", |gap| 0.7 * PI / gap);
+}
+
+#[test]
 fn the_potential_is_the_energy_of_spin_and_height() {
     // Across and along spin as functions of the lean, from the motion of the text: 0.45 and 0.9 at 0.3.
     let rates = |lean: f64, [across, along]: [f64; 2]| [across * lean.tan() + 2.0 * along, across / 1.5];
