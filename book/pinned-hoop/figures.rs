@@ -570,7 +570,7 @@ pub(crate) fn waits(id: &str) -> Outcome {
             "Waits of a hoop, a disc and a ball against the gap of the pin",
             "Time until the rotation about the tangent has gone, in units of one over omega zero, from 0 to 300, against the gap from 1 down to 1e-20 on a logarithmic scale. \
              The hoop's is a straight line from 6 to 197, the disc's a steeper one to 281. The ball's rises out of the picture within two decades. \
-             Discs of a program that steps in the room lie on the hoop's line down to a gap of 1e-15 and then stay near 150. A ring \
+             Dots of a program that steps in the room lie on the hoop's line down to a gap of 1e-15 and then stay near 150. A ring \
              at a gap of 6e-17 and 160 ends what a program can do that is told the angle.",
         );
         let gap = Axis::log(1e-20, 1.0, room.of(4, 5))?.titled(r"gap of the pin, $\cos\theta$");
@@ -585,7 +585,7 @@ pub(crate) fn waits(id: &str) -> Outcome {
         plot.label((1e-9, 84.0), Side::BelowLeft, "hoop", Hue::Orange)?;
         plot.label((1e-9, 126.0), Side::AboveRight, "disc", Hue::Blue)?;
         plot.label((0.006, 270.0), Side::Left, "ball", Hue::Ink)?;
-        plot.label((1e-18, 142.0), Side::Below, "stepped in the room", Hue::Orange)?;
+        plot.label((3e-20, 122.0), Side::BelowRight, "stepped in the room", Hue::Orange)?;
         Ok(drawing)
     })
 }

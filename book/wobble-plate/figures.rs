@@ -523,14 +523,15 @@ pub(crate) fn any_faults(id: &str) -> Outcome {
     let side = || Axis::linear(-12.0, 12.0, 4.0).map(|axis| axis.minor(1.0));
     let (x, y) = (side()?.titled(r"$\tau_x$, %"), side()?.titled(r"$\tau_y$, %"));
     let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 300.0, 300.0), x, y)?;
-    for (name, values, arrow) in [("all-heavy", &all, 40), ("one-heavy", &one, 60), ("one-aside", &aside, 40)]
-    {
+    for (name, values) in [("all-heavy", &all), ("one-heavy", &one), ("one-aside", &aside)] {
         plot.curve(name, values.iter().copied(), Stroke::Curve, Hue::Purple);
-        let [from, to] = [values[arrow], values[arrow + 6]].map(|value| plot.at(value));
-        kit::arrow(plot.drawing(), from, to, Hue::Purple);
+        if name != "one-heavy" {
+            let [from, to] = [values[40], values[50]].map(|value| plot.at(value));
+            kit::arrow(plot.drawing(), from, to, Hue::Purple);
+        }
     }
-    plot.label((7.4, 7.4), Side::AboveRight, "all too heavy", Hue::Purple)?;
-    plot.label((0.4, 2.0), Side::Right, "one too heavy", Hue::Purple)?;
-    plot.label((-4.6, -4.2), Side::AboveRight, "one aside", Hue::Purple)?;
+    plot.label((7.4, 7.4), Side::AboveRight, "all heavy", Hue::Purple)?;
+    plot.label((0.3, 1.2), Side::Right, "one heavy", Hue::Purple)?;
+    plot.label((-5.8, -2.6), Side::Right, "one aside", Hue::Purple)?;
     Ok(drawing)
 }

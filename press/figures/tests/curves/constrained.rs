@@ -1,6 +1,7 @@
 //! The pinned hoop, the rolling wheel and the spinning coin: formulas and equations of motion written out here.
 
 use crate::{PIXELS, curve, lies_on, place};
+use std::f64::consts::PI;
 
 /// One Runge-Kutta step.
 pub(crate) fn step<const N: usize>(
