@@ -557,7 +557,7 @@ fn stepped_in_the_room(gap: f64) -> Result<f64, Cause> {
 pub(crate) fn waits(id: &str) -> Outcome {
     let wait = |body: Pinning| body.wait()?.ok_or_else(|| Cause::from("it never comes"));
     let curve = |shape: Shape, from: f64| {
-        log_steps(from, 0.3, 300)
+        log_steps(from, 0.99, 400)
             .map(|gap| Ok((gap, wait(pinned_beside(shape, gap)?)?)))
             .collect::<Result<Vec<_>, Cause>>()
     };
@@ -582,10 +582,10 @@ pub(crate) fn waits(id: &str) -> Outcome {
         plot.curve("ball", curve(Shape::Sphere, 0.0075)?, Stroke::Curve, Hue::Ink);
         plot.markers(&stepped, Marker::Disc, Hue::Orange);
         plot.markers(&[(FRAC_PI_2.cos(), told_the_angle)], Marker::Ring, Hue::Orange);
-        plot.label((1e-9, 84.0), Side::BelowLeft, "hoop", Hue::Orange)?;
+        plot.label((1e-5, 44.0), Side::BelowLeft, "hoop", Hue::Orange)?;
         plot.label((1e-9, 126.0), Side::AboveRight, "disc", Hue::Blue)?;
-        plot.label((0.006, 270.0), Side::Left, "ball", Hue::Ink)?;
-        plot.label((3e-20, 122.0), Side::BelowRight, "stepped in the room", Hue::Orange)?;
+        plot.label((0.005, 260.0), Side::Left, "ball", Hue::Ink)?;
+        plot.label((3e-20, 92.0), Side::BelowRight, "stepped in the room", Hue::Orange)?;
         Ok(drawing)
     })
 }

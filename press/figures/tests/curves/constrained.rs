@@ -98,7 +98,11 @@ fn waits_are_integrals_of_the_pendulum_and_of_a_steady_turn() {
     };
     lies_on("waits", "hoop", |gap| wait(1.0 / 3.0, 0.5_f64.sqrt(), gap));
     lies_on("waits", "disc", |gap| wait(0.2, (2.0_f64 / 3.0).sqrt(), gap));
-    lies_on("waits", "ball", |gap| 0.7 * PI / gap);
+    let ball = curve("waits", "ball");
+    for step in 0..200 {
+        let gap = 0.0076 * 120_f64.powf(f64::from(step) / 200.0);
+        assert!(ball.distance((gap, 0.7 * PI / gap)) < PIXELS, "{gap}");
+    }
 }
 
 #[test]
