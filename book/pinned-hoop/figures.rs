@@ -561,7 +561,7 @@ pub(crate) fn waits(id: &str) -> Outcome {
             .map(|gap| Ok((gap, wait(pinned_beside(shape, gap)?)?)))
             .collect::<Result<Vec<_>, Cause>>()
     };
-    // The nearest number to a right angle has a cosine, and a hoop that is told the angle waits no longer than for that.
+    // The nearest number to a right angle has a cosine, and who is told the angle waits no longer than for that.
     let told_the_angle = wait(pinning(Shape::Hoop, 90.0)?)?;
     let gaps = (1..=20).map(|decade| 10_f64.powi(-decade));
     let stepped = gaps.map(|gap| Ok((gap, stepped_in_the_room(gap)?))).collect::<Result<Vec<_>, Cause>>()?;

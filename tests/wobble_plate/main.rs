@@ -2,9 +2,9 @@
 
 mod engine;
 mod plate;
-mod unbalance;
 #[path = "../printed/mod.rs"]
 mod printed;
+mod unbalance;
 
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;

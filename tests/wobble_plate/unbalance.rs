@@ -26,8 +26,8 @@ fn end_of_rod(piston: &Piston, tilt: f64, phase: f64) -> Vector3<f64> {
     Vector3::new(x, y, tilt.sin() * (c * x + s * y) / tilt.cos())
 }
 
-/// Torque about the centre and force along the shaft that all the mass takes, by second differences of its places, for a
-/// spin of 1 rad/s; and the kinetic energy of the pistons.
+/// Torque about the centre and force along the shaft that all the mass takes, by second differences of its places, for
+/// a spin of 1 rad/s; and the kinetic energy of the pistons.
 fn by_newton(numbers: [f64; 5], pistons: &[Piston], phase: f64) -> (Vector3<f64>, f64, f64) {
     let h = 1e-3;
     let [before, now, after] = [phase - h, phase, phase + h].map(|phase| {

@@ -70,9 +70,9 @@ impl Unbalance {
         Ok(left)
     }
 
-    /// The torque about the plate's centre that the frame gives plate and pistons, in the room, N·m, at a phase ωt, rad,
-    /// and a spin, rad/s, as [`Engine::frame_torque`](super::Engine::frame_torque) has it (`eq:unbalance-torque`). About
-    /// which point of the shaft does not matter.
+    /// The torque about the plate's centre that the frame gives plate and pistons, in the room, N·m, at a phase ωt,
+    /// rad, and a spin, rad/s, as [`Engine::frame_torque`](super::Engine::frame_torque) has it
+    /// (`eq:unbalance-torque`).
     pub fn torque(&self, phase: f64, spin: f64) -> Vector3<f64> {
         let turned = Complex::cis(phase);
         let sum = self.forward * turned - 0.5 * self.backward * turned.conj();
