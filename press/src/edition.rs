@@ -4,8 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// The version that the package in the project's root gives itself, and the commit, if git knows one: `0.2.0, 1f2e3d4c`;
-/// with `, changed` behind it if files differ from the commit.
+/// The version that the package in the project's root gives itself, and the commit, if git knows one:
+/// `0.2.0, 1f2e3d4c`, with `, changed` behind it if files differ from the commit.
 pub(crate) fn edition(root: &Path) -> String {
     let manifest = fs::read_to_string(root.join("Cargo.toml")).unwrap_or_default();
     let manifest: toml::Table = manifest.parse().unwrap_or_default();

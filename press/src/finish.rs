@@ -74,7 +74,8 @@ fn finished(
     Ok(faults)
 }
 
-/// Lets every page say what it is, where it is and of which edition, and helps those who ask for one that is not there.
+/// Lets every page say what it is, where it is and of which edition, and helps those who ask for one that is not
+/// there.
 fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<()> {
     let html = context.config.html_config().unwrap_or_default();
     let title = context.config.book.title.clone().unwrap_or_default();

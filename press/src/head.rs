@@ -1,5 +1,5 @@
-//! What a page says of itself to those who have not opened it (search engines, previews of links), and which edition it
-//! belongs to.
+//! What a page says of itself to those who have not opened it (search engines, previews of links), and which edition
+//! it belongs to.
 
 use html5gum::{Token, Tokenizer};
 
