@@ -81,7 +81,7 @@ fn the_bands_of_the_two_coins_are_thirds() {
         let width = sides[0][20].x - sides[1][20].x; // the diameter
         assert!(((bottom - top).abs() / width - share).abs() < 1e-3);
         // The corners of the coin are those of the band.
-        let faces = part.items().iter().filter(|item| item.role == Role::Fill(Fill::Face, Hue::Blue));
+        let faces = part.items().iter().filter(|item| item.role == Role::Area(Fill::Face, Hue::Blue));
         let corners: Vec<Point> = faces.flat_map(|item| item.shape.points()).collect();
         assert!(
             corners.len() >= 4
