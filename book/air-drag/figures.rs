@@ -369,7 +369,7 @@ pub(crate) fn fates(id: &str) -> Outcome {
             ("ten", 10.0, Stroke::DashedCurve),
             ("tenth", 0.1, Stroke::DashedCurve),
         ] {
-            let line = log_steps(1e-3, 2.0, 40).map(|ratio| (ratio, clocks / ratio));
+            let line = log_steps(1e-3, 10.0, 40).map(|ratio| (ratio, clocks / ratio));
             plot.curve(name, line, stroke, Hue::Muted);
         }
         let spheroid = |eta: f64| {

@@ -135,8 +135,10 @@ fn against_angle() -> Result<Drawing, Cause> {
             values.push((degrees, leaning(degrees)?.landings(coin(NICKEL))?.edge));
         }
     }
-    let thin = linear_steps(46.0, 90.0, 200)
-        .map(|degrees| (degrees, 2.0 * sine / (PI * (-(2.0 * degrees).to_radians().cos()).sqrt())));
+    let thin = linear_steps(0.0, 1.0, 300).map(|step| {
+        let degrees = 45.3 + 44.7 * step * step;
+        (degrees, 2.0 * sine / (PI * (-(2.0 * degrees).to_radians().cos()).sqrt()))
+    });
     plot.curve("thin", thin, Stroke::DashedCurve, Hue::Muted);
     plot.curve("nickel", values, Stroke::Curve, Hue::Orange);
     let best = leaning(peak)?.landings(coin(NICKEL))?.edge;

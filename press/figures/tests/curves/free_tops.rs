@@ -77,8 +77,10 @@ fn the_bands_of_the_two_coins_are_thirds() {
     for (part, share) in [(area, 1.0_f64 / 3.0), (arc, 0.5)] {
         let sides = lines(part, (Stroke::Curve, Hue::Pink));
         assert_eq!(sides.len(), 2);
-        let (top, bottom) = (sides[0][40].y, sides[0][0].y);
-        let width = sides[0][20].x - sides[1][20].x; // the diameter
+        let ends = [sides[0][0], *sides[0].last().expect("an arc")];
+        let [bottom, top] = ends.map(|end| end.y);
+        let [right, left] = [0, 1].map(|side| sides[side].iter().map(|point| point.x));
+        let width = right.fold(f64::MIN, f64::max) - left.fold(f64::MAX, f64::min); // the diameter
         assert!(((bottom - top).abs() / width - share).abs() < 1e-3);
         // The corners of the coin are those of the band.
         let faces = part.items().iter().filter(|item| item.role == Role::Area(Fill::Face, Hue::Blue));
