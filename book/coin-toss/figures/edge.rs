@@ -106,9 +106,9 @@ fn against_thickness() -> Outcome {
         plot.markers(&[(ratio, third)], Marker::Disc, Hue::Ink);
     }
     plot.markers(&[(NICKEL, area(NICKEL)?), (NICKEL, arc(NICKEL)?)], Marker::Disc, Hue::Ink);
-    plot.label((NICKEL, 0.02), Side::Right, "nickel", Hue::Ink)?;
+    plot.label((0.13, 0.045), Side::Right, "nickel", Hue::Ink)?;
     plot.label((0.6, 0.53), Side::AboveLeft, "any attitude", Hue::Blue)?;
-    plot.label((0.7, 0.385), Side::BelowRight, "tumbled", Hue::Orange)?;
+    plot.label((0.86, 0.39), Side::Over, "tumbled", Hue::Orange)?;
     plot.label((thirds()[0], third), Side::BelowRight, "$0.354$", Hue::Ink)?;
     plot.label((thirds()[1], third), Side::BelowRight, "$0.577$", Hue::Ink)?;
     Ok(drawing)
@@ -144,6 +144,5 @@ fn against_angle() -> Result<Drawing, Cause> {
     let best = leaning(peak)?.landings(coin(NICKEL))?.edge;
     plot.label((peak, best), Side::Right, r"dips to $-\text{sin}\,\beta$", Hue::Ink)?;
     plot.label((89.0, 0.07), Side::AboveLeft, "tumble", Hue::Ink)?;
-    plot.label((42.0, 0.015), Side::Above, "same", Hue::Ink)?;
     Ok(drawing)
 }

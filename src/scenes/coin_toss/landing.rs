@@ -17,10 +17,10 @@ pub struct Landings {
 }
 
 impl Toss {
-    /// How often a coin of this shape lands on each side, if the moment of the landing is as good as random and the coin
-    /// stays on the side that then lies under its centre (`eq:edge-any`). The shape says what lies there; how the coin
-    /// turns follows from the moments of the toss. Each to 2e-15; but next to a toss whose normal just reaches one of the
-    /// borders the share beyond it hangs on the root of what is missing, and has half the digits.
+    /// How often a coin of this shape lands on each side, if the moment of the landing is as good as random and the
+    /// coin stays on the side that then lies under its centre (`eq:edge-any`). The shape says what lies there; how the
+    /// coin turns follows from the moments of the toss. Each to 2e-15; but next to a toss whose normal just reaches one
+    /// of the borders the share beyond it hangs on the root of what is missing, and has half the digits.
     ///
     /// ```
     /// use mechanics::inertia::{Body, Cylinder};
