@@ -95,7 +95,7 @@ fn a_weak_brake_carries_the_whole_body_along_steady_circles() {
                 errors.push(error.fold(0.0, f64::max));
             }
             // The error shrinks with the brake.
-            assert!(errors[1] < 2e-3 && errors[1] < 0.45 * errors[0], "{moments:?}, {lean}, {b}: {errors:?}");
+            assert!(errors[1] < 4e-3 && errors[1] < 0.45 * errors[0], "{moments:?}, {lean}, {b}: {errors:?}");
         }
     }
 }
