@@ -9,13 +9,12 @@ use mechanics::rolling::{MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
 
 /// The leans, degrees, whose wheels are joined, with the places of their labels.
-const TIPS: [(f64, (f64, f64)); 4] =
-    [(20.0, (1.17, 1.5)), (22.0, (1.8, 1.12)), (25.0, (1.08, 0.34)), (30.0, (1.15, 0.115))];
+const TIPS: [(f64, (f64, f64)); 3] = [(20.0, (1.17, 1.5)), (25.0, (1.08, 0.34)), (30.0, (1.15, 0.115))];
 
 /// The wheels of the table: moments, name and its side.
 const WHEELS: [([f64; 2], &str, Side); 7] = [
-    ([0.5, 1.0], "hoop", Side::Right),
-    ([0.3823, 0.7619], "bicycle", Side::Right),
+    ([0.5, 1.0], "hoop", Side::AboveLeft),
+    ([0.3823, 0.7619], "bicycle", Side::AboveLeft),
     ([0.25, 0.5], "coin", Side::AboveLeft),
     ([0.05, 0.1], "hub", Side::AboveLeft),
     ([1.0 / 3.0, 0.5], "thick disc", Side::Right),
@@ -27,7 +26,7 @@ const WHEELS: [([f64; 2], &str, Side); 7] = [
 pub(crate) fn tip_of_shape(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 350.0).titled(
         "The tip of the tongue for wheels of any moments",
-        "The moment I3 from 0.05 to 2 against I1 from 0.025 to 4, both on logarithmic scales. Curves join wheels with the same tip of the tongue, at 20, 22, 25 and 30 degrees; \
+        "The moment I3 from 0.05 to 2 against I1 from 0.025 to 4, both on logarithmic scales. Curves join wheels with the same tip of the tongue, at 20, 25 and 30 degrees; \
          towards larger I1 the tip is higher. Above the straight line I3 = 2 I1, on which the flat wheels hoop, coin and wheel with a heavy hub lie and next to which lies the wheel of a \
          bicycle, there are no bodies. A thick disc and a ball lie a little to the right of the line, a disc with weights on its axle far to the right.",
     );

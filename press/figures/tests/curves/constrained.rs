@@ -306,7 +306,7 @@ fn the_track_of_the_contact_is_that_of_all_wobbles_integrated() {
 
 #[test]
 fn wheels_are_joined_whose_worst_circle_just_lasts() {
-    for degrees in [20.0_f64, 22.0, 25.0, 30.0] {
+    for degrees in [20.0_f64, 25.0, 30.0] {
         let values = curve("tip-of-shape", &format!("tip-{degrees}")).values();
         assert!(values.len() > 8, "{degrees}: {}", values.len());
         for (i1, i3) in values {
@@ -336,7 +336,7 @@ fn wheels_are_joined_whose_worst_circle_just_lasts() {
 #[test]
 fn the_ways_down_are_those_of_a_disc_with_a_very_weak_brake() {
     // Lean, its rate and the other two angular velocities, in units of a and √(a/g), with the torque −Γω.
-    let slowing = 1e-3;
+    let slowing = 5e-4;
     let rates = |_: f64, [lean, sink, across, along]: [f64; 4]| {
         let (sin, cos) = lean.sin_cos();
         let frame = across * sin / cos;
@@ -369,7 +369,7 @@ fn the_ways_down_are_those_of_a_disc_with_a_very_weak_brake() {
         let mut state = [lean, 0.0, rate * lean.cos(), rate * b];
         let (mut count, mut highest) = (0_u32, lean);
         while state[0] < 1.3 && count < 400_000 {
-            state = step(rates, 0.0, state, 0.02);
+            state = step(rates, 0.0, state, 0.03);
             count += 1;
             highest = highest.max(state[0]);
             if count % 997 == 0 {
