@@ -252,7 +252,7 @@ fn a_strong_flywheel_holds_a_wheel_up_at_rest_and_not_one_that_rolls_the_other_w
 
 #[test]
 fn the_wheels_of_the_table_need_the_speeds_and_have_the_tips_that_it_says() {
-    // Moments, slowest v and q in √(ga) and √(g/a), and the tip in degrees, as printed. A disc of thickness a, 1/4 + 1/12.
+    // Moments, slowest v and q in √(ga) and √(g/a), and the tip in degrees, as printed.
     let bicycle = 3.0 * 0.35 * 0.35;
     for ([transverse, axial], [roll, spin, tip]) in [
         ([0.5, 1.0], [0.50, 0.82, 19.2]),
