@@ -276,3 +276,32 @@ fn the_wheels_of_the_table_need_the_speeds_and_have_the_tips_that_it_says() {
         assert!(widest(moments, 0.0, 0.93 * roll * rate()) > 1e-3, "{moments:?}");
     }
 }
+
+#[test]
+fn the_straighter_a_disc_ran_the_wider_it_swings_when_it_is_too_slow() {
+    let wheel = of(MomentFactors::DISK);
+    let mut before = 0.0;
+    for exponent in [2, 3, 4] {
+        let lean = 10_f64.powi(-exponent);
+        // Steady with the true spin √(g/a): V' = 0, eq:well-slope, at a small lean.
+        let start = Rolling {
+            tilt: std::f64::consts::FRAC_PI_2 - lean,
+            omega_2: lean * rate() / 1.5,
+            omega_3: rate(),
+            ..Rolling::UPRIGHT
+        };
+        let rates = |t: f64, y: &[f64; 8]| wheel.slowed_rates(0.05 * rate(), t, y);
+        let times: Vec<f64> = (1..=1000).map(|k| 0.05 / rate() * f64::from(k)).collect();
+        let solver = Dop853::with_tolerances(1e-10, 1e-13).unwrap();
+        let (path, _) = solver.sample(rates, 0.0, start.to_array(), &times).unwrap();
+        let (mut highest, mut back) = (0.0_f64, 0.0_f64);
+        for lean in path.iter().map(|state| Rolling::from_array(*state).lean()).take_while(|lean| *lean < 1.3)
+        {
+            highest = highest.max(lean);
+            back = back.max(highest - lean);
+        }
+        assert!(back > 0.005 + 1.5 * before, "{lean}: it swings back by {back} rad");
+        before = back;
+    }
+    assert!(before > 0.2, "{before}");
+}
