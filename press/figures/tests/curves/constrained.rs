@@ -327,3 +327,81 @@ fn the_track_of_the_contact_is_that_of_all_wobbles_integrated() {
         }
     }
 }
+
+#[test]
+fn wheels_are_joined_whose_worst_circle_just_lasts() {
+    for degrees in [20.0_f64, 25.0, 30.0] {
+        let values = curve("tip-of-shape", &format!("tip-{degrees}")).values();
+        assert!(values.len() > 8, "{degrees}: {}", values.len());
+        for (i1, i3) in values {
+            // The brace of eq:nutation, and its least value over all radii, by halving between its slopes.
+            let brace = |b: f64, lean: f64| {
+                let (sin, cos) = lean.sin_cos();
+                cos * cos
+                    + 3.0 * i1 * sin * sin
+                    + b / sin * ((1.0 + 3.0 * i3) * sin * sin - (1.0 + i3) * cos * cos)
+                    + (1.0 + i3) * i3 / i1 * b * b
+            };
+            let least = |lean: f64| {
+                let (mut low, mut high) = (0.0, 1e3);
+                for _ in 0..60 {
+                    let middle = 0.5 * (low + high);
+                    let falls = brace(middle + 1e-6, lean) < brace(middle - 1e-6, lean);
+                    *(if falls { &mut low } else { &mut high }) = middle;
+                }
+                brace(low, lean)
+            };
+            let [below, above] = [-0.1, 0.1].map(|off| least((degrees + off).to_radians()));
+            assert!(below < 0.0 && above > 0.0, "{degrees}: {i1}, {i3}: {below}, {above}");
+        }
+    }
+}
+
+#[test]
+fn the_ways_down_are_those_of_a_disc_with_a_very_weak_brake() {
+    // Lean, its rate and the other two angular velocities, in units of a and √(a/g), with the torque −Γω.
+    let slowing = 5e-4;
+    let rates = |_: f64, [lean, sink, across, along]: [f64; 4]| {
+        let (sin, cos) = lean.sin_cos();
+        let frame = across * sin / cos;
+        [
+            sink,
+            (sin - 1.5 * along * across - 0.25 * frame * across - slowing * sink) / 1.25,
+            sink * (frame + 2.0 * along) - 4.0 * slowing * across,
+            (sink * across - slowing * along) / 1.5,
+        ]
+    };
+    for name in [
+        "straight-1",
+        "straight-3",
+        "straight-10",
+        "spin-1",
+        "spin-10",
+        "spin-30",
+        "edge-10",
+        "edge-13",
+        "edge-15",
+        "edge-18",
+    ] {
+        let drawn = curve("ways-down", name);
+        // Well above the edge, where a wobble is quick beside the loss.
+        let values = drawn.values();
+        let higher = values[0].1 + 9.0;
+        let &(b, degrees) = values.iter().find(|value| value.1 > higher).expect("a way up");
+        let lean = degrees.to_radians();
+        let rate = (lean.tan() / (1.5 * b + 0.25 * lean.sin())).sqrt();
+        let mut state = [lean, 0.0, rate * lean.cos(), rate * b];
+        let (mut count, mut highest) = (0_u32, lean);
+        while state[0] < 1.3 && count < 400_000 {
+            state = step(rates, 0.0, state, 0.03);
+            count += 1;
+            highest = highest.max(state[0]);
+            if count % 997 == 0 {
+                let pair = (state[3] * state[0].cos() / state[2], state[0].to_degrees());
+                let off = drawn.distance(pair);
+                assert!(off < 0.7, "{name}: {pair:?}: {off}");
+            }
+        }
+        assert!(highest > 1.25, "{name}: only to {highest}");
+    }
+}
