@@ -297,8 +297,8 @@ fn the_table_of_the_closed_forms_is_that_of_the_data() {
 }
 
 /// ∫ w dy / ((n' + (1 − n') sin² y) √(mc + m sin² y)) over a quarter of a turn from the steep end, with `n'` and
-/// `mc` for one less the characteristic and the parameter: by midpoints, sin y = √mc sinh u, which are exact to rounding
-/// as the integrand ends flat on both sides.
+/// `mc` for one less the characteristic and the parameter: by midpoints, sin y = √mc sinh u, which are exact to
+/// rounding as the integrand ends flat on both sides.
 fn third_kind(rest: f64, mc: f64, weight: impl Fn(f64) -> f64) -> f64 {
     let (root, steps) = (mc.sqrt(), 1000);
     let end = (1.0 / root).asinh();

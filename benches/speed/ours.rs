@@ -48,7 +48,7 @@ pub(crate) fn entries() -> Result<Vec<Entry>, Cause> {
     }
 }
 
-/// The free bodies by their closed form alone, for the race with the other closed form: their samples in a list, and one by one.
+/// The free bodies by their closed form alone, for the race with another: their samples in a list, and one by one.
 ///
 /// # Errors
 /// If the library refuses a body.
