@@ -10,6 +10,7 @@ use mechanics::integrate::Dop853;
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector3};
 use printed::corrected_holds_and_printed_fails;
+use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::AddAssign;
 
@@ -421,4 +422,31 @@ fn the_pinned_point_may_be_given_by_its_place() {
         error.to_string(),
         "distance of the point from the centre 1.4142135623730951 m is not 2 m to rounding"
     );
+}
+
+#[test]
+fn the_reference_hoop_is_met_to_the_digits_of_a_double() {
+    let file: Value = serde_json::from_str(include_str!("data/hoop-pinned.json")).expect("a valid file");
+    let value = |name: &str| file["values"][name].as_str().unwrap().parse::<f64>().unwrap();
+    // Sine and cosine of 89.9°: in radians the angle would keep only thirteen digits of its cosine.
+    let pin = Pin::Point { from_axis: 0.999_998_476_913_287_7, height: 0.001_745_328_365_898_308_8 };
+    let (shape, mass, radius, spin) = (Shape::Hoop, 1.0, 1.0, 1.0);
+    let hoop = Pinning::new(Parameters { shape, mass, radius, spin, pin }).unwrap();
+    assert_relative_eq!(hoop.velocity_of_b(), value("v_B_eq65"), max_relative = 1e-15);
+    assert_relative_eq!(hoop.holding_torque().z, value("tau_eq69"), max_relative = 1e-15);
+    assert_relative_eq!(hoop.holding_force().norm(), value("F_eq71"), max_relative = 1e-15);
+    assert_relative_eq!(hoop.energy_lost(), value("energy_lost"), max_relative = 1e-15);
+    // The modulus of the motion is the cosine of the angle at which its pendulum starts.
+    let modulus = hoop.axis_angle().cos();
+    assert_relative_eq!(modulus * modulus, value("k_squared"), max_relative = 1e-15);
+    let free = hoop.free_motion().unwrap();
+    assert_relative_eq!(free.period().unwrap(), value("full_period"), max_relative = 4e-16);
+    let state = free.at(50.0).unwrap();
+    let centre = state.world_from_body * hoop.centre();
+    for (i, name) in ["omega1", "omega2", "omega3"].into_iter().enumerate() {
+        assert_relative_eq!(state.omega_body[i], value(name), epsilon = 2e-16);
+    }
+    for (i, name) in ["centre_1", "centre_2", "centre_3"].into_iter().enumerate() {
+        assert_relative_eq!(centre[i], value(name), epsilon = 1e-15);
+    }
 }
