@@ -9,6 +9,7 @@ mod orbit;
 mod printed;
 mod stability;
 mod steady;
+mod whirl;
 
 use mechanics::scenes::laundromat::{Machine, Parameters};
 use nalgebra::Complex;
