@@ -51,8 +51,11 @@ fn the_motion_with_friction_on_board_is_exact_to_units_of_the_circle_and_of_what
         });
         let factor = (growth * time).exp();
         let [place, rate] = [start.position.norm() + circle, start.velocity.norm() + spin.abs() * circle];
-        let size = circle + (place + rate) * factor;
         let turned = 1.0 + (spin.abs() + 1.0 + outer + inner) * time;
+        // Roots that are as good as one.
+        let split = (rotor.roots()[0] - rotor.roots()[1]).norm() * units.time;
+        let met = if split < 0.1 { turned } else { 1.0 };
+        let size = circle + (place + rate) * factor * met;
         let mut ratio = 0.0_f64;
         for (n, ours) in ours.to_array().into_iter().enumerate() {
             let size = if n < 2 { size } else { size * (1.0 + spin.abs() + outer + inner) };
