@@ -5,6 +5,7 @@
 mod linear;
 mod motion;
 mod orbit;
+mod passage;
 #[path = "../printed/mod.rs"]
 mod printed;
 mod stability;

@@ -31,6 +31,7 @@ use nalgebra::Complex;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rotor {
     machine: Machine,
+    damping_on_board: f64,    // γᵢ
     on_board: f64,            // Γᵢ
     half_damping: f64,        // β = (Γ + Γᵢ)/2
     stiffness: Complex<f64>,  // ω₀² − iΓᵢΩ
@@ -57,7 +58,7 @@ impl Machine {
         let smaller = if larger > 0.0 { 0.5 * stiffness.im.abs() / larger } else { 0.0 };
         let (re, im) = if square > 0.0 { (larger, smaller) } else { (smaller, larger) };
         let half_split = Complex::new(re, im.copysign(self.spin()));
-        Ok(Rotor { machine: *self, on_board, half_damping, stiffness, half_split })
+        Ok(Rotor { machine: *self, damping_on_board, on_board, half_damping, stiffness, half_split })
     }
 }
 
@@ -65,6 +66,14 @@ impl Rotor {
     /// The machine without the damper on board.
     pub fn machine(&self) -> &Machine {
         &self.machine
+    }
+
+    /// The same machine at another spin, rad/s.
+    ///
+    /// # Errors
+    /// As [`Machine::new`] and [`Machine::rotor`].
+    pub fn with_spin(&self, spin: f64) -> Result<Self, InvalidQuantity> {
+        self.machine.with_spin(spin)?.rotor(self.damping_on_board)
     }
 
     /// The rate Γᵢ of the damper on board, 1/s.
