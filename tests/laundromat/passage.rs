@@ -54,7 +54,7 @@ fn a_slow_passage_overshoots_by_what_fresnels_integral_says() {
     assert!((place - 2.157_427_7).abs() < 1e-7 && (factor - 1.170_659_2).abs() < 1e-7, "{place} {factor}");
     let left = |acceleration: f64| (FRAC_PI_2 / acceleration).sqrt();
     // The overshoot tends to it in proportion to √α, and the place in proportion to α.
-    for acceleration in [1e-4, 1e-6, 1e-8] {
+    for acceleration in [1e-4_f64, 1e-6, 1e-8] {
         let root = acceleration.sqrt();
         let (swing, spin) = largest(acceleration);
         assert!((swing / left(acceleration) - factor).abs() < 0.65 * root, "{swing} at {acceleration}");
@@ -66,7 +66,7 @@ fn a_slow_passage_overshoots_by_what_fresnels_integral_says() {
 fn the_largest_swing_has_three_quarters_of_b_besides() {
     let (_, factor) = farthest();
     let mut before = f64::INFINITY;
-    for acceleration in [1e-2, 1e-4, 1e-6] {
+    for acceleration in [1e-2_f64, 1e-4, 1e-6] {
         let (swing, _) = largest(acceleration);
         let beside = swing - factor * (FRAC_PI_2 / acceleration).sqrt();
         // What is left is of the order √α.
@@ -82,7 +82,7 @@ fn the_largest_swing_has_three_quarters_of_b_besides() {
 
 #[test]
 fn what_a_passage_leaves_is_lewiss_amplitude() {
-    let acceleration = 1e-6;
+    let acceleration = 1e-6_f64;
     let machine = Machine::new(Parameters { damping: 0.0, spin: 0.0, ..WASHER }).expect("a machine");
     let ramp = machine.ramp(acceleration * 100.0, Shaft::AT_REST).expect("a ramp");
     let left = machine.offset() * (FRAC_PI_2 / acceleration).sqrt();
