@@ -231,8 +231,8 @@ pub(crate) fn cornu(id: &str) -> Outcome {
         "A curve that unwinds from a point at the lower left, the first eye, runs to the upper right and winds up again about a second eye, \
          at the distance one. Its farthest point from the first eye, marked with a disc, lies at a distance of 1.17, beyond the second eye.",
     );
-    let origin = at(96.0, 226.0);
-    let mut plot = Plot::plane(&mut left, origin, 150.0, 1.4)?;
+    let origin = at(70.0, 244.0);
+    let mut plot = Plot::plane(&mut left, origin, 210.0, 1.4)?;
     plot.curve("spiral", spiral.iter().copied(), Stroke::Outline, Hue::Blue);
     let (eye, tip) = (plot.at((0.5_f64.sqrt(), 0.5_f64.sqrt())), plot.at(farthest));
     left.line(origin, eye, Stroke::Reference, Hue::Muted);
@@ -240,7 +240,7 @@ pub(crate) fn cornu(id: &str) -> Outcome {
     left.dot(origin, 3.4, Hue::Ink);
     left.dot(eye, 3.4, Hue::Ink);
     left.dot(tip, 4.5, Hue::Orange);
-    left.label(tip, Side::Right, "$1.1706$", Hue::Orange)?;
+    left.label(tip, Side::Right, "$1.1707$", Hue::Orange)?;
     left.label(at(165.0, 312.0), Side::Over, "seen by who turns with $\\omega_0$", Hue::Ink)?;
 
     let mut factors = Values::new();
@@ -266,7 +266,7 @@ pub(crate) fn cornu(id: &str) -> Outcome {
     plot.curve("line", line, Stroke::DashedCurve, Hue::Orange);
     plot.curve("overshoot", factors, Stroke::Curve, Hue::Blue);
     plot.markers(&[(0.0, limit)], Marker::Disc, Hue::Orange);
-    plot.label((0.012, limit), Side::BelowRight, "$1.1706$", Hue::Orange)?;
+    plot.label((0.012, limit), Side::BelowRight, "$1.1707$", Hue::Orange)?;
     Ok(Drawing::panels(id, vec![left, right]))
 }
 

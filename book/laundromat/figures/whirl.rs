@@ -103,8 +103,8 @@ pub(crate) fn whirl_growth(id: &str) -> Outcome {
             plot.markers(&[(threshold, 0.0)], Marker::Disc, Hue::Ink);
         }
         plot.label((3.4, -0.15), Side::Below, r"on the floor only, $\Gamma_i = 0$", Hue::Ink)?;
-        let place = plot.at((5.3, 0.04));
-        plot.drawing().label_on_face(place, Side::BelowRight, r"$\Gamma_i = \Gamma/3$", Hue::Blue)?;
+        let place = plot.at((4.8, 0.085));
+        plot.drawing().label_on_face(place, Side::AboveRight, r"$\Gamma_i = \Gamma/3$", Hue::Blue)?;
         let place = plot.at((3.5, 0.175));
         plot.drawing().label_on_face(place, Side::BelowRight, r"$\Gamma_i = \Gamma$", Hue::Green)?;
         let place = plot.at((3.2, 0.33));
