@@ -145,9 +145,9 @@ fn the_motion_is_what_an_integrator_finds_and_its_steady_part_knows_nothing_of_t
         assert!((ours.position - end.position).norm() < 1e-9 * size, "{machine:?}, {inner}");
         assert!((ours.velocity - end.velocity).norm() < 1e-9 * size * (w0 + spin.abs()));
         if (spin.abs() / w0 - 1.0).abs() < 0.2 {
-            near += 1
+            near += 1;
         } else {
-            far += 1
+            far += 1;
         }
 
         // From the steady circle of the machine without it nothing changes.
