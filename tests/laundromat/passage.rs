@@ -1,5 +1,5 @@
-//! A slow passage through the resonance without damping: Fresnel's integral, by Simpson's rule, against the closed form of
-//! the ramp, which is Faddeeva's function.
+//! A slow passage through the resonance without damping: Fresnel's integral, by Simpson's rule, against the closed
+//! form of the ramp, which is Faddeeva's function.
 
 use crate::WASHER;
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};

@@ -181,9 +181,10 @@ fn mean_exponential(x: Complex<f64>) -> Complex<f64> {
 /// exponentials.
 ///
 /// From [`Rotor::transient`]. Its error is at most 20 (1 + (|Ω| + ω₀ + Γ + Γᵢ) t) units in the last place
-/// (`f64::EPSILON`) of the sum of the circle's radius, or near resonance what the circle has become by then, and of what
-/// the growing root has made of the start: its distance, and its velocity over ω₀. That is multiplied by the bracket once
-/// more if the two roots are nearer to each other than ω₀/10, which takes critical damping and hardly any spin.
+/// (`f64::EPSILON`) of the sum of the circle's radius, or near resonance what the circle has become by then, and of
+/// what the growing root has made of the start: its distance, and its velocity over ω₀. That is multiplied by the
+/// bracket once more if the two roots are nearer to each other than ω₀/10, which takes critical damping and hardly any
+/// spin.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RotorMotion {
     rotor: Rotor,
