@@ -91,8 +91,7 @@ impl Rotor {
 
     /// The rate at which a disturbance grows in the end, 1/s; negative if it dies out (`eq:whirl-growth`).
     ///
-    /// Formed without the difference of numbers that are almost equal when all but one of the dampers are weak: good to
-    /// ten units in the last place of itself or of (Γ + Γᵢ)/2, whichever is more.
+    /// Formed so that nothing is lost near the threshold, where the real parts of the roots' two terms are almost equal.
     pub fn growth(&self) -> f64 {
         let (drive, natural) =
             ((self.on_board * self.machine.spin()).abs(), self.machine.natural_frequency());
