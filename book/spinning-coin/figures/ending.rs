@@ -46,11 +46,12 @@ pub(crate) fn four_exponents(id: &str) -> Outcome {
         });
         let values: Vec<(f64, f64)> =
             values.take_while(|(_, exponent)| (0.0..1.0).contains(exponent)).collect();
-        let (top, _) = *values.last().ok_or("no exponent")?;
+        let top = *values.last().ok_or("no exponent")?;
         plot.curve(&format!("exponent-{power}"), values, Stroke::Curve, Hue::Blue);
         plot.markers(&[(last.tilt(), law)], Marker::Disc, Hue::Pink);
         let text = if power == 2.0 { format!("$p = {name}$") } else { format!("${name}$") };
-        plot.label((top, 1.0), Side::Above, &text, Hue::Blue)?;
+        let side = if power > 1.0 { Side::Right } else { Side::Left };
+        plot.label(top, side, &text, Hue::Blue)?;
     }
     plot.label((6e-5, 0.17), Side::Over, "dots: the law falls with $g$", Hue::Pink)?;
     Ok(drawing)
@@ -97,28 +98,32 @@ fn contact(id: &str) -> Outcome {
         "The speed of the contact, in speeds of sound, against the tilt, both logarithmic. The law of slow sinking, dashed, is one straight line for all losses and passes Mach 1 at twelve \
          millionths. The four motions leave it one after the other, p = 2 first, and turn down: none reaches Mach 1.",
     );
-    let tilt = Axis::log(1e-6, 0.01, 1)?.titled(r"tilt $\alpha$, rad");
+    let tilt = Axis::log(1e-6, 0.1, 1)?.titled(r"tilt $\alpha$, rad");
     let mach = Axis::log(0.01, 10.0, 1)?.titled("contact, in speeds of sound");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 196.0, 226.0), tilt, mach)?;
-    let steady = log_steps(1e-6, 0.01, 60)
+    let steady = log_steps(1e-6, 0.1, 80)
         .map(|tilt| Ok((tilt, disc(tilt)?.contact_speed() / SOUND)))
         .collect::<Result<Vec<_>, Cause>>()?;
     plot.curve("steady", steady, Stroke::DashedCurve, Hue::Ink);
     plot.level(1.0, Stroke::Reference);
-    for (power, name) in LAWS {
+    for (power, _) in LAWS {
         let (_, last) = law_ends(power)?;
-        let tilts: Vec<f64> =
-            log_steps(0.01, 0.35 * last.tilt(), 200).filter(|tilt| *tilt < 0.0099).collect();
+        let tilts: Vec<f64> = log_steps(0.09, 0.35 * last.tilt(), 250).collect();
         let (disk, sunk) = followed(power, &tilts)?;
         let values = sunk.iter().map(|there| {
             let turn = there.state.omega_2 / there.state.tilt.tan(); // eq:contact-run, with Ω = ω₂/sin α
             (there.state.tilt, disk.parameters().radius * turn / SOUND)
         });
         let values: Vec<(f64, f64)> = values.take_while(|(_, mach)| *mach > 0.01).collect();
-        let (end, _) = *values.last().ok_or("no contact")?;
         plot.curve(&format!("contact-{power}"), values, Stroke::Curve, Hue::Pink);
-        let text = if power == 2.0 { format!("$p = {name}$") } else { format!("${name}$") };
-        plot.label((end, 0.012), Side::AboveLeft, &text, Hue::Pink)?;
+    }
+    for (place, side, text) in [
+        ((3.2e-3, 0.02), Side::Over, "$p = 2$"),
+        ((4.5e-4, 0.02), Side::Over, "$5/4$"),
+        ((7.6e-5, 0.045), Side::Left, "$1$"),
+        ((3.1e-6, 0.25), Side::Below, "$1/2$"),
+    ] {
+        plot.label(place, side, text, Hue::Pink)?;
     }
     plot.label((9e-3, 1.0), Side::AboveLeft, "Mach 1", Hue::Muted)?;
     Ok(drawing)
