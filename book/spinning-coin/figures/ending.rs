@@ -1,10 +1,11 @@
 //! How Euler's disk ends: four laws of loss, followed with nothing assumed to be slow.
 
-use super::{LAWS, a_long_life, disc, law_ends};
+use super::{LAWS, a_long_life, disc, going_down, law_ends};
 use crate::{Axis, Cause, Outcome, Plot, log_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
 use mechanics::integrate::Dop853;
+use mechanics::rolling::Rolling;
 use mechanics::scenes::spinning_coin::{BrakedDisk, Sunk};
 use std::f64::consts::SQRT_2;
 
@@ -13,9 +14,12 @@ const SOUND: f64 = 343.0;
 
 /// The toy, braked by one of the laws, and how it is on its way down from a tilt of 0.1 to others, rad.
 fn followed(power: f64, tilts: &[f64]) -> Result<(BrakedDisk, Vec<Sunk>), Cause> {
-    let start = disc(0.1)?;
+    let (down, start) = (going_down(power)?, disc(0.1)?);
+    // It begins to sink as the law has it, so as not to wobble: sin α ∝ (t₀ − t)^s.
+    let omega_1 = start.tilt().tan() / ((power + 1.0) * down.life());
     let disk = BrakedDisk::new(start.parameters(), a_long_life(power)?)?;
-    let sunk = disk.sink(start.state(), tilts, &Dop853::with_tolerances(1e-10, 1e-13)?)?;
+    let sunk =
+        disk.sink(Rolling { omega_1, ..start.state() }, tilts, &Dop853::with_tolerances(1e-10, 1e-13)?)?;
     Ok((disk, sunk))
 }
 
@@ -33,16 +37,16 @@ pub(crate) fn four_exponents(id: &str) -> Outcome {
         let law = 1.0 / (power + 1.0);
         let (_, last) = law_ends(power)?;
         plot.reference((1e-6, law), (0.1, law), Stroke::Reference);
-        // Eight tilts for each halving; the exponent of each is told by it and those four before and after.
+        // Twenty-four tilts for each halving; the exponent of each is told by it and those twelve before and after.
         let tilts: Vec<f64> = (1..)
-            .map(|n| 0.1 / 2_f64.powf(0.125 * f64::from(n)))
+            .map(|n| 0.1 / 2_f64.powf(f64::from(n) / 24.0))
             .take_while(|tilt| *tilt > 0.4 * last.tilt())
             .collect();
         let (_, sunk) = followed(power, &tilts)?;
-        let values = sunk.windows(9).map(|nine| {
-            let [high, middle, low] = [nine[0].time, nine[4].time, nine[8].time];
+        let values = sunk.windows(25).map(|those| {
+            let [high, middle, low] = [those[0].time, those[12].time, those[24].time];
             let exponent = SQRT_2.ln() / ((middle - high) / (low - middle)).ln(); // eq:three-tilts
-            (nine[4].state.tilt, exponent)
+            (those[12].state.tilt, exponent)
         });
         let values: Vec<(f64, f64)> =
             values.take_while(|(_, exponent)| (0.0..1.0).contains(exponent)).collect();

@@ -318,7 +318,8 @@ impl Followed {
         let life = 100.0 / (0.0375_f64 / 9.81).sqrt();
         let strength = 1.5 * 0.1_f64.sin().powf(power + 1.0) / (4.0 * (power + 1.0) * life);
         let mut followed = Self { power, strength, states: Vec::new() };
-        let (mut time, mut state) = (0.0, [0.1, 0.0, 2.0 * 0.1_f64.sin().sqrt(), 0.0]);
+        let sinking = -0.1_f64.tan() / ((power + 1.0) * life);
+        let (mut time, mut state) = (0.0, [0.1, sinking, 2.0 * 0.1_f64.sin().sqrt(), 0.0]);
         while state[0] > last {
             followed.states.push((time, state));
             let held = 4.0 * strength / state[0].powf(power + 1.0);
