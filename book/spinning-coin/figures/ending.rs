@@ -122,7 +122,7 @@ fn contact(id: &str) -> Outcome {
         plot.curve(&format!("contact-{power}"), values, Stroke::Curve, Hue::Pink);
     }
     for (place, side, text) in [
-        ((3.2e-3, 0.02), Side::Over, "$p = 2$"),
+        ((7e-3, 0.0145), Side::Over, "$p = 2$"),
         ((4.5e-4, 0.02), Side::Over, "$5/4$"),
         ((7.6e-5, 0.045), Side::Left, "$1$"),
         ((3.1e-6, 0.25), Side::Below, "$1/2$"),
