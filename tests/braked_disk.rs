@@ -301,7 +301,10 @@ fn ice_changes_next_to_nothing() {
         let (mut least, mut quickest) = (f64::INFINITY, 0.0_f64);
         let last = law(power).1.tilt();
         while state[0] > 0.5 * last {
-            least = least.min(rates(state).1);
+            let support = rates(state).1;
+            let fall = 1.0 - state[1] * state[1] * state[0].sin();
+            assert!(support > 0.25 / (0.25 + state[0].cos().powi(2)) * fall - 1e-12);
+            least = least.min(support);
             quickest = quickest.max(state[2] / state[0].tan());
             let held = 4.0 * strength / state[0].powf(power + 1.0);
             state = step(|y| rates(y).0, state, (0.05 * state[0].sqrt()).min(0.5 / held));
