@@ -51,8 +51,8 @@ fn step<const N: usize>(rates: impl Fn([f64; N]) -> [f64; N], y: [f64; N], h: f6
     std::array::from_fn(|n| y[n] + h / 6.0 * (k1[n] + 2.0 * k2[n] + 2.0 * k3[n] + k4[n]))
 }
 
-/// How a disk of such moments goes down against a brake that depends on its tilt, in units of m, a and g: rates of tilt,
-/// sinking, ω₂ and ω₃, and the support. On ice the centre moves only up and down.
+/// How a disk of such moments goes down against a brake that depends on its tilt, in units of m, a and g: rates of
+/// tilt, sinking, ω₂ and ω₃, and the support. On ice the centre moves only up and down.
 fn written_out(
     [i1, i3]: [f64; 2],
     brake: impl Fn(f64) -> f64,

@@ -44,7 +44,8 @@ impl BrakedDisk {
     pub fn new(parameters: DiskParameters, loss: Loss) -> Result<Self, InvalidQuantity> {
         let disk = Disk::new(parameters, 0.0)?;
         let DiskParameters { mass, radius, moments, gravity } = parameters;
-        // Of the power B ma²√(g/a) ω₂²/sinᵖ⁺¹ α, with ω₂ = Ω sin α and eq:coin-rate-moments, the factor of 1/sinᵖ α is C.
+        // Of the power B ma²√(g/a) ω₂²/sinᵖ⁺¹ α, with ω₂ = Ω sin α and eq:coin-rate-moments, the factor of 1/sinᵖ α is
+        // C.
         let unit = mass * gravity * radius / disk.unit_of_time();
         let strength = loss.coefficient() * moments.transverse / unit;
         InvalidQuantity::check_positive("strength of the brake", strength, "")?;
@@ -77,8 +78,9 @@ impl BrakedDisk {
         self.disk.energy(state)
     }
 
-    /// The force of the table on the disk, N: friction along axis 1; friction across it, level, from the contact towards
-    /// the centre; and upwards (`eq:contact-force`). Upwards it is negative where the disk would leave the table.
+    /// The force of the table on the disk, N: friction along axis 1; friction across it, level, from the contact
+    /// towards the centre; and upwards (`eq:contact-force`). Upwards it is negative where the disk would leave the
+    /// table.
     pub fn support(&self, state: &Rolling) -> Vector3<f64> {
         let force = self.on_a_film(state.tilt).contact_force(state);
         let (sin, cos) = state.tilt.sin_cos();
