@@ -35,9 +35,8 @@ type Row = [f64; TAYLOR_ORDER + 1];
 impl RollingSeries {
     /// z at the start of a series, from the centre of curvature.
     pub(crate) fn from_curvature(heading_rate: f64, roll_rate: f64) -> Complex<f64> {
-        let fourth = heading_rate.powi(4);
-        // ω_rel/Ω, but for slow headings.
-        Complex::<f64>::i() * (roll_rate * heading_rate.powi(3) / (fourth + SLOW_HEADING.powi(4)))
+        Complex::<f64>::i()
+            * (roll_rate * heading_rate / (heading_rate * heading_rate + SLOW_HEADING * SLOW_HEADING))
     }
 }
 
