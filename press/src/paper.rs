@@ -155,6 +155,8 @@ impl Paper {
             }
             body += "</section>\n";
         }
+        // Panels of one row shrink alike, for which the style sheet has to know their widths.
+        let body = body.replace("style=\"max-width:", "style=\"--own:");
         let page = format!(
             "<!DOCTYPE html>\n<html lang=\"{}\" class=\"light\">\n<head>\n<meta charset=\"UTF-8\">\n<title>{title}</title>\n\
              {head}<style>\n{running}</style>\n</head>\n<body>\n<div class=\"content paper\">\n<main>\n{body}</main>\n</div>\n\

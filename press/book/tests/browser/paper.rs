@@ -49,9 +49,11 @@ fn nothing_is_cut_off_on_a4() {
     let found: Vec<&str> = found.as_array().unwrap().iter().filter_map(|fault| fault.as_str()).collect();
     assert!(found.is_empty(), "{} are cut off:\n{}", found.len(), found.join("\n"));
     // It would be seen.
-    for wrong in
-        ["<pre style='white-space: pre'>WIDE</pre>", "<p>WIDE</p>", "<svg width='700' height='9'></svg>"]
-    {
+    for wrong in [
+        "<pre style='white-space: pre'>WIDE</pre>",
+        "<p style='white-space: nowrap'>WIDE</p>",
+        "<svg width='700' height='9'></svg>",
+    ] {
         let wrong = json!(format!("<section>{}</section>", wrong.replace("WIDE", &"wide".repeat(40))));
         page.get(&format!("document.querySelector('main').insertAdjacentHTML('beforeend', {wrong})"));
         assert!(!page.get(&measure).as_array().unwrap().is_empty(), "{wrong}");
