@@ -151,7 +151,12 @@ impl Paper {
                 body += &self.letterhead();
             }
             for sheet in sheets {
-                let _ = writeln!(body, "<section class=\"{}\">\n{}\n</section>", sheet.class(), sheet.html);
+                let _ = writeln!(
+                    body,
+                    "<section class=\"{}\">\n{}\n</section>",
+                    sheet.class(),
+                    sheet::numbered(&sheet.html)
+                );
             }
             body += "</section>\n";
         }

@@ -44,14 +44,7 @@ impl Sheet {
         let headings = ["<h1 id=\"", "<h2 id=\""].iter().flat_map(|tag| headings(html, tag)).collect();
         let html = if kind == Kind::Exercises { hints_last(html) } else { html.to_owned() };
         let html = if page.part.is_some() { lowered(&html) } else { html };
-        Self {
-            number: page.chapter,
-            part,
-            kind,
-            is_leaf: page.part.is_some(),
-            headings,
-            html: numbered(&html),
-        }
+        Self { number: page.chapter, part, kind, is_leaf: page.part.is_some(), headings, html }
     }
 
     pub(super) fn is_leaf(&self) -> bool {
@@ -173,7 +166,7 @@ fn hints_last(html: &str) -> String {
 }
 
 /// The lines that lead from exercises to hints and solutions, and back, with the numbers of pages.
-fn numbered(html: &str) -> String {
+pub(super) fn numbered(html: &str) -> String {
     let mut parts = html.split("<p class=\"turn\">");
     let mut numbered = parts.next().unwrap_or_default().to_owned();
     for part in parts {
