@@ -18,6 +18,7 @@ cargo book check                        what is wrong with the pages, fast
 cargo book figures FOLDER               every figure as a standalone SVG file
 cargo book pdf [FILE.pdf]               the whole book for paper, its solutions at the end (needs Chromium)
 cargo book pdf CHAPTER [--solutions] …  a handout of one chapter, by its folder or number; by default in target/book
+cargo book epub [FILE.epub]             the whole book for readers of EPUBs
 cargo book measure [OPTION …]           runs the library beside its peers, for the report \"Speed and accuracy\"; --help says more";
 
 /// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before
@@ -51,6 +52,7 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
             Ok(())
         }
         "pdf" => pdf(root, rest),
+        "epub" => epub(root, rest),
         "measure" => measure(root, rest),
         "help" | "--help" | "-h" => {
             say(HELP);
@@ -172,6 +174,26 @@ fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
             );
         }
     }
+    let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
+    say(&format!("{} ({} KB)", target.display(), size / 1024));
+    Ok(())
+}
+
+fn epub(root: &Path, rest: &[String]) -> Result<(), String> {
+    let file = match rest {
+        [] => None,
+        [file] if file.ends_with(".epub") => Some(file),
+        _ => return Err(format!("error: `cargo book epub` takes one file, FILE.epub\n\n{HELP}")),
+    };
+    build_for_paper(root)?;
+    let cannot = |error: io::Error| format!("error: {error}");
+    let site = root.join("target/press/paper/html");
+    let paper = Paper::read(root, &site, None, true).map_err(cannot)?;
+    let target = match file {
+        Some(file) => env::current_dir().map_err(cannot)?.join(file),
+        None => root.join(format!("target/book/{}.epub", paper.file_name())),
+    };
+    paper.write_epub(&site, &target).map_err(cannot)?;
     let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
     say(&format!("{} ({} KB)", target.display(), size / 1024));
     Ok(())

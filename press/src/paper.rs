@@ -1,11 +1,13 @@
-//! The book on paper: what Chromium prints as one PDF, or a chapter of it as a handout.
+//! The book on paper: what Chromium prints as one PDF, or a chapter of it as a handout; and as an EPUB.
 //!
 //! mdBook puts all pages into one, `print.html`, with ids that are unique in the book. Its parts are arranged anew here:
 //! a title page with version and commit, contents with the numbers of pages, every chapter with its further pages and its
 //! exercises below it, their hints behind the last of them, and the solutions in an appendix. What needs a number of a
 //! page is written twice: the first print says where everything has come to stand.
 
+mod archive;
 mod edition;
+mod epub;
 mod pdf;
 mod sheet;
 
@@ -36,6 +38,7 @@ pub struct Paper {
     /// The title of the book.
     title: String,
     description: String,
+    authors: String,
     /// What the pages load.
     head: String,
     language: String,
@@ -119,6 +122,7 @@ impl Paper {
         Ok(Self {
             title: between("<title>", "</title>"),
             description: between("<meta name=\"description\" content=\"", "\""),
+            authors: authors(root),
             language: between("<html lang=\"", "\""),
             head: head(&printed),
             edition: Edition::of(root),
@@ -304,6 +308,15 @@ fn parts(root: &Path) -> io::Result<BTreeMap<String, String>> {
         }
     }
     Ok(parts)
+}
+
+/// Who has written the book, as book.toml says.
+fn authors(root: &Path) -> String {
+    let settings = book::text(root, "book.toml", &mut Faults::default());
+    let settings = settings.and_then(|text| text.parse::<toml::Table>().ok()).unwrap_or_default();
+    let names = settings.get("book").and_then(|book| book.get("authors")?.as_array());
+    let names: Vec<&str> = names.into_iter().flatten().filter_map(toml::Value::as_str).collect();
+    names.join(", ")
 }
 
 /// What of the head of print.html paper needs: style sheets, the face of the text, and the script that colours code.
