@@ -64,6 +64,8 @@ impl Paper {
         for (sheet, name) in self.sheets.iter().zip(&names) {
             let body = xhtml(&sheet.html, |id| places.get(id).map(|place| format!("{place}#{id}")));
             let body = format!("<section class=\"{}\">\n{body}\n</section>\n", sheet.class());
+            roxmltree::Document::parse(&body)
+                .map_err(|error| io::Error::other(format!("“{}” is no XML: {error}", sheet.plain_title())))?;
             let page = self.document(&sheet.plain_title(), &body);
             archive.pack(&format!("book/{name}"), page.as_bytes());
             let holds =

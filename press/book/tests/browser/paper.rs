@@ -101,6 +101,15 @@ fn a_book_for_paper_holds_every_page_and_its_solutions_last() {
 }
 
 #[test]
+fn an_epub_begins_with_its_type_and_every_page_of_it_is_xml() {
+    let file = folder("epub").join("book.epub");
+    Paper::read(root(), site(), None, true).unwrap().write_epub(site(), &file).unwrap();
+    let bytes = fs::read(&file).unwrap();
+    assert!(bytes.starts_with(b"PK\x03\x04") && &bytes[30..58] == b"mimetypeapplication/epub+zip");
+    assert!((500_000..3_000_000).contains(&bytes.len()), "{}", bytes.len());
+}
+
+#[test]
 fn a_handout_is_a_pdf_with_outline_and_links_and_its_places_are_read() {
     let Some(browser) = driver::program() else {
         return;
