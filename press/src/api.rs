@@ -9,31 +9,30 @@ use std::{env, fs, io};
 /// The folder of the site that holds rustdoc's pages.
 pub(crate) const FOLDER: &str = "api";
 
-/// Where rustdoc puts the library's pages and its sources.
-const PAGES: &str = "mechanics";
-const SOURCES: &str = "src/mechanics";
-
 /// The page to which rustdoc's help leads back. For a single crate rustdoc writes none.
 const ENTRANCE: &str = "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<meta charset=\"utf-8\">\n\
-    <meta http-equiv=\"refresh\" content=\"0; url=mechanics/index.html\">\n<title>The library</title>\n\
-    <p><a href=\"mechanics/index.html\">The library</a></p>\n</html>\n";
+    <meta http-equiv=\"refresh\" content=\"0; url=LIBRARY/index.html\">\n<title>The library</title>\n\
+    <p><a href=\"LIBRARY/index.html\">The library</a></p>\n</html>\n";
 
 /// The kinds of items that have a page of their own, as the language and as rustdoc name them.
 const KINDS: [(&str, &str); 5] =
     [("struct", "struct"), ("enum", "enum"), ("fn", "fn"), ("trait", "trait"), ("const", "constant")];
 
-/// Which items the library makes public: name → rustdoc's word for its kind.
+/// The library of the book: the package in the project's root, if it is one.
 #[derive(Debug, Default)]
-pub(crate) struct Items {
+pub(crate) struct Library {
+    /// Its name, as Rust and rustdoc write it.
+    pub(crate) name: String,
+    /// Which items it makes public: name → rustdoc's word for its kind.
     kinds: BTreeMap<String, &'static str>,
 }
 
-impl Items {
-    /// Reads the sources of the library under `root/src`.
+impl Library {
+    /// Reads the library whose sources lie in `root/src`. Of a folder without one it has nothing.
     pub(crate) fn read(root: &Path) -> Self {
-        let mut items = Self::default();
-        items.collect(&root.join("src"));
-        items
+        let mut library = Self { name: name(root).unwrap_or_default(), kinds: BTreeMap::new() };
+        library.collect(&root.join("src"));
+        library
     }
 
     fn collect(&mut self, folder: &Path) {
@@ -64,7 +63,7 @@ impl Items {
             .collect::<Vec<_>>()
             .join(" ");
         let mut used = Vec::new();
-        for (at, _) in plain.match_indices("use mechanics::") {
+        for (at, _) in plain.match_indices(&format!("use {}::", self.name)) {
             let tree = plain[at + 4..].split(';').next().unwrap_or_default();
             for path in expanded(tree) {
                 let Some((module, name)) = path.rsplit_once("::") else {
@@ -106,8 +105,16 @@ fn expanded(tree: &str) -> Vec<String> {
     parts.into_iter().flat_map(expanded).map(|path| format!("{prefix}{path}")).collect()
 }
 
-/// Runs rustdoc on the library of the workspace around `root` and copies its pages into the site.
+/// The name of the package in `root`, if it is a library.
+fn name(root: &Path) -> Option<String> {
+    let manifest: toml::Table = fs::read_to_string(root.join("Cargo.toml")).ok()?.parse().ok()?;
+    let name = manifest.get("package")?.get("name")?.as_str()?;
+    root.join("src/lib.rs").is_file().then(|| name.replace('-', "_"))
+}
+
+/// Runs rustdoc on the library in `root`, if there is one, and copies its pages into the site.
 pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
+    let Some(library) = name(root) else { return Ok(()) };
     let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let run = |arguments: &[&str]| {
         Command::new(&cargo)
@@ -123,16 +130,17 @@ pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
         .as_str()
         .ok_or_else(|| io::Error::other("cargo names no target folder"))?;
     let doc = Path::new(target).join("doc");
-    remove_outdated(&doc, &root.join("src"))?;
-    let documented = run(&["doc", "--quiet", "--no-deps", "--package", "mechanics"])?;
+    let sources = format!("src/{library}"); // where rustdoc puts them
+    remove_outdated(&doc, [&library, &sources], &root.join("src"))?;
+    let documented = run(&["doc", "--quiet", "--no-deps", "--lib"])?;
     if !documented.status.success() {
-        return Err(io::Error::other("`cargo doc --package mechanics` failed"));
+        return Err(io::Error::other(format!("`cargo doc` failed for the library {library}")));
     }
     // The library's pages and what they share; other crates may have left theirs beside them.
-    for part in [PAGES, SOURCES, "static.files", "search.index", "trait.impl", "type.impl"] {
+    for part in [&library, &sources, "static.files", "search.index", "trait.impl", "type.impl"] {
         copy(&doc.join(part), &site.join(FOLDER).join(part))?;
     }
-    fs::write(site.join(FOLDER).join("index.html"), ENTRANCE)?;
+    fs::write(site.join(FOLDER).join("index.html"), ENTRANCE.replace("LIBRARY", &library))?;
     for entry in fs::read_dir(&doc)? {
         let entry = entry?;
         let name = entry.file_name();
@@ -148,15 +156,15 @@ pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
 
 /// Removes rustdoc's pages if the library is newer, since rustdoc writes them all again and never removes
 /// that of an item which is gone.
-fn remove_outdated(doc: &Path, sources: &Path) -> io::Result<()> {
-    let Ok(written) = fs::metadata(doc.join(PAGES).join("index.html")).and_then(|page| page.modified())
+fn remove_outdated(doc: &Path, parts: [&str; 2], sources: &Path) -> io::Result<()> {
+    let Ok(written) = fs::metadata(doc.join(parts[0]).join("index.html")).and_then(|page| page.modified())
     else {
         return Ok(());
     };
     if newest(sources)? < written {
         return Ok(());
     }
-    for part in [PAGES, SOURCES] {
+    for part in parts {
         if doc.join(part).is_dir() {
             fs::remove_dir_all(doc.join(part))?;
         }
@@ -209,7 +217,7 @@ mod tests {
 
     #[test]
     fn a_snippet_links_to_the_items_it_imports() {
-        let mut items = Items::default();
+        let mut items = Library { name: "mechanics".to_owned(), ..Library::default() };
         items.kinds.insert("Machine".to_owned(), "struct");
         items.kinds.insert("rk4".to_owned(), "fn");
         let code = "# use mechanics::integrate::rk4;\n# use mechanics::scenes::laundromat::{Machine,\n#     Unknown};\nrk4();";

@@ -1,6 +1,6 @@
 //! What is wrong with the pages, found without building the book.
 
-use crate::api::Items;
+use crate::api::Library;
 use crate::book::{Page, from_disk};
 use crate::fault::Faults;
 use crate::rendered::Rendered;
@@ -32,7 +32,7 @@ pub(crate) fn rendered(
     let mut faults = Faults::default();
     summary::strays(pages, root, source, &mut faults);
     site::check_style_sheets(root, source, &mut faults);
-    match render::render(pages, drawn, &Items::read(root), &code(root)) {
+    match render::render(pages, drawn, &Library::read(root), &code(root)) {
         Ok(texts) if faults.is_empty() => Ok(texts),
         Ok(_) => Err(faults),
         Err(found) => {

@@ -141,7 +141,7 @@ impl Order {
     }
 }
 
-/// The site is built once more for paper, with stills in place of live scenes, so that the one in target/book stays as it is.
+/// The site is built once more for paper, with stills in place of live scenes; the one in target/book stays as it is.
 fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
     let order = Order::read(rest)?;
     let (_, pages) = from_disk(root).map_err(|faults| faults.to_string())?;

@@ -1,10 +1,12 @@
 //! The mdBook renderer that runs after `html`: adds what mdBook does not know of, and checks the site.
 
+use crate::edition::edition;
 use crate::fault::{Faults, Lines};
+use crate::head::{self, Said};
 use crate::module::{self, Module};
 use crate::preprocess::Failed;
 use crate::rendered::Rendered;
-use crate::{api, outcome, search, site};
+use crate::{api, lost, outcome, places, search, site};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::config::Config;
 use std::io::Read;
@@ -13,6 +15,8 @@ use std::{fs, io};
 
 /// Files of the project that belong into the site.
 const LICENCES: [&str; 1] = ["LICENSE-CC-BY-4.0"];
+/// The picture of the book that previews of links show: its file in the theme's folder, and in the site.
+const PREVIEW: &str = "preview.png";
 
 /// Finishes and checks the site that mdBook has just rendered; `drawn` holds its figures.
 ///
@@ -57,7 +61,9 @@ fn finished(
     for script in modules {
         fs::copy(script, site.join(script.file_name().unwrap_or_default()))?;
     }
+    complete_pages(site, context)?;
     search::write(site, context)?;
+    places::link_back(site, &site::ids(site, context.book.iter())?)?;
     let found = site::check(site)?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let mut faults = Faults::default();
@@ -66,6 +72,35 @@ fn finished(
         faults.add(&file, line, fault.message);
     }
     Ok(faults)
+}
+
+/// Lets every page say what it is, where it is and of which edition, and helps those who ask for one that is not
+/// there.
+fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<()> {
+    let html = context.config.html_config().unwrap_or_default();
+    let title = context.config.book.title.clone().unwrap_or_default();
+    let picture =
+        html.theme.as_ref().map(|theme| context.root.join(theme).join(PREVIEW)).filter(|file| file.is_file());
+    if let Some(picture) = &picture {
+        fs::copy(picture, site.join(PREVIEW))?;
+    }
+    let address = html.site_url.as_deref().unwrap_or("/");
+    let said = Said {
+        book: &title,
+        edition: &edition(&context.root),
+        address: Some(address).filter(|address| address.starts_with("http")),
+        picture: picture.is_some().then_some(PREVIEW),
+    };
+    let mut pages: Vec<String> = vec!["index.html".to_owned(), "print.html".to_owned()];
+    pages.extend(site::pages(context.book.iter()));
+    for page in pages {
+        let file = site.join(&page);
+        if file.is_file() {
+            fs::write(&file, head::completed(&fs::read_to_string(&file)?, &page, &said))?;
+        }
+    }
+    let language = context.config.book.language.as_deref().unwrap_or("en");
+    fs::write(site.join("404.html"), lost::page(&title, language, address, context.book.iter()))
 }
 
 /// The theme lies among the pages, so that mdBook has copied it once more, as it is before it goes into the site.
@@ -97,9 +132,7 @@ fn remove_programs(folder: &Path) -> io::Result<()> {
 /// Adds figures, the library's documentation and licences.
 fn add(site_folder: &Path, root: &Path, drawn: &Rendered) -> io::Result<()> {
     drawn.write_all(&site_folder.join("figures"))?;
-    if root.join("src/lib.rs").is_file() {
-        api::add(site_folder, root)?;
-    }
+    api::add(site_folder, root)?;
     for licence in LICENCES {
         fs::copy(root.join(licence), site_folder.join(licence))?;
     }

@@ -295,9 +295,9 @@ impl Registry {
     }
 
     /// Adds a fault for each entry of the bibliography that no page cites.
-    pub(crate) fn check_citations(&self, cited: &BTreeSet<Label>, faults: &mut Faults) {
+    pub(crate) fn check_citations<T>(&self, cited: &BTreeMap<Label, T>, faults: &mut Faults) {
         for (label, entry) in &self.entries {
-            if label.kind == Kind::Citation && !cited.contains(label) {
+            if label.kind == Kind::Citation && !cited.contains_key(label) {
                 let message = format!("nothing cites {}: cite it as @{0}, or take it out", label.written());
                 faults.add(&entry.file, entry.line, message);
             }

@@ -1,20 +1,19 @@
 //! The book on paper: what Chromium prints as one PDF, or a chapter of it as a handout; and as an EPUB.
 //!
-//! mdBook puts all pages into one, `print.html`, with ids that are unique in the book. Its parts are arranged anew here:
-//! a title page with version and commit, contents with the numbers of pages, every chapter with its further pages and its
-//! exercises below it, their hints behind the last of them, and the solutions in an appendix. What needs a number of a
-//! page is written twice: the first print says where everything has come to stand.
+//! mdBook puts all pages into one, `print.html`, with ids that are unique in the book. Its parts are arranged anew
+//! here: a title page with version and commit, contents with the numbers of pages, every chapter with its further
+//! pages and its exercises below it, their hints behind the last of them, and the solutions in an appendix. What needs
+//! a number of a page is written twice: the first print says where everything has come to stand.
 
 mod archive;
-mod edition;
 mod epub;
 mod pdf;
 mod sheet;
 
-pub use edition::Edition;
 pub use pdf::{browser, numbers, print};
 
 use crate::book::{self, Page};
+use crate::edition;
 use crate::fault::Faults;
 use crate::summary;
 use mdbook_summary::SummaryItem;
@@ -35,21 +34,19 @@ const UNKNOWN: &str = "000";
 /// A book or a handout, taken from a built site and ready to be printed.
 #[derive(Debug)]
 pub struct Paper {
-    /// The title of the book.
-    title: String,
-    description: String,
-    authors: String,
+    settings: Settings,
     /// What the pages load.
     head: String,
-    language: String,
-    edition: Edition,
+    edition: String,
+    /// The day of its commit.
+    day: Option<String>,
     /// Whether it is the whole book.
     is_whole: bool,
     sheets: Vec<Sheet>,
 }
 
-/// The pages that can be printed alone, by the names that one asks for them: the folder of a chapter, or a page without a
-/// number; with the number of the chapter, and a title.
+/// The pages that can be printed alone, by the names that one asks for them: the folder of a chapter, or a page without
+/// a number; with the number of the chapter, and a title.
 #[must_use]
 pub fn chapters(pages: &[Page]) -> Vec<(String, Option<u32>, String)> {
     let first = pages.iter().filter(|page| page.part.is_none());
@@ -115,29 +112,24 @@ impl Paper {
         for sheet in &mut sheets {
             sheet.keep_links(&ids);
         }
-        let between = |from: &str, to: &str| {
-            let rest = printed.split_once(from).map_or("", |(_, rest)| rest);
-            rest.split(to).next().unwrap_or_default().to_owned()
-        };
+        let settings = Settings::read(root)?;
         Ok(Self {
-            title: between("<title>", "</title>"),
-            description: between("<meta name=\"description\" content=\"", "\""),
-            authors: authors(root),
-            language: between("<html lang=\"", "\""),
+            settings,
             head: head(&printed),
-            edition: Edition::of(root),
+            edition: edition::edition(root),
+            day: edition::day(root),
             is_whole: chapter.is_none(),
             sheets,
         })
     }
 
-    /// The page that Chromium prints, with the numbers of its pages as far as they are known. It loads its style sheets from
-    /// the site, whose address is `site` and ends with a slash.
+    /// The page that Chromium prints, with the numbers of its pages as far as they are known. It loads its style sheets
+    /// from the site, whose address is `site` and ends with a slash.
     #[must_use]
     pub fn html(&self, site: &str, numbers: &BTreeMap<String, usize>) -> String {
         let title = match self.sheets.first() {
-            Some(first) if !self.is_whole => format!("{} – {}", first.plain_title(), self.title),
-            _ => self.title.clone(),
+            Some(first) if !self.is_whole => format!("{} – {}", first.plain_title(), self.settings.title),
+            _ => self.settings.title.clone(),
         };
         let head = self
             .head
@@ -170,7 +162,7 @@ impl Paper {
             "<!DOCTYPE html>\n<html lang=\"{}\" class=\"light\">\n<head>\n<meta charset=\"UTF-8\">\n<title>{title}</title>\n\
              {head}<style>\n{running}</style>\n</head>\n<body>\n<div class=\"content paper\">\n<main>\n{body}</main>\n</div>\n\
              {HIGHLIGHT}</body>\n</html>\n",
-            self.language
+            self.settings.language
         );
         filled(&page, numbers)
     }
@@ -178,7 +170,7 @@ impl Paper {
     /// The title of the book as the name of a file: `things-that-spin`.
     #[must_use]
     pub fn file_name(&self) -> String {
-        let words = sheet::plain(&self.title).to_lowercase();
+        let words = sheet::plain(&self.settings.title).to_lowercase();
         let words: Vec<&str> =
             words.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
         words.join("-")
@@ -212,19 +204,23 @@ impl Paper {
         let number = first.number.map_or(String::new(), |number| format!("{number}\u{2002}"));
         let number = if first.kind == Kind::Solutions { String::new() } else { number };
         let [book, chapter] =
-            [sheet::plain(&self.title), number + &first.plain_title()].map(|words| quoted(&words));
+            [sheet::plain(&self.settings.title), number + &first.plain_title()].map(|words| quoted(&words));
         format!(
             "@page chapter-{n} {{ @top-left {{ content: {book}; }} @top-right {{ content: {chapter}; }} }}\n"
         )
+    }
+
+    fn edition_in_words(&self) -> String {
+        if self.edition.is_empty() { String::new() } else { format!("version {}", self.edition) }
     }
 
     fn title_page(&self) -> String {
         format!(
             "<section class=\"title-page\">\n<p class=\"title\">{}</p>\n<p>{}</p>\n<p class=\"licence\">{}<br>\n{LICENCE}</p>\n\
              </section>\n",
-            self.title,
-            self.description,
-            self.edition.words(),
+            self.settings.title,
+            self.settings.description,
+            self.edition_in_words(),
         )
     }
 
@@ -232,8 +228,8 @@ impl Paper {
     fn letterhead(&self) -> String {
         format!(
             "<p class=\"letterhead\">From <em>{}</em>, {}. {LICENCE}</p>\n",
-            self.title,
-            self.edition.words()
+            self.settings.title,
+            self.edition_in_words()
         )
     }
 
@@ -310,13 +306,38 @@ fn parts(root: &Path) -> io::Result<BTreeMap<String, String>> {
     Ok(parts)
 }
 
-/// Who has written the book, as book.toml says.
-fn authors(root: &Path) -> String {
-    let settings = book::text(root, "book.toml", &mut Faults::default());
-    let settings = settings.and_then(|text| text.parse::<toml::Table>().ok()).unwrap_or_default();
-    let names = settings.get("book").and_then(|book| book.get("authors")?.as_array());
-    let names: Vec<&str> = names.into_iter().flatten().filter_map(toml::Value::as_str).collect();
-    names.join(", ")
+/// What book.toml says of the book.
+#[derive(Debug, Default)]
+struct Settings {
+    title: String,
+    description: String,
+    authors: String,
+    language: String,
+}
+
+impl Settings {
+    fn read(root: &Path) -> io::Result<Self> {
+        let text = fs::read_to_string(root.join("book.toml"))?;
+        let table = text.parse::<toml::Table>().map_err(io::Error::other)?;
+        let book = table.get("book");
+        let word = |key: &str, other: &str| {
+            let value = book.and_then(|book| book.get(key)?.as_str());
+            escaped(value.unwrap_or(other))
+        };
+        let authors = book.and_then(|book| book.get("authors")?.as_array()).into_iter().flatten();
+        let authors: Vec<&str> = authors.filter_map(toml::Value::as_str).collect();
+        Ok(Self {
+            title: word("title", ""),
+            description: word("description", ""),
+            authors: escaped(&authors.join(", ")),
+            language: word("language", "en"),
+        })
+    }
+}
+
+/// Words as HTML and XML write them.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// What of the head of print.html paper needs: style sheets, the face of the text, and the script that colours code.

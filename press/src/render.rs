@@ -1,17 +1,18 @@
 //! A page in our dialect becomes a page that mdBook understands.
 
-use crate::api::{self, Items};
+use crate::api::{self, Library};
 use crate::book::{Page, relative, resolve};
 use crate::fault::Faults;
 use crate::labels::Registry;
 use crate::maths::{Maths, Quantity};
 use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table, Words};
+use crate::places::{self, Place};
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
 use crate::ties::{self, BLANK};
 use crate::{answers, faces, module, panel, scenes, snippets, tables};
 use pulldown_cmark::{CowStr, Event, Parser, Tag, html::push_html};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 /// Renders all pages with what is `drawn`; the faults if there are any. `code` holds the files whose comments
@@ -22,7 +23,7 @@ use std::fmt::Write as _;
 pub(crate) fn render(
     pages: &[Page],
     drawn: &Rendered,
-    items: &Items,
+    library: &Library,
     code: &[(String, String)],
 ) -> Result<Vec<String>, Faults> {
     let mut faults = Faults::default();
@@ -31,16 +32,19 @@ pub(crate) fn render(
     let registry = Registry::build(pages, &scans, drawn, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
     let maths = Maths::new(pages, &mut faults);
-    let mut cited = BTreeSet::new();
+    let places = places::places(&library.name, code);
+    let mut cited = Cited::new();
     let mut live = 0;
     let mut rendered = Vec::with_capacity(pages.len());
-    for (page, found) in pages.iter().zip(&scans) {
+    for (index, (page, found)) in pages.iter().zip(&scans).enumerate() {
         let mut printer = Printer {
             page,
+            index,
             registry: &registry,
             maths: &maths,
             drawn,
-            library: items,
+            library,
+            places: &places,
             cited: &mut cited,
             notes: Vec::new(),
             live: &mut live,
@@ -49,6 +53,11 @@ pub(crate) fn render(
         rendered.push(printer.page(found));
     }
     registry.check_citations(&cited, &mut faults);
+    let titles: Vec<String> =
+        pages.iter().zip(&scans).map(|(page, found)| short_title(page, found)).collect();
+    for (page, text) in pages.iter().zip(&mut rendered) {
+        *text = with_ways_back(std::mem::take(text), page, pages, &titles, &cited);
+    }
     if faults.is_empty() { Ok(rendered) } else { Err(faults) }
 }
 
@@ -59,7 +68,7 @@ fn check_citations_in_code(registry: &Registry, code: &[(String, String)], fault
             let Some(comment) = line.find("//").map(|at| &line[at..]) else {
                 continue;
             };
-            for (kind, name) in cited(comment) {
+            for (kind, name) in places::cited(comment) {
                 if let Err(message) = registry.find(&Label { kind, name: name.to_owned() }) {
                     faults.add(file, n + 1, message);
                 }
@@ -68,34 +77,61 @@ fn check_citations_in_code(registry: &Registry, code: &[(String, String)], fault
     }
 }
 
-/// The labels that a comment names: `eq:…`, `fig:…`, `sec:…`, `ex:…` as words of their own.
-fn cited(comment: &str) -> Vec<(Kind, &str)> {
-    let mut found = Vec::new();
-    for kind in [Kind::Equation, Kind::Figure, Kind::Section, Kind::Exercise] {
-        let prefix = format!("{}:", kind.prefix());
-        for (at, _) in comment.match_indices(&prefix) {
-            let before = comment[..at].chars().next_back();
-            let rest = &comment[at + prefix.len()..];
-            let end = rest
-                .find(|c: char| !(c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-'))
-                .unwrap_or(rest.len());
-            let name = rest[..end].trim_end_matches('-');
-            if !before.is_some_and(|c| c.is_alphanumeric() || c == ':') && !name.is_empty() {
-                found.push((kind, name));
-            }
-        }
+/// Label → the pages that mention it, each once, by their order, and whether an id stands where the page does.
+type Cited = BTreeMap<Label, Vec<(usize, bool)>>;
+
+/// What a link to a page is called where there is little room: `Chapter 4`, `Chapter 4 · Exercises`, `Preface`.
+fn short_title(page: &Page, items: &[Placed<'_>]) -> String {
+    let title = || {
+        items.iter().find_map(|placed| match &placed.item {
+            Item::Heading { level: 1, plain, .. } => Some(plain.clone()),
+            _ => None,
+        })
+    };
+    match (page.chapter, &page.part) {
+        (Some(chapter), None) => format!("Chapter {chapter}"),
+        (Some(chapter), Some(part)) => format!("Chapter {chapter} · {part}"),
+        (None, _) => title().unwrap_or_else(|| page.path.clone()),
     }
-    found
+}
+
+/// Stands behind the name of an entry of the bibliography until it is known which pages cite it.
+const CITING: &str = "<!--citing:";
+
+/// A page with links, at the end of each entry of the bibliography, to where the entry is cited.
+fn with_ways_back(mut text: String, page: &Page, pages: &[Page], titles: &[String], cited: &Cited) -> String {
+    while let Some(at) = text.find(CITING) {
+        let Some(end) = text[at..].find("-->").map(|end| at + end) else { break };
+        let label = Label { kind: Kind::Citation, name: text[at + CITING.len()..end].to_owned() };
+        text.replace_range(at..end + 3, "");
+        let link = |(order, &(index, has_id)): (usize, &(usize, bool))| {
+            let target = relative(&page.path, &pages[index].path);
+            let id = if has_id { format!("#from-{}-{order}", label.name) } else { String::new() };
+            format!("[{}]({target}{id})", titles[index])
+        };
+        let links: Vec<String> = cited.get(&label).into_iter().flatten().enumerate().map(link).collect();
+        if links.is_empty() {
+            continue; // which is a fault
+        }
+        let end = ["\n- ", "\n\n"].iter().filter_map(|next| text[at..].find(next)).min();
+        let end = text[..end.map_or(text.len(), |end| at + end)].trim_end().len();
+        text.insert_str(end, &format!(" <span class=\"citing\">Cited in {}.</span>", links.join(", ")));
+    }
+    text
 }
 
 struct Printer<'a, 'f> {
     page: &'a Page,
+    /// Its order among the pages.
+    index: usize,
     registry: &'a Registry,
     maths: &'a Maths,
     drawn: &'a Rendered,
-    library: &'a Items,
+    library: &'a Library,
+    /// Where the library's comments name equations.
+    places: &'a BTreeMap<String, Vec<Place>>,
     /// Every label that some page mentions.
-    cited: &'f mut BTreeSet<Label>,
+    cited: &'f mut Cited,
     /// The notes of the page whose marks are printed, in their order.
     notes: Vec<String>,
     /// How many snippets with live numbers are printed.
@@ -171,7 +207,8 @@ impl Printer<'_, '_> {
             Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
             Item::Mention(mention) => {
                 let before = &self.page.text[..offset];
-                self.mention(mention, before, offset).map(|(words, target)| format!("[{words}]({target})"))
+                let (words, target) = self.mention(mention, before, offset)?;
+                Some(format!("{}[{words}]({target})", self.way_back(mention)))
             }
             Item::Coloured(Some(quantity)) => Some(format!("<span class=\"{}\">", quantity.class())),
             Item::Coloured(None) => Some("</span>".to_owned()),
@@ -181,9 +218,10 @@ impl Printer<'_, '_> {
             Item::NoteDefinition => Some(String::new()),
             Item::Snippet { code } => Some(self.snippet(code, offset)),
             Item::Citation { label, short } => Some(format!(
-                "<span class=\"cite\" id=\"{}\">&#91;{}&#93;</span>",
+                "<span class=\"cite\" id=\"{}\">&#91;{}&#93;</span>{CITING}{}-->",
                 label.id(),
-                escaped(short)
+                escaped(short),
+                label.name
             )),
             Item::Link { target } => {
                 self.check_link(target, offset);
@@ -264,9 +302,27 @@ impl Printer<'_, '_> {
                 "<a class=\"{class}\" id=\"source-{n}\" href=\"#source-{n}\" title=\"{title}\">{words} {n}</a>"
             );
         }
+        marks += &self.code(&label.name);
         Some(format!(
             "<div class=\"equation numbered\" id=\"{id}\"><div class=\"formula\">{mathml}</div><div class=\"marks\">{marks}</div></div>"
         ))
+    }
+
+    /// Links to the lines of the library that name an equation.
+    fn code(&self, equation: &str) -> String {
+        let Some(places) = self.places.get(equation) else { return String::new() };
+        let up = "../".repeat(self.page.path.matches('/').count());
+        let link = |(index, place): (usize, &Place)| {
+            let (words, target) = (place.words(), place.target());
+            let text = match index {
+                0 if places.len() == 1 => "code".to_owned(),
+                0 => "code 1".to_owned(),
+                _ => (index + 1).to_string(),
+            };
+            format!("<a href=\"{up}{target}\" title=\"{words}\" aria-label=\"code: {words}\">{text}</a>")
+        };
+        let links: Vec<String> = places.iter().enumerate().map(link).collect();
+        format!("<span class=\"code\">{}</span>", links.join(", "))
     }
 
     fn figure(&mut self, label: &Label, caption: &Words<'_>) -> Option<String> {
@@ -473,7 +529,10 @@ impl Printer<'_, '_> {
                 (format!("source{BLANK}{number}"), entry.page.clone(), format!("source-{number}"))
             }),
             Mention::Label(label) => {
-                self.cited.insert(label.clone());
+                let pages = self.cited.entry(label.clone()).or_default();
+                if pages.last().is_none_or(|&(last, _)| last != self.index) {
+                    pages.push((self.index, false));
+                }
                 self.words(label).map(|(words, page)| (words, page, label.id()))
             }
         };
@@ -490,6 +549,19 @@ impl Printer<'_, '_> {
                 self.fault(offset, message);
                 None
             }
+        }
+    }
+
+    /// An id for the way back from the bibliography, where a page first cites an entry.
+    fn way_back(&mut self, mention: &Mention) -> String {
+        let Mention::Label(label) = mention else { return String::new() };
+        let order = self.cited.get(label).map_or(0, Vec::len);
+        match self.cited.get_mut(label).and_then(|pages| pages.last_mut()) {
+            Some((_, has_id @ false)) if label.kind == Kind::Citation => {
+                *has_id = true;
+                format!("<span id=\"from-{}-{}\"></span>", label.name, order - 1)
+            }
+            _ => String::new(),
         }
     }
 
@@ -604,7 +676,7 @@ mod tests {
     /// What becomes of one page, which is chapter 1.
     fn printed(text: &str) -> String {
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text.to_owned());
-        let printed = render(&[page], &Rendered::default(), &Items::default(), &[]);
+        let printed = render(&[page], &Rendered::default(), &Library::default(), &[]);
         printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
     }
 
@@ -719,7 +791,7 @@ mod tests {
         let print = |chapter, part: Option<&str>| {
             let text = "# A {#sec:a}\n".to_owned();
             let page = Page::new("book", "a.md".to_owned(), chapter, part.map(str::to_owned), text);
-            render(&[page], &Rendered::default(), &Items::default(), &[]).unwrap_or_default().remove(0)
+            render(&[page], &Rendered::default(), &Library::default(), &[]).unwrap_or_default().remove(0)
         };
         let kicker = |class: &str, words: &str| {
             format!("<p class=\"{class}\" style=\"--chapter: 4\">{words}</p>\n\n# A {{#sec-a}}\n")
@@ -760,7 +832,7 @@ mod tests {
         let text = "# A\n\n![A *plate*.](scene:plate)\n\n[Set $x$](scene:plate?spin=3&kick=0).\n".to_owned();
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
         let print = |drawn: &Rendered| {
-            let printed = render(std::slice::from_ref(&page), drawn, &Items::default(), &[]);
+            let printed = render(std::slice::from_ref(&page), drawn, &Library::default(), &[]);
             printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
         };
         let x = maths("$x$");
@@ -811,7 +883,7 @@ mod tests {
         let drawn = Rendered { figures: vec![figure], ..Rendered::default() };
         let text = "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n".to_owned();
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
-        let printed = render(&[page], &drawn, &Items::default(), &[]);
+        let printed = render(&[page], &drawn, &Library::default(), &[]);
         let printed = printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0);
         let at = |words: &str| printed.find(words).unwrap_or_else(|| panic!("{words} in {printed}"));
         assert!(at("It’s so.<a class=\"note-mark\"") < at("</figcaption>"));

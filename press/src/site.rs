@@ -5,6 +5,7 @@ mod page;
 use self::page::{Built, examine, is_remote, remote_in_css};
 use crate::book::{slashed, text};
 use crate::fault::{Faults, Lines};
+use mdbook_renderer::book::BookItem;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -67,6 +68,24 @@ pub(crate) fn check(folder: &Path) -> io::Result<Vec<SiteFault>> {
     }
     faults.sort();
     Ok(faults)
+}
+
+/// The pages of the book, below the root of the site.
+pub(crate) fn pages<'a>(items: impl Iterator<Item = &'a BookItem>) -> Vec<String> {
+    let path = |item: &BookItem| match item {
+        BookItem::Chapter(chapter) => chapter.path.as_ref().map(|path| slashed(&path.with_extension("html"))),
+        _ => None,
+    };
+    items.filter_map(path).collect()
+}
+
+/// The same, with the ids on each.
+pub(crate) fn ids<'a>(
+    folder: &Path,
+    items: impl Iterator<Item = &'a BookItem>,
+) -> io::Result<Vec<(String, BTreeSet<String>)>> {
+    let ids = |page: String| Ok((page.clone(), examine(&fs::read_to_string(folder.join(page))?).ids));
+    pages(items).into_iter().map(ids).collect()
 }
 
 /// Adds a fault for each style sheet of the book that loads something from a network.

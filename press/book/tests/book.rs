@@ -82,11 +82,11 @@ fn files(folder: &Path, ending: &str) -> Vec<(PathBuf, String)> {
     found
 }
 
-/// The pages of the site, without what rustdoc wrote.
+/// The pages of the site, without what rustdoc wrote and the one for addresses without page, which needs no other file.
 fn pages() -> Vec<(PathBuf, String)> {
     let pages: Vec<_> = files(site(), ".html")
         .into_iter()
-        .filter(|(path, _)| !path.starts_with(site().join("api")))
+        .filter(|(path, _)| !path.starts_with(site().join("api")) && !path.ends_with("404.html"))
         .collect();
     assert!(pages.len() >= 22, "only {} pages", pages.len());
     pages
@@ -381,6 +381,59 @@ fn the_documentation_of_the_library_leads_to_its_sources() {
     assert!(links > 1000, "only {links}"); // that they are alive is for the press to say
     assert!(
         site().join("api/src/mechanics/lib.rs.html").is_file() && site().join("api/index.html").is_file()
+    );
+}
+
+#[test]
+fn each_entry_of_the_bibliography_leads_back_to_where_it_is_cited() {
+    let page = fs::read_to_string(site().join("bibliography.html")).expect("a page");
+    let (entries, back) = (page.matches("class=\"cite\"").count(), page.matches("class=\"citing\"").count());
+    assert!(entries > 60 && back == entries, "{back} of {entries}");
+    assert!(page.contains("<a href=\"coin-toss/index.html#from-bartos-2023-"), "to the very words"); // alive, says the press
+}
+
+#[test]
+fn an_address_without_page_shows_all_chapters_and_needs_no_other_file() {
+    let page = fs::read_to_string(site().join("404.html")).expect("a page");
+    assert!(page.matches("<li><a href=").count() > 15 && page.contains("laundromat/index.html"));
+    assert!(!page.contains("src=") && !page.contains("<link"), "it would be looked for in the wrong folder");
+}
+
+#[test]
+fn equations_lead_to_the_code_that_names_them_and_back() {
+    let to_code: usize = pages().iter().map(|(_, html)| html.matches("\"code: ").count()).sum();
+    let back: usize =
+        files(&site().join("api"), ".html").iter().map(|(_, html)| html.matches(".html#eq-").count()).sum();
+    assert!(to_code > 200 && back > 400, "{to_code} links to the code, {back} back");
+    let page = fs::read_to_string(site().join("laundromat/index.html")).expect("a page");
+    let equation = page.split("id=\"eq-natural-frequency\"").nth(1).expect("the equation");
+    let marks = equation.split("class=\"code\">").nth(1).expect("its code");
+    let target = marks.split('"').nth(1).expect("a link"); // that it is alive is for the press to say
+    let file = target.trim_start_matches("../").split('#').next().expect("a file");
+    let code = fs::read_to_string(site().join(file)).expect("the code");
+    assert!(code.contains("laundromat/index.html#eq-natural-frequency"), "{file}");
+}
+
+#[test]
+fn every_page_says_what_it_is_about_and_of_which_edition_it_is() {
+    let mut descriptions = BTreeSet::new();
+    let copies = ["index.html", "print.html", "toc.html"].map(|copy| site().join(copy));
+    let pages: Vec<_> = pages().into_iter().filter(|(path, _)| !copies.contains(path)).collect();
+    for (path, html) in &pages {
+        let description = html
+            .split("property=\"og:description\" content=\"")
+            .nth(1)
+            .and_then(|rest| rest.split('"').next());
+        let description = description.unwrap_or_else(|| panic!("{} has none", path.display()));
+        assert!(description.len() > 20, "{}: {description}", path.display());
+        descriptions.insert(description.to_owned());
+        assert!(html.contains(concat!("Things That Spin ", env!("CARGO_PKG_VERSION"))), "{}", path.display());
+    }
+    assert!(
+        pages.len() > 40 && descriptions.len() * 10 > pages.len() * 9,
+        "{} of {}",
+        descriptions.len(),
+        pages.len()
     );
 }
 

@@ -34,8 +34,8 @@ impl Archive {
         let mut sum = Crc::new();
         sum.update(bytes);
         let start = self.bytes.len() as u32;
-        // What both heads say: the version that can read it, flags (names are UTF-8), method, time, day, check sum, sizes, length
-        // of the name, and of what comes behind it.
+        // What both heads say: the version that can read it, flags (names are UTF-8), method, time, day, check sum,
+        // sizes, length of the name, and of what comes behind it.
         let mut head = Vec::new();
         for word in [20, 1 << 11, method, 0, NO_DAY] {
             head.extend(word.to_le_bytes());

@@ -2,7 +2,7 @@
 
 use super::archive::Archive;
 use super::sheet::{self, Kind};
-use super::{LICENCE, Paper};
+use super::{LICENCE, Paper, escaped};
 use html5gum::{StartTag, Token, Tokenizer};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -55,11 +55,11 @@ impl Paper {
         let mut spine = String::new();
         let title = format!(
             "<section class=\"title-page\">\n<h1>{}</h1>\n<p>{}</p>\n<p>{}</p>\n<p>{LICENCE}</p>\n</section>\n",
-            self.title,
-            self.description,
-            self.edition.words(),
+            self.settings.title,
+            self.settings.description,
+            self.edition_in_words(),
         );
-        let title = self.document(&sheet::plain(&self.title), &title);
+        let title = self.document(&sheet::plain(&self.settings.title), &title);
         archive.pack("book/title.xhtml", title.as_bytes());
         for (sheet, name) in self.sheets.iter().zip(&names) {
             let body = xhtml(&sheet.html, |id| places.get(id).map(|place| format!("{place}#{id}")));
@@ -101,7 +101,7 @@ impl Paper {
              <title>{}</title>\n<link rel=\"stylesheet\" type=\"text/css\" href=\"style.css\"/>\n</head>\n<body>\n{body}</body>\n\
              </html>\n",
             escaped(title),
-            language = self.language,
+            language = self.settings.language,
         )
     }
 
@@ -135,7 +135,7 @@ impl Paper {
     }
 
     fn package(&self, items: &str, spine: &str) -> String {
-        let day = self.edition.commit.as_ref().map_or("2000-01-01", |(_, day)| day.as_str());
+        let day = self.day.as_deref().unwrap_or("2000-01-01");
         format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<package xmlns=\"http://www.idpf.org/2007/opf\" version=\"3.0\" \
              unique-identifier=\"id\" xml:lang=\"{language}\">\n<metadata xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n\
@@ -148,11 +148,11 @@ impl Paper {
              <item id=\"style\" href=\"style.css\" media-type=\"text/css\"/>\n{items}</manifest>\n\
              <spine>\n<itemref idref=\"title\"/>\n<itemref idref=\"contents\"/>\n{spine}</spine>\n</package>\n",
             self.file_name(),
-            self.edition.words().replace([' ', ','], "-"),
-            self.title,
-            self.authors,
-            self.description,
-            language = self.language,
+            self.edition.replace(", ", "-"),
+            self.settings.title,
+            self.settings.authors,
+            self.settings.description,
+            language = self.settings.language,
         )
     }
 }
@@ -273,10 +273,6 @@ fn start(xml: &mut String, name: &str, tag: &StartTag<()>, place: &impl Fn(&str)
 
 fn capitals(name: &str) -> &str {
     CAPITALS.into_iter().find(|written| written.eq_ignore_ascii_case(name)).unwrap_or(name)
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

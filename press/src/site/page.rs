@@ -102,7 +102,7 @@ fn start(built: &mut Built, name: &str, tag: &StartTag<()>) {
     }
     let loads: &[(&str, &'static str)] = match name {
         "a" => &[("href", "a")],
-        "link" => &[("href", "link")],
+        "link" if attribute(tag, "rel").as_deref() != Some("canonical") => &[("href", "link")], // which loads nothing
         "script" => &[("src", "script")],
         "img" => &[("src", "img")],
         "iframe" => &[("src", "iframe")],
