@@ -84,7 +84,7 @@ pub fn chapter(pages: &[Page], asked: &str) -> Result<String, String> {
 }
 
 impl Paper {
-    /// The whole book, or one chapter of it with or without its solutions, from the site that has been built from `root`.
+    /// The whole book, or one chapter of it with or without its solutions, from the site that was built from `root`.
     ///
     /// # Errors
     /// If a file cannot be read, or the site is not one of this book.
