@@ -5,13 +5,13 @@ mod printed;
 use approx::assert_relative_eq;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
-use mechanics::inertia::{Body, PrincipalMoments, SymmetricMoments};
-use mechanics::integrate::Dop853;
+use mechanics::inertia::{Body, PrincipalMoments, Spheroid, SymmetricMoments};
+use mechanics::integrate::{Dop853, rk4};
 use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, Parameters, ThrownTop};
 use nalgebra::{UnitQuaternion, Vector3};
 use num_dual::{Dual64, DualNum};
 use printed::corrected_holds_and_printed_fails;
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const ROUNDING: f64 = 1e-13;
 
@@ -414,4 +414,132 @@ fn the_checks_of_the_page_are_tight_at_its_own_numbers() {
     assert_relative_eq!(frisbee.at(10.0).unwrap().z, spin, max_relative = 1e-14);
     let tangent = 12.0 / 40.0 * (-1e-4 * (i3 - i1) / (i1 * i3) * 10.0).exp();
     assert_relative_eq!(frisbee.axis_angle(10.0).unwrap(), tangent.atan(), max_relative = 1e-14);
+}
+
+/// Jeffery's coefficients across and about the axis, in units of the viscosity, for an equatorial radius of one and the
+/// other radius `eta`: his integrals over all ξ by the trapezium rule, with ξ = exp(sinh v) to bring both ends in.
+fn jeffery(eta: f64) -> [f64; 2] {
+    let (mut equatorial, mut polar) = (0.0, 0.0);
+    let step = 0.01;
+    for n in -500..=500 {
+        let v = step * f64::from(n);
+        let xi = v.sinh().exp();
+        let weight = xi * v.cosh() * step / ((1.0 + xi) * (eta * eta + xi).sqrt());
+        if weight.is_finite() {
+            equatorial += weight / (1.0 + xi);
+            polar += weight / (eta * eta + xi);
+        }
+    }
+    let square = eta * eta;
+    [(1.0 + square) / (equatorial + square * polar), 1.0 / equatorial].map(|part| 16.0 / 3.0 * PI * part)
+}
+
+/// A spheroid of an equatorial radius of one.
+fn spheroid(eta: f64) -> Spheroid {
+    Spheroid { equatorial_radius: 1.0, polar_radius: eta }
+}
+
+#[test]
+fn the_drag_of_a_spheroid_is_that_of_jefferys_integrals() {
+    let mut random = fastrand::Rng::with_seed(1922);
+    let drawn = (0..300).map(|_| between(&mut random, 1e-3, 1e3));
+    let near = (-40..=40).map(|n| 1.0 + 0.01 * f64::from(n));
+    for eta in drawn.collect::<Vec<_>>().into_iter().chain(near) {
+        let drag = Drag::of_spheroid(spheroid(eta), 1.0).unwrap();
+        let [transverse, axial] = jeffery(eta);
+        assert_relative_eq!(drag.transverse, transverse, max_relative = 1e-12);
+        assert_relative_eq!(drag.axial, axial, max_relative = 1e-12);
+    }
+    // By mpmath with 40 digits.
+    for (eta, transverse, axial) in [
+        (0.015625, 10.670_539_540_313_26, 10.879_186_384_262_766),
+        (0.25, 11.580_616_569_595_598, 14.134_199_006_271_245),
+        (0.875, 21.637_387_202_050_125, 23.254_770_578_914_402),
+        (0.890625, 22.044_736_703_721_887, 23.488_727_866_753_337),
+        (1.0009765625, 25.162_210_713_990_8, 25.147_467_855_053_876),
+        (1.125, 29.186_872_405_613_182, 27.024_194_786_743_15),
+        (1.25, 33.828_852_839_354_06, 28.927_775_365_043_902),
+        (2.0, 75.645_843_377_484_77, 40.547_993_478_379_845),
+        (25.0, 38_368.635_602_771_72, 420.844_821_591_725_25),
+    ] {
+        let drag = Drag::of_spheroid(spheroid(eta), 1.0).unwrap();
+        assert_relative_eq!(drag.transverse, transverse, max_relative = 1e-14);
+        assert_relative_eq!(drag.axial, axial, max_relative = 1e-14);
+    }
+    // Known ends: Stokes's ball, and the disc, 32/3 about every axis.
+    let ball = Drag::of_spheroid(spheroid(1.0), 1.0).unwrap();
+    assert_relative_eq!(ball.transverse, 8.0 * PI, max_relative = 1e-15);
+    let disc = Drag::of_spheroid(spheroid(1e-9), 1.0).unwrap();
+    assert_relative_eq!(disc.transverse, 32.0 / 3.0, max_relative = 1e-8);
+    assert_relative_eq!(disc.axial, 32.0 / 3.0, max_relative = 1e-8);
+    let message = |eta, viscosity| Drag::of_spheroid(spheroid(eta), viscosity).unwrap_err().to_string();
+    assert!(message(0.0, 1.0).contains("polar radius 0 m"));
+    assert!(message(1.0, -1.0).contains("viscosity -1 Pa·s"));
+}
+
+#[test]
+fn of_even_spheroids_the_flat_settle_and_the_long_tumble_as_the_closed_form_says() {
+    let mut random = fastrand::Rng::with_seed(4);
+    for _ in 0..40 {
+        let eta = between(&mut random, 0.05, 20.0);
+        let moments = Body::spheroid(1.0, spheroid(eta)).unwrap().moments();
+        let drag = Drag::of_spheroid(spheroid(eta), 1e-4).unwrap();
+        // Euler's equations by RK4, until the spin is nearly a half: the power is that of eq:spheroid-clocks.
+        let start = [0.3, 0.0, 1.0];
+        let axial = moments.as_symmetric().unwrap().axial;
+        let end = 0.6 * axial / drag.axial;
+        let [w1, w2, w3] =
+            rk4(|_, omega| written_out(moments, drag, *omega), 0.0, start, end, 20_000).unwrap();
+        let power = (w1.hypot(w2) / w3 / 0.3).ln() / w3.ln();
+        let f = if eta < 1.0 {
+            eta.acos() / (1.0 - eta * eta).sqrt()
+        } else {
+            eta.acosh() / (eta * eta - 1.0).sqrt()
+        };
+        let clocks = 2.0 * (eta - f) / ((2.0 * eta * eta - 1.0) * f - eta);
+        assert_relative_eq!(power, clocks - 1.0, epsilon = 1e-6);
+        let omega_body = Vector3::from(start);
+        let trend = dragged(moments, drag, omega_body).axis_trend();
+        assert_eq!(trend, if eta < 1.0 { AxisTrend::Aligning } else { AxisTrend::Tumbling }, "{eta}");
+    }
+}
+
+#[test]
+fn on_either_side_of_the_border_rk4_finds_the_fate_that_the_clocks_say() {
+    let mut random = fastrand::Rng::with_seed(5);
+    for _ in 0..60 {
+        let ratio = between(&mut random, 0.05, 2.0);
+        let moments = PrincipalMoments::symmetric(1.0, ratio).unwrap();
+        for (factor, falls) in [(1.2, true), (1.0 / 1.2, false)] {
+            // eq:fate-border with a fifth to one side of it or the other.
+            let drag = Drag { transverse: 0.1 * factor / ratio, axial: 0.1 };
+            let rates = |_: f64, omega: &[f64; 3]| written_out(moments, drag, *omega);
+            let [w1, w2, w3] = rk4(rates, 0.0, [0.5, 0.2, 1.0], 5.0 * ratio, 4000).unwrap();
+            assert_eq!(w1.hypot(w2) / w3 < 0.5_f64.hypot(0.2), falls);
+        }
+    }
+}
+
+#[test]
+fn the_rounds_that_are_done_are_those_of_a_simulation() {
+    // eq:rounds-done, counted from the direction of the transverse part.
+    for (ratio, clocks) in [(2.0, 3.0), (1.5, 1.4), (0.4, 0.7)] {
+        let moments = PrincipalMoments::symmetric(1.0, ratio).unwrap();
+        let drag = Drag { transverse: 0.02 * clocks / ratio, axial: 0.02 };
+        let top = dragged(moments, drag, Vector3::new(0.3, 0.0, 1.0));
+        let wanted = if clocks > 1.0 { 0.5_f64 } else { 1.5 };
+        let end = -wanted.ln() / top.alignment_rate();
+        let (mut turned, mut state, steps) = (0.0, [0.3, 0.0, 1.0], 2000);
+        for _ in 0..steps {
+            let rates = |_: f64, omega: &[f64; 3]| written_out(moments, drag, *omega);
+            let next = rk4(rates, 0.0, state, end / f64::from(steps), 20).unwrap();
+            let [a, b] = [state, next].map(|w| w[1].atan2(w[0]));
+            turned += (b - a + PI).rem_euclid(TAU) - PI;
+            state = next;
+        }
+        let [w1, w2, w3] = state;
+        assert_relative_eq!(w1.hypot(w2) / w3, 0.3 * wanted, max_relative = 1e-8);
+        let done = top.total_body_turns() * (1.0 - wanted.powf(1.0 / (clocks - 1.0)));
+        assert_relative_eq!(turned.abs() / TAU, done, max_relative = 1e-6);
+    }
 }

@@ -2,11 +2,11 @@
 
 use approx::assert_relative_eq;
 use mechanics::euler::{self, Turning};
-use mechanics::inertia::{Body, PrincipalMoments};
+use mechanics::inertia::{Body, Cylinder, PrincipalMoments};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::coin_toss::{
     Counted, Face, Flight, FlightParameters, Toss, TossParameters, Tossers, TossersParameters,
-    angle_for_probability, ratio_for_probability, steady_face_ratio,
+    angle_for_probability, edge_at_random, ratio_for_probability, steady_face_ratio,
 };
 use nalgebra::{UnitQuaternion, Vector3};
 use serde_json::Value;
@@ -498,4 +498,121 @@ fn a_person_whose_coin_never_flips_is_certain_to_show_the_same_face() {
     };
     assert!(message(f64::NAN, 0.1).contains("mean of twist over tumble"));
     assert!(message(0.0, 0.0).contains("spread of twist over tumble"));
+}
+
+/// Which side of a coin lies under its centre: 0 the one that was up, which is up, 1 the edge, 2 the other. The plumb
+/// line from the centre leaves the coin through the side that it meets first.
+fn side_below(coin: Cylinder, world_from_body: &UnitQuaternion<f64>) -> usize {
+    let down = world_from_body.inverse() * -Vector3::z();
+    let through_face = 0.5 * coin.height / down.z.abs();
+    let through_edge = coin.radius / down.xy().norm();
+    if through_edge < through_face {
+        1
+    } else if down.z < 0.0 {
+        0
+    } else {
+        2
+    }
+}
+
+#[test]
+fn a_thick_coin_lands_on_the_side_that_a_simulation_finds_under_its_centre() {
+    for (height, omega_1, omega_3) in
+        [(0.2, 5.0, 0.0), (0.5, 5.0, 0.7), (1.2, 5.0, 1.5), (0.3, 5.0, 2.5), (0.2, 5.0, 4.0), (3.0, 5.0, 5.0)]
+    {
+        let coin = Cylinder { radius: 1.0, height };
+        let moments = Body::cylinder(1.0, coin).unwrap().moments();
+        let toss = tossed(moments, omega_1, omega_3);
+        // Very many times within a long flight; how long a precession takes is nothing that this needs.
+        let times: Vec<f64> = (0..200_000).map(|n| 1e-3 * f64::from(n)).collect();
+        let mut counts = [0.0; 3];
+        for state in simulated_turnings(moments, omega_1, omega_3, &times) {
+            counts[side_below(coin, &state.world_from_body)] += 1.0 / 200_000.0;
+        }
+        let found = toss.landings(coin).unwrap();
+        // A part of a precession is left over in 200 s, of some two hundred of them.
+        for (found, counted) in [found.same, found.edge, found.other].into_iter().zip(counts) {
+            assert_relative_eq!(found, counted, epsilon = 3e-3);
+        }
+        assert_relative_eq!(found.same + found.edge + found.other, 1.0, epsilon = 4e-16);
+    }
+}
+
+#[test]
+fn a_coin_of_any_attitude_stands_on_its_edge_as_often_as_the_band_is_high() {
+    let mut random = fastrand::Rng::with_seed(20);
+    for height in [0.1, 2.0 / 8_f64.sqrt(), 3.0] {
+        let coin = Cylinder { radius: 1.0, height };
+        let mut edges = 0.0;
+        for _ in 0..200_000 {
+            // Four Gaussian numbers are a direction without preference in four dimensions.
+            let [a, b] = [0, 1].map(|_| {
+                let size = (-2.0 * (1.0 - random.f64()).ln()).sqrt();
+                let (sin, cos) = (TAU * random.f64()).sin_cos();
+                (size * cos, size * sin)
+            });
+            let attitude = UnitQuaternion::from_quaternion(nalgebra::Quaternion::new(a.0, a.1, b.0, b.1));
+            edges += f64::from(u8::from(side_below(coin, &attitude) == 1)) / 200_000.0;
+        }
+        let expected = edge_at_random(coin).unwrap();
+        let deviation = (expected * (1.0 - expected) / 200_000.0).sqrt();
+        assert!((edges - expected).abs() < 3.5 * deviation, "{edges} against {expected}");
+    }
+    let third = edge_at_random(Cylinder { radius: 1.0, height: 2.0 / 8_f64.sqrt() }).unwrap();
+    assert_relative_eq!(third, 1.0 / 3.0, epsilon = 1e-15);
+}
+
+#[test]
+fn thick_coins_meet_eighteen_digits() {
+    // By mpmath with 40 digits, from arc cosines of the normal's heights; a thin coin's moments.
+    for (height, omega_1, omega_3, same, edge, other) in [
+        (0.2, 1.0, 0.0, 0.468_274_482_569_446_4, 0.063_451_034_861_107_14, 0.468_274_482_569_446_4),
+        (0.2, 8.0, 1.0, 0.486_237_499_358_981_27, 0.067_565_274_061_813_16, 0.446_197_226_579_205_6),
+        (0.2, 32.0, 14.0, 0.700_848_119_774_851_8, 0.189_557_120_818_891_86, 0.109_594_759_406_256_36),
+        (0.2, 32.0, 15.0, 0.743_247_309_000_830_8, 0.256_752_690_999_169_2, 0.0),
+        (1.0, 4.0, 1.0, 0.4, 0.4, 0.2),
+        (2e-6, 8.0, 1.0, 0.519_907_003_902_549_2, 6.777_335_015_906_43e-7, 0.480_092_318_363_949_2),
+        (2e-6, 8.0, 3.0, 0.690_159_766_939_092_4, 1.203_098_283_851_944_3e-6, 0.309_839_029_962_623_7),
+    ] {
+        let toss = tossed(coin(), omega_1, omega_3);
+        let found = toss.landings(Cylinder { radius: 1.0, height }).unwrap();
+        assert_relative_eq!(found.same, same, max_relative = 2e-15);
+        assert_relative_eq!(found.edge, edge, max_relative = 2e-15);
+        assert_relative_eq!(found.other, other, max_relative = 2e-15);
+    }
+    // A coin without thickness is the coin of the chapter, and one that keeps its face has no other end.
+    let thin = Cylinder { radius: 1.0, height: 0.0 };
+    let toss = tossed(coin(), 8.0, 1.0);
+    assert_relative_eq!(toss.landings(thin).unwrap().same, toss.same_face_probability(), epsilon = 3e-16);
+    assert_eq!(toss.landings(thin).unwrap().edge, 0.0);
+    let steady = tossed(coin(), 1.0, 2.0).landings(Cylinder { radius: 1.0, height: 0.2 }).unwrap();
+    assert_eq!((steady.same, steady.edge, steady.other), (1.0, 0.0, 0.0));
+}
+
+#[test]
+fn the_edge_is_likeliest_for_the_toss_whose_normal_just_comes_so_low() {
+    // A nickel, 21.21 mm by 1.95 mm, with the moments of a thin coin.
+    let nickel = Cylinder { radius: 10.605, height: 1.95 };
+    let sine = edge_at_random(nickel).unwrap();
+    let edge_at = |lowest: f64| {
+        let double: f64 = lowest.acos(); // 2ψ
+        let toss = tossed(coin(), 2.0 * (0.5 * double).sin(), (0.5 * double).cos());
+        toss.landings(nickel).unwrap().edge
+    };
+    let best = edge_at(-sine);
+    assert_relative_eq!(best, 0.268_641_071_646_464_8, epsilon = 1e-7);
+    assert_relative_eq!(best, 2.0 / PI * (2.0 * sine / (1.0 - sine)).sqrt().atan(), epsilon = 1e-7);
+    for n in 1..100 {
+        let lowest = -1.0 + 0.02 * f64::from(n);
+        assert!(edge_at(lowest) < best || (lowest + sine).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn a_coin_with_an_edge_needs_a_radius_and_no_negative_height() {
+    let message = |radius, height| edge_at_random(Cylinder { radius, height }).unwrap_err().to_string();
+    assert!(message(0.0, 1.0).contains("radius 0 m"));
+    assert!(message(1.0, -1.0).contains("height -1 m"));
+    assert!(message(1.0, f64::NAN).contains("height NaN m"));
+    assert!(tossed(coin(), 1.0, 0.0).landings(Cylinder { radius: f64::NAN, height: 1.0 }).is_err());
 }

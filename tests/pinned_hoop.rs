@@ -10,6 +10,7 @@ use mechanics::integrate::Dop853;
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector3};
 use printed::corrected_holds_and_printed_fails;
+use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::AddAssign;
 
@@ -408,6 +409,99 @@ fn the_first_tumble_comes_after_a_quarter_period_that_grows_as_a_logarithm() {
     assert_relative_eq!(wait, expected, max_relative = 1e-14);
 }
 
+/// A body of unit mass, radius and spin, pinned where the old axis is at this cosine from the pin's direction.
+fn beside(shape: Shape, cosine: f64) -> Pinning {
+    let pin = Pin::Point { from_axis: (1.0 - cosine * cosine).sqrt(), height: cosine };
+    Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin }).unwrap()
+}
+
+#[test]
+fn waits_are_those_of_a_series_of_sixty_digits_over_twenty_decades() {
+    let file: serde_json::Value =
+        serde_json::from_str(include_str!("data/waits.json")).expect("a valid file");
+    let cases = file["cases"].as_array().expect("a list");
+    assert_eq!(cases.len(), 26);
+    for case in cases {
+        let shape = if case["body"] == "hoop" { Shape::Hoop } else { Shape::Disk };
+        let cosine = case["cosine"].as_f64().expect("a number");
+        let expected: f64 = case["wait"].as_str().expect("digits").parse().expect("a number");
+        let body = beside(shape, cosine);
+        assert_relative_eq!(body.wait().unwrap().unwrap(), expected, max_relative = 4e-15);
+        // The limit, with the next term for the hoop: to the square of the gap, and to its fourth power.
+        let survival = body.survival();
+        let [i1, i2, _] = body.moments_about_pin().to_array();
+        let unit = survival * ((i1 - i2) / (i1 + i2)).sqrt(); // λ at a right angle
+        let log = (4.0 * i2 / (i1 * cosine)).ln();
+        assert!(
+            (log / unit - expected).abs() < 40.0 * cosine * cosine * log + 1e-12,
+            "eq:flat-wait at {cosine}"
+        );
+        if shape == Shape::Hoop {
+            let next = (log - 1.75 * cosine * cosine * (log - 1.0)) / unit;
+            assert!(
+                (next - expected).abs() < 30.0 * cosine.powi(4) * (1.0 + log) + 1e-12,
+                "{next} {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_quarter_period_is_between_the_bounds_of_the_plateau() {
+    for k1 in [0.9, 0.5, 0.1, 1e-2, 1e-4, 1e-8, 1e-16_f64] {
+        let quarter = mechanics::elliptic::quarter_period(k1 * k1);
+        let bound = 2.0 * (1.0 / k1.sqrt()).asinh();
+        assert!(quarter <= bound * (1.0 + 1e-15), "{k1}");
+        assert!(quarter >= bound / (1.0 + k1 + k1 * k1).sqrt() * (1.0 - 1e-15), "{k1}");
+        assert!((bound - (4.0 / k1).ln()).abs() <= 0.5 * k1 + 1e-13, "{k1}");
+    }
+}
+
+#[test]
+fn the_growth_rate_is_that_of_the_pendulum_and_a_ball_has_none() {
+    // By two places of the growing disturbance, stepped by Euler's equations.
+    for (shape, [i1, i2, i3]) in [(Shape::Hoop, [1.5, 0.5, 2.0]), (Shape::Disk, [1.25, 0.25, 1.5])] {
+        let body = beside(shape, 1e-9);
+        let moments = mechanics::inertia::PrincipalMoments::new(i1, i2, i3).unwrap();
+        let rates = |_: f64, omega: &[f64; 3]| -> [f64; 3] {
+            euler::rates(&moments, &Vector3::from(*omega), &Vector3::zeros()).into()
+        };
+        let solver = Dop853::new(1e-13).unwrap();
+        let (states, _) = solver.sample(rates, 0.0, body.omega_after().into(), &[50.0, 60.0]).unwrap();
+        let growth = (states[1][1] / states[0][1]).ln() / 10.0;
+        assert_relative_eq!(growth, body.growth_rate(), max_relative = 1e-5);
+    }
+    let ball = beside(Shape::Sphere, 1e-3);
+    assert_eq!(ball.growth_rate(), 0.0);
+    assert_relative_eq!(ball.wait().unwrap().unwrap(), 0.7 * PI / 1e-3, max_relative = 4e-15);
+    // At the very place a hoop waits for ever, and so does a ball.
+    for shape in [Shape::Hoop, Shape::Disk, Shape::Sphere] {
+        assert_eq!(beside(shape, 0.0).wait(), Ok(None));
+    }
+}
+
+#[test]
+fn a_ball_does_not_linger_and_its_diameter_keeps_its_angle() {
+    // Stepped, with moments 7/5, 2/5, 7/5: half of the time brings half of the angle, the cosine of 45°.
+    let moments = mechanics::inertia::PrincipalMoments::new(1.4, 0.4, 1.4).unwrap();
+    let (gap, left) = (1e-2, 2.0 / 7.0);
+    let start = Turning {
+        world_from_body: UnitQuaternion::identity(),
+        omega_body: Vector3::new(left * f64::sqrt(1.0 - gap * gap), -gap, 0.0),
+    };
+    let rates = euler::turning_rates(moments, |_, _| Vector3::zeros());
+    let end = 0.7 * PI / gap; // eq:ball-turn
+    let times = [0.25 * end, 0.5 * end, end];
+    let (states, _) = Dop853::new(1e-13).unwrap().sample(rates, 0.0, start.to_array(), &times).unwrap();
+    let momentum = moments.angular_momentum(&start.omega_body);
+    for (state, part) in states.into_iter().map(Turning::from_array).zip([0.25, 0.5, 1.0]) {
+        let expected = start.omega_body.x * (0.5 * PI * part).cos();
+        assert_relative_eq!(state.omega_body.x, expected, epsilon = 1e-8);
+        let cosine = (state.world_from_body * Vector3::y()).dot(&momentum) / momentum.norm();
+        assert_relative_eq!(cosine, -gap, epsilon = 1e-9);
+    }
+}
+
 #[test]
 fn the_pinned_point_may_be_given_by_its_place() {
     let pinned =
@@ -421,4 +515,31 @@ fn the_pinned_point_may_be_given_by_its_place() {
         error.to_string(),
         "distance of the point from the centre 1.4142135623730951 m is not 2 m to rounding"
     );
+}
+
+#[test]
+fn the_reference_hoop_is_met_to_the_digits_of_a_double() {
+    let file: Value = serde_json::from_str(include_str!("data/hoop-pinned.json")).expect("a valid file");
+    let value = |name: &str| file["values"][name].as_str().unwrap().parse::<f64>().unwrap();
+    // Sine and cosine of 89.9°: in radians the angle would keep only thirteen digits of its cosine.
+    let pin = Pin::Point { from_axis: 0.999_998_476_913_287_7, height: 0.001_745_328_365_898_308_8 };
+    let (shape, mass, radius, spin) = (Shape::Hoop, 1.0, 1.0, 1.0);
+    let hoop = Pinning::new(Parameters { shape, mass, radius, spin, pin }).unwrap();
+    assert_relative_eq!(hoop.velocity_of_b(), value("v_B_eq65"), max_relative = 1e-15);
+    assert_relative_eq!(hoop.holding_torque().z, value("tau_eq69"), max_relative = 1e-15);
+    assert_relative_eq!(hoop.holding_force().norm(), value("F_eq71"), max_relative = 1e-15);
+    assert_relative_eq!(hoop.energy_lost(), value("energy_lost"), max_relative = 1e-15);
+    // The modulus of the motion is the cosine of the angle at which its pendulum starts.
+    let modulus = hoop.axis_angle().cos();
+    assert_relative_eq!(modulus * modulus, value("k_squared"), max_relative = 1e-15);
+    let free = hoop.free_motion().unwrap();
+    assert_relative_eq!(free.period().unwrap(), value("full_period"), max_relative = 4e-16);
+    let state = free.at(50.0).unwrap();
+    let centre = state.world_from_body * hoop.centre();
+    for (i, name) in ["omega1", "omega2", "omega3"].into_iter().enumerate() {
+        assert_relative_eq!(state.omega_body[i], value(name), epsilon = 2e-16);
+    }
+    for (i, name) in ["centre_1", "centre_2", "centre_3"].into_iter().enumerate() {
+        assert_relative_eq!(centre[i], value(name), epsilon = 1e-15);
+    }
 }

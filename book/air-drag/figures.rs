@@ -1,12 +1,12 @@
 //! The figures of the chapter "Frisbee and pencil".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps};
+use crate::{Axis, Cause, Outcome, Plot, in_both, linear_steps, log_steps};
 use drawing::kit::{Heads, Marker, arrow, head};
 use drawing::space::{Camera, Curve, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
-use mechanics::inertia::{Body, Cylinder, PrincipalMoments};
+use mechanics::inertia::{Body, Cylinder, PrincipalMoments, Spheroid, SymmetricMoments};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -344,4 +344,65 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
         &[("momentum", &enlarged, Hue::Green)],
     )?;
     Ok(Drawing::panels(id, vec![board, room, close]))
+}
+
+/// The map of fates: moments along it, drag up it, the border, and where real and even bodies lie.
+pub(crate) fn fates(id: &str) -> Outcome {
+    in_both(|room| {
+        let mut drawing = Drawing::new(id, room.of(420.0, 336.0), 400.0).titled(
+            "Which bodies settle",
+            "Both scales are logarithmic: along x the ratio of the moments, I3 over I1, from a thousandth to 2, \
+             beyond which there are no bodies; along y the ratio of the drags, C1 over C3, from a tenth to a \
+             thousand. The border is the falling straight line on which their product is one; above it bodies \
+             settle, below it they tumble. Dashed lines beside it: one clock ten times as fast as the other. A \
+             curve of all even spheroids in slow air runs from flat ones at the lower right, above the border, \
+             through the ball, which is on it, to needles, below it and nearly along it. A pencil lies below \
+             the border, a pencil with a straw and a Frisbee above it, a disc with a rough rim below.",
+        );
+        let moments = Axis::log(1e-3, 10.0, 1)?.titled(r"$I_3/I_1$");
+        let drags = Axis::log(0.1, 1000.0, 1)?.titled(r"$C_1/C_3$");
+        let frame = Rect::new(56.0, 34.0, room.of(340.0, 262.0), 306.0);
+        let mut plot = Plot::new(&mut drawing, frame, moments, drags)?;
+        plot.region((2.0, 0.1), (10.0, 1000.0), Hue::Muted);
+        for (name, clocks, stroke) in [
+            ("border", 1.0, Stroke::Border),
+            ("ten", 10.0, Stroke::DashedCurve),
+            ("tenth", 0.1, Stroke::DashedCurve),
+        ] {
+            let line = log_steps(1e-3, 10.0, 40).map(|ratio| (ratio, clocks / ratio));
+            plot.curve(name, line, stroke, Hue::Muted);
+        }
+        let spheroid = |eta: f64| {
+            let shape = Spheroid { equatorial_radius: 1.0, polar_radius: eta };
+            let SymmetricMoments { transverse, axial } =
+                Body::spheroid(1.0, shape)?.moments().as_symmetric()?;
+            let drag = Drag::of_spheroid(shape, 1.0)?;
+            Ok::<_, InvalidQuantity>((axial / transverse, drag.transverse / drag.axial))
+        };
+        let all = log_steps(1e-3, 44.0, 300).map(spheroid).collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        plot.curve("spheroids", all, Stroke::Curve, Hue::Blue);
+        for (eta, side, name) in [
+            (0.4, Side::BelowLeft, r"$\tfrac25$"),
+            (1.0, Side::BelowLeft, "$1$"),
+            (3.0, Side::BelowLeft, "$3$"),
+            (10.0, Side::BelowLeft, "$10$"),
+        ] {
+            plot.markers(&[spheroid(eta)?], Marker::Disc, Hue::Blue);
+            plot.label(spheroid(eta)?, side, name, Hue::Blue)?;
+        }
+        for (place, side, name) in [
+            ((1.0 / 417.2, 81.4), Side::Below, "pencil"),
+            ((1.0 / 549.0, 813.0), Side::Right, "with a straw"),
+            ((2.0, 10.0), Side::AboveLeft, "Frisbee"),
+            ((2.0, 0.1), Side::AboveLeft, "rough rim"),
+        ] {
+            plot.markers(&[place], Marker::Square, Hue::Ink);
+            plot.label(place, side, name, Hue::Ink)?;
+        }
+        plot.label((0.12, 150.0), Side::Over, "settle", Hue::Ink)?;
+        plot.label((0.012, 0.6), Side::Over, "tumble", Hue::Ink)?;
+        plot.label((4.5, 30.0), Side::Over, "no", Hue::Muted)?;
+        plot.label((4.5, 18.0), Side::Over, "bodies", Hue::Muted)?;
+        Ok(drawing)
+    })
 }

@@ -16,6 +16,9 @@ use mechanics::scenes::coin_toss::{
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+#[path = "figures/edge.rs"]
+pub(crate) mod edge;
+
 /// A thin coin; its mass and radius make no difference.
 fn coin() -> Result<PrincipalMoments, InvalidQuantity> {
     Ok(Body::thin_disk(0.0075, 0.0122)?.moments())

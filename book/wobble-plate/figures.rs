@@ -6,7 +6,9 @@ use drawing::space::{Camera, Curve, Edges, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Side, Stroke, at};
 use mechanics::InvalidQuantity;
 use mechanics::inertia::SymmetricMoments;
-use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters, in_room};
+use mechanics::scenes::wobble_plate::{
+    Engine, Piston, PistonParameters, Pistons, Plate, PlateParameters, Unbalance, in_room,
+};
 use nalgebra::Vector3;
 
 /// The spin of the chapter's shaft, rad/s, and the tilt of its plate, degrees.
@@ -441,5 +443,95 @@ pub(crate) fn lean(id: &str) -> Outcome {
     kit::angle(&mut drawing, origin, 112.0, upwards, plate.momentum_angle(), Heads::None, Hue::Green);
     let beside = origin + Point::polar(114.0, upwards + 0.5 * plate.momentum_angle());
     drawing.label(beside, Side::Above, r"$\beta$", Hue::Green)?;
+    Ok(drawing)
+}
+
+/// The mass of all pistons that balances a plate of any thickness, with four such plates.
+pub(crate) fn any_thickness(id: &str) -> Outcome {
+    // eq:many-pistons, whether pistons can have that mass or not.
+    let needed = |thickness: f64| -> Result<f64, InvalidQuantity> {
+        let (radius, tilt) = (0.1, TILT.to_radians());
+        let plate = Plate::new(PlateParameters { mass: 2.0, radius, thickness: thickness * radius, tilt })?;
+        let SymmetricMoments { transverse, axial } = plate.moments().as_symmetric()?;
+        Ok(2.0 * (axial - transverse) * (tilt.cos() / 0.07).powi(2))
+    };
+    let quiet = 3_f64.sqrt();
+    let curve = |from: f64, to: f64| {
+        linear_steps(from, to, 120)
+            .map(|thickness| Ok((thickness, needed(thickness)?)))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()
+    };
+    in_both(|room| {
+        let mut drawing = Drawing::new(id, room.of(660.0, 400.0), 380.0).titled(
+            "The balancing mass against the thickness of the plate",
+            "The mass of all pistons that balances the chapter's plate, in kilograms, against its thickness in units of its radius, from 0 to 2.4. A parabola falls \
+             from 1.68 kilograms to nothing at the root of three, 1.73, where a dot marks it, and runs on below zero as a dashed curve. Above it \
+             four tilted plates from the side: a thin one, one as thick as its radius, one of 1.73 radii, and one of 2.3, on their shafts.",
+        );
+        let thickness = Axis::linear(0.0, 2.4, 0.4)?.minor(0.1).titled(r"thickness of the plate, $h/R$");
+        let mass = Axis::linear(-1.5, 3.0, 0.5)?.minor(0.1).titled("mass of all pistons, kg");
+        let frame = Rect::new(56.0, 34.0, room.of(576.0, 316.0), 290.0);
+        let mut plot = Plot::new(&mut drawing, frame, thickness, mass)?;
+        plot.level(0.0, Stroke::Reference);
+        plot.curve("balancing", curve(0.0, quiet)?, Stroke::Curve, Hue::Ink);
+        plot.curve("impossible", curve(quiet, 2.4)?, Stroke::Reference, Hue::Ink);
+        plot.markers(&[(quiet, 0.0)], kit::Marker::Disc, Hue::Ink);
+        plot.label((quiet, 0.1), Side::AboveRight, r"$\sqrt3$", Hue::Ink)?;
+        let (sin, cos) = TILT.to_radians().sin_cos();
+        for thickness in [0.12, 1.0, quiet, 2.25] {
+            let radius = room.of(21.0, 15.0);
+            let middle = plot.at((if thickness < 0.5 { 0.2 } else { thickness }, 2.4));
+            // Axis 1 runs up to the right, axis 3 up to the left.
+            let corner = |along: f64, height: f64| {
+                let (x, y) = (along * cos - height * sin, along * sin + height * cos);
+                middle + at(x, -y) * radius
+            };
+            let half = 0.5 * thickness;
+            let corners =
+                vec![corner(-1.0, -half), corner(1.0, -half), corner(1.0, half), corner(-1.0, half)];
+            let shaft = at(0.0, 1.75 * radius);
+            plot.drawing().line(middle - shaft, middle + shaft, Stroke::Outline, Hue::Muted);
+            outlined(plot.drawing(), corners, Fill::Face, Hue::Blue);
+        }
+        Ok(drawing)
+    })
+}
+
+/// Paths of the torque on the frame for three faults of a balanced engine with three pistons.
+pub(crate) fn any_faults(id: &str) -> Outcome {
+    let plate = plate(TILT)?;
+    let alone = plate.bearing_torque_rotating(SPIN).norm();
+    let even = with_pistons(plate, 3, 1.0)?.pistons();
+    let path = |spoil: &dyn Fn(&mut [Piston; 3])| -> Result<Vec<(f64, f64)>, InvalidQuantity> {
+        let azimuths = [0.0, 120.0, 240.0].map(f64::to_radians);
+        let mut pistons =
+            azimuths.map(|azimuth| Piston { mass: even.mass(), distance: even.distance(), azimuth });
+        spoil(&mut pistons);
+        let left = Unbalance::of(&plate, &pistons)?;
+        let torques = linear_steps(0.0, 360.0, 360).map(|degrees| left.torque(degrees.to_radians(), SPIN));
+        Ok(torques.map(|torque| (100.0 * torque.x / alone, 100.0 * torque.y / alone)).collect())
+    };
+    let all = path(&|pistons| pistons.iter_mut().for_each(|piston| piston.mass *= 1.1))?;
+    let one = path(&|pistons| pistons[0].mass *= 1.1)?;
+    let aside = path(&|pistons| pistons[0].azimuth += 6_f64.to_radians())?;
+    let mut drawing = Drawing::new(id, 390.0, 390.0).titled(
+        "Paths of the torque on the frame for three faults",
+        "The two components of the torque on the frame across the shaft, in hundredths of the torque of the plate alone. With all three pistons a tenth too heavy its tip runs \
+         round a circle of radius ten, counter-clockwise. With one of them a tenth too heavy it goes to and fro on an upright line through the middle, to 6.7 on either side. With one 6 degrees from its place it runs \
+         clockwise round a circle of radius seven.",
+    );
+    let side = || Axis::linear(-12.0, 12.0, 4.0).map(|axis| axis.minor(1.0));
+    let (x, y) = (side()?.titled(r"$\tau_x$, %"), side()?.titled(r"$\tau_y$, %"));
+    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 300.0, 300.0), x, y)?;
+    for (name, values) in [("all-heavy", &all), ("one-heavy", &one), ("one-aside", &aside)] {
+        plot.curve(name, values.iter().copied(), Stroke::Curve, Hue::Purple);
+        if name != "one-heavy" {
+            let [from, to] = [values[40], values[50]].map(|value| plot.at(value));
+            kit::arrow(plot.drawing(), from, to, Hue::Purple);
+        }
+    }
+    plot.label((7.4, 7.4), Side::AboveRight, "all heavy", Hue::Purple)?;
+    plot.label((0.3, 1.2), Side::Right, "one heavy", Hue::Purple)?;
+    plot.label((-5.8, -2.6), Side::Right, "one aside", Hue::Purple)?;
     Ok(drawing)
 }

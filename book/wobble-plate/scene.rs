@@ -29,6 +29,7 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("tilt", r"tilt of the plate, $\alpha$", [0.0, 45.0, 0.5], "°", 25.0),
         Control::slider("pistons", r"number of pistons, $N$", [1.0, 7.0, 1.0], "", 4.0),
         Control::slider("mass", r"mass of all of them, $Nm$", [0.0, 3.4, 0.004], "kg", 0.8),
+        Control::slider("thickness", r"thickness of the plate, $h$", [0.0, 24.0, 0.02], "cm", 0.0),
         Control::slider("spin", r"spin, $\omega$", [0.0, 150.0, 1.0], "rad/s", 100.0),
         Control::choice("camera", "seen", &["in the room", "from the turning shaft"]),
     ],
@@ -37,6 +38,7 @@ pub(crate) const SCENE: Scene = Scene {
         Preset { words: "two, at the balancing mass", settings: &[("pistons", 2.0), ("mass", 1.676)] },
         Preset { words: "three, balanced", settings: &[("pistons", 3.0), ("mass", 1.676)] },
         Preset { words: "twice too heavy", settings: &[("mass", 3.352)] },
+        Preset { words: "the plate that needs none", settings: &[("mass", 0.0), ("thickness", 17.32)] },
     ],
     readings: &[
         Reading { words: "turns of the shaft", form: Form::Fixed(2), unit: "" },
@@ -67,6 +69,8 @@ const HOP_LIMIT: f64 = 0.3;
 const USUAL_MOMENTUM: f64 = 0.0019;
 /// The radius of the shaft.
 const SHAFT: f64 = 0.045;
+/// A thin plate is drawn no thinner, radii.
+const THINNEST: f64 = 0.07;
 /// Steps in a turn for what is sampled once.
 const STEPS: u32 = 72;
 /// Where things stand on the shaft, in radii of the plate: its upper end, the frame, the floor.
@@ -79,9 +83,11 @@ struct Shaking {
     engine: Engine,
     spin: f64,
     from_shaft: bool,
-    /// Mass of all pistons, and that which balances three and more, kg.
+    /// Mass of all pistons, and that which balances three and more, if any does, kg.
     mass: f64,
-    balancing: f64,
+    balancing: Option<f64>,
+    /// Thickness of the plate, m.
+    thickness: f64,
     /// The part of the momentum across the shaft at each step of a turn, for a spin of 1 rad/s, kg·m².
     momenta: Vec<Vector3<f64>>,
     /// Torque on the frame against the mass of all pistons: least and greatest of a turn, N·m.
@@ -97,14 +103,15 @@ struct Layout {
 }
 
 impl Layout {
-    fn of(room: Room) -> Self {
+    /// For a frame that hangs lower by so many radii, under a thick plate: it is seen from farther away.
+    fn of(room: Room, drop: f64) -> Self {
         let view = View {
-            target: [0.0, 0.0, -0.5],
+            target: [0.0, 0.0, -0.5 - 0.2 * drop],
             azimuth: 0.0,
             elevation: 0.0,
             distance: 12.0,
             centre: room.of(at(172.0, 222.0), at(190.0, 182.0)),
-            scale: room.of(86.0, 70.0),
+            scale: room.of(86.0, 70.0) / (1.0 + 0.36 * drop),
         };
         Self {
             view,
@@ -118,16 +125,16 @@ impl Layout {
 const MASS_AXIS: Axis<'_> = Axis::linear([0.0, 3.4, 1.0], "all pistons, kg");
 const TORQUE_AXIS: Axis<'_> = Axis::linear([0.0, 50.0, 20.0], "torque on the frame, N·m");
 
-fn plate(tilt: f64) -> Result<Plate, Cause> {
-    let parameters = PlateParameters { mass: PLATE_MASS, radius: RADIUS, thickness: 0.0, tilt };
+fn plate(tilt: f64, thickness: f64) -> Result<Plate, Cause> {
+    let parameters = PlateParameters { mass: PLATE_MASS, radius: RADIUS, thickness, tilt };
     Ok(Plate::new(parameters)?)
 }
 
-/// So many pistons, this heavy together, on the plate with a tilt.
-fn engine(tilt: f64, count: u32, mass: f64) -> Result<Engine, Cause> {
+/// So many pistons, this heavy together, on a plate.
+fn engine(plate: Plate, count: u32, mass: f64) -> Result<Engine, Cause> {
     let mass = mass / f64::from(count);
     let pistons = PistonParameters { count, mass, distance: DISTANCE, rod: ROD };
-    Ok(Engine::new(plate(tilt)?, Pistons::new(pistons)?))
+    Ok(Engine::new(plate, Pistons::new(pistons)?))
 }
 
 /// A vector shortened so that it stays below a length, and hardly changed if it is far below.
@@ -155,23 +162,30 @@ impl Shaking {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
         let (tilt, mass) = (settings.of("tilt")?.to_radians(), settings.of("mass")?);
         let (count, spin) = (settings.of("pistons")? as u32, settings.of("spin")?);
-        let engine = engine(tilt, count, mass)?;
+        let thickness = 0.01 * settings.of("thickness")?;
+        let plate = plate(tilt, thickness)?;
+        let engine = engine(plate, count, mass)?;
         let phases = || (0..=STEPS).map(|step| TAU * f64::from(step) / f64::from(STEPS));
         let across = |phase: f64| engine.angular_momentum(phase, 1.0).xy().push(0.0);
         let momenta = phases().map(across).collect();
         let mut torques = Vec::new();
         for step in 0..=68 {
             let mass = 0.05 * f64::from(step);
-            torques.push((mass, torque_range(&self::engine(tilt, count, mass)?, spin)));
+            torques.push((mass, torque_range(&self::engine(plate, count, mass)?, spin)));
         }
         let three = Pistons::new(PistonParameters { count: 3, mass: 0.0, distance: DISTANCE, rod: ROD })?;
-        let balancing = 3.0 * engine.plate().balancing_mass(&three)?;
+        let balancing = plate.balancing_mass(&three).ok().map(|mass| 3.0 * mass);
         let from_shaft = settings.choice("camera")? == 1;
-        Ok(Self { engine, spin, from_shaft, mass, balancing, momenta, torques })
+        Ok(Self { engine, spin, from_shaft, mass, balancing, thickness, momenta, torques })
     }
 
     fn count(&self) -> u32 {
         self.engine.pistons().count()
+    }
+
+    /// How far the frame is drawn below its usual place, radii, so that the rods reach under a thick plate.
+    fn drop(&self) -> f64 {
+        0.5 * self.thickness / (RADIUS * self.engine.plate().tilt().cos())
     }
 
     /// How the frame of an engine is drawn at a phase: it leans and, as the force along the shaft asks it to, hops.
@@ -191,7 +205,7 @@ impl Shaking {
 
     /// The high end of the plate, in the picture's space, at a tilt.
     fn high_end(&self, tilt: f64, phase: f64) -> Result<Vector3<f64>, Cause> {
-        let engine = engine(tilt, self.count(), self.mass)?;
+        let engine = engine(plate(tilt, self.thickness)?, self.count(), self.mass)?;
         let (lean, hop) = self.stands(&engine, phase);
         let end = Vector3::new(tilt.cos() * phase.cos(), tilt.cos() * phase.sin(), tilt.sin());
         Ok(self.seen(phase) * (lean * end + hop))
@@ -209,52 +223,68 @@ impl Shaking {
             Vector3::from(view.target) + Vector3::new(cos * cos_eye, sin * cos_eye, sin_eye) * view.distance;
         let (axis, (sin, cos)) = (way(0.0, 0.0, 1.0), self.engine.plate().tilt().sin_cos());
         let normal = way(-sin * phase.cos(), -sin * phase.sin(), cos);
-        let is_above = (eye - place(0.0, 0.0, 0.0)).dot(&normal) > 0.0;
-        let over_frame = (eye - place(0.0, 0.0, FRAME + 0.07)).dot(&axis) > 0.0;
+        let half = (0.5 * self.thickness / RADIUS).max(0.5 * THINNEST);
+        let height = (eye - place(0.0, 0.0, 0.0)).dot(&normal);
+        let drop = self.drop();
+        let (frame, ground, top) = (FRAME - drop, FLOOR - drop, TOP.max(drop + 0.4));
+        let over_frame = (eye - place(0.0, 0.0, frame + 0.07)).dot(&axis) > 0.0;
         let mut floor = Stage::new(camera);
-        floor.ground([-1.25, -1.25], [1.25, 1.25], FLOOR, 0.5)?;
+        floor.ground([-1.25, -1.25], [1.25, 1.25], ground, 0.5)?;
         floor.write(drawing);
         for quarter in 0..4 {
             let (sin, cos) = (TAU * (f64::from(quarter) + 0.35) / 4.0).sin_cos();
             let (x, y) = (0.85 * cos, 0.85 * sin);
-            let foot = camera.on_page(seen * Vector3::new(x, y, FLOOR))?;
-            let head = camera.on_page(place(x, y, FRAME - 0.07))?;
+            let foot = camera.on_page(seen * Vector3::new(x, y, ground))?;
+            let head = camera.on_page(place(x, y, frame - 0.07))?;
             kit::spring(drawing, foot, head, 5, 15.0, 2.0, Hue::Ink);
         }
         let along = |from: f64, to: f64| [place(0.0, 0.0, from), place(0.0, 0.0, to)];
-        let plate = [normal * -0.035, normal * 0.035].map(|step| place(0.0, 0.0, 0.0) + step);
+        let plate = [-half, half].map(|along| normal * along).map(|step| place(0.0, 0.0, 0.0) + step);
         let mut painter = Painter { camera, eye, scale: view.scale, drawing: &mut *drawing };
         if over_frame {
-            painter.cylinder(along(FRAME - 0.07, FRAME + 0.07), 0.95, Hue::Muted)?;
+            painter.cylinder(along(frame - 0.07, frame + 0.07), 0.95, Hue::Muted)?;
         }
-        if is_above {
+        // Rods would miss a thick plate, and get a light face. From between its faces nothing hides the plate.
+        let face = [-0.05, -0.02].map(|along| place(0.0, 0.0, -drop) + normal * along);
+        let has_face = self.thickness > THINNEST * RADIUS;
+        if height > -half {
             self.draw_pistons(&mut painter, phase)?;
-            painter.cylinder(plate, 1.0, Hue::Blue)?;
-            painter.cylinder(along(0.0, TOP), SHAFT, Hue::Muted)?;
-        } else {
-            painter.cylinder(along(0.0, TOP), SHAFT, Hue::Muted)?;
-            painter.cylinder(plate, 1.0, Hue::Blue)?;
+        }
+        if height > -half && has_face {
+            painter.cylinder(face, 0.95, Hue::Muted)?;
+        }
+        if height < half {
+            painter.cylinder(along(drop, top), SHAFT, Hue::Muted)?;
+        }
+        painter.cylinder(plate, 1.0, Hue::Blue)?;
+        if height >= half {
+            painter.cylinder(along(drop, top), SHAFT, Hue::Muted)?;
+        }
+        if height <= -half {
+            if has_face {
+                painter.cylinder(face, 0.95, Hue::Muted)?;
+            }
             self.draw_pistons(&mut painter, phase)?;
         }
         if !over_frame {
-            painter.cylinder(along(FRAME - 0.07, FRAME + 0.07), 0.95, Hue::Muted)?;
+            painter.cylinder(along(frame - 0.07, frame + 0.07), 0.95, Hue::Muted)?;
         }
 
         // What the end of the shaft draws in the room, the spin, and where the angular momentum points.
         let mut stage = Stage::new(camera);
         let path = (0..=STEPS).map(|step| {
             let (lean, hop) = self.stands(&self.engine, TAU * f64::from(step % STEPS) / f64::from(STEPS));
-            lean * (Vector3::z() * TOP) + hop
+            lean * (Vector3::z() * top) + hop
         });
         let path: Vec<Vector3<f64>> = path.collect();
         if path.iter().any(|point| (point - path[0]).norm() > 0.01) {
             let path = path.into_iter().map(|point| seen * point);
             stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Ink)?;
         }
-        let about = place(0.0, 0.0, 0.8);
+        let about = place(0.0, 0.0, top - 0.35);
         stage.turning(about, axis, 0.2, Hue::Orange)?;
         stage.label_shifted(about, at(18.0, -2.0), Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        let momentum = seen * self.engine.angular_momentum(phase, 1.0).normalize() * 1.75;
+        let momentum = seen * self.engine.angular_momentum(phase, 1.0).normalize() * (top + 0.6);
         stage.vector(place(0.0, 0.0, 0.0), momentum, Hue::Green)?;
         stage.label(momentum, Side::Above, r"$\boldsymbol{L}$", Hue::Green)?;
         stage.write(drawing);
@@ -272,10 +302,11 @@ impl Shaking {
         };
         // A piston is as thick as it is heavy.
         let thickness = 0.05 + 0.15 * (self.mass / f64::from(self.count())).sqrt().min(1.0);
-        let mut uprights = vec![vec![(along(Vector3::zeros(), FRAME + 0.07, -0.02), SHAFT)]];
+        let drop = self.drop();
+        let mut uprights = vec![vec![(along(Vector3::zeros(), FRAME - drop + 0.07, -drop - 0.02), SHAFT)]];
         for n in 1..=self.count() {
-            let contact = self.engine.contact(n, phase) / RADIUS;
-            let height = self.engine.centre(n, phase).z / RADIUS;
+            let contact = self.engine.contact(n, phase) / RADIUS - Vector3::z() * drop;
+            let height = self.engine.centre(n, phase).z / RADIUS - drop;
             let rod = (along(contact, height + 0.15, contact.z - 0.05), 0.028);
             let piston = (along(contact, height - 0.15, height + 0.15), thickness);
             let rod_first = (painter.eye - rod.0[0]).dot(&(rod.0[1] - rod.0[0])) < 0.0;
@@ -341,7 +372,8 @@ impl Shaking {
                 kit::dimension(drawing, ring, end, Heads::End, Hue::Green);
             }
             // Beside the arrow, so far that the word clears it whichever way it points.
-            let side = way.unit().quarter_turned();
+            let turned = way.unit().quarter_turned();
+            let side = if word == "pistons" && plate.dot(&pistons) > 0.0 { turned * -1.0 } else { turned };
             let beside = side * (11.0 + side.x.abs() * if word == "plate" { 13.0 } else { 20.0 });
             drawing.label_set(
                 ring.towards(end, 0.7) + beside,
@@ -378,10 +410,12 @@ impl Shaking {
         }
         let alone = self.engine.plate().bearing_torque_rotating(self.spin).norm();
         graph.level(alone, Stroke::Reference, Hue::Muted);
-        graph.upright(self.balancing, Stroke::Dotted, Hue::Muted);
-        let side = if self.balancing < 1.5 { Side::Right } else { Side::Left };
-        graph.label((self.balancing, 46.0), side, "balance", Hue::Muted)?;
-        if alone < 36.0 {
+        if let Some(balancing) = self.balancing {
+            graph.upright(balancing, Stroke::Dotted, Hue::Muted);
+            let side = if balancing < 1.5 { Side::Right } else { Side::Left };
+            graph.label((balancing, 46.0), side, "balance", Hue::Muted)?;
+        }
+        if (4.0..36.0).contains(&alone) {
             let above = graph.at((0.0, alone)) - at(-2.0, 9.0);
             graph.drawing().label(above, Side::Right, "no pistons", Hue::Muted)?;
         }
@@ -411,7 +445,7 @@ impl Motion for Shaking {
     }
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (layout, phase) = (Layout::of(moment.room), self.phase(moment.time));
+        let (layout, phase) = (Layout::of(moment.room, self.drop()), self.phase(moment.time));
         self.draw_engine(moment, layout.view, drawing)?;
         self.draw_momenta(&layout, phase, drawing)?;
         self.draw_torque(&layout, phase, drawing)
@@ -436,7 +470,7 @@ impl Motion for Shaking {
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {
-        let (layout, phase) = (Layout::of(moment.room), self.phase(moment.time));
+        let (layout, phase) = (Layout::of(moment.room, self.drop()), self.phase(moment.time));
         let tilt = self.engine.plate().tilt();
         let rim = || -> Result<Point, Cause> {
             Ok(moment.camera(layout.view)?.on_page(self.high_end(tilt, phase)?)?)
@@ -445,7 +479,7 @@ impl Motion for Shaking {
     }
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
-        let layout = Layout::of(moment.room);
+        let layout = Layout::of(moment.room, self.drop());
         if grip == 0 {
             return vec![("mass", crate::value_at(layout.graph, &MASS_AXIS, &TORQUE_AXIS, to).0)];
         }

@@ -198,6 +198,26 @@ impl Pinning {
         FreeTop::new(self.about_pin, start)
     }
 
+    /// How fast a small disturbance of the rotation about the tangent grows when nothing but the pin holds the body:
+    /// as `e^{λt}`, with λ of the rotation that is left in the plane of 1 and 2, 1/s (`eq:pinned-growth`). Zero for a
+    /// ball.
+    pub fn growth_rate(&self) -> f64 {
+        let [about_tangent, _, _] = self.about_pin.growth_squared();
+        self.omega_after().xy().norm() * about_tangent.max(0.0).sqrt()
+    }
+
+    /// The time from the snap until for the first time nothing is left of the rotation about the tangent, s: a
+    /// quarter of the period of [`Pinning::free_motion`], with a relative error below 4e-15 (`eq:hoop-wait` in the
+    /// limit). `None` if that never comes.
+    ///
+    /// A pin very near a right angle has to be given by its place, [`Pin::Point`].
+    ///
+    /// # Errors
+    /// As [`Pinning::free_motion`].
+    pub fn wait(&self) -> Result<Option<f64>, InvalidQuantity> {
+        Ok(self.free_motion()?.period().map(|period| 0.25 * period))
+    }
+
     /// The centre as seen from A, in the body, m.
     pub fn centre(&self) -> Vector3<f64> {
         Vector3::new(0.0, self.radius, 0.0)

@@ -4,6 +4,7 @@ mod engine;
 mod plate;
 #[path = "../printed/mod.rs"]
 mod printed;
+mod unbalance;
 
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;

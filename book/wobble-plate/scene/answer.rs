@@ -1,6 +1,6 @@
 //! The answer to the chapter's question, in words.
 
-use super::{Shaking, torque_range};
+use super::{PLATE_MASS, RADIUS, Shaking, torque_range};
 
 /// What a number of pistons does to the frame.
 pub(super) fn answer(shaking: &Shaking) -> String {
@@ -14,12 +14,37 @@ pub(super) fn answer(shaking: &Shaking) -> String {
             .into();
     }
     let alone = engine.plate().bearing_torque_rotating(*spin).norm();
-    if *mass == 0.0 {
+    let own = engine.plate().bearing_torque_rotating(1.0).y;
+    // As a part of what the same mass would ask for as a thin plate.
+    let is_round = own.abs() < 1e-3 * (0.25 * PLATE_MASS * RADIUS * RADIUS);
+    if is_round {
+        let [_, most] = torque_range(engine, *spin);
+        let end = if *mass == 0.0 {
+            "at any tilt and speed. Every piston would spoil it.".into()
+        } else {
+            format!("at any tilt. The {most:.1} N·m that rock the frame come from the pistons.")
+        };
         return format!(
-            "The plate alone: a torque of {alone:.1} N·m goes round with the shaft and rocks the frame. Give the pistons mass."
+            "√3 times as thick as its radius the plate has three equal moments and shakes nothing, {end}"
+        );
+    }
+    if *mass == 0.0 {
+        let advice = if balancing.is_some() {
+            "Give the pistons mass."
+        } else {
+            "Pistons cannot help: it is too thick."
+        };
+        return format!(
+            "The plate alone: a torque of {alone:.1} N·m goes round with the shaft and rocks the frame. {advice}"
         );
     }
     let [least, most] = torque_range(engine, *spin);
+    let Some(balancing) = balancing else {
+        return format!(
+            "Thicker than √3 radii the body is long, and pulls itself steeper, as pistons do: each piston makes it worse, {most:.1} N·m at \
+             most, against {alone:.1} N·m without. It asks for weights on its rim."
+        );
+    };
     let (each, needed, part) = (mass / f64::from(count), balancing / f64::from(count), mass / balancing);
     let number = ["One", "Two", "Three", "Four", "Five", "Six", "Seven"][count as usize - 1];
     if count < 3 {

@@ -156,3 +156,26 @@ fn grips_follow_the_hand() {
         follows(1, steeper.grips()[1], Point::length);
     }
 }
+
+#[test]
+fn a_plate_of_root_three_radii_shakes_nothing_and_a_longer_one_asks_for_no_pistons() {
+    for tilt in [10.0, 25.0, 45.0] {
+        for (thickness, alone, said) in [(17.32, true, "three equal moments"), (22.0, false, "too thick")] {
+            let player = played(&[("tilt", tilt), ("mass", 0.0), ("thickness", thickness), ("spin", 150.0)]);
+            let torque = reading(&player, "torque", 0.003);
+            assert_eq!(torque < 0.006, alone, "{torque} at {tilt}° and {thickness} cm");
+            assert!(player.words(0.0).contains(said), "{}", player.words(0.0));
+        }
+        // A long one is pulled as pistons pull: each of them adds to it. ΔI by the formula of a cylinder.
+        let difference = |thickness: f64| 2.0 * (0.01 / 4.0 - thickness * thickness / 12.0);
+        for (thickness, mass) in [(5.0, 0.4), (17.32, 1.0), (22.0, 0.6)] {
+            let settings = [("tilt", tilt), ("mass", mass), ("thickness", thickness), ("spin", 60.0)];
+            let (sin, cos) = f64::to_radians(tilt).sin_cos();
+            let pistons = 0.5 * mass * 0.07 * 0.07 * sin / cos;
+            let expected = (difference(0.01 * thickness) * sin * cos - pistons).abs() * 3600.0;
+            let player = played(&settings);
+            assert!((reading(&player, "torque", 0.002) - expected).abs() < 0.006, "{settings:?}");
+        }
+        assert!(played(&[("thickness", 22.0)]).words(0.0).contains("weights on its rim"));
+    }
+}

@@ -3,6 +3,7 @@
 //! The drag is a torque `−C₁ω₁, −C₁ω₂, −C₃ω₃` along the body's axes, 3 being the axis of symmetry; the source has one
 //! coefficient C for both.
 
+mod spheroid;
 mod thrown;
 
 pub use thrown::ThrownTop;

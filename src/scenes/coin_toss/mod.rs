@@ -2,10 +2,13 @@
 //!
 //! The coin starts flat, its heads side up, with angular velocity ω₁ about a diameter and ω₃ about its axis. In the
 //! room z is up and x lies along that diameter at time zero. The flight of the centre of mass is another matter
-//! ([`Flight`]): it decides only when the coin is caught. Air, edges and bounces are left out.
+//! ([`Flight`]): it decides only when the coin is caught. Air and bounces are left out, and the edge everywhere but in
+//! [`Toss::landings`].
 
+mod landing;
 mod people;
 
+pub use landing::{Landings, edge_at_random};
 pub use people::{Counted, Tossers, TossersParameters};
 
 use crate::euler::Turning;

@@ -7,10 +7,12 @@
 mod engine;
 mod pistons;
 mod plate;
+mod unbalance;
 
 pub use engine::Engine;
 pub use pistons::{PistonParameters, Pistons};
 pub use plate::{LargestMomentumAngle, Plate, PlateParameters};
+pub use unbalance::{Piston, Unbalance};
 
 use nalgebra::Vector3;
 

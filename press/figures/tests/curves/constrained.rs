@@ -1,6 +1,7 @@
 //! The pinned hoop, the rolling wheel and the spinning coin: formulas and equations of motion written out here.
 
 use crate::{PIXELS, curve, lies_on, place};
+use std::f64::consts::PI;
 
 /// One Runge-Kutta step.
 pub(crate) fn step<const N: usize>(
@@ -78,6 +79,29 @@ fn the_turn_rate_of_a_disc_follows_its_formula() {
     let square = |lean: f64, b: f64| 2.0 * lean.tan() / (3.0 * b + 0.5 * lean.sin());
     for degrees in [20.0_f64, 45.0, 70.0] {
         lies_on("turn-rate", &format!("lean-{degrees}"), |b| square(degrees.to_radians(), b));
+    }
+}
+
+#[test]
+fn waits_are_integrals_of_the_pendulum_and_of_a_steady_turn() {
+    // The time from χ₀ to 90°, of χ̇² = λ²(cos²χ₀ − cos²χ): with cos χ = cos χ₀ sin ξ and tan ξ = e^ζ/√k′ an integral
+    // over a plateau, which equal steps add up at once.
+    let wait = |survival: f64, growth: f64, gap: f64| {
+        let (tangent, diameter) = (survival * (1.0 - gap * gap).sqrt(), gap);
+        let plane = tangent.hypot(diameter);
+        let k1 = diameter / plane; // k′ = sin χ₀
+        let step = 0.05;
+        let reach = (0.5 * (1.0 / k1).ln() + 40.0) / step;
+        let values = (-(reach as i32)..=reach as i32)
+            .map(|n| 1.0 / (1.0 + k1 * k1 + 2.0 * k1 * (2.0 * step * f64::from(n)).cosh()).sqrt());
+        step * values.sum::<f64>() / (plane * growth)
+    };
+    lies_on("waits", "hoop", |gap| wait(1.0 / 3.0, 0.5_f64.sqrt(), gap));
+    lies_on("waits", "disc", |gap| wait(0.2, (2.0_f64 / 3.0).sqrt(), gap));
+    let ball = curve("waits", "ball");
+    for step in 0..200 {
+        let gap = 0.0076 * 120_f64.powf(f64::from(step) / 200.0);
+        assert!(ball.distance((gap, 0.7 * PI / gap)) < PIXELS, "{gap}");
     }
 }
 

@@ -54,6 +54,64 @@ fn the_bias_is_an_inverse_sine_and_begins_as_a_square() {
 }
 
 #[test]
+fn the_edge_has_its_part_of_the_sphere_and_of_the_circle() {
+    lies_on("edge-chance", "area", |ratio| ratio / (1.0 + ratio * ratio).sqrt());
+    lies_on("edge-chance", "arc", |ratio| 2.0 / PI * ratio.atan());
+    // A nickel, by counting phases: how often the normal's height is within the band.
+    let sine = (1.95_f64 / 21.21).atan().sin();
+    lies_on("edge-chance", "nickel", |degrees| {
+        let square = degrees.to_radians().cos().powi(2);
+        let border = |height: f64| ((height - square) / (1.0 - square)).clamp(-1.0, 1.0).acos();
+        (border(-sine) - border(sine)) / PI
+    });
+    lies_on("edge-chance", "thin", |degrees| {
+        2.0 * sine / (PI * (-(2.0 * degrees).to_radians().cos()).sqrt())
+    });
+}
+
+#[test]
+fn the_bands_of_the_two_coins_are_thirds() {
+    let figure = figures().iter().find(|figure| figure.id == "fig:edge-band").expect("the coins");
+    let parts = figure.drawing.parts();
+    let [area, arc] = parts[..] else { panic!("two drawings") };
+    for (part, share) in [(area, 1.0_f64 / 3.0), (arc, 0.5)] {
+        let sides = lines(part, (Stroke::Curve, Hue::Pink));
+        assert_eq!(sides.len(), 2);
+        let ends = [sides[0][0], *sides[0].last().expect("an arc")];
+        let [bottom, top] = ends.map(|end| end.y);
+        let [right, left] = [0, 1].map(|side| sides[side].iter().map(|point| point.x));
+        let width = right.fold(f64::MIN, f64::max) - left.fold(f64::MAX, f64::min); // the diameter
+        assert!(((bottom - top).abs() / width - share).abs() < 1e-3);
+        // The corners of the coin are those of the band.
+        let faces = part.items().iter().filter(|item| item.role == Role::Area(Fill::Face, Hue::Blue));
+        let corners: Vec<Point> = faces.flat_map(|item| item.shape.points()).collect();
+        assert!(
+            corners.len() >= 4
+                && corners
+                    .iter()
+                    .all(|corner| (corner.y - top).abs() < 0.01 || (corner.y - bottom).abs() < 0.01)
+        );
+    }
+}
+
+#[test]
+fn spheroids_lie_on_the_map_where_their_closed_form_puts_them() {
+    lies_on("fates", "border", |ratio| 1.0 / ratio);
+    lies_on("fates", "ten", |ratio| 10.0 / ratio);
+    lies_on("fates", "tenth", |ratio| 0.1 / ratio);
+    lies_on("fates", "spheroids", |ratio| {
+        let square = 2.0 / ratio - 1.0;
+        let eta = square.sqrt();
+        if (square - 1.0).abs() < 1e-4 {
+            return 1.0 + 0.6 * (1.0 - ratio);
+        }
+        let f =
+            if eta < 1.0 { eta.acos() / (1.0 - square).sqrt() } else { eta.acosh() / (square - 1.0).sqrt() };
+        2.0 * (eta - f) / ((2.0 * square - 1.0) * f - eta) / ratio
+    });
+}
+
+#[test]
 fn the_people_stand_about_the_spread_that_fits_them() {
     // A person of rank r has a twist below s = S z, where half the bell, the error function of z/√2, is r/48.
     let half_bell = |z: f64| -> f64 {

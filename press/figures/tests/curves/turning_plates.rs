@@ -1,7 +1,7 @@
 //! The figures of the chapters on turning and on the wobble plate: curves lie on formulas that are written
 //! out here, and arrows point and turn as they should.
 
-use crate::{figures, lies_on};
+use crate::{curve, figures, lies_on};
 use drawing::space::{Camera, View};
 use drawing::{Drawing, Fill, Hue, Point, Role, Shape, Stroke, at};
 use nalgebra::Vector3;
@@ -42,6 +42,47 @@ fn many_pistons_leave_a_v_and_one_or_two_a_band() {
     // Of a pair half goes round with the plate and half backwards: they add up at two phases and oppose at two others.
     lies_on("residual", "pair-most", |mass| whole * ((1.0 - mass).abs() + mass));
     lies_on("residual", "pair-least", |mass| whole * ((1.0 - mass).abs() - mass).abs());
+}
+
+#[test]
+fn the_balancing_mass_falls_as_the_square_of_the_thickness_and_ends_at_root_three() {
+    // ½Σ m r² = M (R²/4 − h²/12) cos² α, with M = 2 kg, R = 10 cm, r = 7 cm.
+    let needed = |h: f64| 4.0 * (0.25 - h * h / 12.0) * (25_f64.to_radians().cos() * 0.1 / 0.07).powi(2);
+    for (name, from, to) in [("balancing", 0.0, 1.73), ("impossible", 1.74, 2.35)] {
+        let drawn = curve("any-thickness", name);
+        for step in 0..200 {
+            let thickness = from + (to - from) * (f64::from(step) + 0.37) / 200.0;
+            assert!(drawn.distance((thickness, needed(thickness))) < crate::PIXELS, "{name} at {thickness}");
+        }
+    }
+    assert!(needed(3_f64.sqrt()).abs() < 1e-12 && (needed(0.0) - 1.676).abs() < 1e-3);
+}
+
+#[test]
+fn faults_draw_a_circle_a_line_and_a_circle_run_backwards() {
+    // By Newton: the push of each piston times its lever, and the pull of the plate, in hundredths of it.
+    let slope = 25_f64.to_radians().tan();
+    let path = |parts: [f64; 3], aside: f64, turned: f64| {
+        let azimuths = [aside, TAU / 3.0, 2.0 * TAU / 3.0];
+        let mut sum = Vector3::new(-turned.sin(), turned.cos(), 0.0) * -1.0;
+        for (part, azimuth) in parts.into_iter().zip(azimuths) {
+            let place = Vector3::new(azimuth.cos(), azimuth.sin(), slope * (azimuth - turned).cos());
+            let push = place.cross(&(Vector3::z() * place.z * part / slope)) * (2.0 / 3.0);
+            sum -= push;
+        }
+        (100.0 * sum.x, 100.0 * sum.y)
+    };
+    for (name, parts, aside) in [
+        ("all-heavy", [1.1; 3], 0.0),
+        ("one-heavy", [1.1, 1.0, 1.0], 0.0),
+        ("one-aside", [1.0; 3], 6_f64.to_radians()),
+    ] {
+        let drawn = curve("any-faults", name);
+        for n in 0..360 {
+            let place = path(parts, aside, TAU * (f64::from(n) + 0.37) / 360.0);
+            assert!(drawn.distance(place) < crate::PIXELS, "{name}: {place:?}");
+        }
+    }
 }
 
 #[test]
