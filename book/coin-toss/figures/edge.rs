@@ -109,7 +109,7 @@ fn against_thickness() -> Outcome {
     plot.label((0.13, 0.045), Side::Right, "nickel", Hue::Ink)?;
     plot.label((0.6, 0.53), Side::AboveLeft, "any attitude", Hue::Blue)?;
     plot.label((0.86, 0.39), Side::Over, "tumbled", Hue::Orange)?;
-    plot.label((thirds()[0], third), Side::BelowRight, "$0.354$", Hue::Ink)?;
+    plot.label((thirds()[0], third), Side::AboveLeft, "$0.354$", Hue::Ink)?;
     plot.label((thirds()[1], third), Side::BelowRight, "$0.577$", Hue::Ink)?;
     Ok(drawing)
 }
