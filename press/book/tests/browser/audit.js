@@ -22,12 +22,15 @@ window.audit = async (rules) => {
 // What a reader who does not see is told of pictures, tables and the page.
 window.untold = () => {
   const faults = [];
-  const pictures = [...document.querySelectorAll('main figure .drawing svg, main figure > svg')];
-  for (const svg of pictures) {
-    const told = ['title', 'desc'].map((name) => svg.querySelector(`:scope > ${name}`));
-    const ids = (svg.getAttribute('aria-labelledby') ?? '').split(' ');
-    const isTold = svg.getAttribute('role') === 'img' && told.every((node) => node?.textContent.trim() && ids.includes(node.id));
-    if (!isTold) faults.push(`a picture without title and description: ${named(svg)}`);
+  // Of a figure of panels the first speaks for all, and the others are silent.
+  for (const figure of document.querySelectorAll('main figure')) {
+    const speaking = [...figure.querySelectorAll('.drawing svg')].filter((svg) => shown(svg) && svg.ariaHidden !== 'true');
+    const isTold = (svg) => {
+      const told = ['title', 'desc'].map((name) => svg.querySelector(`:scope > ${name}`));
+      const ids = svg.getAttribute('aria-labelledby')?.split(' ') ?? [];
+      return svg.getAttribute('role') === 'img' && told.every((node) => node?.textContent.trim() && ids.includes(node.id));
+    };
+    if (speaking.length === 0 || !speaking.every(isTold)) faults.push(`a figure without title and description: ${named(figure)}`);
   }
   for (const table of document.querySelectorAll('main table')) {
     const heads = [...table.querySelectorAll('th')];
