@@ -158,7 +158,11 @@ fn the_keyboard_reaches_everything_in_the_order_of_the_page() {
             // Where one is, each place once: the way past the menu, the chapters, the menu, the text, the foot.
             let mut places: Vec<&str> = visited.iter().map(|(_, place)| place.as_str()).collect();
             places.dedup();
-            let outer: Vec<&str> = places.iter().copied().filter(|place| !["figure.scene", ".answers"].contains(place)).collect();
+            let outer: Vec<&str> = places
+                .iter()
+                .copied()
+                .filter(|place| !["figure.scene", ".answers"].contains(place))
+                .collect();
             let mut outer = outer;
             outer.dedup();
             let all = ["page", "#mdbook-sidebar", "#mdbook-menu-bar", "main", ".foot"];
@@ -173,12 +177,21 @@ fn the_keyboard_reaches_everything_in_the_order_of_the_page() {
             let least = if is_awake { scene.controls.len() + 4 } else { 0 };
             assert!(steps >= least, "{place}: {steps} steps through the scene");
         }
+        // On a phone a wide formula, table or program is scrolled by keys, which do not turn the page.
+        open(&mut page, name, WIDTHS[2]);
+        page.get("document.querySelector('main [tabindex=\"0\"]').focus()");
+        page.key("ArrowRight");
+        page.wait("document.activeElement.scrollLeft > 0");
+        assert_eq!(page.text("location.href"), page_address, "the page was turned");
         // The menu by keys.
         open(&mut page, name, WIDTHS[0]);
         for (id, opened) in [
             ("mdbook-sidebar-toggle", "document.documentElement.classList.contains('sidebar-visible')"),
             ("mdbook-theme-toggle", "document.getElementById('mdbook-theme-list').style.display === 'block'"),
-            ("mdbook-search-toggle", "!document.getElementById('mdbook-search-wrapper').classList.contains('hidden')"),
+            (
+                "mdbook-search-toggle",
+                "!document.getElementById('mdbook-search-wrapper').classList.contains('hidden')",
+            ),
         ] {
             for key in ["Enter", " "] {
                 page.get(&format!("document.getElementById('{id}').focus()"));
