@@ -41,10 +41,10 @@ window.untold = () => {
   return faults;
 };
 
-// Boxes whose content scrolls, but not those that hide what leaves them.
+// Boxes whose content scrolls sideways. The page itself is none of them.
 const scrolls = (node) => /auto|scroll/.test(getComputedStyle(node).overflowX) && node.scrollWidth > node.clientWidth;
 const inScroller = (node) => {
-  for (let box = node.parentElement; box && box !== document.body; box = box.parentElement) if (scrolls(box)) return true;
+  for (let box = node.parentElement; box.id !== 'mdbook-content'; box = box.parentElement) if (scrolls(box)) return true;
   return false;
 };
 // Content that can be cut: text, maths, tables, code, pictures, what can be operated.
@@ -54,7 +54,9 @@ const CONTENT = 'p, li, dt, dd, h1, h2, h3, h4, figcaption, caption, summary, ma
 window.wide = () => {
   const root = document.documentElement;
   const faults = [];
-  if (root.scrollWidth > root.clientWidth) faults.push(`the page is ${root.scrollWidth} px wide`);
+  for (const page of [root, document.getElementById('mdbook-content')]) {
+    if (page.scrollWidth > page.clientWidth) faults.push(`the page is ${page.scrollWidth} px wide`);
+  }
   for (const node of document.querySelectorAll(`#mdbook-content :is(${CONTENT})`)) {
     const box = node.getBoundingClientRect();
     const isOut = box.width > 1 && (box.right > root.clientWidth + 1 || box.left < -1);
@@ -75,10 +77,10 @@ window.offPaper = (height) => {
     if (box.right > page.right + 1 || box.left < page.left - 1) {
       faults.push(`off the paper: ${named(node)} from ${Math.round(box.left - page.left)} to ${Math.round(box.right - page.left)} of ${Math.round(page.width)} px`);
     }
-    if (scrolls(node) || /hidden|clip/.test(getComputedStyle(node).overflowX) && node.scrollWidth > node.clientWidth + 1) {
-      faults.push(`cut off on paper: ${named(node)}`);
-    }
     if (node.matches('svg, math') && box.height > height) faults.push(`higher than the paper: ${named(node)}, ${Math.round(box.height)} px`);
+  }
+  for (const box of document.querySelectorAll('main :is(.formula, .table-wrapper, pre, pre > code, td, p, li, figcaption)')) {
+    if (shown(box) && box.clientWidth > 0 && box.scrollWidth > box.clientWidth + 1) faults.push(`cut off on paper: ${named(box)}`);
   }
   return faults;
 };
