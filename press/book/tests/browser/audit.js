@@ -41,10 +41,11 @@ window.untold = () => {
   return faults;
 };
 
-// Boxes whose content scrolls sideways. The page itself is none of them.
+// Boxes whose content scrolls sideways. The page itself is none of them; that of lost readers has no frame.
+const content = () => document.getElementById('mdbook-content') ?? document.body;
 const scrolls = (node) => /auto|scroll/.test(getComputedStyle(node).overflowX) && node.scrollWidth > node.clientWidth;
 const inScroller = (node) => {
-  for (let box = node.parentElement; box.id !== 'mdbook-content'; box = box.parentElement) if (scrolls(box)) return true;
+  for (let box = node.parentElement; box !== null && box !== content(); box = box.parentElement) if (scrolls(box)) return true;
   return false;
 };
 // Content that can be cut: text, maths, tables, code, pictures, what can be operated.
@@ -54,10 +55,10 @@ const CONTENT = 'p, li, dt, dd, h1, h2, h3, h4, figcaption, caption, summary, ma
 window.wide = () => {
   const root = document.documentElement;
   const faults = [];
-  for (const page of [root, document.getElementById('mdbook-content')]) {
+  for (const page of [root, content()]) {
     if (page.scrollWidth > page.clientWidth) faults.push(`the page is ${page.scrollWidth} px wide`);
   }
-  for (const node of document.querySelectorAll(`#mdbook-content :is(${CONTENT})`)) {
+  for (const node of content().querySelectorAll(CONTENT)) {
     const box = node.getBoundingClientRect();
     const isOut = box.width > 1 && (box.right > root.clientWidth + 1 || box.left < -1);
     if (isOut && shown(node) && !inScroller(node)) faults.push(`out of sight: ${named(node)} to ${Math.round(box.right)} px`);
