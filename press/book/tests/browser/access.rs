@@ -1,6 +1,6 @@
 //! Access for all: what axe finds, what a phone or paper cuts off, what the keyboard reaches and in which order.
 //!
-//! `axe/axe.min.js` is axe-core 4.14.1 by Deque Systems, unmodified, with its licence beside it. `audit.js` asks the rest.
+//! `axe/axe.min.js` is axe-core 4.14.1 by Deque Systems, unmodified, its licence beside it. `audit.js` asks the rest.
 
 use super::driver::{Browser, Page};
 use super::{address, scenes, site};

@@ -9,7 +9,7 @@ const named = (node) => {
 };
 const shown = (node) => node.getClientRects().length > 0 && getComputedStyle(node).visibility === 'visible';
 
-// What axe finds. It does not know that a formula is text that is read aloud, so a head of nothing else looks empty to it.
+// What axe finds. It does not know that a formula is text that is read aloud, so a head of formulas looks empty to it.
 window.audit = async (rules) => {
   axe.configure({ rules: [{ id: 'empty-table-header', selector: 'th:not(:has(math))' }] });
   const found = await axe.run(document, { resultTypes: ['violations'], ...(rules.length > 0 && { runOnly: rules }) });
@@ -86,8 +86,8 @@ window.offPaper = (height) => {
   return faults;
 };
 
-// Whether what is read one after another stands so on the page. A note in the margin begins no higher than the paragraph
-// that it belongs to, and below the notes before it; so does the caption of a figure beside its drawing.
+// Whether what is read one after another stands so on the page. A note in the margin begins no higher than its paragraph
+// does, and below the notes before it; so does the caption of a figure beside its drawing.
 window.disordered = () => {
   const faults = [];
   const top = (node) => node.getBoundingClientRect().top;
