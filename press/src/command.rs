@@ -2,7 +2,7 @@
 
 use crate::book::from_disk;
 use crate::rendered::Rendered;
-use crate::{check, mdbook, outcome};
+use crate::{check, mdbook, new, outcome};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -15,6 +15,7 @@ cargo book test                         the snippets of all pages
 cargo book check                        what is wrong with the pages, fast
 cargo book figures FOLDER               every figure as a standalone SVG file
 cargo book pdf [FILE]                   the book as a PDF (needs Chromium); by default target/book/things-that-spin.pdf
+cargo book new FOLDER                   a book of three pages that is yours to change, with this press
 cargo book measure [OPTION …]           runs the library beside its peers, for the report \"Speed and accuracy\"; --help says more";
 
 /// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before
@@ -48,6 +49,15 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
             Ok(())
         }
         "pdf" => pdf(root, rest),
+        "new" => {
+            let [folder] = rest else {
+                return Err(format!("`cargo book new` takes one folder\n\n{HELP}"));
+            };
+            let folder = env::current_dir().map_err(|error| format!("error: {error}"))?.join(folder);
+            new::book(root, &folder).map_err(|error| format!("error: {}: {error}", folder.display()))?;
+            say(&format!("a book in {}: `cargo book serve` there shows it", folder.display()));
+            Ok(())
+        }
         "measure" => measure(root, rest),
         "help" | "--help" | "-h" => {
             say(HELP);
