@@ -30,10 +30,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         println!("cargo::rerun-if-changed={}", file.display());
         let module = chapter.replace('-', "_");
-        writeln!(modules, "#[path = {file:?}]\nmod {module};")?;
+        // A chapter may have the name of the library, or of a module of this crate.
+        writeln!(modules, "#[path = {file:?}]\nmod chapter_{module};")?;
         let (name, place) = (module.to_uppercase(), list.lines().count());
-        let entry =
-            format!("Entry {{ place: {place}, chapter: {chapter:?}, scene: &super::{module}::SCENE }}");
+        let entry = format!(
+            "Entry {{ place: {place}, chapter: {chapter:?}, scene: &super::chapter_{module}::SCENE }}"
+        );
         writeln!(
             entries,
             "    /// The scene of the chapter `{chapter}`.\n    pub static {name}: super::Entry = super::{entry};"

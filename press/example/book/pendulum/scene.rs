@@ -60,7 +60,7 @@ impl Motion for Swing {
         drawing.dot(mass, 9.0, Hue::Blue);
         let middle = PIVOT + (mass - PIVOT) * 0.5;
         let side = if mass.x < PIVOT.x { Side::Left } else { Side::Right };
-        drawing.label(middle, side, r"$\ell$", Hue::Ink)?;
+        drawing.label(middle, side, r"$l$", Hue::Ink)?;
         Ok(())
     }
 
