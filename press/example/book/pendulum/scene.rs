@@ -58,9 +58,9 @@ impl Motion for Swing {
         drawing.line(PIVOT, mass, Stroke::Outline, Hue::Ink);
         drawing.dot(PIVOT, 3.0, Hue::Ink);
         drawing.dot(mass, 9.0, Hue::Blue);
-        let middle = PIVOT + (mass - PIVOT) * 0.5;
-        let side = if mass.x < PIVOT.x { Side::Left } else { Side::Right };
-        drawing.label(middle, side, r"$l$", Hue::Ink)?;
+        let rod = mass - PIVOT;
+        let beside = at(rod.y, -rod.x).unit() * 14.0;
+        drawing.label(PIVOT + rod * 0.5 + beside, Side::Over, r"$l$", Hue::Ink)?;
         Ok(())
     }
 
