@@ -5,8 +5,6 @@
 
 mod stamps;
 
-use mechanics::integrate::METHODS;
-use mechanics::integrate::methods::Method;
 use std::error::Error;
 use std::path::PathBuf;
 use std::{env, fs, process};
@@ -44,22 +42,15 @@ fn render() -> Result<(), Box<dyn Error>> {
         let place = if figure.wide { "wide" } else { "column" };
         lines.push(format!("{} {} {} {place}", figure.chapter, figure.id, stamps.of(&figure.chapter)));
     }
-    fs::write(out.join("methods.md"), methods())?;
+    for old in fs::read_dir(&out)? {
+        let old = old?.path();
+        if old.extension().is_some_and(|ending| ending == "md") {
+            fs::remove_file(old)?; // a table that may be gone
+        }
+    }
+    for (name, table) in figures::tables() {
+        fs::write(out.join(format!("{name}.md")), table)?;
+    }
     fs::write(list, lines.join("\n"))?;
     Ok(())
-}
-
-/// The table of the stepping methods.
-fn methods() -> String {
-    let row = |method: &Method| {
-        let Method { name, order, dense_order, cost, adaptive, keeps } = method;
-        let dense = dense_order.map_or("–".to_owned(), |order| order.to_string());
-        let adapts = if *adaptive { "yes" } else { "no" };
-        let kept: Vec<String> = keeps.iter().map(ToString::to_string).collect();
-        let kept = if kept.is_empty() { "nothing".to_owned() } else { kept.join(", ") };
-        format!("| {name} | {order} | {dense} | {cost} | {adapts} | {kept} |\n")
-    };
-    "| method | order | dense output | a step costs | adapts | keeps, of a free body |\n|---|---|---|---|---|---|\n"
-        .to_owned()
-        + &METHODS.iter().map(row).collect::<String>()
 }

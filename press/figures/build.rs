@@ -1,7 +1,9 @@
 //! Lists the chapters and their figures, so that nobody has to: a module for `book/figures.rs` and for each
 //! `book/*/figures.rs` in the order of SUMMARY.md, and an entry for each function in it, or in a module of its folder
-//! `book/*/figures/`, that draws a figure.
+//! `book/*/figures/`, that draws a figure. Likewise for the tables of `book/tables.rs`.
 
+#[path = "../src/library.rs"]
+mod library;
 #[path = "src/list.rs"]
 mod list;
 
@@ -13,8 +15,11 @@ use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../..").canonicalize()?;
-    let summary = root.join("book/SUMMARY.md");
-    println!("cargo::rerun-if-changed={}", summary.display());
+    let [summary, manifest] = ["book/SUMMARY.md", "Cargo.toml"].map(|path| root.join(path));
+    for read in [&summary, &manifest] {
+        println!("cargo::rerun-if-changed={}", read.display());
+    }
+    let name = library::name(&fs::read_to_string(manifest)?).ok_or("Cargo.toml names no package")?;
     let (mut modules, mut entries) = (String::new(), String::new());
     let mut places = BTreeMap::new();
     let fault = |place: &str, what: &str| println!("cargo::error={place}: {what}");
@@ -28,7 +33,12 @@ fn main() -> Result<(), Box<dyn Error>> {
             continue;
         };
         println!("cargo::rerun-if-changed={}", path.display());
-        let module = if folder == list::FRONT { "front".into() } else { folder.replace('-', "_") };
+        // A chapter may have the name of the library, or of a module of this crate.
+        let module = if folder == list::FRONT {
+            "front".into()
+        } else {
+            format!("chapter_{}", folder.replace('-', "_"))
+        };
         writeln!(modules, "#[path = {path:?}]\nmod {module};")?;
         // Its parts, if it has some: book/laundromat/figures/ramp.rs is the module `ramp` of the figures there.
         let mut sources = vec![(file.clone(), module, source)];
@@ -63,7 +73,19 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    let text = format!("{modules}\nconst ENTRIES: &[Entry] = &[\n{entries}];\n");
+    let mut tables = String::new();
+    let path = root.join("book/tables.rs");
+    if let Ok(source) = fs::read_to_string(&path) {
+        println!("cargo::rerun-if-changed={}", path.display());
+        writeln!(modules, "#[path = {path:?}]\nmod tables;")?;
+        for table in list::tables(&source) {
+            writeln!(tables, "    ({:?}, tables::{table}),", table.replace('_', "-"))?;
+        }
+    }
+    let text = format!(
+        "{}\n{modules}\nconst ENTRIES: &[Entry] = &[\n{entries}];\n\nconst TABLES: &[(&str, fn() -> String)] = &[\n{tables}];\n",
+        library::known_as(&name)
+    );
     fs::write(Path::new(&env::var("OUT_DIR")?).join("figures.rs"), text)?;
     Ok(())
 }

@@ -1,5 +1,8 @@
 //! Finds the scenes, `book/*/scene.rs` in the order of SUMMARY.md, and sets the formulas of their labels.
 
+#[path = "../src/library.rs"]
+mod library;
+
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::fmt::Write as _;
@@ -8,8 +11,12 @@ use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../..").canonicalize()?;
-    let summary = root.join("book/SUMMARY.md");
-    println!("cargo::rerun-if-changed={}", summary.display());
+    let [summary, manifest] = ["book/SUMMARY.md", "Cargo.toml"].map(|path| root.join(path));
+    for read in [&summary, &manifest] {
+        println!("cargo::rerun-if-changed={}", read.display());
+    }
+    let name = library::name(&fs::read_to_string(manifest)?).ok_or("Cargo.toml names no package")?;
+    let known = library::known_as(&name);
     let summary = fs::read_to_string(summary)?;
     let chapters =
         summary.lines().filter_map(|line| Some(line.split_once("](")?.1.split_once("/index.md)")?.0));
@@ -23,10 +30,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         println!("cargo::rerun-if-changed={}", file.display());
         let module = chapter.replace('-', "_");
-        writeln!(modules, "#[path = {file:?}]\nmod {module};")?;
+        // A chapter may have the name of the library, or of a module of this crate.
+        writeln!(modules, "#[path = {file:?}]\nmod chapter_{module};")?;
         let (name, place) = (module.to_uppercase(), list.lines().count());
-        let entry =
-            format!("Entry {{ place: {place}, chapter: {chapter:?}, scene: &super::{module}::SCENE }}");
+        let entry = format!(
+            "Entry {{ place: {place}, chapter: {chapter:?}, scene: &super::chapter_{module}::SCENE }}"
+        );
         writeln!(
             entries,
             "    /// The scene of the chapter `{chapter}`.\n    pub static {name}: super::Entry = super::{entry};"
@@ -46,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         writeln!(symbols, "    pub(crate) static {name}: &[drawing::Symbol] = {table};")?;
     }
     let text = format!(
-        "{modules}\n/// The scenes, one by one: a program that names one of them holds no other.\npub mod entries {{\n{entries}}}\n\n\
+        "{known}\n{modules}\n/// The scenes, one by one: a program that names one of them holds no other.\npub mod entries {{\n{entries}}}\n\n\
          static ENTRIES: &[&Entry] = &[\n{list}];\n\n\
          /// The formulas of the labels of each scene.\nmod symbols {{\n{symbols}}}\n"
     );

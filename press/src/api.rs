@@ -1,5 +1,6 @@
 //! The library items that a snippet uses, and where rustdoc documents them.
 
+use crate::library;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -107,9 +108,8 @@ fn expanded(tree: &str) -> Vec<String> {
 
 /// The name of the package in `root`, if it is a library.
 fn name(root: &Path) -> Option<String> {
-    let manifest: toml::Table = fs::read_to_string(root.join("Cargo.toml")).ok()?.parse().ok()?;
-    let name = manifest.get("package")?.get("name")?.as_str()?;
-    root.join("src/lib.rs").is_file().then(|| name.replace('-', "_"))
+    let name = library::name(&fs::read_to_string(root.join("Cargo.toml")).ok()?)?;
+    root.join("src/lib.rs").is_file().then_some(name)
 }
 
 /// Runs rustdoc on the library in `root`, if there is one, and copies its pages into the site.

@@ -42,10 +42,11 @@ pub(crate) fn rendered(
     }
 }
 
-/// The Rust files whose comments may cite labels: those of the library, its tests, the benchmarks and the figures.
+/// The Rust files whose comments may cite labels: those of the library, its tests, the benchmarks, the figures
+/// and their tests.
 fn code(root: &Path) -> Vec<(String, String)> {
     let mut files = Vec::new();
-    for folder in ["src", "tests", "benches", "book", "press/figures"] {
+    for folder in ["src", "tests", "benches", "book", "press/figures/tests"] {
         collect(root, folder, &mut files);
     }
     files.sort();

@@ -3,7 +3,7 @@
 use crate::book::from_disk;
 use crate::paper::{self, Paper};
 use crate::rendered::Rendered;
-use crate::{check, mdbook, outcome};
+use crate::{check, mdbook, new, outcome};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -19,6 +19,7 @@ cargo book figures FOLDER               every figure as a standalone SVG file
 cargo book pdf [FILE.pdf]               the whole book for paper, its solutions at the end (needs Chromium)
 cargo book pdf CHAPTER [--solutions] …  a handout of one chapter, by its folder or number; by default in target/book
 cargo book epub [FILE.epub]             the whole book for readers of EPUBs
+cargo book new FOLDER                   a book of three pages that is yours to change, with this press
 cargo book measure [OPTION …]           runs the library beside its peers, for the report \"Speed and accuracy\"; --help says more";
 
 /// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before
@@ -53,6 +54,15 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
         }
         "pdf" => pdf(root, rest),
         "epub" => epub(root, rest),
+        "new" => {
+            let [folder] = rest else {
+                return Err(format!("`cargo book new` takes one folder\n\n{HELP}"));
+            };
+            let folder = env::current_dir().map_err(|error| format!("error: {error}"))?.join(folder);
+            new::book(root, &folder).map_err(|error| format!("error: {}: {error}", folder.display()))?;
+            say(&format!("a book in {}: `cargo book serve` there shows it", folder.display()));
+            Ok(())
+        }
         "measure" => measure(root, rest),
         "help" | "--help" | "-h" => {
             say(HELP);

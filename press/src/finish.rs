@@ -133,7 +133,7 @@ fn remove_programs(folder: &Path) -> io::Result<()> {
 fn add(site_folder: &Path, root: &Path, drawn: &Rendered) -> io::Result<()> {
     drawn.write_all(&site_folder.join("figures"))?;
     api::add(site_folder, root)?;
-    for licence in LICENCES {
+    for licence in LICENCES.iter().filter(|licence| root.join(licence).is_file()) {
         fs::copy(root.join(licence), site_folder.join(licence))?;
     }
     Ok(())

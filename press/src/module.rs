@@ -134,6 +134,7 @@ fn made_of(root: &Path, compiler: &Path, chapter: &str) -> io::Result<String> {
         "press/live",
         "press/snippets/src/printable.rs",
         "press/src/answers.rs",
+        "press/src/library.rs",
         "press/src/module.rs",
         "press/src/printed.rs",
     ] {

@@ -88,19 +88,24 @@ fn pattern(bound: &str) -> &str {
     &bound[..end.unwrap_or(bound.len())]
 }
 
-/// The page with a check in the place of each printed number; every line keeps its number. `file` names the page.
+/// The page with a check in the place of each printed number, and with the item `first` at the beginning of each
+/// snippet; every line keeps its number. `file` names the page.
 #[cfg_attr(not(test), allow(dead_code, reason = "for the build script of the documentation tests alone"))]
-pub(crate) fn tested(page: &str, file: &str) -> String {
+pub(crate) fn tested(page: &str, file: &str, first: &str) -> String {
     let lines: Vec<&str> = page.lines().collect();
     let mut out = String::with_capacity(page.len() + 1024);
     for (at, line) in lines.iter().enumerate() {
+        let begins = at > 0 && lines[at - 1].starts_with("```rust");
+        if begins {
+            out.push_str(&format!("{first} "));
+        }
         if let Some(Ok(Printed { code, value, numbers, bare })) = read(&lines, at) {
             let indent = &code[..code.len() - code.trim_start().len()];
             let kept = if bare { indent.to_owned() } else { format!("{code} ") };
             let place = format!("{file}:{}", at + 1);
             out.push_str(&format!("{kept}::snippets::printed(&({value}), {numbers:?}, {place:?});"));
         } else {
-            out.push_str(line);
+            out.push_str(line.strip_prefix("# ").filter(|_| begins).unwrap_or(line));
         }
         out.push('\n');
     }
@@ -123,7 +128,15 @@ mod tests {
                         # let mut c = 1;\n  ::snippets::printed(&(c + f(1)), \"12\", \"p.md:5\");\n\
                         let [x, y] = z(); ::snippets::printed(&([x, y]), \"1.0, 2\", \"p.md:6\");\n\
                         let d = 3; // a → b\n";
-        assert_eq!(tested(page, "p.md"), expected);
+        assert_eq!(tested(page, "p.md", "x;"), expected);
+    }
+
+    #[test]
+    fn a_snippet_begins_with_what_makes_the_library_known() {
+        let page = "```rust\n# use a::b;\n# b();\n```\n\n```rust\nlet a = 1; // → 1\n```\n";
+        let expected = "```rust\nx; use a::b;\n# b();\n```\n\n\
+                        ```rust\nx; let a = 1; ::snippets::printed(&(a), \"1\", \"p.md:7\");\n```\n";
+        assert_eq!(tested(page, "p.md", "x;"), expected);
     }
 
     #[test]

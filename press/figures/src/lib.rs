@@ -15,8 +15,8 @@ mod plot;
 mod room;
 mod sample;
 
-// A module for each chapter, and `ENTRIES`, every figure in the order of the book: the build script reads
-// both off the files.
+// A module for each chapter, `ENTRIES`, every figure in the order of the book, and `TABLES`: the build script reads
+// them off the files.
 include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 
 pub use axis::Axis;
@@ -69,6 +69,11 @@ pub struct Figure {
     pub standalone: String,
     /// What it was rendered from.
     pub drawing: Drawing,
+}
+
+/// The tables that the library gives, those of `book/tables.rs`: name and Markdown.
+pub fn tables() -> impl Iterator<Item = (&'static str, String)> {
+    TABLES.iter().map(|(name, written)| (*name, written()))
 }
 
 /// Draws every figure of the book, chapter by chapter.

@@ -56,9 +56,23 @@ pub(crate) fn figures(source: &str) -> Result<Vec<Found>, Vec<(usize, String)>> 
     if faults.is_empty() { Ok(found) } else { Err(faults) }
 }
 
+/// The tables of a file: every function `pub(crate) fn methods() -> String` is the table `methods`.
+pub(crate) fn tables(source: &str) -> impl Iterator<Item = &str> {
+    source
+        .lines()
+        .filter_map(|line| line.strip_prefix("pub(crate) fn ")?.split_once("() -> String"))
+        .map(|(name, _)| name)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Found, chapters, figures};
+    use super::{Found, chapters, figures, tables};
+
+    #[test]
+    fn every_function_that_gives_a_text_is_a_table() {
+        let source = "fn row() -> String {\npub(crate) fn step_sizes() -> String {\npub(crate) fn f(x: f64) -> String {\n";
+        assert_eq!(tables(source).collect::<Vec<_>>(), ["step_sizes"]);
+    }
 
     #[test]
     fn chapters_follow_the_summary() {

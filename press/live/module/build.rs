@@ -3,6 +3,8 @@
 
 #[path = "../../src/answers.rs"]
 mod answers;
+#[path = "../../src/library.rs"]
+mod library;
 #[path = "../../src/printed.rs"]
 mod printed;
 
@@ -18,12 +20,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rerun-if-changed={}", root.join(path).display());
         fs::read_to_string(root.join(path))
     };
-    for source in ["build.rs", "../../src/answers.rs", "../../src/printed.rs"] {
+    for source in ["build.rs", "../../src/answers.rs", "../../src/library.rs", "../../src/printed.rs"] {
         println!("cargo::rerun-if-changed={source}");
     }
     println!("cargo::rerun-if-env-changed=BOOK_CHAPTER");
     let chapter = env::var("BOOK_CHAPTER").ok();
     let (mut functions, mut list, mut count, mut broken) = (String::new(), String::new(), 0, Vec::new());
+    let name = library::name(&read("Cargo.toml")?).ok_or("Cargo.toml names no package")?;
+    let known = library::known_as(&name);
     let summary = read("book/SUMMARY.md")?;
     for page in summary.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
         let file = format!("book/{page}");
@@ -64,7 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(_) => "&[]".to_owned(),
     };
     let text = format!(
-        "/// The scenes.\npub fn scenes() -> &'static [&'static live::Entry] {{\n    {scenes}\n}}\n\n{functions}/// The snippets with live numbers, in the order of the book.\npub static SNIPPETS: &[Snippet] = &[\n{list}];\n"
+        "{known}\n/// The scenes.\npub fn scenes() -> &'static [&'static live::Entry] {{\n    {scenes}\n}}\n\n{functions}/// The snippets with live numbers, in the order of the book.\npub static SNIPPETS: &[Snippet] = &[\n{list}];\n"
     );
     fs::write(Path::new(&env::var("OUT_DIR")?).join("snippets.rs"), text)?;
     Ok(())

@@ -1,5 +1,7 @@
 //! The scene of "The coin toss" against a simulation, the book's formulas, and a hand that draws its grips.
 
+extern crate library as mechanics;
+
 mod hand;
 
 use drawing::at;

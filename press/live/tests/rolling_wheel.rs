@@ -1,5 +1,7 @@
 //! The scene of the rolling wheel: against the general rates followed from its start, and against limits.
 
+extern crate library as mechanics;
+
 use approx::assert_relative_eq;
 use drawing::{Room, at};
 use fastrand::Rng;

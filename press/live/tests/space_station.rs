@@ -1,5 +1,7 @@
 //! The scene of the chapter "The struck space station": its counters by a simulation, the second blow, its grips.
 
+extern crate library as mechanics;
+
 use drawing::{Point, Room, at};
 use live::{Moment, Player, Scene};
 use mechanics::euler::{self, Turning};

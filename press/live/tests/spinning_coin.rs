@@ -1,5 +1,7 @@
 //! The scene of the spinning coin: its rounds, its head, its ends, and what a hand takes hold of.
 
+extern crate library as mechanics;
+
 use drawing::{Room, at};
 use fastrand::Rng;
 use live::{Moment, Player, Scene};

@@ -1,5 +1,7 @@
 //! The scene of "How a body turns" against a simulation, counts of its own, and a hand that draws its grips.
 
+extern crate library as mechanics;
+
 mod hand;
 
 use drawing::at;

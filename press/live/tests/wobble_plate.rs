@@ -1,5 +1,7 @@
 //! The scene of the chapter "The wobble plate": its numbers by the momenta of specks, its extremes, its grips.
 
+extern crate library as mechanics;
+
 use drawing::{Point, Room, at};
 use live::{Moment, Player, Scene};
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};

@@ -227,3 +227,10 @@ fn the_steps_on_a_circle_go_by_their_factors() {
         assert!((radius - expected).abs() < 0.01, "{name} ends at {radius}");
     }
 }
+
+#[test]
+fn every_method_of_the_library_has_a_look() {
+    for method in mechanics::integrate::METHODS {
+        assert!(figures::Look::of(method.name).is_some(), "{} has no look", method.name);
+    }
+}

@@ -1,0 +1,25 @@
+//! The figures of the chapter "The pendulum": one function each.
+
+use crate::{Axis, Outcome, Plot, linear_steps};
+use drawing::{Drawing, Hue, Rect, Side, Stroke};
+use pendulum::Pendulum;
+
+/// The figure `fig:period`: eq:pendulum-period.
+pub(crate) fn period(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 400.0, 260.0).titled(
+        "The period of a pendulum",
+        "The period in units of that of narrow swings, against the amplitude in degrees. It is 1 at zero and 1.18 at \
+         90 degrees, and rises ever more steeply, to 2.9 at 175 degrees.",
+    );
+    let frame = Rect::new(50.0, 15.0, 330.0, 190.0);
+    let x = Axis::linear(0.0, 180.0, 45.0)?.titled(r"amplitude $\theta_0$, degrees");
+    let y = Axis::linear(0.0, 3.0, 1.0)?.titled("$T/T_0$");
+    let mut plot = Plot::new(&mut drawing, frame, x, y)?;
+    let one = Pendulum { length: 1.0, gravity: 1.0 };
+    let ratio = |degrees: f64| one.period(degrees.to_radians()) / one.period(0.0);
+    plot.level(1.0, Stroke::Reference);
+    let values = linear_steps(0.0, 175.0, 300).map(|degrees| (degrees, ratio(degrees)));
+    plot.curve("period", values, Stroke::Curve, Hue::Blue);
+    plot.label((90.0, 1.0), Side::Below, "narrow swings", Hue::Muted)?;
+    Ok(drawing)
+}
