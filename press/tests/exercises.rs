@@ -83,7 +83,8 @@ fn a_course_of_some_weeks_adds_up_the_minutes_of_its_exercises() {
     let mut minutes = std::collections::BTreeMap::new();
     for page in pages("/exercises.md") {
         for (heading, below) in sections(&page.text) {
-            let label = heading.split("{#").nth(1).and_then(|rest| rest.split('}').next()).unwrap_or_default();
+            let label =
+                heading.split("{#").nth(1).and_then(|rest| rest.split('}').next()).unwrap_or_default();
             let line = below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
             minutes.insert(label.to_owned(), effort(line).expect("every exercise has a grade").1);
         }
