@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// The rooms, and for each the rooms that it may use beside itself. `wide` is the other side of `sample` and knows the
 /// motions that it computes.
@@ -134,4 +135,53 @@ fn comments_fit_a_screen() {
         }
     }
     assert!(long.is_empty(), "more than 120 characters: {}", long.join(" "));
+}
+
+/// Licences that ask for no more than their text and a name.
+const PERMISSIVE: [&str; 7] =
+    ["MIT", "Apache-2.0", "Zlib", "BSD-3-Clause", "0BSD", "Unlicense", "Unicode-3.0"];
+
+/// Whether an expression such as `(MIT OR Apache-2.0) AND Unicode-3.0` can be met with these licences. Parentheses
+/// stand about lists of choices only.
+fn can_be_met(expression: &str, licences: &[&str]) -> bool {
+    let plain = expression.replace(['(', ')'], "").replace('/', " OR ");
+    plain.split(" AND ").all(|part| part.split(" OR ").any(|licence| licences.contains(&licence.trim())))
+}
+
+#[test]
+fn what_is_built_may_be_used_and_comes_from_one_place() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let registry = "source = \"registry+https://github.com/rust-lang/crates.io-index\"";
+    for lock in ["Cargo.lock", "benches/peers/Cargo.lock"] {
+        let text = fs::read_to_string(root.join(lock)).unwrap();
+        for line in text.lines().filter(|line| line.starts_with("source")) {
+            assert_eq!(line, registry, "{lock}");
+        }
+    }
+
+    let said = |program: &str, arguments: &[&str]| {
+        let out = Command::new(program).args(arguments).current_dir(root).output().ok()?;
+        out.status.success().then(|| String::from_utf8(out.stdout).unwrap())
+    };
+    let version = said("rustc", &["-vV"]).unwrap();
+    let host = version.lines().find_map(|line| line.strip_prefix("host: ")).unwrap();
+    // Without the network, as all that was built is here; or with it, where more is asked for.
+    let arguments = ["metadata", "--format-version=1", "--locked", "--filter-platform", host];
+    let offline = [&arguments[..], &["--offline"]].concat();
+    let Some(metadata) = said(env!("CARGO"), &offline).or_else(|| said(env!("CARGO"), &arguments)) else {
+        eprintln!("skipped: cargo has not all packages here, and cannot ask for them");
+        return;
+    };
+    let metadata: serde_json::Value = serde_json::from_str(&metadata).unwrap();
+    let packages = metadata["packages"].as_array().unwrap();
+    assert!(packages.len() > 50);
+    for package in packages {
+        let (name, licence) = (&package["name"], package["license"].as_str().unwrap_or_default());
+        // mdBook makes the pages and is no part of the library: its licence asks that changes of its files be shown.
+        let mdbook = name.as_str().is_some_and(|name| name.starts_with("mdbook-"));
+        let allowed = if mdbook { &["MPL-2.0"][..] } else { &PERMISSIVE };
+        assert!(can_be_met(licence, allowed), "{name}: {licence}");
+    }
+    assert!(can_be_met("(MIT OR GPL-3.0) AND Zlib", &PERMISSIVE));
+    assert!(!can_be_met("MIT AND GPL-3.0", &PERMISSIVE) && !can_be_met("", &PERMISSIVE));
 }

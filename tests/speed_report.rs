@@ -109,6 +109,15 @@ fn the_closed_forms_are_exact_and_the_steppers_converge() {
 }
 
 #[test]
+fn the_free_bodies_are_the_same_in_a_list_and_one_by_one() {
+    let rows = work::rows(&ours::closed_forms().unwrap()).unwrap();
+    assert_eq!(rows.len(), 8);
+    for row in &rows {
+        assert!(row.error < 4e-15, "{row}");
+    }
+}
+
+#[test]
 fn an_error_that_is_put_in_is_found() {
     let washer = problems::washer();
     let solver = mechanics::integrate::Dop853::new(1e-13).unwrap();

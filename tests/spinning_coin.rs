@@ -133,6 +133,13 @@ fn the_reference_disc_is_met() {
     let fast = SpinningCoin::new(TOY, value("alpha_Mach1")).unwrap();
     assert_relative_eq!(fast.contact_speed(), 343.0, max_relative = 1e-14);
     assert_relative_eq!(fast.turn_rate(), value("Omega_Mach1"), max_relative = 1e-13);
+    // Moffatt's times are those of a small tilt, α in place of sin α.
+    let tilt = 0.1_f64;
+    let start = SpinningCoin::new(TOY, tilt).unwrap();
+    let down = SpinDown::new(start, Loss::air_film(&start, 1.78e-5).unwrap()).unwrap();
+    let life = down.life() * (tilt / tilt.sin()).powi(3);
+    assert_relative_eq!(life, value("moffatt_t0_alpha0p1"), max_relative = 1e-14);
+    assert_relative_eq!(down.time_left_at_free_fall(), value("moffatt_tau"), max_relative = 1e-14);
 }
 
 /// The way down by a loss in proportion to α^{−p} that takes a hundred seconds.

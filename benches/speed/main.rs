@@ -3,7 +3,7 @@
 //! `cargo bench --bench speed` prints a table. `-- work FILE` writes what does not depend on the machine:
 //! errors and evaluations of the rates; `-- long FILE` what is left after a million periods of the hoop (a
 //! minute or two). `-- limits` prints what a sample costs in long lists. `-- serve` makes the program a
-//! contestant of `cargo book measure`, which compares it with others.
+//! contestant of `cargo book measure`, which compares it with others; `-- serve closed` of the race of closed forms.
 
 mod contest;
 mod limits;
@@ -23,6 +23,9 @@ fn main() -> Result<(), Cause> {
     let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["serve"] => contest::serve(&entries, &[], &[("mechanics", env!("CARGO_PKG_VERSION"))])?,
+        ["serve", "closed"] => {
+            contest::serve(&ours::closed_forms()?, &[], &[("mechanics", env!("CARGO_PKG_VERSION"))])?;
+        }
         ["work", file] => std::fs::write(file, work::csv(&work::rows(&entries)?))?,
         ["long", file] => std::fs::write(file, long_run::csv(&long_run::rows(&long_run::PERIODS)?))?,
         ["limits"] => print!("{}", limits::csv(&limits::rows()?)),
@@ -38,7 +41,11 @@ fn main() -> Result<(), Cause> {
                 println!("{row} {:>12.5} ms", 1e3 * times[ROUNDS / 2]);
             }
         }
-        _ => return Err("there are only `work FILE`, `long FILE`, `limits` and `serve`".into()),
+        _ => {
+            return Err(
+                "there are only `work FILE`, `long FILE`, `limits`, `serve` and `serve closed`".into()
+            );
+        }
     }
     Ok(())
 }

@@ -18,6 +18,10 @@ use std::rc::Rc;
 
 /// The name under which the library competes.
 const NAME: &str = "mechanics";
+/// The moments of the free bodies: of the hoop about its pin, of the coin and of the ring.
+const HOOP: [f64; 3] = [1.5, 0.5, 2.0];
+const COIN: [f64; 3] = [0.25, 0.25, 0.5];
+const RING: [f64; 3] = [0.5, 0.5, 1.0];
 /// The names of the two kinds of method that need no stepping, or almost none.
 const CLOSED: [&str; 2] = [NAME, "closed form"];
 const REDUCED: [&str; 2] = [NAME, "half a wobble"];
@@ -31,17 +35,45 @@ pub(crate) fn entries() -> Result<Vec<Entry>, Cause> {
     washer(&mut entries);
     ramp(&mut entries);
     for (problem, steps) in [(problems::hoop(), RK4_HOOP), (problems::separatrix(), RK4_HOOP)] {
-        body(&mut entries, problem, [1.5, 0.5, 2.0], problems::hoop_rates, steps);
+        body(&mut entries, problem, HOOP, problems::hoop_rates, steps);
     }
     disk(&mut entries);
     rest(&mut entries);
-    body(&mut entries, problems::toss(), [0.25, 0.25, 0.5], problems::flat_rates, RK4_TOP);
-    body(&mut entries, problems::station(), [0.5, 0.5, 1.0], problems::flat_rates, RK4_TOP);
+    body(&mut entries, problems::toss(), COIN, problems::flat_rates, RK4_TOP);
+    body(&mut entries, problems::station(), RING, problems::flat_rates, RK4_TOP);
     drag(&mut entries);
     match problems::NAMES.iter().find(|name| entries.iter().all(|entry| entry.problem != **name)) {
         Some(missing) => Err(format!("nothing solves the problem `{missing}`").into()),
         None => Ok(entries),
     }
+}
+
+/// The free bodies by their closed form alone, for the race with another: their samples in a list, and one by one.
+///
+/// # Errors
+/// If the library refuses a body.
+pub(crate) fn closed_forms() -> Result<Vec<Entry>, Cause> {
+    let mut entries = Vec::new();
+    for (problem, moments) in [
+        (problems::hoop(), HOOP),
+        (problems::separatrix(), HOOP),
+        (problems::toss(), COIN),
+        (problems::station(), RING),
+    ] {
+        let problem = Rc::new(problem);
+        entries.push(free_top(&problem, moments, "", |top, times, samples| {
+            *samples = top.sample(times)?;
+            Ok(())
+        }));
+        entries.push(free_top(&problem, moments, "one by one", |top, times, samples| {
+            samples.clear();
+            for &time in times {
+                samples.push(top.at(time)?);
+            }
+            Ok(())
+        }));
+    }
+    Ok(entries)
 }
 
 /// Steps of RK4 between two samples.
@@ -122,25 +154,38 @@ pub(crate) fn turning(problem: &Problem<7>) -> Turning {
     }
 }
 
-/// A free body, by its closed form, and stepped.
-fn body(
-    entries: &mut Vec<Entry>,
-    problem: Problem<7>,
+/// A free body by its closed form; `fill` takes the samples.
+fn free_top(
+    problem: &Rc<Problem<7>>,
     [i1, i2, i3]: [f64; 3],
-    rates: impl Fn(f64, &[f64; 7]) -> [f64; 7] + Copy + 'static,
-    steps: &[usize],
-) {
-    let problem = Rc::new(problem);
+    setting: &str,
+    fill: impl Fn(&FreeTop, &[f64], &mut Vec<Turning>) -> Result<(), Cause> + 'static,
+) -> Entry {
     let solve = move |problem: &Problem<7>, samples: &mut Vec<Turning>| {
         let top = FreeTop::new(PrincipalMoments::new(i1, i2, i3)?, turning(problem))?;
-        *samples = top.sample(&problem.times)?;
+        fill(&top, &problem.times, samples)?;
         Ok(None)
     };
     let state = |turning: &Turning| {
         let [w, i, j, k, w1, w2, w3] = turning.to_array();
         [w1, w2, w3, w, i, j, k]
     };
-    entries.push(Entry::new(&problem, CLOSED, String::new(), solve, state));
+    Entry::new(problem, CLOSED, setting.to_owned(), solve, state)
+}
+
+/// A free body, by its closed form, and stepped.
+fn body(
+    entries: &mut Vec<Entry>,
+    problem: Problem<7>,
+    moments: [f64; 3],
+    rates: impl Fn(f64, &[f64; 7]) -> [f64; 7] + Copy + 'static,
+    steps: &[usize],
+) {
+    let problem = Rc::new(problem);
+    entries.push(free_top(&problem, moments, "", |top, times, samples| {
+        *samples = top.sample(times)?;
+        Ok(())
+    }));
     steppers(entries, &problem, rates, steps);
 }
 

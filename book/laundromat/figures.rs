@@ -15,6 +15,8 @@ pub(crate) mod polar;
 pub(crate) mod ramp;
 #[path = "figures/steady.rs"]
 pub(crate) mod steady;
+#[path = "figures/whirl.rs"]
+pub(crate) mod whirl;
 
 use crate::{Cause, linear_steps};
 use drawing::{Drawing, Hue, Point, Stroke, at};

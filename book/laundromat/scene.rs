@@ -29,13 +29,14 @@ pub(crate) const SCENE: Scene = Scene {
                   frequency and its least at 25 radians a second; the lead of the load, from 0 to 180 degrees; and \
                   the distance of the shaft from O against time.",
     question: "Where does the load go while the spin $\\Omega$ passes $\\omega_0$? At which spin is the floor quietest? \
-               And why does a kick die with one damper and grow with the other?",
+               And why does a kick die with one damper and grow with another?",
     size: [[640.0, 440.0], [380.0, 864.0]],
     view: Some([-FRAC_PI_2, 1.0]),
     still: 0.62,
     controls: &[
         Control::slider("spin", r"spin, $\Omega$", [0.0, MOST_SPIN, 0.1], "rad/s", 10.0),
         Control::slider("damping", r"damping, $\Gamma/\omega_0$", [0.0, 2.5, 0.01], "", 0.3),
+        Control::slider("board", r"friction on board, $\Gamma_i/\omega_0$", [0.0, 0.5, 0.01], "", 0.0),
         Control::choice("damper", "the damper feels", &["the whole velocity", "the radius only"]),
         Control::choice("motor", "the drum", &["keeps its spin", "speeds up from rest"]),
         Control::choice("camera", "seen", &["in the room", "on the drum"]),
@@ -53,6 +54,10 @@ pub(crate) const SCENE: Scene = Scene {
         Preset {
             words: "a kick with the other damper",
             settings: &[("spin", 22.0), ("damper", 1.0), ("kick", 0.5)],
+        },
+        Preset {
+            words: "a whirl: friction on board",
+            settings: &[("spin", 40.0), ("damping", 0.2), ("board", 0.15), ("kick", 0.5)],
         },
     ],
     readings: &[
@@ -156,8 +161,15 @@ impl Washer {
             settings.choice("motor")? == 1,
             settings.choice("camera")? == 1,
         ];
-        let course =
-            Course::new(still, settings.of("spin")?, is_radial, speeds_up, settings.pressed("kick")?)?;
+        let on_board = settings.of("board")? * 300.0;
+        let course = Course::new(
+            still,
+            on_board,
+            settings.of("spin")?,
+            is_radial,
+            speeds_up,
+            settings.pressed("kick")?,
+        )?;
         let (forces, leads) = over_spin(&still, is_radial);
         let quietest = forces.windows(3).find(|at| at[0].0 > 12.0 && at[1].1 < at[0].1 && at[1].1 <= at[2].1);
         let quietest = quietest.map(|at| at[1]);
@@ -190,7 +202,7 @@ impl Washer {
 
     /// The numbers of the moment, and what the marks mean.
     fn draw_names(&self, room: Room, state: &State, drawing: &mut Drawing) -> Result<(), Cause> {
-        let force = self.course.force(&state.shaft).norm();
+        let force = self.course.force(state).norm();
         let lead = state.lead().to_degrees().round() + 0.0;
         let numbers = [
             (r"$\Omega$", state.spin, 1, " rad/s", Hue::Orange),
@@ -239,7 +251,7 @@ impl Washer {
                 if spin < 40.0 { (spin - 2.5, Side::Right) } else { (spin + 2.5, Side::Left) };
             plot.label((place, 185.0), side, "quietest", Hue::Muted)?;
         }
-        plot.dot((state.spin, course.force(&state.shaft).norm()), 4.5, Hue::Purple);
+        plot.dot((state.spin, course.force(state).norm()), 4.5, Hue::Purple);
         let ring = plot.at(self.steady_force());
         plot.drawing().circle(ring, 7.0, Role::Line(Stroke::Outline, Hue::Purple));
 
@@ -302,7 +314,7 @@ impl Motion for Washer {
             state.lead().to_degrees(),
             1e3 * state.shaft.position.norm(),
             1e3 * mass.norm(),
-            self.course.force(&state.shaft).norm(),
+            self.course.force(&state).norm(),
             self.course.imbalance(time)?,
         ])
     }

@@ -10,6 +10,9 @@ use mechanics::scenes::rolling_wheel::Wheel;
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
 
+#[path = "figures/any_wheel.rs"]
+pub(crate) mod any_wheel;
+
 /// A wheel of mass, radius and gravity one.
 fn wheel(moments: MomentFactors) -> Result<Wheel, Cause> {
     Ok(Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments, gravity: 1.0 })?)

@@ -8,11 +8,10 @@ use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at, clip};
 use mechanics::rolling::{MomentFactors, Rolling};
 use nalgebra::{Complex, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use std::sync::LazyLock;
 
 #[path = "scene/rolled.rs"]
 mod rolled;
-use rolled::{Course, GRAVITY, MASS, RADIUS, Rolled, is_flat, wheel};
+use rolled::{Course, GRAVITY, MASS, RADIUS, Rolled, WEIGHTS, is_flat};
 
 pub(crate) const SCENE: Scene = Scene {
     name: "rolling-wheel",
@@ -30,7 +29,8 @@ pub(crate) const SCENE: Scene = Scene {
     controls: &[
         Control::slider("circle", r"radius of the centre's circle, $b/a$", [-0.2, 4.0, 0.01], "", 1.0),
         Control::slider("lean", r"lean, $\theta$", [0.0, 60.0, 0.1], "°", 28.0),
-        Control::choice("wheel", "wheel", &["disc", "hoop"]),
+        Control::choice("wheel", "wheel", &["disc", "hoop", "weights on the axle"]),
+        Control::slider("reach", "how far out the weights are, in radii", [0.2, 2.0, 0.01], "", 1.0),
         Control::slider("push", r"strength of the kick, $\dot\theta$", [-3.0, 3.0, 0.05], "rad/s", 1.0),
         Control { start: 0.0, ..Control::button("kick", "Kick") },
         Control::slider("loss", "what slows its turning", [0.0, 0.5, 0.01], "1/s", 0.0),
@@ -46,6 +46,10 @@ pub(crate) const SCENE: Scene = Scene {
         Preset {
             words: "slowing down: the spiral",
             settings: &[("lean", 9.0), ("circle", 4.0), ("push", 0.0), ("loss", 0.1)],
+        },
+        Preset {
+            words: "weights on the axle",
+            settings: &[("wheel", 2.0), ("reach", 1.87), ("lean", 22.0), ("circle", 4.0), ("push", 0.1)],
         },
         Preset { words: "beyond the axis", settings: &[("lean", 60.0), ("circle", -0.05), ("push", 0.5)] },
     ],
@@ -69,25 +73,6 @@ const MOST_REACH: f64 = 7.0;
 const LONGEST: f64 = 2.5;
 /// Half its thickness, in radii.
 const HALF: f64 = 0.045;
-
-/// The border of the tongue for both wheels: the largest unstable lean, degrees, for each b/a.
-static TONGUES: [LazyLock<Vec<(f64, f64)>>; 2] = [LazyLock::new(|| tongue(0)), LazyLock::new(|| tongue(1))];
-
-fn tongue(which: usize) -> Vec<(f64, f64)> {
-    let Ok(wheel) = wheel(which) else { return Vec::new() };
-    let border = |step: u32| {
-        // Closer together where the tongue rises steeply.
-        let circle = 4.0 * (f64::from(step) / 50.0).powi(3);
-        let (mut low, mut high) = (0.0, 25.0);
-        for _ in 0..14 {
-            let middle: f64 = 0.5 * (low + high);
-            let steady = wheel.steady(middle.to_radians(), circle * RADIUS);
-            *(if steady.is_ok_and(|steady| !steady.is_stable()) { &mut low } else { &mut high }) = middle;
-        }
-        (circle, low)
-    };
-    (1..=50).map(border).collect()
-}
 
 /// Where the parts of the picture stand.
 struct Layout {
@@ -212,6 +197,13 @@ impl Rolled {
             }
             stage.dot_in_front(on_face(0.94, 0.0), 3.0, Hue::Blue)?;
         }
+        if self.which == WEIGHTS {
+            let [one, other] = [-1.0, 1.0].map(|way| centre + third * (way * self.far));
+            stage.solid(Solid::rod(one, other, 0.5 * HALF)?, Hue::Blue)?;
+            for weight in [one, other] {
+                stage.solid(Solid::sphere(weight, 0.17)?, Hue::Blue)?;
+            }
+        }
         // Its angular momentum, and what the table's push makes of it: the way that its tip goes.
         let in_room = |vector: Vector3<f64>| first * vector.x + second * vector.y + third * vector.z;
         let MomentFactors { transverse, axial } = self.wheel.parameters().moments;
@@ -243,10 +235,9 @@ impl Rolled {
     fn draw_map(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
         let frame = Layout::of(moment.room).map;
         let mut map = Graph::new(drawing, frame, CIRCLES, LEANS)?;
-        let tongue = &TONGUES[self.which];
-        let below = [(0.0, 0.0)].into_iter().chain(tongue.iter().copied()).chain([(4.0, 0.0)]);
+        let below = [(0.0, 0.0)].into_iter().chain(self.tongue.iter().copied()).chain([(4.0, 0.0)]);
         map.area(below, Fill::Face, Hue::Orange);
-        map.curve(tongue.iter().copied(), Stroke::Border, Hue::Orange);
+        map.curve(self.tongue.iter().copied(), Stroke::Border, Hue::Orange);
         let leans = (0..=30).map(|k| 2.0 * f64::from(k));
         let border: Vec<(f64, f64)> = leans.map(|lean| (self.bound(lean.to_radians()), lean)).collect();
         let none = [(-0.5, 60.0), (-0.5, 0.0)].into_iter().chain(border.iter().copied());
@@ -327,7 +318,7 @@ impl Motion for Rolled {
     }
 
     fn words(&self, _time: f64) -> String {
-        let what = ["disc", "hoop"][self.which];
+        let what = ["disc", "hoop", "wheel"][self.which];
         let (lean, circle) = (self.lean.to_degrees(), self.circle);
         let Some(steady) = self.steady else {
             return if self.lean == 0.0 {
@@ -349,8 +340,14 @@ impl Motion for Rolled {
         let fate = if square > 0.0 {
             format!("It is stable: small wobbles take {:.2} s each and stay small.", TAU / square.sqrt())
         } else {
-            format!("It is unstable: whatever disturbs it grows e-fold in {:.2} s.", 1.0 / (-square).sqrt())
+            let rate = (-square).sqrt();
+            format!(
+                "It is unstable: what disturbs it grows at the rate {rate:.2}/s, e-fold in {:.2} s.",
+                1.0 / rate
+            )
         };
+        let below = self.which == WEIGHTS && self.far * self.lean.tan() > 1.0;
+        let hole = if below { " (The lower weight is in a slot in the table.)" } else { "" };
         let kicked = match &self.wobble {
             _ if self.loss > 0.0 => self.spiral(),
             Some(wobble) => {
@@ -365,7 +362,7 @@ impl Motion for Rolled {
             None if self.push == 0.0 => "Nothing disturbs it: it rolls so for ever.".into(),
             None => "The kick fells it.".into(),
         };
-        format!("{on} {fate} {kicked}")
+        format!("{on} {fate} {kicked}{hole}")
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {

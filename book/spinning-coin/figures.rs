@@ -1,4 +1,7 @@
-//! The figures of the chapter "The spinning coin".
+//! The figures of the chapter "The spinning coin"; those of how it ends lie in `figures/`.
+
+#[path = "figures/ending.rs"]
+pub(crate) mod ending;
 
 use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
@@ -270,11 +273,15 @@ pub(crate) fn swept_cap(id: &str) -> Outcome {
 /// The laws of loss that the text compares: the power p, and its name in labels.
 const LAWS: [(f64, &str); 4] = [(2.0, "2"), (1.25, "5/4"), (1.0, "1"), (0.5, "1/2")];
 
-/// The toy on its way down from a tilt of 0.1 by a law of loss with which it lives for 100 s.
+/// The law of loss by which the toy lives for 100 s from a tilt of 0.1.
+fn a_long_life(power: f64) -> Result<Loss, InvalidQuantity> {
+    let life = SpinDown::new(disc(0.1)?, Loss::new(1.0, power)?)?.life();
+    Loss::new(life / 100.0, power)
+}
+
+/// The toy on its way down from a tilt of 0.1 by such a law.
 fn going_down(power: f64) -> Result<SpinDown, InvalidQuantity> {
-    let start = disc(0.1)?;
-    let life = SpinDown::new(start, Loss::new(1.0, power)?)?.life();
-    SpinDown::new(start, Loss::new(life / 100.0, power)?)
+    SpinDown::new(disc(0.1)?, a_long_life(power)?)
 }
 
 /// The time left, s, and the coin where the fall that a law of loss asks for reaches g.

@@ -438,7 +438,7 @@ impl Motion for Spinning {
                 let last = down.with_time_left(*end);
                 let (tilt, mach) =
                     last.map_or((f64::NAN, f64::NAN), |last| (last.tilt(), last.contact_speed() / SOUND));
-                let verdict = if mach < 1.0 { "Sound is not reached" } else { "Sound has just been passed" };
+                let verdict = if mach < 1.0 { "Sound is not reached" } else { "By the law, sound has just been passed" };
                 format!(
                     "With p = {name} it would lie flat after {} s. But {} before that, at a tilt of {} and \
                      Mach {mach:.2}, the law would have it fall faster than g, and holds no longer. \

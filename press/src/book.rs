@@ -89,7 +89,7 @@ pub fn from_disk(root: &Path) -> Result<(String, Vec<Page>), Faults> {
 }
 
 /// The folder of the pages, as book.toml names it.
-fn source(root: &Path, faults: &mut Faults) -> Option<String> {
+pub(crate) fn source(root: &Path, faults: &mut Faults) -> Option<String> {
     const CONFIGURATION: &str = "book.toml";
     let text = text(root, CONFIGURATION, faults)?;
     match text.parse::<toml::Table>() {

@@ -1,11 +1,13 @@
 //! `cargo book`: what one can ask of the press by hand.
 
 use crate::book::from_disk;
+use crate::paper::{self, Paper};
 use crate::rendered::Rendered;
 use crate::{check, mdbook, outcome};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::{env, fs};
 
 const HELP: &str = "\
@@ -14,7 +16,9 @@ cargo book build [-d FOLDER]            the site, in target/book/html
 cargo book test                         the snippets of all pages
 cargo book check                        what is wrong with the pages, fast
 cargo book figures FOLDER               every figure as a standalone SVG file
-cargo book pdf [FILE]                   the book as a PDF (needs Chromium); by default target/book/things-that-spin.pdf
+cargo book pdf [FILE.pdf]               the whole book for paper, its solutions at the end (needs Chromium)
+cargo book pdf CHAPTER [--solutions] …  a handout of one chapter, by its folder or number; by default in target/book
+cargo book epub [FILE.epub]             the whole book for readers of EPUBs
 cargo book measure [OPTION …]           runs the library beside its peers, for the report \"Speed and accuracy\"; --help says more";
 
 /// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before
@@ -48,6 +52,7 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
             Ok(())
         }
         "pdf" => pdf(root, rest),
+        "epub" => epub(root, rest),
         "measure" => measure(root, rest),
         "help" | "--help" | "-h" => {
             say(HELP);
@@ -107,51 +112,132 @@ fn measure(root: &Path, rest: &[String]) -> Result<(), String> {
     if status.success() { Ok(()) } else { Err("nothing was measured".to_owned()) }
 }
 
-fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
-    let target = match rest {
-        [] => root.join("target/book/things-that-spin.pdf"),
-        [file] => env::current_dir().map_err(|error| format!("error: {error}"))?.join(file),
-        _ => return Err(format!("`cargo book pdf` takes at most one file\n\n{HELP}")),
-    };
-    let browser = chromium().ok_or(
-        "error: `cargo book pdf` needs Chromium or Chrome, and neither is on PATH; \
-         or open print.html in any browser and print it",
-    )?;
-    with_mdbook(root, "build", &[])?;
-    let page = root.join("target/book/html/print.html");
-    let profile = root.join("target/press/chromium");
-    let output = Command::new(browser)
-        .args([
-            "--headless",
-            "--disable-gpu",
-            "--no-first-run",
-            "--disable-background-networking",
-            "--no-sandbox",
-        ])
-        .args(["--no-pdf-header-footer", "--generate-pdf-document-outline", "--virtual-time-budget=10000"])
-        .arg(format!("--user-data-dir={}", profile.display()))
-        .arg(format!("--print-to-pdf={}", target.display()))
-        .arg(format!("file://{}", page.display()))
-        .stdin(Stdio::null())
-        .output()
-        .map_err(|error| format!("error: Chromium cannot be run: {error}"))?;
-    let size = fs::metadata(&target).map(|data| data.len()).unwrap_or(0);
-    if output.status.success() && size > 0 {
-        say(&format!("{} ({} KB)", target.display(), size / 1024));
-        Ok(())
-    } else {
-        Err(format!("error: Chromium printed nothing:\n{}", String::from_utf8_lossy(&output.stderr)))
+/// What `cargo book pdf` is asked for.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Order {
+    chapter: Option<String>,
+    solutions: bool,
+    file: Option<PathBuf>,
+}
+
+impl Order {
+    fn read(rest: &[String]) -> Result<Self, String> {
+        let mut order = Self::default();
+        for argument in rest {
+            match argument.as_str() {
+                "--solutions" => order.solutions = true,
+                file if file.ends_with(".pdf") && order.file.is_none() => order.file = Some(file.into()),
+                chapter
+                    if !chapter.starts_with('-') && !chapter.ends_with(".pdf") && order.chapter.is_none() =>
+                {
+                    order.chapter = Some(chapter.to_owned());
+                }
+                other => {
+                    return Err(format!("error: `cargo book pdf` takes no argument `{other}`\n\n{HELP}"));
+                }
+            }
+        }
+        Ok(order)
     }
 }
 
-/// The first browser on PATH that can print.
-fn chromium() -> Option<PathBuf> {
-    let names = ["chromium", "chromium-browser", "google-chrome", "chrome", "msedge"];
-    names.into_iter().map(PathBuf::from).find(|name| {
-        Command::new(name)
-            .arg("--version")
-            .stdin(Stdio::null())
-            .output()
-            .is_ok_and(|output| output.status.success())
-    })
+/// The site is built once more for paper, with stills in place of live scenes; the one in target/book stays as it is.
+fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
+    let order = Order::read(rest)?;
+    let (_, pages) = from_disk(root).map_err(|faults| faults.to_string())?;
+    let chapter = order.chapter.map(|asked| paper::chapter(&pages, &asked)).transpose()?;
+    let browser = paper::browser()?;
+    let cannot = |error: io::Error| format!("error: {error}");
+    build_for_paper(root)?;
+    let folder = root.join("target/press/paper");
+    let paper =
+        Paper::read(root, &folder.join("html"), chapter.as_deref(), order.solutions).map_err(cannot)?;
+    let name = match &chapter {
+        Some(chapter) if order.solutions => format!("{chapter}-with-solutions"),
+        Some(chapter) => chapter.clone(),
+        None => paper.file_name(),
+    };
+    let target = match &order.file {
+        Some(file) => env::current_dir().map_err(cannot)?.join(file),
+        None => root.join(format!("target/book/{name}.pdf")),
+    };
+    let [page, first, profile] = ["paper.html", "paper.pdf", "chromium"].map(|name| folder.join(name));
+    // The first print says on which page everything stands, the second one prints it.
+    let mut numbers = BTreeMap::new();
+    for file in [&first, &target] {
+        fs::write(&page, paper.html("html/", &numbers)).map_err(cannot)?;
+        paper::print(&browser, &page, file, &profile)?;
+        numbers = paper::numbers(&fs::read(file).map_err(cannot)?);
+        if numbers.is_empty() {
+            eprintln!(
+                "This Chromium does not tell where its pages stand: their numbers are missing in the contents."
+            );
+        }
+    }
+    let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
+    say(&format!("{} ({} KB)", target.display(), size / 1024));
+    Ok(())
+}
+
+fn epub(root: &Path, rest: &[String]) -> Result<(), String> {
+    let file = match rest {
+        [] => None,
+        [file] if file.ends_with(".epub") => Some(file),
+        _ => return Err(format!("error: `cargo book epub` takes one file, FILE.epub\n\n{HELP}")),
+    };
+    build_for_paper(root)?;
+    let cannot = |error: io::Error| format!("error: {error}");
+    let site = root.join("target/press/paper/html");
+    let paper = Paper::read(root, &site, None, true).map_err(cannot)?;
+    let target = match file {
+        Some(file) => env::current_dir().map_err(cannot)?.join(file),
+        None => root.join(format!("target/book/{}.epub", paper.file_name())),
+    };
+    paper.write_epub(&site, &target).map_err(cannot)?;
+    let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
+    say(&format!("{} ({} KB)", target.display(), size / 1024));
+    Ok(())
+}
+
+fn build_for_paper(root: &Path) -> Result<(), String> {
+    let mdbook = mdbook::locate(root).map_err(|error| format!("error: {error}"))?;
+    let status = Command::new(mdbook)
+        .args(["build", "-d", "target/press/paper"])
+        .current_dir(root)
+        .env("BOOK_LIVE", "static")
+        .status()
+        .map_err(|error| format!("error: mdBook cannot be run: {error}"))?;
+    if status.success() { Ok(()) } else { Err("`mdbook build` failed".to_owned()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn order(arguments: &str) -> Result<Order, String> {
+        Order::read(&arguments.split_whitespace().map(str::to_owned).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn a_pdf_is_ordered_by_chapter_solutions_and_file_in_any_order() {
+        let chapter = |name: &str| Some(name.to_owned());
+        assert_eq!(order(""), Ok(Order::default()));
+        assert_eq!(order("4"), Ok(Order { chapter: chapter("4"), ..Order::default() }));
+        let all = Order { chapter: chapter("coin-toss"), solutions: true, file: Some("a.pdf".into()) };
+        assert_eq!(order("--solutions a.pdf coin-toss").as_ref(), Ok(&all));
+        assert_eq!(order("coin-toss a.pdf --solutions"), Ok(all));
+        for (wrong, named) in [("--solution", "--solution"), ("a b", "b"), ("a.pdf b.pdf", "b.pdf")] {
+            assert!(order(wrong).unwrap_err().contains(&format!("takes no argument `{named}`")), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_chapter_that_is_none_is_named_before_anything_is_built() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let said = run(root, &["pdf".to_owned(), "coin".to_owned()], &Rendered::default()).unwrap_err();
+        assert!(
+            said.starts_with("error: there is no chapter `coin`") && said.contains("\n   4  coin-toss "),
+            "{said}"
+        );
+    }
 }

@@ -20,6 +20,11 @@ pub(crate) fn edition(root: &Path) -> String {
     version.into_iter().chain(commit).collect::<Vec<_>>().join(", ")
 }
 
+/// The day of the commit, `2026-11-22`, if git knows one.
+pub(crate) fn day(root: &Path) -> Option<String> {
+    git(root, &["show", "--no-patch", "--format=%cs", "HEAD"]).filter(|day| !day.is_empty())
+}
+
 /// What git answers; nothing where there is no git, or no repository.
 fn git(root: &Path, arguments: &[&str]) -> Option<String> {
     let answer = Command::new("git").args(arguments).current_dir(root).stdin(Stdio::null()).output().ok()?;

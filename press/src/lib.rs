@@ -91,6 +91,7 @@ pub mod command;
 pub mod fault;
 pub mod finish;
 pub mod mdbook;
+pub mod paper;
 pub mod preprocess;
 pub mod rendered;
 

@@ -150,9 +150,9 @@ fn linked(html: &str, up: &str, homes: &BTreeMap<&str, &str>) -> String {
     while let Some(open) = rest.find('<') {
         let (text, tag) = rest.split_at(open);
         if inside.is_empty() {
-            push_linked(&mut out, text, up, homes)
+            push_linked(&mut out, text, up, homes);
         } else {
-            out.push_str(text)
+            out.push_str(text);
         }
         let end = tag.find('>').map_or(tag.len(), |at| at + 1);
         let name = tag[1..end].split(|c: char| c.is_whitespace() || c == '>').next().unwrap_or_default();

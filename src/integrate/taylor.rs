@@ -192,13 +192,11 @@ impl Taylor {
         };
         let last = size(&series[TAYLOR_ORDER]) / self.tolerance;
         let before = size(&series[TAYLOR_ORDER - 1]) / self.tolerance;
-        let by_last = last.sqrt().sqrt().sqrt().sqrt();
-        let by_before = before.powf(1.0 / (TAYLOR_ORDER - 1) as f64);
         if last.is_nan() || before.is_nan() {
-            f64::NAN
-        } else {
-            by_last.max(by_before).recip().min(self.max_step)
+            return f64::NAN;
         }
+        let shorter = (last.log2() / TAYLOR_ORDER as f64).max(before.log2() / (TAYLOR_ORDER - 1) as f64);
+        (-shorter).exp2().min(self.max_step)
     }
 }
 
@@ -253,14 +251,17 @@ impl<const N: usize> TaylorStep<'_, N> {
     }
 }
 
-/// What the state has gained after `since` from the start of the series.
+/// What the state has gained after `since` from the start of the series. The odd and the even powers are summed side by
+/// side: one sum of all would wait for each of its terms.
 #[inline]
 pub(crate) fn increment<const N: usize>(series: &Series<N>, since: f64) -> [f64; N] {
-    let mut sum = [0.0; N];
-    for row in series[1..].iter().rev() {
-        for (sum, coefficient) in sum.iter_mut().zip(row) {
-            *sum = (*sum + coefficient) * since;
+    let square = since * since;
+    let (mut odd, mut even) = ([0.0; N], [0.0; N]);
+    for pair in series[1..].chunks_exact(2).rev() {
+        for i in 0..N {
+            odd[i] = odd[i] * square + pair[0][i];
+            even[i] = even[i] * square + pair[1][i];
         }
     }
-    sum
+    std::array::from_fn(|i| (even[i] * since + odd[i]) * since)
 }

@@ -5,10 +5,12 @@
 mod linear;
 mod motion;
 mod orbit;
+mod passage;
 #[path = "../printed/mod.rs"]
 mod printed;
 mod stability;
 mod steady;
+mod whirl;
 
 use mechanics::scenes::laundromat::{Machine, Parameters};
 use nalgebra::Complex;

@@ -5,6 +5,7 @@ mod coin;
 mod general;
 #[path = "../printed/mod.rs"]
 mod printed;
+mod sinking;
 mod stability;
 mod start;
 mod steady;

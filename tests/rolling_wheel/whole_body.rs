@@ -33,13 +33,24 @@ pub(crate) fn solve(moments: MomentFactors, state: &State) -> ([f64; 13], Vector
 
 /// The same with the torque −s ma² ω on the body.
 pub(crate) fn solve_slowed(moments: MomentFactors, slowing: f64, state: &State) -> ([f64; 13], Vector3<f64>) {
+    let omega = vector(state, 10);
+    solve_with(moments, 0.0, omega * (-slowing * MASS * RADIUS * RADIUS), state)
+}
+
+/// The same with a torque on the body, in the room, and with a flywheel in it whose momentum along the axle stays.
+pub(crate) fn solve_with(
+    moments: MomentFactors,
+    flywheel: f64,
+    torque: Vector3<f64>,
+    state: &State,
+) -> ([f64; 13], Vector3<f64>) {
     let (v, omega) = (vector(state, 7), vector(state, 10));
     let n = axle(state);
     let r = arm(&n);
     let MomentFactors { transverse, axial } = moments;
     let unit = MASS * RADIUS * RADIUS;
     let inertia = (Matrix3::identity() * transverse + n * n.transpose() * (axial - transverse)) * unit;
-    let momentum = inertia * omega;
+    let momentum = inertia * omega + n * flywheel;
     // The material point at the contact: v + ω × r = 0 for every point as it touches. Its derivative along the path of
     // the contact, where r is the lowest point of the moving disc: v̇ + ω̇ × r + ω × ṙ = 0, with ṙ from that of the
     // axle.
@@ -55,10 +66,10 @@ pub(crate) fn solve_slowed(moments: MomentFactors, slowing: f64, state: &State) 
     matrix.fixed_view_mut::<3, 3>(0, 0).copy_from(&(Matrix3::identity() * MASS));
     matrix.fixed_view_mut::<3, 3>(0, 6).copy_from(&-Matrix3::identity());
     given.fixed_rows_mut::<3>(0).copy_from(&Vector3::new(0.0, 0.0, -MASS * GRAVITY));
-    // I ω̇ − r × F = −ω × Iω − s ma² ω  (the inertia turns with the body)
+    // I ω̇ − r × F = −ω × L + τ  (inertia and flywheel turn with the body)
     matrix.fixed_view_mut::<3, 3>(3, 3).copy_from(&inertia);
     matrix.fixed_view_mut::<3, 3>(3, 6).copy_from(&-cross(&r));
-    given.fixed_rows_mut::<3>(3).copy_from(&(-omega.cross(&momentum) - omega * (slowing * unit)));
+    given.fixed_rows_mut::<3>(3).copy_from(&(torque - omega.cross(&momentum)));
     // v̇ − r × ω̇ = −ω × ṙ
     matrix.fixed_view_mut::<3, 3>(6, 0).copy_from(&Matrix3::identity());
     matrix.fixed_view_mut::<3, 3>(6, 3).copy_from(&-cross(&r));

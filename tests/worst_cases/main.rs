@@ -29,4 +29,5 @@ mod steady_wheel;
 mod taylor;
 mod transient;
 mod turning;
+mod whirl;
 mod wobble;

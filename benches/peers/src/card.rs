@@ -34,6 +34,26 @@ pub fn describe(rounds: usize, versions: &[String], notes: &[String]) -> String 
     text
 }
 
+/// The lines before the data of the race of closed forms.
+pub fn closed_forms(rounds: usize, versions: &[String], notes: &[String]) -> String {
+    let mut lines = vec![
+        "Two closed forms of a free body, the library's and Principia's, on the free bodies of the report: 1001 samples of angular velocity and attitude.".to_owned(),
+        format!("seconds: wall clock of one run with all its samples, median and quartiles of {rounds} interleaved rounds"),
+        machine(),
+        format!(
+            "compilers: {}, profile bench, default flags, and {NATIVE_FLAGS} for `mechanics native`; clang -O3 with the flags of Principia's platforms x64 and, for `principia native`, x64_AVX_FMA",
+            version("rustc")
+        ),
+        format!("{}; {}", versions.join(", "), today()),
+        "written by: cargo book measure --principia FOLDER".to_owned(),
+    ];
+    lines.extend(notes.iter().map(|note| format!("note: {note}")));
+    let mut text: String = lines.iter().map(|line| format!("# {line}\n")).collect();
+    text.push_str(COLUMNS);
+    text.push('\n');
+    text
+}
+
 fn machine() -> String {
     let cores = std::thread::available_parallelism().map_or(0, std::num::NonZero::get);
     format!("processor: {}, {cores} cores seen, {}", processor(), std::env::consts::OS)

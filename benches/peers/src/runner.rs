@@ -20,6 +20,9 @@ cargo book measure [OPTION …]     runs the library and its peers, and writes b
 --rounds N       how many rounds the medians are taken over (31)
 --problems A,B   only these problems; then nothing is written, and the tables are printed
 --no-contest     measures only what concerns the library alone, and makes the tables of the page again
+--principia FOLDER
+                 races Principia's closed form of a free body against the library's and nothing else, and writes
+                 book/judged/closed-forms.csv; FOLDER has what benches/peers/principia/build.py made
 --no-python      without heyoka, SciPy and MuJoCo
 --python FILE    an interpreter that has them; by default one is set up under target/python with benches/peers/requirements.txt";
 
@@ -32,6 +35,7 @@ struct Options {
     rounds: usize,
     problems: Vec<String>,
     python: Option<PathBuf>,
+    principia: Option<PathBuf>,
     no_python: bool,
     no_contest: bool,
 }
@@ -67,10 +71,13 @@ pub fn run(arguments: &[String]) -> Result<(), Cause> {
     if options.no_contest {
         return finish(&root, &folder);
     }
+    if let Some(programs) = &options.principia {
+        return closed_forms(&root, programs, &options);
+    }
     let (mut versions, mut notes) = (Vec::new(), Vec::new());
     let mut contestants = vec![
-        Contestant::start(&mut ours(&root, false), "mechanics", &options, &mut versions, &mut notes)?,
-        Contestant::start(&mut ours(&root, true), NATIVE, &options, &mut versions, &mut notes)?,
+        Contestant::start(ours(&root, false).arg("serve"), "mechanics", &options, &mut versions, &mut notes)?,
+        Contestant::start(ours(&root, true).arg("serve"), NATIVE, &options, &mut versions, &mut notes)?,
         Contestant::start(
             Command::new(env::current_exe()?).arg("serve"),
             "",
@@ -110,6 +117,30 @@ pub fn run(arguments: &[String]) -> Result<(), Cause> {
     Ok(())
 }
 
+/// The race of the two closed forms of a free body, each with its compiler's default flags and for this processor.
+fn closed_forms(root: &Path, programs: &Path, options: &Options) -> Result<(), Cause> {
+    let (mut versions, mut notes) = (Vec::new(), Vec::new());
+    let mut contestants = Vec::new();
+    for (native, name, program) in [(false, "mechanics", "default"), (true, NATIVE, "native")] {
+        let library = &mut ours(root, native);
+        library.args(["serve", "closed"]);
+        contestants.push(Contestant::start(library, name, options, &mut versions, &mut notes)?);
+        let other = &mut Command::new(programs.join(program));
+        contestants.push(Contestant::start(other, "", options, &mut versions, &mut notes)?);
+    }
+    contest(&mut contestants, options.rounds, &mut notes);
+    let mut text = card::closed_forms(options.rounds, &versions, &notes);
+    for line in rows(&mut contestants).iter().map(Measurement::line) {
+        text.push_str(&line);
+        text.push('\n');
+    }
+    contestants.into_iter().for_each(Contestant::end);
+    let file = root.join("book/judged/closed-forms.csv");
+    fs::write(&file, &text)?;
+    println!("{text}\nwritten: {}", file.display());
+    Ok(())
+}
+
 /// What the library does alone: its work, the long run and the limits; then the tables of the page.
 fn finish(root: &Path, folder: &Path) -> Result<(), Cause> {
     for (order, file) in [("work", "work.csv"), ("long", "long-run.csv")] {
@@ -126,8 +157,14 @@ fn finish(root: &Path, folder: &Path) -> Result<(), Cause> {
 
 impl Options {
     fn read(arguments: &[String]) -> Result<Option<Self>, Cause> {
-        let mut options =
-            Self { rounds: 31, problems: Vec::new(), python: None, no_python: false, no_contest: false };
+        let mut options = Self {
+            rounds: 31,
+            problems: Vec::new(),
+            python: None,
+            principia: None,
+            no_python: false,
+            no_contest: false,
+        };
         let mut arguments = arguments.iter();
         while let Some(argument) = arguments.next() {
             let mut value = || arguments.next().ok_or_else(|| format!("{argument} needs a value\n\n{HELP}"));
@@ -135,6 +172,7 @@ impl Options {
                 "--rounds" => options.rounds = value()?.parse()?,
                 "--problems" => options.problems = value()?.split(',').map(str::to_owned).collect(),
                 "--python" => options.python = Some(value()?.into()),
+                "--principia" => options.principia = Some(fs::canonicalize(value()?)?),
                 "--no-python" => options.no_python = true,
                 "--no-contest" => options.no_contest = true,
                 "--help" | "-h" => return Ok(None),
@@ -169,7 +207,7 @@ fn ours(root: &Path, native: bool) -> Command {
     if native {
         command.env("RUSTFLAGS", card::NATIVE_FLAGS).arg("--target-dir").arg(root.join("target/native"));
     }
-    command.args(["--", "serve"]);
+    command.arg("--");
     command
 }
 

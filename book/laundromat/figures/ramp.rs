@@ -6,7 +6,7 @@ use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke, at};
 use mechanics::scenes::laundromat::Shaft;
 use nalgebra::Complex;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A drum that speeds up: its path from above, and how far it swings as time goes on.
 pub(crate) fn start(id: &str) -> Outcome {
@@ -200,3 +200,75 @@ fn largest_swing(per_square: f64, damping: f64) -> Result<f64, Cause> {
     let step = end / f64::from(count);
     Ok(largest((time - step).max(0.0), time + step, 40)?.1 / machine.offset())
 }
+
+/// A slow passage without damping: where the swing goes on Cornu's spiral, and how far it goes if it is less slow.
+pub(crate) fn cornu(id: &str) -> Outcome {
+    let machine = washing_machine(0.0, 0.0)?;
+    let (b, square) = (machine.offset(), NATURAL * NATURAL);
+    // Times are counted from the resonance, in units of 1/√α.
+    let slowest = 1e-8 * square;
+    let lewis = |acceleration: f64| b * NATURAL * (FRAC_PI_2 / acceleration).sqrt();
+    let slow = machine.ramp(slowest, Shaft::AT_REST)?;
+    let met = NATURAL / slowest;
+    let times: Vec<f64> = linear_steps(-7.0, 9.0, 6000).map(|time| time / slowest.sqrt()).collect();
+    let late: Vec<f64> = times.iter().map(|time| met + time).collect();
+    // Seen by who turns with ω₀, and turned so that it sets out along x.
+    let begun = Complex::from_polar(1.0, FRAC_PI_2 - 0.5 * square / slowest);
+    let spiral: Values = late
+        .iter()
+        .zip(slow.sample(&late)?)
+        .map(|(t, shaft)| {
+            let seen =
+                shaft.position * begun * Complex::from_polar(1.0, -NATURAL * (t - met)) / lewis(slowest);
+            (seen.re, seen.im)
+        })
+        .collect();
+    let far = |a: &&(f64, f64), b: &&(f64, f64)| a.0.hypot(a.1).total_cmp(&b.0.hypot(b.1));
+    let farthest = *spiral.iter().max_by(far).ok_or("no spiral")?;
+
+    let mut left = Drawing::new("", 330.0, 330.0).titled(
+        "Cornu’s spiral",
+        "A curve that unwinds from a point at the lower left, the first eye, runs to the upper right and winds up again about a second eye, \
+         at the distance one. Its farthest point from the first eye, marked with a disc, lies at a distance of 1.17, beyond the second eye.",
+    );
+    let origin = at(70.0, 244.0);
+    let mut plot = Plot::plane(&mut left, origin, 210.0, 1.4)?;
+    plot.curve("spiral", spiral.iter().copied(), Stroke::Outline, Hue::Blue);
+    let (eye, tip) = (plot.at((0.5_f64.sqrt(), 0.5_f64.sqrt())), plot.at(farthest));
+    left.line(origin, eye, Stroke::Reference, Hue::Muted);
+    left.line(origin, tip, Stroke::Outline, Hue::Ink);
+    left.dot(origin, 3.4, Hue::Ink);
+    left.dot(eye, 3.4, Hue::Ink);
+    left.dot(tip, 4.5, Hue::Orange);
+    left.label(tip, Side::Right, "$1.1707$", Hue::Orange)?;
+    left.label(at(165.0, 312.0), Side::Over, "seen by who turns with $\\omega_0$", Hue::Ink)?;
+
+    let mut factors = Values::new();
+    for root in linear_steps(0.005, 0.2, 59) {
+        let acceleration = root * root * square;
+        let ramp = machine.ramp(acceleration, Shaft::AT_REST)?;
+        let times: Vec<f64> = linear_steps(0.0, 4.0, 4000)
+            .map(|time| NATURAL / acceleration + time / acceleration.sqrt())
+            .collect();
+        let swings = ramp.sample(&times)?.into_iter().map(|shaft| shaft.position.norm());
+        factors.push((root, swings.fold(0.0, f64::max) / lewis(acceleration)));
+    }
+    let limit = OVERSHOOT;
+    let mut right = Drawing::new("", 340.0, 330.0).titled(
+        "The overshoot of a passage that is less slow",
+        "The largest swing over the swing that is left behind, from 1.1 to 1.3, against the root of the acceleration over the natural frequency, from 0 to \
+         0.2. The curve begins at 1.17 and rises to 1.3 along a straight broken line, which it leaves by a hair at the right.",
+    );
+    let root = Axis::linear(0.0, 0.2, 0.1)?.minor(0.02).titled(r"$\sqrt\alpha/\omega_0$");
+    let factor = Axis::linear(1.1, 1.3, 0.1)?.minor(0.02).titled("largest swing over what is left");
+    let mut plot = Plot::new(&mut right, Rect::new(58.0, 34.0, 262.0, 244.0), root, factor)?;
+    let line = [0.0, 0.2].map(|root| (root, limit + 0.75 * FRAC_PI_2.sqrt().recip() * root));
+    plot.curve("line", line, Stroke::DashedCurve, Hue::Orange);
+    plot.curve("overshoot", factors, Stroke::Curve, Hue::Blue);
+    plot.markers(&[(0.0, limit)], Marker::Disc, Hue::Orange);
+    plot.label((0.012, limit), Side::BelowRight, "$1.1707$", Hue::Orange)?;
+    Ok(Drawing::panels(id, vec![left, right]))
+}
+
+/// The farthest point of Cornu's spiral from one eye, over the distance of the other.
+const OVERSHOOT: f64 = 1.170_659;

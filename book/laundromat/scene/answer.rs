@@ -1,6 +1,7 @@
 //! The answer to the chapter's question, in words.
 
 use super::{Course, steady};
+use mechanics::scenes::laundromat::Rotor;
 
 /// What the settings of a course lead to; with the quietest spin and its force on the floor, if there is one.
 pub(super) fn answer(course: &Course, quietest: Option<(f64, f64)>) -> String {
@@ -53,11 +54,15 @@ pub(super) fn answer(course: &Course, quietest: Option<(f64, f64)>) -> String {
 
 /// Whether a kick dies out or grows, and how fast.
 fn fate_of_a_kick(course: &Course) -> String {
-    let rate = if course.is_radial {
-        course.machine.radial_damping_growth()
-    } else {
-        let rates = course.machine.modes().map(|mode| mode.frequency.im);
-        -rates.into_iter().fold(f64::INFINITY, f64::min)
+    let rotor = &course.rotor;
+    let rate = match (rotor.whirl_spin(), course.is_radial) {
+        (Some(_), true) => return at_rest_on_board_alone(course),
+        (Some(limit), false) => return fate_of_a_whirl(rotor, limit),
+        (None, true) => course.machine.radial_damping_growth(),
+        (None, false) => {
+            let rates = course.machine.modes().map(|mode| mode.frequency.im);
+            -rates.into_iter().fold(f64::INFINITY, f64::min)
+        }
     };
     let fate = match rate {
         1e-3.. => "Unstable: with this damper a kick grows",
@@ -71,4 +76,31 @@ fn fate_of_a_kick(course: &Course) -> String {
         ""
     };
     format!("{fate} by a factor e in {:.2} s.{why}", 1.0 / rate.abs())
+}
+
+/// The same with friction on board, which lets a kick grow beyond a limit.
+fn fate_of_a_whirl(rotor: &Rotor, limit: f64) -> String {
+    let (rate, natural) = (rotor.growth(), rotor.machine().natural_frequency());
+    let time = 1.0 / rate.abs();
+    match rate {
+        1e-3.. => format!(
+            "Unstable: the drum overtakes the whirl and drags it on, and a kick grows by a factor e in {time:.2} s, going \
+             round at {:.1} rad/s. With these dampers every spin beyond {limit:.1} rad/s does that.",
+            rotor.roots()[0].im
+        ),
+        ..-1e-3 => format!(
+            "Stable: a kick dies out by a factor e in {time:.2} s. With these dampers it would grow beyond {limit:.1} rad/s."
+        ),
+        _ => format!(
+            "At this spin floor and drum are a match: a whirl at {natural:.1} rad/s neither dies out nor grows."
+        ),
+    }
+}
+
+/// And if nothing but the springs is at rest in the room.
+fn at_rest_on_board_alone(course: &Course) -> String {
+    let natural = course.machine.natural_frequency();
+    let fate =
+        if course.machine.spin() > natural { "Unstable: a kick grows" } else { "Stable: a kick dies out" };
+    format!("{fate}. No friction here is at rest in the room, so {natural:.1} rad/s is the limit.")
 }

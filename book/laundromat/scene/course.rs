@@ -3,7 +3,7 @@
 use super::{ACCELERATION, GAUSS, KICK, LARGEST_SWING, LASTS, steady};
 use crate::Cause;
 use mechanics::integrate::{Dop853, rk4_step};
-use mechanics::scenes::laundromat::{Machine, Ramp, Shaft, Transient};
+use mechanics::scenes::laundromat::{Machine, Ramp, Rotor, RotorMotion, Shaft, Transient};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -35,9 +35,12 @@ impl State {
 enum Way {
     Steady(Transient),
     Ramp(Box<Ramp>),
-    /// With the damper that feels only the radius there is no closed form: states at equal steps.
+    OnBoard(Box<RotorMotion>),
+    /// With the damper that feels only the radius there is no closed form, nor with friction on board while the drum
+    /// speeds up: states at equal steps.
     Stepped {
-        machine: Machine,
+        rotor: Rotor,
+        is_radial: bool,
         step: f64,
         states: Vec<[f64; 4]>,
     },
@@ -52,12 +55,21 @@ struct Part {
     way: Way,
 }
 
-/// Rates of a shaft whose damper feels only the radius, while the drum speeds up (`eq:ramp-equation`): those for the
-/// whole velocity, with the one damper in the place of the other.
-fn radial_rates(machine: &Machine, acceleration: f64, time: f64, state: &[f64; 4]) -> [f64; 4] {
-    let [x, y, of_x, of_y] = machine.radial_damping_rates(time, state);
-    let (whole, ramp) = (machine.cartesian_rates(time, state), machine.ramp_rates(acceleration, time, state));
-    [x, y, ramp[2] + (of_x - whole[2]), ramp[3] + (of_y - whole[3])]
+/// Rates of a shaft with friction on board while the drum speeds up (`eq:ramp-equation`, `eq:whirl-motion`); if its
+/// damper feels only the radius, with that in the place of the other.
+fn stepped_rates(rotor: &Rotor, is_radial: bool, acceleration: f64, time: f64, state: &[f64; 4]) -> [f64; 4] {
+    let machine = rotor.machine();
+    let mut rates = machine.ramp_rates(acceleration, time, state);
+    if is_radial {
+        let (radial, whole) =
+            (machine.radial_damping_rates(time, state), machine.cartesian_rates(time, state));
+        rates[2] += radial[2] - whole[2];
+        rates[3] += radial[3] - whole[3];
+    }
+    let ([x, y, of_x, of_y], spin) = (*state, machine.spin() + acceleration * time);
+    rates[2] -= rotor.damping_rate_on_board() * (of_x + spin * y);
+    rates[3] -= rotor.damping_rate_on_board() * (of_y - spin * x);
+    rates
 }
 
 /// A shaft as it is seen by who has turned by the angle of a complex number of length one.
@@ -67,24 +79,27 @@ fn turned(shaft: &Shaft, by: Complex<f64>) -> Shaft {
 
 impl Part {
     fn new(
-        machine: Machine,
+        rotor: Rotor,
         is_radial: bool,
         before: &State,
         acceleration: f64,
         span: [f64; 2],
     ) -> Result<Self, Cause> {
         let State { azimuth, spin, .. } = *before;
-        let machine = machine.with_spin(spin)?;
+        let rotor = rotor.with_spin(spin)?;
+        let (machine, on_board) = (rotor.machine(), rotor.damping_rate_on_board() > 0.0);
         let start = turned(&before.shaft, before.load().conj());
-        let way = if is_radial {
+        let way = if is_radial || (on_board && acceleration > 0.0) {
             let length = span[1] - span[0];
             let fastest = (spin + acceleration * length).max(machine.natural_frequency());
             let steps = (length * fastest / 0.1).ceil().max(1.0);
             let times: Vec<f64> = (0..=steps as u32).map(|n| length * f64::from(n) / steps).collect();
-            let rates = |t: f64, state: &[f64; 4]| radial_rates(&machine, acceleration, t, state);
+            let rates = |t: f64, state: &[f64; 4]| stepped_rates(&rotor, is_radial, acceleration, t, state);
             let solver = Dop853::with_tolerances(1e-8, 1e-9)?;
             let (states, _) = solver.sample(rates, 0.0, start.to_array(), &times)?;
-            Way::Stepped { machine, step: length / steps, states }
+            Way::Stepped { rotor, is_radial, step: length / steps, states }
+        } else if on_board {
+            Way::OnBoard(Box::new(rotor.transient(start)?))
         } else if acceleration == 0.0 {
             Way::Steady(machine.transient(start)?)
         } else {
@@ -98,10 +113,12 @@ impl Part {
         let shaft = match &self.way {
             Way::Steady(motion) => motion.at(since)?,
             Way::Ramp(motion) => motion.at(since)?,
-            Way::Stepped { machine, step, states } => {
+            Way::OnBoard(motion) => motion.at(since)?,
+            Way::Stepped { rotor, is_radial, step, states } => {
                 let index = ((since / step) as usize).min(states.len() - 1);
                 let begun = *step * index as f64;
-                let mut rates = |t: f64, state: &[f64; 4]| radial_rates(machine, self.acceleration, t, state);
+                let mut rates =
+                    |t: f64, state: &[f64; 4]| stepped_rates(rotor, *is_radial, self.acceleration, t, state);
                 Shaft::from_array(rk4_step(&mut rates, begun, &states[index], since - begun))
             }
         };
@@ -114,6 +131,8 @@ impl Part {
 /// The motion from its beginning to its end, and what comes of it.
 pub(super) struct Course {
     pub machine: Machine,
+    /// The same with its friction on board.
+    pub rotor: Rotor,
     /// The same machine while its drum does not turn.
     pub still: Machine,
     pub is_radial: bool,
@@ -135,6 +154,7 @@ impl Course {
     /// otherwise.
     pub(super) fn new(
         still: Machine,
+        on_board: f64,
         spin: f64,
         is_radial: bool,
         speeds_up: bool,
@@ -145,6 +165,7 @@ impl Course {
         let end = run_up + LASTS;
         let mut course = Self {
             machine,
+            rotor: machine.rotor(on_board)?,
             still,
             is_radial,
             speeds_up: run_up > 0.0,
@@ -187,7 +208,7 @@ impl Course {
                 now.spin = machine.spin();
             }
             let acceleration = if from < run_up { ACCELERATION } else { 0.0 };
-            self.parts.push(Part::new(machine, self.is_radial, &now, acceleration, [from, span[1]])?);
+            self.parts.push(Part::new(self.rotor, self.is_radial, &now, acceleration, [from, span[1]])?);
         }
         Ok(())
     }
@@ -210,8 +231,8 @@ impl Course {
                 self.given.push((from, given));
                 for (place, weight) in GAUSS {
                     let time = from + place * (to - from);
-                    let shaft = part.at(time)?.shaft;
-                    let distance = shaft.position.norm();
+                    let state = part.at(time)?;
+                    let distance = state.shaft.position.norm();
                     if distance > LARGEST_SWING * self.machine.offset() {
                         (self.end, self.strikes) = (time, true);
                         return Ok(());
@@ -220,7 +241,7 @@ impl Course {
                         self.widest = (time, distance);
                     }
                     self.swings.push((time, distance));
-                    given += self.force(&shaft) * (weight * (to - from));
+                    given += self.force(&state) * (weight * (to - from));
                 }
                 from = to;
             }
@@ -238,11 +259,14 @@ impl Course {
         self.kick.is_some_and(|kick| kick <= time)
     }
 
-    /// The force of springs and dampers on the floor, N: minus what they do to a drum that does not turn.
-    pub(super) fn force(&self, shaft: &Shaft) -> Complex<f64> {
+    /// The force of springs and dampers on the floor, N: minus what they do to a drum that does not turn, and what the
+    /// dampers on board give to what turns them.
+    pub(super) fn force(&self, state: &State) -> Complex<f64> {
+        let shaft = &state.shaft;
         let rates = if self.is_radial { Machine::radial_damping_rates } else { Machine::cartesian_rates };
         let [_, _, x, y] = rates(&self.still, 0.0, &shaft.to_array());
-        Complex::new(x, y) * -self.machine.total_mass()
+        let seen_on_board = shaft.velocity - shaft.position * Complex::new(0.0, state.spin);
+        (seen_on_board * self.rotor.damping_rate_on_board() - Complex::new(x, y)) * self.machine.total_mass()
     }
 
     /// What has been gained in momentum, less what floor and kick gave, by a time, N s: rounding.
@@ -250,7 +274,7 @@ impl Course {
         let index = self.given.partition_point(|(from, _)| *from <= time).saturating_sub(1);
         let (from, mut left) = self.given[index];
         for (place, weight) in GAUSS {
-            left += self.force(&self.at(from + place * (time - from))?.shaft) * (weight * (time - from));
+            left += self.force(&self.at(from + place * (time - from))?) * (weight * (time - from));
         }
         left += self.momentum(&self.at(time)?) - self.momentum(&self.at(0.0)?);
         if self.is_kicked(time) && self.kick > Some(0.0) {

@@ -80,6 +80,9 @@ impl<'a> Drum<'a> {
     pub(super) fn draw(&self, drawing: &mut Drawing) -> Result<(), Cause> {
         self.draw_room(drawing);
         self.draw_suspension(drawing);
+        if self.course.rotor.damping_rate_on_board() > 0.0 {
+            self.draw_friction_on_board(drawing);
+        }
         self.draw_tub(drawing);
         self.draw_load(drawing);
         self.draw_ways(drawing)?;
@@ -118,6 +121,18 @@ impl<'a> Drum<'a> {
                 let [from, to] = [post, wall].map(|place| self.land(place - aside, MOUNT));
                 kit::damper(drawing, from, to, 0.42 * (to - from).length(), 8.0, Hue::Ink);
             }
+        }
+    }
+
+    /// The ring that turns with the drum, and two dampers between it and the tub.
+    fn draw_friction_on_board(&self, drawing: &mut Drawing) {
+        let ring = self.posts - 0.3;
+        drawing.polyline(&self.arc(ORIGIN, MOUNT, ring, 0.0, TAU), Stroke::Outline, Hue::Orange);
+        for side in [FRAC_PI_2, -FRAC_PI_2] {
+            let way = Complex::from_polar(1.0, self.state.azimuth + side);
+            let [from, to] = [way * ring, self.shaft + way * TUB].map(|place| self.land(place, MOUNT));
+            drawing.dot(from, 3.4, Hue::Orange);
+            kit::damper(drawing, from, to, 0.5 * (to - from).length(), 8.0, Hue::Orange);
         }
     }
 
@@ -207,7 +222,7 @@ impl<'a> Drum<'a> {
     /// The force on the floor, shaft and centre of mass, how the drum turns, and for a moment the kick.
     fn draw_forces(&self, drawing: &mut Drawing) -> Result<(), Cause> {
         let origin = self.land(ORIGIN, RIM);
-        let force = self.course.force(&self.state.shaft) * FORCE;
+        let force = self.course.force(self.state) * FORCE;
         let force = force * (0.94 * self.posts / force.norm().max(1e-9)).min(1.0);
         if force.norm() > 0.05 {
             let tip = self.land(force, RIM);

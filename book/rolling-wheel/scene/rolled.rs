@@ -8,7 +8,7 @@ use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel, Wobble};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The wheel: a disc or a hoop of this mass, kg, and radius, m, on Earth.
+/// The wheel: a disc, a hoop, or a hoop with weights, of this mass, kg, and radius, m, on Earth.
 pub(super) const MASS: f64 = 1.0;
 pub(super) const RADIUS: f64 = 0.3;
 pub(super) const GRAVITY: f64 = 9.81;
@@ -21,10 +21,25 @@ const FLAT: f64 = 0.05;
 const TURN: f64 = 0.25;
 const MOST_PARTS: f64 = 12.0;
 
-/// The disc, 0, or the hoop, 1.
-pub(super) fn wheel(which: usize) -> Result<Wheel, InvalidQuantity> {
-    let moments = [MomentFactors::DISK, MomentFactors::HOOP][which];
+/// The wheel with weights on its axle, among the three.
+pub(super) const WEIGHTS: usize = 2;
+
+/// The disc, 0, the hoop, 1, or, 2, a hoop with as much mass in two weights on its axle, so far out, in radii.
+fn wheel(which: usize, far: f64) -> Result<Wheel, InvalidQuantity> {
+    let weighted = MomentFactors { transverse: 0.25 + 0.5 * far * far, axial: 0.5 };
+    let moments = [MomentFactors::DISK, MomentFactors::HOOP, weighted][which];
     Wheel::new(DiskParameters { mass: MASS, radius: RADIUS, moments, gravity: GRAVITY })
+}
+
+/// The edge of the tongue on the map: b/a and leans, degrees, from the inner edge over the tip to the outer one.
+fn tongue(wheel: &Wheel) -> Vec<(f64, f64)> {
+    let tip = wheel.safe_lean();
+    // Closer together towards the upright and the tip, where the edges bend.
+    let leans = (1..60).map(|k| f64::from(k) / 60.0).map(|part| tip * (1.0 - (1.0 - part * part).powi(2)));
+    let edges = leans.filter_map(|lean| Some((wheel.unstable_circles(lean).ok()??, lean.to_degrees())));
+    let edges: Vec<_> = edges.map(|(circles, lean)| (circles.map(|b| b / RADIUS), lean)).collect();
+    let inner = edges.iter().map(|&([inner, _], lean)| (inner, lean));
+    inner.chain(edges.iter().rev().map(|&([_, outer], lean)| (outer, lean))).collect()
 }
 
 /// How the motion is known.
@@ -41,6 +56,9 @@ pub(super) enum Course {
 pub(super) struct Rolled {
     pub(super) wheel: Wheel,
     pub(super) which: usize,
+    /// How far out its weights are, if it has some, in radii.
+    pub(super) far: f64,
+    pub(super) tongue: Vec<(f64, f64)>,
     pub(super) lean: f64,
     pub(super) circle: f64,
     pub(super) push: f64,
@@ -64,7 +82,8 @@ pub(super) struct Rolled {
 impl Rolled {
     pub(super) fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
         let which = settings.choice("wheel")?;
-        let wheel = wheel(which)?;
+        let far = settings.of("reach")?;
+        let wheel = wheel(which, far)?;
         let (lean, circle) = (settings.of("lean")?.to_radians(), settings.of("circle")?);
         let (push, loss, kicked) = (settings.of("push")?, settings.of("loss")?, settings.pressed("kick")?);
         let steady = wheel.steady(lean, circle * RADIUS).ok();
@@ -82,8 +101,10 @@ impl Rolled {
             _ => Course::Followed(followed(&wheel, start, loss, kicked.map(|time| (time, push)))),
         };
         let mut rolled = Self {
+            tongue: tongue(&wheel),
             wheel,
             which,
+            far,
             lean,
             circle,
             push,

@@ -230,3 +230,72 @@ fn grips_follow_the_hand() {
         }
     }
 }
+
+/// The distance of the shaft from its steady circle, mm, by small steps of a method of order two for the difference,
+/// with friction on board.
+fn whirled([spin, floor, board]: [f64; 3], time: f64) -> [f64; 2] {
+    let rates = |[x, y, vx, vy]: [f64; 4]| {
+        let square = NATURAL * NATURAL;
+        [
+            vx,
+            vy,
+            -square * x - floor * vx - board * (vx + spin * y),
+            -square * y - floor * vy - board * (vy - spin * x),
+        ]
+    };
+    let mut state = [0.0, 0.0, KICK, 0.0];
+    let steps = 200_000;
+    let h = time / f64::from(steps);
+    for _ in 0..steps {
+        let k1 = rates(state);
+        let middle = std::array::from_fn(|i| state[i] + 0.5 * h * k1[i]);
+        let k2 = rates(middle);
+        state = std::array::from_fn(|i| state[i] + h * k2[i]);
+    }
+    [state[0], state[1]]
+}
+
+#[test]
+fn a_kick_with_friction_on_board_is_what_small_steps_give_and_the_words_say_what_becomes_of_it() {
+    let mut struck = 0;
+    for (spin, damping, board) in
+        [(40.0, 0.2, 0.15), (20.0, 0.2, 0.15), (32.0, 0.3, 0.15), (10.3, 0.1, 0.3), (60.0, 0.3, 0.5)]
+    {
+        let settings = [("spin", spin), ("damping", damping), ("board", board), ("kick", 0.5)];
+        let player = washer(&settings);
+        let of = format!("{settings:?}");
+        let [floor, inner] = [damping, board].map(|part| part * NATURAL);
+        let (stiff, drag) = (NATURAL * NATURAL - spin * spin, floor * spin);
+        let (radius, lead) = (OFFSET * spin * spin / stiff.hypot(drag), drag.atan2(stiff));
+        let end = player.run().duration;
+        for part in [0.3, 0.9] {
+            let time = 0.5 + part * (end - 0.5);
+            let [x, y] = whirled([spin, floor, inner], time - 0.5);
+            let angle = spin * time - lead;
+            let distance = (x + radius * angle.cos()).hypot(y + radius * angle.sin());
+            close(readings(&player, time)[2], 1e3 * distance, 0.06, &of);
+            assert!(readings(&player, time)[5] < 1e-9, "{of}");
+        }
+        let words = player.words(0.0);
+        let limit = NATURAL * (1.0 + damping / board);
+        assert_eq!(words.contains("Unstable"), spin > limit, "{of}: {words}");
+        assert!(words.contains(&format!("beyond {limit:.1}\u{a0}rad/s")), "{of}: {words}");
+        if words.contains("strikes its housing") {
+            struck += 1;
+            assert!(spin > limit);
+            close(readings(&player, end)[2], 12e3 * OFFSET, 4.0, "the housing");
+        }
+    }
+    assert_eq!(struck, 2, "the drum swings wide where it whirls");
+    // Nothing kicked, nothing whirls: the steady circle knows nothing of the friction on board.
+    for board in [0.0, 0.5] {
+        let quiet = washer(&[("spin", 60.0), ("damping", 0.1), ("board", board)]);
+        let radius = OFFSET * 3600.0 / 3500.0_f64.hypot(60.0);
+        close(readings(&quiet, 7.9)[2], 1e3 * radius, 0.051, "a pencil on its point");
+    }
+    // While it speeds up through its limit there is no closed form.
+    let settings = [("spin", 30.0), ("damping", 0.2), ("board", 0.2), ("motor", 1.0)];
+    let rising = washer(&settings);
+    assert!(readings(&rising, rising.run().duration)[5] < 1e-4);
+    assert!(washer(&[&settings[..], &[("damper", 1.0)]].concat()).words(0.0).contains("No friction here"));
+}

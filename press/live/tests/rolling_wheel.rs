@@ -28,8 +28,10 @@ fn reading(player: &Player, which: usize, time: f64) -> f64 {
     number.replace("</sup>", "").replace('°', "").parse().unwrap_or(f64::NAN)
 }
 
-fn wheel(which: f64) -> Wheel {
-    let moments = if which == 0.0 { MomentFactors::DISK } else { MomentFactors::HOOP };
+fn wheel(which: f64, reach: f64) -> Wheel {
+    // The third is a hoop and, with as much mass, two points on its axle.
+    let weighted = MomentFactors { transverse: 0.5 * (0.5 + reach * reach), axial: 0.5 };
+    let moments = [MomentFactors::DISK, MomentFactors::HOOP, weighted][which as usize];
     Wheel::new(DiskParameters { mass: 2.0, radius: A, moments, gravity: G }).expect("a wheel")
 }
 
@@ -64,18 +66,20 @@ fn the_readings_are_those_of_a_motion_followed_step_by_step() {
         let push = (20.0 * between(&mut random, -0.6, 0.6)).round() / 20.0;
         let kick = if trial % 2 == 0 { 0.0 } else { 0.5 };
         let loss = if trial % 3 == 0 { 0.05 } else { 0.0 };
-        let which = f64::from(random.u8(0..2));
+        let which = f64::from(random.u8(0..3));
+        let reach = (100.0 * between(&mut random, 0.3, 0.9)).round() / 100.0;
         let player = set(&[
             ("circle", circle),
             ("lean", lean),
             ("wheel", which),
+            ("reach", reach),
             ("push", push),
             ("kick", kick),
             ("loss", loss),
         ]);
         let of = format!("{circle} {lean}° {which} {push} at {kick} s, {loss}");
         for time in [0.0, 0.3, 0.777, 2.1] {
-            let wheel = wheel(which);
+            let wheel = wheel(which, reach);
             let state = judge(&wheel, [circle, lean.to_radians(), push, kick, loss], time);
             let found = reading(&player, 0, time);
             assert!((found - state.lean().to_degrees()).abs() < 0.06, "{of}, {time} s: {found}");
@@ -118,6 +122,19 @@ fn words_tell_the_fate_of_a_kick_and_of_what_is_no_circle() {
         words(&[("lean", 9.0), ("circle", 4.0), ("push", 0.0), ("loss", 0.1)]).contains("smaller circle")
     );
     assert!(words(&[("push", 0.0)]).contains("for ever"));
+    // Weights on the axle lift the tip: to 25.8° for I₁ = 2. And the rate at which a nudge grows there is that of the
+    // general motion.
+    let weighted =
+        |lean: f64| words(&[("wheel", 2.0), ("reach", 3.5_f64.sqrt()), ("lean", lean), ("circle", 1.5)]);
+    assert!(weighted(24.0).contains("unstable") && !weighted(27.0).contains("unstable"));
+    let told = words(&[("lean", 10.0), ("circle", 0.8)]);
+    let told = told.split("at the rate ").nth(1).expect("a rate").split('/').next().expect("a number");
+    let growth = |time: f64| {
+        let nudged = judge(&wheel(0.0, 1.0), [0.8, 10_f64.to_radians(), 1e-8, 0.0, 0.0], time);
+        nudged.lean() - 10_f64.to_radians()
+    };
+    let rate = (growth(1.6) / growth(1.1)).ln() / 0.5;
+    assert!((told.parse::<f64>().expect("a number") - rate).abs() < 0.02, "{told}, {rate}");
 }
 
 #[test]

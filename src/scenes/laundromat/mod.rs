@@ -23,6 +23,7 @@
 //! | rates for an integrator | [`Machine::cartesian_rates`], [`Machine::polar_rates`] |
 //! | what the motor must do | [`Machine::motor_torque`], [`SteadyMotion::motor_torque`] |
 //! | what the drum does with a motor of limited torque | [`Machine::driven`] |
+//! | what a damper does that turns with the drum | [`Machine::rotor`] |
 
 mod energy;
 mod locked;
@@ -35,6 +36,7 @@ pub(crate) mod ramp;
 mod shaft;
 mod steady;
 mod transient;
+mod whirl;
 
 pub use locked::{LockedMotion, LockedState};
 pub use machine::{Machine, Parameters};
@@ -44,3 +46,4 @@ pub use ramp::Ramp;
 pub use shaft::{Polar, Shaft};
 pub use steady::{Peak, SteadyMotion};
 pub use transient::Transient;
+pub use whirl::{Rotor, RotorMotion};

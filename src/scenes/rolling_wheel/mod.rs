@@ -9,10 +9,12 @@
 //! | which circles are stable | [`Wheel::safe_lean`], [`Wheel::unstable_circles`] |
 //! | rates of the general motion, energy, contact force | [`Wheel::rates`], [`Wheel::energy`], [`Wheel::contact_force`] |
 //! | rates of a wheel that slows down | [`Wheel::slowed_rates`] |
+//! | where a slow loss carries a circle | [`SteadyRolling::sinking`] |
 //! | the two constants of the motion, and what follows from them | [`Wheel::constants`], [`Wheel::at_tilt`] |
 //! | the motion at any time from half a wobble | [`Wheel::wobble`] |
 
 mod constants;
+mod sinking;
 mod stability;
 mod steady;
 mod swing;
@@ -20,6 +22,7 @@ mod wheel;
 mod wobble;
 
 pub use constants::RollingConstants;
+pub use sinking::Sinking;
 pub use steady::SteadyRolling;
 pub use wheel::Wheel;
 pub use wobble::Wobble;

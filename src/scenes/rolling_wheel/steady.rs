@@ -21,8 +21,8 @@ use std::f64::consts::FRAC_PI_2;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SteadyRolling {
-    wheel: Wheel,
-    lean: f64,
+    pub(super) wheel: Wheel,
+    pub(super) lean: f64,
     centre_radius: f64,
     turn_rate: f64,
 }

@@ -7,11 +7,13 @@
 //! [`SpinningCoin`] is the coin at one tilt, [`SpinDown`] how it gets from one tilt to the next while it loses energy
 //! slowly, and [`EulersDisk`] how it does so on a film of air, whatever the speed: its motion is [`Sinking`].
 
+mod braked;
 mod coin;
 mod film;
 mod sinking;
 mod spin_down;
 
+pub use braked::{BrakedDisk, Sunk};
 pub use coin::SpinningCoin;
 pub use film::EulersDisk;
 pub use sinking::Sinking;

@@ -4,7 +4,7 @@ use super::film::EulersDisk;
 use crate::error::Error;
 use crate::integrate::{Taylor, TaylorStep};
 use crate::quantity::{InvalidQuantity, Rule};
-use crate::rolling::{Placed, Rolling, anchor, contact, sin_cos_tilt};
+use crate::rolling::{Placed, Rolling, anchor, contact};
 use crate::wide::rolling::Lanes;
 use nalgebra::Complex;
 use std::ops::ControlFlow;
@@ -35,11 +35,12 @@ impl EulersDisk {
         Ok(Sinking { disk: *self, start, solver: *solver })
     }
 
-    /// Whether damping would be so much faster than rolling, at y = ln tan(α/2).
-    fn is_held(&self, y: f64) -> bool {
-        let (sin, _) = sin_cos_tilt(y);
+    /// How far y = ln tan(α/2) is from upright where damping has become so much faster than rolling.
+    fn held_at(&self) -> f64 {
         let transverse = self.disk.parameters.moments.transverse;
-        self.disk.film / (transverse * sin.powi(3)) > MOST_DAMPING / (transverse * sin).sqrt()
+        // K/I₁ sin³ α is so many times 1/√(I₁ sin α), and sin α is 1/cosh y.
+        let sin = (self.disk.film / (MOST_DAMPING * transverse.sqrt())).powf(0.4);
+        if sin < 1.0 { sin.recip().acosh() } else { 0.0 }
     }
 }
 
@@ -83,7 +84,8 @@ impl Sinking {
         let (series, state, placed) = Placed::new(&self.disk.disk, &self.start);
         let unit = placed.unit_of_time();
         // Only onward does the motion end.
-        let is_over = |y: f64| times[last] > 0.0 && self.disk.is_held(y);
+        let held_at = self.disk.held_at();
+        let is_over = |y: f64| times[last] > 0.0 && y.abs() >= held_at;
         let refused = |place: usize, end: f64| {
             let rule = Rule::NotAbove {
                 what: "the end of the motion, where the film holds the disk fast",

@@ -43,6 +43,16 @@ impl Loss {
         Self::new(PI * viscosity * g * a * a / (4.0 * moments.transverse), 2.0)
     }
 
+    /// C, W.
+    pub(super) fn coefficient(&self) -> f64 {
+        self.coefficient
+    }
+
+    /// p.
+    pub(super) fn exponent(&self) -> f64 {
+        self.exponent
+    }
+
     /// The time, s, from a tilt with this sine to the end, for a coin whose energy is `weight`, J, times the sine
     /// (`eq:spin-down`).
     fn time(&self, weight: f64, sin: f64) -> f64 {

@@ -11,18 +11,14 @@ use std::{env, fs, process, thread};
 /// How long anything may take before it counts as never: nothing is measured by it.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The browser as Debian and others name it; `None` where there is none, which in CI is a failure.
-fn program() -> Option<PathBuf> {
-    let names = ["chromium", "chromium-browser", "google-chrome"];
-    let folders: Vec<PathBuf> = env::split_paths(&env::var_os("PATH").unwrap_or_default()).collect();
-    let found = names
-        .iter()
-        .find_map(|name| folders.iter().map(|folder| folder.join(name)).find(|path| path.is_file()));
-    if found.is_none() {
-        assert!(env::var_os("CI").is_none(), "there is no Chromium, and CI has to have one");
-        eprintln!("skipped: there is no Chromium");
+/// The browser that also prints; `None` where there is none, which in CI is a failure.
+pub(crate) fn program() -> Option<PathBuf> {
+    let found = press::paper::browser();
+    if let Err(said) = &found {
+        assert!(env::var_os("CI").is_none(), "CI has to have a browser: {said}");
+        eprintln!("skipped: {said}");
     }
-    found
+    found.ok()
 }
 
 /// A browser of one's own, which ends with it.

@@ -4,6 +4,8 @@
 mod driver;
 #[path = "numbers.rs"]
 mod numbers;
+#[path = "paper.rs"]
+mod paper;
 #[path = "server.rs"]
 mod server;
 

@@ -294,3 +294,81 @@ fn what_the_descriptions_say_in_numbers_is_so() {
     let cartesian = curve("polar-fault", "cartesian").values();
     assert!(cartesian.iter().all(|point| (point.1 / 3e-11).log10().abs() < 0.15));
 }
+
+#[test]
+fn growth_with_friction_on_board_is_that_of_the_roots() {
+    for (name, floor, board) in
+        [("floor", 0.3, 0.0), ("third", 0.3, 0.1), ("equal", 0.3, 0.3), ("board", 0.0, 0.3)]
+    {
+        let curve = curve("whirl-growth", name);
+        for step in 1..300 {
+            let spin = 6.0 * f64::from(step) / 300.0 - 3e-3;
+            // The root of λ² + (Γ + Γᵢ)λ + 1 − iΓᵢΩ with the larger real part, ω₀ = 1, by the school's formula.
+            let half = 0.5 * (floor + board);
+            let root = Complex::new(half * half - 1.0, board * spin).sqrt();
+            let off = curve.distance((spin, root.re.abs() - half));
+            assert!(off < PIXELS, "{name} at {spin}: {off}");
+        }
+    }
+    let radial = curve("whirl-growth", "radial");
+    for spin in [0.5, 1.0, 1.7, 3.1, 5.9] {
+        let machine = machine(0.3, spin);
+        let growth = machine.radial_damping_matrix().complex_eigenvalues();
+        let growth = growth.iter().map(|root| root.re).fold(f64::MIN, f64::max) / 10.0;
+        assert!(radial.distance((spin, growth)) < PIXELS, "{spin}: {growth}");
+    }
+    let [at_first, last] = ["equal", "board"].map(|name| curve("whirl-growth", name).values());
+    assert!((at_first[0].1 + 0.3).abs() < 5e-3 && (last[last.len() - 1].1 - 0.58).abs() < 5e-3);
+}
+
+/// The integral of e^{iu²/2} from long ago to `end` over the whole, by the middle-point rule.
+fn cornu(end: f64) -> Complex<f64> {
+    let steps = 4000;
+    let h = end / f64::from(steps);
+    let sum: Complex<f64> =
+        (0..steps).map(|n| Complex::from_polar(h, 0.5 * (h * (f64::from(n) + 0.5)).powi(2))).sum();
+    Complex::from_polar(0.5, std::f64::consts::FRAC_PI_4) + sum / std::f64::consts::TAU.sqrt()
+}
+
+#[test]
+fn a_slow_passage_goes_along_cornus_spiral_and_overshoots() {
+    let spiral = curve("cornu", "spiral");
+    for step in 0..300 {
+        let place = cornu(-6.9 + 15.8 * f64::from(step) / 300.0);
+        let off = spiral.distance((place.re, place.im));
+        assert!(off < PIXELS, "{place}: {off}");
+    }
+    let farthest = spiral.values().into_iter().map(|(x, y)| x.hypot(y)).fold(0.0, f64::max);
+    assert!((farthest - 1.1707).abs() < 2e-3, "{farthest}");
+
+    // The largest swing of an integration over what the passage leaves, b√(π/2α) with ω₀ = b = 1.
+    let overshoot = curve("cornu", "overshoot");
+    let line = curve("cornu", "line");
+    for root in [0.05_f64, 0.1, 0.15] {
+        let rate = root * root;
+        let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {
+            let push = Complex::new(rate * rate * t * t, -rate) * Complex::new(0.0, 0.5 * rate * t * t).exp();
+            [vx, vy, push.re - x, push.im - y]
+        };
+        let times: Vec<f64> = (0..2000).map(|n| 1.0 / rate + 4.0 / root * f64::from(n) / 2000.0).collect();
+        let (states, _) = Dop853::new(1e-10).unwrap().sample(rates, 0.0, [0.0; 4], &times).unwrap();
+        let largest = states.iter().map(|[x, y, ..]| x.hypot(*y)).fold(0.0, f64::max);
+        let factor = largest * root * (2.0 / std::f64::consts::PI).sqrt();
+        // Between two of the computed accelerations the small waves are a little higher or lower.
+        assert!(overshoot.distance((root, factor)) < 1.0, "{root}: {factor}");
+        let off = line.distance((root, 1.170_659 + 0.598_41 * root));
+        assert!(off < PIXELS, "{root}: {off}");
+    }
+}
+
+#[test]
+fn the_forces_on_a_whirl_are_to_scale() {
+    // Γᵢ/Γ = 1/2: at 2 ω₀ the drum pushes half as hard as the floor, at 5 ω₀ twice as hard.
+    for (ratio, push) in [(2.0, 0.5), (5.0, 2.0)] {
+        let machine = machine(0.3, ratio);
+        let rotor = machine.rotor(0.5 * machine.parameters().damping).expect("a rotor");
+        let found = rotor.damping_rate_on_board() * 10.0 * (ratio - 1.0) / (machine.damping_rate() * 10.0);
+        assert!((found - push).abs() < 1e-12);
+        assert_eq!(rotor.growth() > 0.0, push > 1.0);
+    }
+}

@@ -1,0 +1,411 @@
+//! The book on paper: what Chromium prints as one PDF, or a chapter of it as a handout; and as an EPUB.
+//!
+//! mdBook puts all pages into one, `print.html`, with ids that are unique in the book. Its parts are arranged anew
+//! here: a title page with version and commit, contents with the numbers of pages, every chapter with its further
+//! pages and its exercises below it, their hints behind the last of them, and the solutions in an appendix. What needs
+//! a number of a page is written twice: the first print says where everything has come to stand.
+
+mod archive;
+mod epub;
+mod pdf;
+mod sheet;
+
+pub use pdf::{browser, numbers, print};
+
+use crate::book::{self, Page};
+use crate::edition;
+use crate::fault::Faults;
+use crate::summary;
+use mdbook_summary::SummaryItem;
+use sheet::{Kind, Sheet};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write as _;
+use std::path::Path;
+use std::{fs, io};
+
+/// What stands in print.html around the pages, as the theme writes it, and between two of them, as mdBook does.
+const FIRST: &str = "<!-- pages -->";
+const LAST: &str = "<!-- end of pages -->";
+const BETWEEN: &str = "<div style=\"break-before: page; page-break-before: always;\"></div>";
+
+/// Where the number of a page belongs, behind the id that it is asked for; as long as such a number.
+const UNKNOWN: &str = "000";
+
+/// A book or a handout, taken from a built site and ready to be printed.
+#[derive(Debug)]
+pub struct Paper {
+    settings: Settings,
+    /// What the pages load.
+    head: String,
+    edition: String,
+    /// The day of its commit.
+    day: Option<String>,
+    /// Whether it is the whole book.
+    is_whole: bool,
+    sheets: Vec<Sheet>,
+}
+
+/// The pages that can be printed alone, by the names that one asks for them: the folder of a chapter, or a page without
+/// a number; with the number of the chapter, and a title.
+#[must_use]
+pub fn chapters(pages: &[Page]) -> Vec<(String, Option<u32>, String)> {
+    let first = pages.iter().filter(|page| page.part.is_none());
+    first.map(|page| (name(page).to_owned(), page.chapter, title(&page.text))).collect()
+}
+
+/// `laundromat` for `laundromat/index.md`, `preface` for `preface.md`.
+fn name(page: &Page) -> &str {
+    let path = page.path.as_str();
+    path.split_once('/').map_or(path.trim_end_matches(".md"), |(folder, _)| folder)
+}
+
+/// The title of a page, from its Markdown.
+fn title(text: &str) -> String {
+    let line = text.lines().find_map(|line| line.strip_prefix("# ")).unwrap_or_default();
+    line.split(" {#").next().unwrap_or_default().trim().to_owned()
+}
+
+/// The name of the chapter that somebody asks for, by its folder or its number.
+///
+/// # Errors
+/// If there is none: a message that lists those that there are.
+pub fn chapter(pages: &[Page], asked: &str) -> Result<String, String> {
+    let all = chapters(pages);
+    let is_it = |(name, number, _): &&(String, Option<u32>, String)| {
+        name == asked.trim_end_matches('/') || number.is_some_and(|number| number.to_string() == asked)
+    };
+    all.iter().find(is_it).map(|(name, ..)| name.clone()).ok_or_else(|| {
+        let lines = all.iter().map(|(name, number, title)| {
+            let number = number.map_or(String::new(), |number| number.to_string());
+            format!("\n  {number:>2}  {name:<20} {title}")
+        });
+        format!("error: there is no chapter `{asked}`; there are{}", lines.collect::<String>())
+    })
+}
+
+impl Paper {
+    /// The whole book, or one chapter of it with or without its solutions, from the site that was built from `root`.
+    ///
+    /// # Errors
+    /// If a file cannot be read, or the site is not one of this book.
+    pub fn read(root: &Path, site: &Path, chapter: Option<&str>, solutions: bool) -> io::Result<Self> {
+        let (_, pages) = book::from_disk(root).map_err(|faults| io::Error::other(faults.to_string()))?;
+        let printed = fs::read_to_string(site.join("print.html"))?;
+        let within = printed.split_once(FIRST).and_then(|(_, rest)| rest.split_once(LAST));
+        let pieces: Vec<&str> = within.map(|(pages, _)| pages.split(BETWEEN).collect()).unwrap_or_default();
+        if pieces.len() != pages.len() {
+            let message = format!("print.html holds {} pages, SUMMARY.md {}", pieces.len(), pages.len());
+            return Err(io::Error::other(message));
+        }
+        let parts = parts(root)?;
+        let asked =
+            pages.iter().zip(pieces).filter(|(page, _)| chapter.is_none_or(|chapter| name(page) == chapter));
+        let mut sheets: Vec<Sheet> = asked
+            .map(|(page, html)| Sheet::new(page, parts.get(&page.path).cloned(), html))
+            .filter(|sheet| chapter.is_none() || solutions || sheet.kind != Kind::Solutions)
+            .collect();
+        if chapter.is_none() {
+            // Below the pages that belong to no chapter at the end: what one looks up comes last.
+            sheets.sort_by_key(|sheet| sheet.kind == Kind::Solutions);
+        }
+        let ids: BTreeSet<String> = sheets.iter().flat_map(Sheet::ids).collect();
+        for sheet in &mut sheets {
+            sheet.keep_links(&ids);
+        }
+        let settings = Settings::read(root)?;
+        Ok(Self {
+            settings,
+            head: head(&printed),
+            edition: edition::edition(root),
+            day: edition::day(root),
+            is_whole: chapter.is_none(),
+            sheets,
+        })
+    }
+
+    /// The page that Chromium prints, with the numbers of its pages as far as they are known. It loads its style sheets
+    /// from the site, whose address is `site` and ends with a slash.
+    #[must_use]
+    pub fn html(&self, site: &str, numbers: &BTreeMap<String, usize>) -> String {
+        let title = match self.sheets.first() {
+            Some(first) if !self.is_whole => format!("{} – {}", first.plain_title(), self.settings.title),
+            _ => self.settings.title.clone(),
+        };
+        let head = self
+            .head
+            .replace("href=\"", &format!("href=\"{site}"))
+            .replace("src=\"", &format!("src=\"{site}"));
+        let mut body = if self.is_whole { self.title_page() + &self.contents() } else { String::new() };
+        let mut running = String::new();
+        for (n, sheets) in self.chapters().iter().enumerate() {
+            let _ = write!(running, "{}", self.running_head(n, sheets[0]));
+            let _ = writeln!(body, "<section class=\"folio\" style=\"page: chapter-{n}\">");
+            if self.is_whole && sheets[0].kind == Kind::Solutions && n == self.first_of_appendix() {
+                let _ = writeln!(body, "<h1 id=\"{APPENDIX}\">Solutions</h1>");
+            }
+            if n == 0 && !self.is_whole {
+                body += &self.letterhead();
+            }
+            for sheet in sheets {
+                let _ = writeln!(
+                    body,
+                    "<section class=\"{}\">\n{}\n</section>",
+                    sheet.class(),
+                    sheet::numbered(&sheet.html)
+                );
+            }
+            body += "</section>\n";
+        }
+        // Panels of one row shrink alike, for which the style sheet has to know their widths.
+        let body = body.replace("style=\"max-width:", "style=\"--own:");
+        let page = format!(
+            "<!DOCTYPE html>\n<html lang=\"{}\" class=\"light\">\n<head>\n<meta charset=\"UTF-8\">\n<title>{title}</title>\n\
+             {head}<style>\n{running}</style>\n</head>\n<body>\n<div class=\"content paper\">\n<main>\n{body}</main>\n</div>\n\
+             {HIGHLIGHT}</body>\n</html>\n",
+            self.settings.language
+        );
+        filled(&page, numbers)
+    }
+
+    /// The title of the book as the name of a file: `things-that-spin`.
+    #[must_use]
+    pub fn file_name(&self) -> String {
+        let words = sheet::plain(&self.settings.title).to_lowercase();
+        let words: Vec<&str> =
+            words.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
+        words.join("-")
+    }
+
+    /// The sheets that stand below one running head: a chapter, or its solutions.
+    fn chapters(&self) -> Vec<Vec<&Sheet>> {
+        let mut chapters: Vec<Vec<&Sheet>> = Vec::new();
+        for sheet in &self.sheets {
+            let goes_on = |last: &&mut Vec<&Sheet>| {
+                sheet.is_leaf()
+                    && (sheet.kind != Kind::Solutions || !self.is_whole)
+                    && last[0].number == sheet.number
+            };
+            match chapters.last_mut().filter(goes_on) {
+                Some(last) => last.push(sheet),
+                None => chapters.push(vec![sheet]),
+            }
+        }
+        chapters
+    }
+
+    /// The place of the first chapter whose solutions follow; past the last if none do.
+    fn first_of_appendix(&self) -> usize {
+        let chapters = self.chapters();
+        chapters.iter().position(|sheets| sheets[0].kind == Kind::Solutions).unwrap_or(chapters.len())
+    }
+
+    /// What stands above the pages of a chapter.
+    fn running_head(&self, n: usize, first: &Sheet) -> String {
+        let number = first.number.map_or(String::new(), |number| format!("{number}\u{2002}"));
+        let number = if first.kind == Kind::Solutions { String::new() } else { number };
+        let [book, chapter] =
+            [sheet::plain(&self.settings.title), number + &first.plain_title()].map(|words| quoted(&words));
+        format!(
+            "@page chapter-{n} {{ @top-left {{ content: {book}; }} @top-right {{ content: {chapter}; }} }}\n"
+        )
+    }
+
+    fn edition_in_words(&self) -> String {
+        if self.edition.is_empty() { String::new() } else { format!("version {}", self.edition) }
+    }
+
+    fn title_page(&self) -> String {
+        format!(
+            "<section class=\"title-page\">\n<p class=\"title\">{}</p>\n<p>{}</p>\n<p class=\"licence\">{}<br>\n{LICENCE}</p>\n\
+             </section>\n",
+            self.settings.title,
+            self.settings.description,
+            self.edition_in_words(),
+        )
+    }
+
+    /// What stands at the head of a handout.
+    fn letterhead(&self) -> String {
+        format!(
+            "<p class=\"letterhead\">From <em>{}</em>, {}. {LICENCE}</p>\n",
+            self.settings.title,
+            self.edition_in_words()
+        )
+    }
+
+    /// The chapters, their sections and further pages, and where they begin.
+    fn contents(&self) -> String {
+        let mut lines = String::new();
+        let mut line = |class: &str, id: &str, count: &str, words: &str| {
+            let _ = writeln!(
+                lines,
+                "<li class=\"{class}\"><a href=\"#{id}\"><span class=\"count\">{count}</span><span>{words}</span>\
+                 <span class=\"dots\"></span><span class=\"on\" data-of=\"{id}\"></span></a></li>"
+            );
+        };
+        let mut part = None;
+        let mut parts = Vec::new();
+        let mut has_appendix = false;
+        for sheet in &self.sheets {
+            if sheet.kind == Kind::Solutions && !has_appendix {
+                has_appendix = true;
+                line("of-chapter", APPENDIX, "", "Solutions");
+            }
+            let Some((first, sections)) = sheet.headings.split_first() else {
+                continue;
+            };
+            if sheet.is_leaf() {
+                let words = if sheet.kind == Kind::Exercises { "Exercises" } else { &first.words };
+                line("of-leaf", &first.id, "", words);
+                continue;
+            }
+            let number = sheet.number.map_or(String::new(), |number| number.to_string());
+            if sheet.part != part {
+                part.clone_from(&sheet.part);
+                parts.push((first.id.clone(), part.clone().unwrap_or_default()));
+            }
+            line("of-chapter", &first.id, &number, &first.words);
+            for (n, section) in sections.iter().filter(|_| sheet.number.is_some()).enumerate() {
+                line("of-section", &section.id, &format!("{number}.{}", n + 1), &section.words);
+            }
+        }
+        for (id, words) in parts {
+            let at = format!("<li class=\"of-chapter\"><a href=\"#{id}\">");
+            lines = lines.replacen(&at, &format!("<li class=\"of-part\">{words}</li>\n{at}"), 1);
+        }
+        format!("<section class=\"list\">\n<p class=\"title\">Contents</p>\n<ul>\n{lines}</ul>\n</section>\n")
+    }
+}
+
+/// The id of the title above all solutions.
+const APPENDIX: &str = "appendix-solutions";
+
+const LICENCE: &str = "Text and figures may be used under the Creative Commons Attribution 4.0 licence.";
+
+/// mdBook's script colours the code; on the pages of the site another one asks it to.
+const HIGHLIGHT: &str = "<script>for (const code of document.querySelectorAll('pre > code')) hljs.highlightBlock(code);</script>\n";
+
+/// The part of the book that each page without a number or first page of a chapter stands in, by its path.
+fn parts(root: &Path) -> io::Result<BTreeMap<String, String>> {
+    let mut faults = Faults::default();
+    let summary =
+        book::source(root, &mut faults).and_then(|source| summary::read(root, &source, &mut faults));
+    let summary = summary.ok_or_else(|| io::Error::other(faults.to_string()))?;
+    let mut part = None;
+    let mut parts = BTreeMap::new();
+    for item in &summary.numbered_chapters {
+        match item {
+            SummaryItem::PartTitle(words) => part = Some(words.clone()),
+            SummaryItem::Link(link) => {
+                let path = link.location.as_deref().map(book::slashed).unwrap_or_default();
+                parts.extend(part.clone().map(|part| (path, part)));
+            }
+            _ => {}
+        }
+    }
+    Ok(parts)
+}
+
+/// What book.toml says of the book.
+#[derive(Debug, Default)]
+struct Settings {
+    title: String,
+    description: String,
+    authors: String,
+    language: String,
+}
+
+impl Settings {
+    fn read(root: &Path) -> io::Result<Self> {
+        let text = fs::read_to_string(root.join("book.toml"))?;
+        let table = text.parse::<toml::Table>().map_err(io::Error::other)?;
+        let book = table.get("book");
+        let word = |key: &str, other: &str| {
+            let value = book.and_then(|book| book.get(key)?.as_str());
+            escaped(value.unwrap_or(other))
+        };
+        let authors = book.and_then(|book| book.get("authors")?.as_array()).into_iter().flatten();
+        let authors: Vec<&str> = authors.filter_map(toml::Value::as_str).collect();
+        Ok(Self {
+            title: word("title", ""),
+            description: word("description", ""),
+            authors: escaped(&authors.join(", ")),
+            language: word("language", "en"),
+        })
+    }
+}
+
+/// Words as HTML and XML write them.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// What of the head of print.html paper needs: style sheets, the face of the text, and the script that colours code.
+fn head(printed: &str) -> String {
+    let lines = printed.lines().map(str::trim);
+    let needed = lines.filter(|line| {
+        line.starts_with("<link rel=\"stylesheet\"")
+            || line.starts_with("<link rel=\"preload\"")
+            || line.starts_with("<script src=\"highlight")
+    });
+    needed.map(|line| format!("{line}\n")).collect()
+}
+
+/// Words as CSS writes them.
+fn quoted(words: &str) -> String {
+    format!("\"{}\"", words.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+/// Writes the numbers of pages where they belong.
+fn filled(page: &str, numbers: &BTreeMap<String, usize>) -> String {
+    let mut parts = page.split("data-of=\"");
+    let mut filled = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (id, rest) = part.split_once("\"></span>").unwrap_or((part, ""));
+        let number = numbers.get(id).map_or_else(|| UNKNOWN.to_owned(), usize::to_string);
+        let _ = write!(filled, "data-of=\"{id}\">{number}</span>{rest}");
+    }
+    filled
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pages() -> Vec<Page> {
+        let page = |path: &str, chapter, part: Option<&str>, text: &str| {
+            Page::new("book", path.to_owned(), chapter, part.map(str::to_owned), text.to_owned())
+        };
+        vec![
+            page("preface.md", None, None, "# Preface\n"),
+            page("a/index.md", Some(1), None, "# The *first* {#sec:first}\n"),
+            page("a/exercises.md", Some(1), Some("Exercises"), "# Exercises: the first\n"),
+            page("b/index.md", Some(2), None, "# The second\n"),
+        ]
+    }
+
+    #[test]
+    fn a_chapter_is_asked_for_by_folder_or_number_and_a_wrong_name_lists_all() {
+        for (asked, name) in [("a", "a"), ("a/", "a"), ("2", "b"), ("preface", "preface")] {
+            assert_eq!(chapter(&pages(), asked).as_deref(), Ok(name));
+        }
+        for asked in ["c", "", "3", "exercises"] {
+            let said = chapter(&pages(), asked).unwrap_err();
+            let list =
+                "\n      preface              Preface\n   1  a                    The *first*\n   2  b ";
+            assert!(
+                said.starts_with(&format!("error: there is no chapter `{asked}`")) && said.contains(list),
+                "{said}"
+            );
+        }
+    }
+
+    #[test]
+    fn numbers_stand_where_they_belong_and_unknown_ones_keep_their_room() {
+        let page = "<span class=\"on\" data-of=\"a\"></span> <span class=\"on\" data-of=\"b\"></span>.";
+        let numbers = BTreeMap::from([("a".to_owned(), 17)]);
+        let expected =
+            "<span class=\"on\" data-of=\"a\">17</span> <span class=\"on\" data-of=\"b\">000</span>.";
+        assert_eq!(filled(page, &numbers), expected);
+    }
+}

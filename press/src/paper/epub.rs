@@ -1,0 +1,296 @@
+//! The book as an EPUB: the same sheets, each a file of XHTML.
+
+use super::archive::Archive;
+use super::sheet::{self, Kind};
+use super::{LICENCE, Paper, escaped};
+use html5gum::{StartTag, Token, Tokenizer};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+/// Elements that hold nothing.
+const VOID: [&str; 6] = ["br", "hr", "img", "input", "wbr", "col"];
+
+/// Names that XML writes with capitals, where HTML does not care.
+const CAPITALS: [&str; 12] = [
+    "viewBox",
+    "linearGradient",
+    "radialGradient",
+    "gradientUnits",
+    "gradientTransform",
+    "clipPath",
+    "clipPathUnits",
+    "spreadMethod",
+    "preserveAspectRatio",
+    "patternUnits",
+    "textLength",
+    "lengthAdjust",
+];
+
+const STYLE: &str = include_str!("epub.css");
+
+const CONTAINER: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+    <container version=\"1.0\" xmlns=\"urn:oasis:names:tc:opendocument:xmlns:container\">\n<rootfiles>\
+    <rootfile full-path=\"book/package.opf\" media-type=\"application/oebps-package+xml\"/></rootfiles>\n</container>\n";
+
+impl Paper {
+    /// Writes the whole book into `target`, its fonts and the colours of its figures taken from `site`.
+    ///
+    /// # Errors
+    /// If a file cannot be read or written.
+    pub fn write_epub(&self, site: &Path, target: &Path) -> io::Result<()> {
+        if let Some(folder) = target.parent() {
+            fs::create_dir_all(folder)?;
+        }
+        let names: Vec<String> = (0..self.sheets.len()).map(|n| format!("page-{n:02}.xhtml")).collect();
+        let places =
+            self.sheets.iter().zip(&names).flat_map(|(sheet, name)| sheet.ids().map(move |id| (id, name)));
+        let places: BTreeMap<String, &String> = places.collect();
+        let mut archive = Archive::default();
+        // The type of the file comes first, and readable.
+        archive.store("mimetype", b"application/epub+zip");
+        archive.pack("META-INF/container.xml", CONTAINER.as_bytes());
+        let mut items = String::new();
+        let mut spine = String::new();
+        let title = format!(
+            "<section class=\"title-page\">\n<h1>{}</h1>\n<p>{}</p>\n<p>{}</p>\n<p>{LICENCE}</p>\n</section>\n",
+            self.settings.title,
+            self.settings.description,
+            self.edition_in_words(),
+        );
+        let title = self.document(&sheet::plain(&self.settings.title), &title);
+        archive.pack("book/title.xhtml", title.as_bytes());
+        for (sheet, name) in self.sheets.iter().zip(&names) {
+            let body = xhtml(&sheet.html, |id| places.get(id).map(|place| format!("{place}#{id}")));
+            let body = format!("<section class=\"{}\">\n{body}\n</section>\n", sheet.class());
+            roxmltree::Document::parse(&body)
+                .map_err(|error| io::Error::other(format!("“{}” is no XML: {error}", sheet.plain_title())))?;
+            let page = self.document(&sheet.plain_title(), &body);
+            archive.pack(&format!("book/{name}"), page.as_bytes());
+            let holds =
+                [("mathml", "<math"), ("svg", "<svg")].into_iter().filter(|(_, mark)| page.contains(mark));
+            let holds: Vec<&str> = holds.map(|(name, _)| name).collect();
+            let holds =
+                if holds.is_empty() { String::new() } else { format!(" properties=\"{}\"", holds.join(" ")) };
+            let id = name.trim_end_matches(".xhtml");
+            let _ = writeln!(
+                items,
+                "<item id=\"{id}\" href=\"{name}\" media-type=\"application/xhtml+xml\"{holds}/>"
+            );
+            let _ = writeln!(spine, "<itemref idref=\"{id}\"/>");
+        }
+        archive.pack("book/style.css", (STYLE.to_owned() + &roles(site)?).as_bytes());
+        archive.pack("book/contents.xhtml", self.navigation(&names).as_bytes());
+        for (family, path) in fonts(site)? {
+            archive.store(&format!("book/fonts/{family}.woff2"), &fs::read(path)?);
+            let _ = writeln!(
+                items,
+                "<item id=\"font-{family}\" href=\"fonts/{family}.woff2\" media-type=\"font/woff2\"/>"
+            );
+        }
+        archive.pack("book/package.opf", self.package(&items, &spine).as_bytes());
+        fs::write(target, archive.finish())
+    }
+
+    /// A file of XHTML.
+    fn document(&self, title: &str, body: &str) -> String {
+        format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" \
+             xmlns:epub=\"http://www.idpf.org/2007/ops\" lang=\"{language}\" xml:lang=\"{language}\">\n<head>\n\
+             <title>{}</title>\n<link rel=\"stylesheet\" type=\"text/css\" href=\"style.css\"/>\n</head>\n<body>\n{body}</body>\n\
+             </html>\n",
+            escaped(title),
+            language = self.settings.language,
+        )
+    }
+
+    /// What a reader of EPUBs shows as contents.
+    fn navigation(&self, names: &[String]) -> String {
+        let mut lines = String::new();
+        let mut open = false;
+        for (sheet, name) in self.sheets.iter().zip(names) {
+            let number = sheet.number.map_or(String::new(), |number| format!("{number}. "));
+            let (number, words) = match (sheet.kind, sheet.is_leaf()) {
+                (Kind::Exercises, _) => (String::new(), "Exercises".to_owned()),
+                (_, true) => (String::new(), sheet.plain_title()),
+                (_, false) => (number, sheet.plain_title()),
+            };
+            let is_below = sheet.is_leaf() && sheet.kind != Kind::Solutions;
+            lines += match (is_below, open) {
+                (true, false) => "<ol>\n",
+                (true, true) => "</li>\n",
+                (false, true) => "</li>\n</ol>\n</li>\n",
+                (false, false) if lines.is_empty() => "",
+                (false, false) => "</li>\n",
+            };
+            open = is_below;
+            let _ = write!(lines, "<li><a href=\"{name}\">{}</a>", escaped(&(number + &words)));
+        }
+        lines += if open { "</li>\n</ol>\n</li>\n" } else { "</li>\n" };
+        self.document(
+            "Contents",
+            &format!("<nav epub:type=\"toc\" id=\"toc\">\n<h1>Contents</h1>\n<ol>\n{lines}</ol>\n</nav>\n"),
+        )
+    }
+
+    fn package(&self, items: &str, spine: &str) -> String {
+        let day = self.day.as_deref().unwrap_or("2000-01-01");
+        format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<package xmlns=\"http://www.idpf.org/2007/opf\" version=\"3.0\" \
+             unique-identifier=\"id\" xml:lang=\"{language}\">\n<metadata xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n\
+             <dc:identifier id=\"id\">urn:book:{}:{}</dc:identifier>\n<dc:title>{}</dc:title>\n\
+             <dc:language>{language}</dc:language>\n<dc:creator>{}</dc:creator>\n<dc:description>{}</dc:description>\n\
+             <dc:rights>{LICENCE}</dc:rights>\n<dc:date>{day}</dc:date>\n\
+             <meta property=\"dcterms:modified\">{day}T00:00:00Z</meta>\n</metadata>\n<manifest>\n\
+             <item id=\"title\" href=\"title.xhtml\" media-type=\"application/xhtml+xml\"/>\n\
+             <item id=\"contents\" href=\"contents.xhtml\" media-type=\"application/xhtml+xml\" properties=\"nav\"/>\n\
+             <item id=\"style\" href=\"style.css\" media-type=\"text/css\"/>\n{items}</manifest>\n\
+             <spine>\n<itemref idref=\"title\"/>\n<itemref idref=\"contents\"/>\n{spine}</spine>\n</package>\n",
+            self.file_name(),
+            self.edition.replace(", ", "-"),
+            self.settings.title,
+            self.settings.authors,
+            self.settings.description,
+            language = self.settings.language,
+        )
+    }
+}
+
+/// What the roles of drawings look like: every figure that stands alone says it of all of them.
+fn roles(site: &Path) -> io::Result<String> {
+    let mut figures: Vec<_> =
+        fs::read_dir(site.join("figures"))?.filter_map(|entry| Some(entry.ok()?.path())).collect();
+    figures.sort();
+    let Some(figure) = figures.iter().find(|path| path.extension().is_some_and(|ending| ending == "svg"))
+    else {
+        return Ok(String::new());
+    };
+    let drawn = fs::read_to_string(figure)?;
+    let roles = drawn.split_once("<style>").and_then(|(_, rest)| rest.split_once("</style>"));
+    Ok(roles.map_or(String::new(), |(roles, _)| roles.to_owned()))
+}
+
+/// The fonts of the site, by the names of their files without the digits that mdBook adds.
+fn fonts(site: &Path) -> io::Result<BTreeMap<String, PathBuf>> {
+    let mut fonts = BTreeMap::new();
+    for entry in fs::read_dir(site.join("fonts"))? {
+        let path = entry?.path();
+        let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        if path.extension().is_some_and(|ending| ending == "woff2") {
+            fonts.insert(name.rsplit_once('-').map_or(name.clone(), |(family, _)| family.to_owned()), path);
+        }
+    }
+    Ok(fonts)
+}
+
+/// Attributes that MathML 3, which EPUB asks for, has on `mstyle` only.
+const OF_STYLE: [&str; 2] = ["displaystyle", "scriptlevel"];
+
+/// HTML as mdBook writes it, as XML; `place` gives the address of an id.
+fn xhtml(html: &str, place: impl Fn(&str) -> Option<String>) -> String {
+    let mut xml = String::with_capacity(html.len());
+    // What of code is hidden goes.
+    let mut hidden = 0_u32;
+    // Whether an element of style stands around each of those that are open.
+    let mut styled = Vec::new();
+    for token in Tokenizer::new(html) {
+        let Ok(token) = token;
+        match token {
+            Token::StartTag(tag) => {
+                let name = String::from_utf8_lossy(&tag.name).into_owned();
+                let class = tag
+                    .attributes
+                    .get(&b"class"[..])
+                    .map(|class| String::from_utf8_lossy(class).into_owned());
+                if hidden > 0 || class.as_deref() == Some("boring") {
+                    hidden += u32::from(!tag.self_closing);
+                    continue;
+                }
+                let style = style(&name, &tag);
+                let is_styled = !style.is_empty();
+                xml += &style;
+                start(&mut xml, &name, &tag, &place);
+                if !tag.self_closing && !VOID.contains(&name.as_str()) {
+                    styled.push(is_styled);
+                } else if is_styled {
+                    xml += "</mstyle>";
+                }
+            }
+            Token::EndTag(tag) => {
+                if hidden > 0 {
+                    hidden -= 1;
+                    continue;
+                }
+                let name = String::from_utf8_lossy(&tag.name).into_owned();
+                let _ = write!(xml, "</{}>", capitals(&name));
+                if styled.pop() == Some(true) {
+                    xml += "</mstyle>";
+                }
+            }
+            Token::String(text) if hidden == 0 => xml += &escaped(&String::from_utf8_lossy(&text)),
+            _ => {}
+        }
+    }
+    xml
+}
+
+/// The element of style that has to stand around an element of mathematics.
+fn style(name: &str, tag: &StartTag<()>) -> String {
+    let has = |key: &&&str| tag.attributes.contains_key(key.as_bytes());
+    let keys: Vec<_> = OF_STYLE.iter().filter(has).filter(|_| !matches!(name, "math" | "mstyle")).collect();
+    let value = |key: &str| {
+        tag.attributes
+            .get(key.as_bytes())
+            .map_or(String::new(), |value| String::from_utf8_lossy(value).into_owned())
+    };
+    let attributes: String = keys.iter().map(|key| format!(" {key}=\"{}\"", escaped(&value(key)))).collect();
+    if keys.is_empty() { String::new() } else { format!("<mstyle{attributes}>") }
+}
+
+fn start(xml: &mut String, name: &str, tag: &StartTag<()>, place: &impl Fn(&str) -> Option<String>) {
+    let _ = write!(xml, "<{}", capitals(name));
+    match name {
+        "svg" => *xml += " xmlns=\"http://www.w3.org/2000/svg\"",
+        "math" => *xml += " xmlns=\"http://www.w3.org/1998/Math/MathML\"",
+        _ => {}
+    }
+    for (key, value) in &tag.attributes {
+        let key = String::from_utf8_lossy(key).into_owned();
+        let mut value = String::from_utf8_lossy(value).into_owned();
+        let is_style = OF_STYLE.contains(&key.as_str()) && !matches!(name, "math" | "mstyle");
+        let is_dead = key == "download" && !tag.attributes.contains_key(&b"href"[..]);
+        if key.starts_with("data-") || is_style || is_dead {
+            continue;
+        }
+        if let Some(found) = value.strip_prefix('#').filter(|_| key == "href").and_then(place) {
+            value = found;
+        }
+        let _ = write!(xml, " {}=\"{}\"", capitals(&key), escaped(&value));
+    }
+    *xml += if tag.self_closing || VOID.contains(&name) { "/>" } else { ">" };
+}
+
+fn capitals(name: &str) -> &str {
+    CAPITALS.into_iter().find(|written| written.eq_ignore_ascii_case(name)).unwrap_or(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn html_becomes_xml() {
+        let html = "<p>a &amp; b<br><a href=\"#x\" data-set=\"q\">x</a> <a href=\"#y\">y</a>&nbsp;</p><svg viewbox=\"0 0 1 1\">\
+                    <lineargradient gradientunits=\"u\" /></svg><code>a<span class=\"boring\">b<i>c</i></span>d</code>\
+                    <math><mfrac displaystyle=\"true\"><mi>a</mi><mi>b</mi></mfrac></math><a class=\"save\" download>s</a>";
+        let xml = xhtml(html, |id| (id == "x").then(|| "page-1.xhtml#x".to_owned()));
+        assert_eq!(
+            xml,
+            "<p>a &amp; b<br/><a href=\"page-1.xhtml#x\">x</a> <a href=\"#y\">y</a>\u{a0}</p>\
+             <svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1 1\"><linearGradient gradientUnits=\"u\"/></svg>\
+             <code>ad</code><math xmlns=\"http://www.w3.org/1998/Math/MathML\"><mstyle displaystyle=\"true\"><mfrac><mi>a</mi><mi>b</mi>\
+             </mfrac></mstyle></math><a class=\"save\">s</a>"
+        );
+    }
+}

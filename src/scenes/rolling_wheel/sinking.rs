@@ -1,0 +1,40 @@
+//! Where a slow loss carries a steady motion.
+
+use super::steady::SteadyRolling;
+use crate::rolling::{DiskParameters, MomentFactors};
+use nalgebra::Vector3;
+
+/// How steady rolling changes while a weak torque acts on the wheel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sinking {
+    /// The rate of the lean θ, rad/s.
+    pub lean_rate: f64,
+    /// The rate of the radius b of the centre's circle, m/s.
+    pub circle_rate: f64,
+}
+
+impl SteadyRolling {
+    /// How the steady motion changes under a weak torque about the centre, N·m, along axes 1, 2, 3 (`eq:sinking`). What
+    /// a brake takes has negative components. The component along axis 1 only shifts the lean by a little and does not
+    /// matter here.
+    ///
+    /// This is the limit of a weak torque: the error is of its second order, as long as the lean and the circle change
+    /// little in the time of a wobble. At the edge of the tongue, where the wobble's rate is zero, the rates are
+    /// infinite; inside it they say nothing.
+    pub fn sinking(&self, torque: Vector3<f64>) -> Sinking {
+        let DiskParameters { mass: m, radius: a, moments, .. } = self.wheel.parameters();
+        let MomentFactors { transverse: i1, axial: i3 } = moments;
+        let (sin, cos) = self.lean.sin_cos();
+        let (q, n) = (self.omega().y, self.omega().z);
+        let taken = -torque / (m * a * a);
+        let curvature = (1.0 + i1) * self.wobble_square();
+        // eq:sinking
+        let lean_rate = ((2.0 * q * sin / cos + (1.0 + i3) * n / i1) * taken.y + q * taken.z) / curvature;
+        // eq:slowed-spins
+        let q_rate = lean_rate * (q * sin / cos + i3 / i1 * n) - taken.y / i1;
+        let n_rate = (lean_rate * q - taken.z) / (1.0 + i3);
+        // b = a n cos θ / q, eq:true-spin
+        let circle_rate = a * (cos * (n_rate * q - n * q_rate) / (q * q) - sin * lean_rate * n / q);
+        Sinking { lean_rate, circle_rate }
+    }
+}
