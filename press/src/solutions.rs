@@ -6,6 +6,7 @@
 use crate::book::{relative, slashed};
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::config::Config;
+use std::path::Path;
 
 /// The key in book.toml.
 const KEY: &str = "preprocessor.press.solutions";
@@ -21,8 +22,18 @@ pub(crate) fn are_hidden(config: &Config) -> Result<bool, String> {
     }
 }
 
+/// Whether the book in this folder is printed without its solutions, as book.toml and the environment say.
+///
+/// # Errors
+/// As for [`are_hidden`], and if book.toml cannot be read.
+pub(crate) fn are_hidden_in(root: &Path) -> Result<bool, String> {
+    let mut config = Config::from_disk(root.join("book.toml")).map_err(|error| format!("{error:#}"))?;
+    config.update_from_env().map_err(|error| format!("{error:#}"))?;
+    are_hidden(&config)
+}
+
 /// Whether a solution stands on a page: `## {#sol:peak}`, as it is written or as it is printed.
-fn holds_solutions(text: &str) -> bool {
+pub(crate) fn stand_on(text: &str) -> bool {
     text.lines().any(|line| line.starts_with('#') && (line.contains("{#sol:") || line.contains("{#sol-")))
 }
 
@@ -37,7 +48,7 @@ fn retain(items: &mut Vec<BookItem>, hidden: &mut Vec<String>) {
     items.retain_mut(|item| {
         let BookItem::Chapter(chapter) = item else { return true };
         retain(&mut chapter.sub_items, hidden);
-        let Some(path) = chapter.source_path.as_ref().filter(|_| holds_solutions(&chapter.content)) else {
+        let Some(path) = chapter.source_path.as_ref().filter(|_| stand_on(&chapter.content)) else {
             return true;
         };
         hidden.push(slashed(path));
@@ -71,6 +82,15 @@ fn unlinked(text: &str, page: &str) -> String {
             text.remove(start);
         }
     }
+    // In tables and captions links are HTML already.
+    for end in ["#", "\""] {
+        let start = format!("<a href=\"{page}{end}");
+        while let Some(at) = text.find(&start) {
+            let (Some(open), Some(close)) = (text[at..].find('>'), text[at..].find("</a>")) else { break };
+            text.replace_range(at + close..at + close + "</a>".len(), "");
+            text.replace_range(at..=at + open, "");
+        }
+    }
     text
 }
 
@@ -81,11 +101,13 @@ mod tests {
     #[test]
     fn what_leads_to_a_page_that_is_left_out_goes() {
         let page = "# Exercises\n\n## Exercise 1. A {#ex-a}\n\n<p class=\"turn\"><a href=\"solutions.md#sol-a\">Solution 1</a></p>\n\n\
-                    See [Solution 1](solutions.md#sol-a), [all](solutions.md) and [b](b.md).\n";
+                    See [Solution 1](solutions.md#sol-a), [all](solutions.md) and [b](b.md).\n\n\
+                    <td><a href=\"solutions.md#source-7\">(1.7)</a></td><td><a href=\"b.md\">b</a></td>\n";
         assert_eq!(
             unlinked(page, "solutions.md"),
-            "# Exercises\n\n## Exercise 1. A {#ex-a}\n\n\nSee Solution 1, all and [b](b.md).\n"
+            "# Exercises\n\n## Exercise 1. A {#ex-a}\n\n\nSee Solution 1, all and [b](b.md).\n\n\
+             <td>(1.7)</td><td><a href=\"b.md\">b</a></td>\n"
         );
-        assert!(holds_solutions("# S\n\n## {#sol:a}\n") && !holds_solutions("See @sol:a, `{#sol:a}`.\n"));
+        assert!(stand_on("# S\n\n## {#sol:a}\n") && !stand_on("See @sol:a, `{#sol:a}`.\n"));
     }
 }
