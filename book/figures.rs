@@ -385,7 +385,14 @@ pub(crate) fn chapters_map(id: &str) -> Outcome {
             let [column, row] = room.of(place.2, place.3);
             Ok(at(10.0 + column * step[0], 10.0 + row * step[1]))
         };
-        for (from, to) in LEADS_TO {
+        // The farthest first: what it shares with a nearer one is drawn once.
+        let mut arrows = LEADS_TO
+            .into_iter()
+            .map(|(from, to)| Ok((corner(to)?.y - corner(from)?.y, from, to)))
+            .collect::<Result<Vec<_>, Cause>>()?;
+        arrows.sort_by(|one, other| other.0.abs().total_cmp(&one.0.abs()));
+        let mut trunks: Vec<[Point; 2]> = Vec::new();
+        for (_, from, to) in arrows {
             let (start, end) = (corner(from)?, corner(to)?);
             let middle = 0.5 * size[1];
             let way = if room == Room::Narrow && (from, to) == ("pinned-hoop", "judged") {
@@ -409,6 +416,15 @@ pub(crate) fn chapters_map(id: &str) -> Outcome {
                 let trunk = 0.5 * (out.x + end.x);
                 vec![out, at(trunk, out.y), at(trunk, end.y), end]
             };
+            let count = way.len();
+            let [fork, turn] = [way[count - 3], way[count - 2]];
+            let lies_on = |point: Point, [one, other]: &[Point; 2]| {
+                (point.x - one.x).abs() < 0.1 && (point.y - one.y) * (point.y - other.y) <= 0.0
+            };
+            let first =
+                [turn, fork].iter().position(|point| trunks.iter().any(|trunk| lies_on(*point, trunk)));
+            let way = &way[first.map_or(0, |place| count - 2 - place)..];
+            trunks.push([fork, turn]);
             let tip = way[way.len() - 1];
             let direction = tip - way[way.len() - 2];
             let neck = tip - direction.unit() * 6.0;
