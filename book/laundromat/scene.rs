@@ -11,7 +11,7 @@ use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at,
     value_at,
 };
-use course::{Course, State};
+use course::{Course, Drive, State};
 use drawing::kit::{self, Marker};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use drum::Drum;
@@ -38,7 +38,8 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("damping", r"damping, $\Gamma/\omega_0$", [0.0, 2.5, 0.01], "", 0.3),
         Control::slider("board", r"friction on board, $\Gamma_i/\omega_0$", [0.0, 0.5, 0.01], "", 0.0),
         Control::choice("damper", "the damper feels", &["the whole velocity", "the radius only"]),
-        Control::choice("motor", "the drum", &["keeps its spin", "speeds up from rest"]),
+        Control::choice("motor", "the drum", &["keeps its spin", "speeds up from rest", "has a weak motor"]),
+        Control::slider("torque", "torque of the weak motor", [0.1, 12.0, 0.1], "N m", 6.0),
         Control::choice("camera", "seen", &["in the room", "on the drum"]),
         Control::button("kick", "Kick"),
     ],
@@ -59,6 +60,14 @@ pub(crate) const SCENE: Scene = Scene {
             words: "a whirl: friction on board",
             settings: &[("spin", 40.0), ("damping", 0.2), ("board", 0.15), ("kick", 0.5)],
         },
+        Preset {
+            words: "a weak motor, caught",
+            settings: &[("spin", 40.0), ("damping", 0.15), ("motor", 2.0), ("torque", 4.5)],
+        },
+        Preset {
+            words: "and through",
+            settings: &[("spin", 40.0), ("damping", 0.15), ("motor", 2.0), ("torque", 6.0)],
+        },
     ],
     readings: &[
         Reading { words: "turns a minute", form: Form::Fixed(0), unit: "" },
@@ -74,9 +83,12 @@ pub(crate) const SCENE: Scene = Scene {
 
 /// The largest spin of the slider and the plots, rad/s.
 const MOST_SPIN: f64 = 60.0;
-/// How fast the drum speeds up, rad/s²; how long a motion goes on at its last spin, s.
+/// How fast the drum speeds up, rad/s²; how long a motion goes on at its last spin, s, and how long with a weak motor.
 const ACCELERATION: f64 = 2.5;
 const LASTS: f64 = 8.0;
+const WEAK_LASTS: f64 = 25.0;
+/// The drum's own moment of inertia, kg m², which a weak motor feels.
+const DRUM_INERTIA: f64 = 0.5;
 /// The change of the shaft's velocity in a kick, m/s, along x.
 const KICK: Complex<f64> = Complex::new(0.4, 0.0);
 /// Where the tub strikes its housing: the largest distance of the shaft from O, in units of b.
@@ -127,6 +139,8 @@ struct Washer {
     forces: Values,
     leads: Values,
     quietest: Option<(f64, f64)>,
+    /// The steady points on the plot of forces, inside it, whatever the force.
+    steady: Values,
     words: String,
 }
 
@@ -156,25 +170,27 @@ impl Washer {
             damping: settings.of("damping")? * 300.0,
             spin: 0.0,
         })?;
-        let [is_radial, speeds_up, on_drum] = [
-            settings.choice("damper")? == 1,
-            settings.choice("motor")? == 1,
-            settings.choice("camera")? == 1,
-        ];
+        let [is_radial, on_drum] = [settings.choice("damper")? == 1, settings.choice("camera")? == 1];
+        let drive = match settings.choice("motor")? {
+            0 => Drive::KeepsItsSpin,
+            1 => Drive::SpeedsUp,
+            _ => Drive::WeakMotor(settings.of("torque")?),
+        };
         let on_board = settings.of("board")? * 300.0;
-        let course = Course::new(
-            still,
-            on_board,
-            settings.of("spin")?,
-            is_radial,
-            speeds_up,
-            settings.pressed("kick")?,
-        )?;
+        let course =
+            Course::new(still, on_board, settings.of("spin")?, is_radial, drive, settings.pressed("kick")?)?;
         let (forces, leads) = over_spin(&still, is_radial);
         let quietest = forces.windows(3).find(|at| at[0].0 > 12.0 && at[1].1 < at[0].1 && at[1].1 <= at[2].1);
         let quietest = quietest.map(|at| at[1]);
         let words = answer::answer(&course, quietest);
-        Ok(Self { course, on_drum, forces, leads, quietest, words })
+        let spins = course.driven.map_or_else(|| vec![course.machine.spin()], |driven| driven.steady_spins());
+        let force = |spin: f64| {
+            let steady = steady(&still.with_spin(spin).ok()?, is_radial)?;
+            Some(still.total_mass() * spin * spin * steady.centre_of_mass_radius())
+        };
+        let point = |spin: f64| (spin, force(spin).unwrap_or(f64::INFINITY).min(FORCE_AXIS.to));
+        let steady = spins.into_iter().map(point).collect();
+        Ok(Self { course, on_drum, forces, leads, quietest, steady, words })
     }
 
     fn swing_axes(&self) -> [Axis<'static>; 2] {
@@ -191,13 +207,10 @@ impl Washer {
         ]
     }
 
-    /// The steady point of the plot of forces: inside it, whatever the force.
-    fn steady_force(&self) -> (f64, f64) {
-        let machine = &self.course.machine;
-        let radius =
-            steady(machine, self.course.is_radial).map_or(f64::INFINITY, |s| s.centre_of_mass_radius());
-        let spin = machine.spin();
-        (spin, (machine.total_mass() * spin * spin * radius).min(FORCE_AXIS.to))
+    /// Where the spin can be taken hold of, on the plot of forces: that at which a weak motor idles is not one of the
+    /// machine.
+    fn handle(&self) -> (f64, f64) {
+        if self.course.driven.is_some() { (self.course.machine.spin(), 0.0) } else { self.steady[0] }
     }
 
     /// The numbers of the moment, and what the marks mean.
@@ -252,8 +265,14 @@ impl Washer {
             plot.label((place, 185.0), side, "quietest", Hue::Muted)?;
         }
         plot.dot((state.spin, course.force(state).norm()), 4.5, Hue::Purple);
-        let ring = plot.at(self.steady_force());
-        plot.drawing().circle(ring, 7.0, Role::Line(Stroke::Outline, Hue::Purple));
+        if course.driven.is_some() {
+            let idle = plot.at(self.handle());
+            plot.drawing().circle(idle, 7.0, Role::Line(Stroke::Outline, Hue::Orange));
+        }
+        for &steady in &self.steady {
+            let ring = plot.at(steady);
+            plot.drawing().circle(ring, 7.0, Role::Line(Stroke::Outline, Hue::Purple));
+        }
 
         let mut plot = Graph::new(drawing, lead, SPIN_AXIS, LEAD_AXIS)?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
@@ -288,7 +307,7 @@ impl Motion for Washer {
     /// The spin on the plot of forces, and the kick on that of swings.
     fn grips(&self, moment: &Moment) -> Vec<Point> {
         let ([force, _, swing], [x, y]) = (frames(moment.room), self.swing_axes());
-        let mut grips = vec![point_at(force, &SPIN_AXIS, &FORCE_AXIS, self.steady_force())];
+        let mut grips = vec![point_at(force, &SPIN_AXIS, &FORCE_AXIS, self.handle())];
         grips.extend(self.course.kick.map(|kick| point_at(swing, &x, &y, (kick, 0.0))));
         grips
     }

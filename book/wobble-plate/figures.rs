@@ -532,6 +532,6 @@ pub(crate) fn any_faults(id: &str) -> Outcome {
     }
     plot.label((7.4, 7.4), Side::AboveRight, "all heavy", Hue::Purple)?;
     plot.label((0.3, 1.2), Side::Right, "one heavy", Hue::Purple)?;
-    plot.label((-5.8, -2.6), Side::Right, "one aside", Hue::Purple)?;
+    plot.label((0.0, -8.4), Side::Over, "one aside", Hue::Purple)?;
     Ok(drawing)
 }

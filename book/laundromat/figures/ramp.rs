@@ -241,7 +241,7 @@ pub(crate) fn cornu(id: &str) -> Outcome {
     left.dot(eye, 3.4, Hue::Ink);
     left.dot(tip, 4.5, Hue::Orange);
     left.label(tip, Side::Right, "$1.1707$", Hue::Orange)?;
-    left.label(at(165.0, 312.0), Side::Over, "seen by who turns with $\\omega_0$", Hue::Ink)?;
+    left.label(at(165.0, 312.0), Side::Over, "seen turning with $\\omega_0$", Hue::Ink)?;
 
     let mut factors = Values::new();
     for root in linear_steps(0.005, 0.2, 59) {

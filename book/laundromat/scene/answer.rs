@@ -1,12 +1,15 @@
 //! The answer to the chapter's question, in words.
 
 use super::{Course, steady};
-use mechanics::scenes::laundromat::Rotor;
+use mechanics::scenes::laundromat::{Driven, Folds, Motor, Rotor};
 
 /// What the settings of a course lead to; with the quietest spin and its force on the floor, if there is one.
 pub(super) fn answer(course: &Course, quietest: Option<(f64, f64)>) -> String {
     let (machine, spin) = (&course.machine, course.machine.spin());
     let [b, mass] = [machine.offset(), machine.total_mass()];
+    if let Some(driven) = &course.driven {
+        return with_weak_motor(course, driven);
+    }
     if spin == 0.0 {
         return format!(
             "The drum stands still: the shaft rests at O, the centre of mass {:.0} mm beside it, and the floor feels nothing. {}",
@@ -46,10 +49,43 @@ pub(super) fn answer(course: &Course, quietest: Option<(f64, f64)>) -> String {
             1e3 * distance
         );
     }
+    words + &end(course)
+}
+
+/// How the course ends, if it does before its time.
+fn end(course: &Course) -> String {
     if course.strikes {
-        words += &format!(" After {:.1} s the tub strikes its housing, and the scene ends.", course.end);
+        return format!(" After {:.1} s the tub strikes its housing, and the scene ends.", course.end);
     }
-    words
+    String::new()
+}
+
+/// What a weak motor makes of it.
+fn with_weak_motor(course: &Course, driven: &Driven) -> String {
+    let Motor { stall_torque, idle_spin, .. } = driven.motor();
+    let motor = format!("{stall_torque:.1} N m at a standstill and none at {idle_spin:.0} rad/s");
+    let last = course.at(course.end).map_or(f64::NAN, |state| state.spin);
+    let words = match driven.steady_spins()[..] {
+        [slow, middle, fast] => {
+            let fate =
+                if last < middle { "is caught at its resonance" } else { "gets through its resonance" };
+            let frees = driven.folds().map_or(String::new(), |folds| {
+                let Folds { up, down } = folds;
+                format!(
+                    " A knob that is turned up slowly would free it at {:.1} N m, and down it would fall back at {:.1}.",
+                    up.stall_torque, down.stall_torque
+                )
+            });
+            format!(
+                "With {motor} the drum can turn at {slow:.1} or at {fast:.1} rad/s ({middle:.1} would not last). From rest it \
+                 {fate}.{frees}"
+            )
+        }
+        [spin, ..] => format!("With {motor} the drum can turn at {spin:.1} rad/s only."),
+        [] => format!("With {motor} no spin lasts."),
+    };
+    let (time, distance) = course.widest;
+    words + &format!(" It swings out furthest, {:.0} mm, after {time:.1} s.", 1e3 * distance) + &end(course)
 }
 
 /// Whether a kick dies out or grows, and how fast.

@@ -1,9 +1,11 @@
 //! How the shaft moves: parts between the moments at which the drum stops speeding up or the machine is kicked.
 
-use super::{ACCELERATION, GAUSS, KICK, LARGEST_SWING, LASTS, steady};
+use super::{ACCELERATION, DRUM_INERTIA, GAUSS, KICK, LARGEST_SWING, LASTS, WEAK_LASTS, steady};
 use crate::Cause;
 use mechanics::integrate::{Dop853, rk4_step};
-use mechanics::scenes::laundromat::{Machine, Ramp, Rotor, RotorMotion, Shaft, Transient};
+use mechanics::scenes::laundromat::{
+    Driven, DrivenState, Machine, Motor, Ramp, Rotor, RotorMotion, Shaft, Transient,
+};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -31,6 +33,15 @@ impl State {
     }
 }
 
+/// What the drum does of itself.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Drive {
+    KeepsItsSpin,
+    SpeedsUp,
+    /// By a motor with so much torque at a standstill, N m, that idles at the spin.
+    WeakMotor(f64),
+}
+
 /// How the shaft moves through a part of the course, in a frame in which the load starts at azimuth zero.
 enum Way {
     Steady(Transient),
@@ -44,9 +55,23 @@ enum Way {
         step: f64,
         states: Vec<[f64; 4]>,
     },
+    /// By a weak motor: the numbers of a driven machine and the azimuth, at equal steps.
+    Driven {
+        driven: Driven,
+        step: f64,
+        states: Vec<[f64; 6]>,
+    },
 }
 
-/// A part of the course: from a time on, with the drum at an azimuth, a spin and an angular acceleration.
+/// Rates of a driven machine's state and of the azimuth of its load (`eq:driven-shaft`, `eq:driven-spin`).
+fn driven_rates(driven: &Driven, state: &[f64; 6]) -> [f64; 6] {
+    let &[x, y, of_x, of_y, spin, _] = state;
+    let [x, y, of_x, of_y, of_spin] = driven.rates(&[x, y, of_x, of_y, spin]);
+    [x, y, of_x, of_y, of_spin, spin]
+}
+
+/// A part of the course: from a time on, with the drum at an azimuth, a spin (by a weak motor, more than it reaches) and
+/// an angular acceleration.
 struct Part {
     from: f64,
     azimuth: f64,
@@ -108,9 +133,36 @@ impl Part {
         Ok(Self { from: span[0], azimuth, spin, acceleration, way })
     }
 
+    /// The part of a course in which a weak motor turns the drum.
+    fn driven(driven: Driven, before: &State, span: [f64; 2]) -> Result<Self, Cause> {
+        let length = span[1] - span[0];
+        let fastest = driven.motor().idle_spin.max(1.0) + 10.0;
+        let steps = (length * fastest / 0.1).ceil().max(1.0);
+        let times: Vec<f64> = (0..=steps as u32).map(|n| length * f64::from(n) / steps).collect();
+        let Shaft { position, velocity } = turned(&before.shaft, before.load().conj());
+        let [x, y, of_x, of_y, spin] = DrivenState { position, velocity, spin: before.spin }.to_array();
+        let start = [x, y, of_x, of_y, spin, before.azimuth];
+        let solver = Dop853::with_tolerances(1e-11, 1e-12)?;
+        let (states, _) =
+            solver.sample(|_, state: &[f64; 6]| driven_rates(&driven, state), 0.0, start, &times)?;
+        let way = Way::Driven { driven, step: length / steps, states };
+        Ok(Self { from: span[0], azimuth: before.azimuth, spin: fastest, acceleration: 0.0, way })
+    }
+
     fn at(&self, time: f64) -> Result<State, Cause> {
         let since = time - self.from;
         let shaft = match &self.way {
+            Way::Driven { driven, step, states } => {
+                let index = ((since / step) as usize).min(states.len() - 1);
+                let mut rates = |_: f64, state: &[f64; 6]| driven_rates(driven, state);
+                let begun = *step * index as f64;
+                let [x, y, of_x, of_y, spin, azimuth] =
+                    rk4_step(&mut rates, begun, &states[index], since - begun);
+                let DrivenState { position, velocity, spin } =
+                    DrivenState::from_array([x, y, of_x, of_y, spin]);
+                let shaft = turned(&Shaft { position, velocity }, Complex::from_polar(1.0, azimuth));
+                return Ok(State { shaft, azimuth, spin });
+            }
             Way::Steady(motion) => motion.at(since)?,
             Way::Ramp(motion) => motion.at(since)?,
             Way::OnBoard(motion) => motion.at(since)?,
@@ -136,7 +188,10 @@ pub(super) struct Course {
     /// The same machine while its drum does not turn.
     pub still: Machine,
     pub is_radial: bool,
+    /// Whether it begins at rest and is turned faster.
     pub speeds_up: bool,
+    /// With its motor, if that is a weak one.
+    pub driven: Option<Driven>,
     pub kick: Option<f64>,
     /// When it ends, s, and whether it does because the tub strikes its housing.
     pub end: f64,
@@ -157,18 +212,28 @@ impl Course {
         on_board: f64,
         spin: f64,
         is_radial: bool,
-        speeds_up: bool,
+        drive: Drive,
         kick: Option<f64>,
     ) -> Result<Self, Cause> {
         let machine = still.with_spin(spin)?;
-        let run_up = if speeds_up { spin / ACCELERATION } else { 0.0 };
-        let end = run_up + LASTS;
+        let (run_up, end, driven) = match drive {
+            Drive::KeepsItsSpin => (0.0, LASTS, None),
+            Drive::SpeedsUp => (spin / ACCELERATION, spin / ACCELERATION + LASTS, None),
+            Drive::WeakMotor(_) if is_radial || on_board > 0.0 => {
+                return Err("With a weak motor the scene knows dampers on the floor alone, which feel the whole velocity.".into());
+            }
+            Drive::WeakMotor(stall_torque) => {
+                let motor = Motor { stall_torque, idle_spin: spin, drum_inertia: DRUM_INERTIA };
+                (0.0, WEAK_LASTS, Some(still.driven(motor)?))
+            }
+        };
         let mut course = Self {
             machine,
             rotor: machine.rotor(on_board)?,
             still,
             is_radial,
-            speeds_up: run_up > 0.0,
+            speeds_up: run_up > 0.0 || driven.is_some(),
+            driven,
             kick: kick.filter(|time| *time < end),
             end,
             strikes: false,
@@ -203,6 +268,10 @@ impl Course {
             }
             if kick == Some(from) {
                 now.shaft.velocity += KICK;
+            }
+            if let Some(driven) = self.driven {
+                self.parts.push(Part::driven(driven, &now, [from, span[1]])?);
+                continue;
             }
             if from == run_up {
                 now.spin = machine.spin();

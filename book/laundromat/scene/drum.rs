@@ -173,7 +173,7 @@ impl<'a> Drum<'a> {
         let (course, state) = (self.course, self.state);
         let steady =
             super::steady(&course.machine, course.is_radial).map_or(0.0, |steady| steady.radius() * METRE);
-        if steady > 0.05 && steady < self.posts {
+        if course.driven.is_none() && steady > 0.05 && steady < self.posts {
             drawing.polyline(&self.arc(ORIGIN, RIM, steady, 0.0, TAU), Stroke::Reference, Hue::Muted);
         }
         let turns = if course.is_kicked(self.time) { 1.8 } else { 0.8 };

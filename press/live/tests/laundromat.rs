@@ -299,3 +299,60 @@ fn a_kick_with_friction_on_board_is_what_small_steps_give_and_the_words_say_what
     assert!(readings(&rising, rising.run().duration)[5] < 1e-4);
     assert!(washer(&[&settings[..], &[("damper", 1.0)]].concat()).words(0.0).contains("No friction here"));
 }
+
+/// Turns a minute and the shaft from O, mm, of a drum that a weak motor turns from rest: Lagrange's equations for the
+/// shaft and the angle of the drum in the room, solved for their accelerations at each small step.
+fn driven_from_rest([stall, idle, damping]: [f64; 3], end: f64) -> [f64; 2] {
+    let (load, arm, inertia) = (2.0, 0.25, 0.5);
+    let rates = |[x, y, angle, vx, vy, spin]: [f64; 6]| {
+        let (sin, cos) = angle.sin_cos();
+        // (m + M) ẍ − ma sin φ φ̈ = px, (m + M) ÿ + ma cos φ φ̈ = py, (I + ma²) φ̈ + ma (cos φ ÿ − sin φ ẍ) = τ.
+        let swing = load * arm * spin * spin;
+        let px = -damping * vx - MASS * NATURAL * NATURAL * x + swing * cos;
+        let py = -damping * vy - MASS * NATURAL * NATURAL * y + swing * sin;
+        let torque = stall * (1.0 - spin / idle);
+        let whole = inertia + load * arm * arm - (load * arm).powi(2) / MASS;
+        let faster = (torque - load * arm * (cos * py - sin * px) / MASS) / whole;
+        [
+            vx,
+            vy,
+            spin,
+            (px + load * arm * sin * faster) / MASS,
+            (py - load * arm * cos * faster) / MASS,
+            faster,
+        ]
+    };
+    let mut state = [0.0; 6];
+    let steps = (end / 2e-4).round();
+    let h = end / steps;
+    for _ in 0..steps as u64 {
+        let slope = rates(state);
+        let middle = rates(std::array::from_fn(|i| state[i] + 0.5 * h * slope[i]));
+        state = std::array::from_fn(|i| state[i] + h * middle[i]);
+    }
+    [state[5] * 60.0 / TAU, 1e3 * state[0].hypot(state[1])]
+}
+
+#[test]
+fn a_weak_motor_is_caught_or_gets_through_as_small_steps_have_it() {
+    for (torque, says) in [(4.5, "is caught at its resonance"), (6.0, "gets through its resonance")] {
+        let settings = [("motor", 2.0), ("torque", torque), ("spin", 40.0), ("damping", 0.15)];
+        let player = washer(&settings);
+        assert!(player.words(0.0).contains(says), "{}", player.words(0.0));
+        for time in [1.3, 4.0, 9.7, 21.0] {
+            let [turns, shaft] = driven_from_rest([torque, 40.0, 45.0], time);
+            let found = readings(&player, time);
+            close(found[0], turns, 1.0, "turns a minute");
+            close(found[2], shaft, 0.3, "the shaft");
+            assert!(found[5] < 1e-6, "the balance of momentum: {}", found[5]);
+        }
+    }
+    let one = washer(&[("motor", 2.0), ("torque", 0.3), ("spin", 40.0), ("damping", 0.15)]);
+    assert!(one.words(0.0).contains("rad/s only"), "{}", one.words(0.0));
+    for other in [("damper", 1.0), ("board", 0.1), ("spin", 0.0), ("damping", 0.0)] {
+        let scene = live::scene("laundromat").expect("a scene");
+        let settings = [("motor", 2.0), ("spin", 40.0), ("damping", 0.3), other];
+        let refused = Player::new(scene).and_then(|player| player.changed(&settings));
+        assert!(refused.is_err_and(|why| !why.to_string().is_empty()), "{other:?}");
+    }
+}

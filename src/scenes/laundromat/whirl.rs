@@ -91,7 +91,7 @@ impl Rotor {
 
     /// The rate at which a disturbance grows in the end, 1/s; negative if it dies out (`eq:whirl-growth`).
     ///
-    /// Formed so that nothing is lost near the threshold, where ρ and β are almost equal.
+    /// Formed so that its sign is right near the threshold, where ρ and β are almost equal, and that it is zero there.
     pub fn growth(&self) -> f64 {
         let (drive, natural) =
             ((self.on_board * self.machine.spin()).abs(), self.machine.natural_frequency());
