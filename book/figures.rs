@@ -1,9 +1,9 @@
-//! The figures of the pages without a number: the frontispiece and the key of the colours.
+//! The figures of the pages without a number: the frontispiece, the key of the colours and the map of the chapters.
 
-use crate::{Cause, Outcome, linear_steps};
-use drawing::kit::Heads;
+use crate::{Cause, Outcome, in_both, linear_steps};
+use drawing::kit::{Heads, head};
 use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Point, Role, Room, Shape as Form, Side, Stroke, at};
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::{Body, PrincipalMoments};
@@ -330,4 +330,119 @@ pub(crate) fn colours(id: &str) -> Outcome {
     stage.label_shifted(rim, at(0.0, 0.0), Side::AboveRight, "body", Hue::Blue)?;
     stage.write(&mut drawing);
     Ok(drawing)
+}
+
+/// Where a chapter stands on the map: its folder, its name there, and the column and the row of its box on a wide page
+/// and on a phone.
+type Place = (&'static str, &'static str, [f64; 2], [f64; 2]);
+
+/// The chapters, and the corner of each box in columns and rows.
+const CHAPTERS: [Place; 13] = [
+    ("laundromat", "1 Laundromat", [0.0, 0.0], [0.0, 0.0]),
+    ("turning", "2 How a body turns", [0.0, 3.0], [0.0, 1.0]),
+    ("wobble-plate", "3 Wobble plate", [1.0, 0.0], [1.0, 2.0]),
+    ("coin-toss", "4 Coin toss", [1.0, 1.0], [1.0, 3.0]),
+    ("space-station", "5 Space station", [1.0, 2.0], [1.0, 4.0]),
+    ("air-drag", "6 Frisbee and pencil", [1.0, 3.0], [1.0, 5.0]),
+    ("rolling-wheel", "8 Rolling wheel", [1.0, 4.0], [1.0, 6.0]),
+    ("spinning-coin", "9 Spinning coin", [2.0, 4.0], [2.0, 7.0]),
+    ("pinned-hoop", "7 Pinned hoop", [1.0, 5.0], [1.0, 8.0]),
+    ("methods", "10 Methods", [1.0, 6.0], [1.0, 9.0]),
+    ("judged", "12 Judged by others", [2.0, 5.0], [2.0, 10.0]),
+    ("speed-and-accuracy", "11 Speed and accuracy", [2.0, 6.0], [2.0, 11.0]),
+    ("hard-cases", "13 Hard cases", [2.0, 7.0], [2.0, 12.0]),
+];
+
+/// Which chapter leads to which; what a chapter needs by way of another is left out.
+const LEADS_TO: [(&str, &str); 12] = [
+    ("turning", "wobble-plate"),
+    ("turning", "coin-toss"),
+    ("turning", "space-station"),
+    ("turning", "air-drag"),
+    ("turning", "rolling-wheel"),
+    ("turning", "pinned-hoop"),
+    ("turning", "methods"),
+    ("rolling-wheel", "spinning-coin"),
+    ("pinned-hoop", "judged"),
+    ("methods", "judged"),
+    ("methods", "speed-and-accuracy"),
+    ("methods", "hard-cases"),
+];
+
+/// Which chapters need which.
+pub(crate) fn chapters_map(id: &str) -> Outcome {
+    in_both(|room| {
+        let (step, pitch, size) = (room.of([230.0, 46.0], [46.0, 42.0]), 30.0, [168.0, 30.0]);
+        let width = room.of(640.0, 330.0);
+        let mut drawing = Drawing::new(id, width, pitch + room.of(8.0, 13.0) * step[1]).titled(
+            "Which chapters need which",
+            "Thirteen boxes, one for each chapter, and arrows from what is needed. The laundromat stands alone. From \
+             chapter 2, How a body turns, arrows lead to chapters 3 to 8 and to 10; from 8, the rolling wheel, to 9, the \
+             spinning coin; from 10, Methods, to 11, 12 and 13; and from 7, the pinned hoop, to 12.",
+        );
+        let corner = |chapter: &str| -> Result<Point, Cause> {
+            let place = CHAPTERS.iter().find(|place| place.0 == chapter).ok_or("no such chapter")?;
+            let [column, row] = room.of(place.2, place.3);
+            Ok(at(10.0 + column * step[0], 10.0 + row * step[1]))
+        };
+        // The farthest first: what it shares with a nearer one is drawn once.
+        let mut arrows = LEADS_TO
+            .into_iter()
+            .map(|(from, to)| Ok((corner(to)?.y - corner(from)?.y, from, to)))
+            .collect::<Result<Vec<_>, Cause>>()?;
+        arrows.sort_by(|one, other| other.0.abs().total_cmp(&one.0.abs()));
+        let mut trunks: Vec<[Point; 2]> = Vec::new();
+        for (_, from, to) in arrows {
+            let (start, end) = (corner(from)?, corner(to)?);
+            let middle = 0.5 * size[1];
+            let way = if room == Room::Narrow && (from, to) == ("pinned-hoop", "judged") {
+                // Round the box between them, on the right.
+                let [out, back] =
+                    [at(start.x + size[0], start.y + middle), at(end.x + size[0], end.y + middle)];
+                vec![out, at(back.x + 22.0, out.y), at(back.x + 22.0, back.y), back]
+            } else if room == Room::Narrow {
+                let trunk = start.x + 0.5 * step[0];
+                vec![at(trunk, start.y + size[1]), at(trunk, end.y + middle), at(end.x, end.y + middle)]
+            } else {
+                // Two arrows that end at one box keep apart.
+                let shift = match (from, to) {
+                    ("pinned-hoop", "judged") => [-7.0, -7.0],
+                    ("methods", "judged") => [-7.0, 7.0],
+                    ("methods", "hard-cases") => [7.0, 0.0],
+                    _ => [0.0, 0.0],
+                };
+                let out = at(start.x + size[0], start.y + middle + shift[0]);
+                let end = at(end.x, end.y + middle + shift[1]);
+                let trunk = 0.5 * (out.x + end.x);
+                vec![out, at(trunk, out.y), at(trunk, end.y), end]
+            };
+            let count = way.len();
+            let [fork, turn] = [way[count - 3], way[count - 2]];
+            let lies_on = |point: Point, [one, other]: &[Point; 2]| {
+                (point.x - one.x).abs() < 0.1 && (point.y - one.y) * (point.y - other.y) <= 0.0
+            };
+            let first =
+                [turn, fork].iter().position(|point| trunks.iter().any(|trunk| lies_on(*point, trunk)));
+            let way = &way[first.map_or(0, |place| count - 2 - place)..];
+            trunks.push([fork, turn]);
+            let tip = way[way.len() - 1];
+            let direction = tip - way[way.len() - 2];
+            let neck = tip - direction.unit() * 6.0;
+            let line = way[..way.len() - 1].iter().copied().chain([neck]).collect();
+            drawing.push(Role::Line(Stroke::Outline, Hue::Ink), Form::Polyline(line));
+            drawing.name_curve(&format!("{from}-to-{to}"), 1);
+            head(&mut drawing, tip, direction, 0.8, Hue::Ink);
+        }
+        for (chapter, name, ..) in CHAPTERS {
+            let start = corner(chapter)?;
+            let (right, bottom) = (start.x + size[0], start.y + size[1]);
+            let corners = [start, at(right, start.y), at(right, bottom), at(start.x, bottom), start];
+            drawing.polygon(corners[..4].to_vec(), Fill::Page, Hue::Ink);
+            drawing.polygon(corners[..4].to_vec(), Fill::Ground, Hue::Ink);
+            drawing.push(Role::Line(Stroke::Outline, Hue::Ink), Form::Polyline(corners.to_vec()));
+            let middle = at(start.x + 0.5 * size[0], start.y + 0.5 * size[1]);
+            drawing.label_set(middle, Side::Over, 0.0, 13.0, name, Role::PlainText(Hue::Ink))?;
+        }
+        Ok(drawing)
+    })
 }

@@ -4,7 +4,7 @@ use crate::api::Library;
 use crate::book::{Page, from_disk};
 use crate::fault::Faults;
 use crate::rendered::Rendered;
-use crate::{render, site, summary};
+use crate::{effort, render, site, summary};
 use std::fs;
 use std::path::Path;
 
@@ -32,7 +32,9 @@ pub(crate) fn rendered(
     let mut faults = Faults::default();
     summary::strays(pages, root, source, &mut faults);
     site::check_style_sheets(root, source, &mut faults);
-    match render::render(pages, drawn, &Library::read(root), &code(root)) {
+    let mut drawn = drawn.clone();
+    drawn.tables.push((effort::TABLE.to_owned(), effort::table(pages)));
+    match render::render(pages, &drawn, &Library::read(root), &code(root)) {
         Ok(texts) if faults.is_empty() => Ok(texts),
         Ok(_) => Err(faults),
         Err(found) => {

@@ -6,7 +6,7 @@ use crate::head::{self, Said};
 use crate::module::{self, Module};
 use crate::preprocess::Failed;
 use crate::rendered::Rendered;
-use crate::{api, lost, outcome, places, search, site};
+use crate::{api, lost, outcome, places, search, site, solutions};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::config::Config;
 use std::io::Read;
@@ -23,8 +23,11 @@ const PREVIEW: &str = "preview.png";
 /// # Errors
 /// [`Failed`], for the caller to report; there is no site then.
 pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
-    let context = RenderContext::from_json(input)
+    let mut context = RenderContext::from_json(input)
         .map_err(|error| Failed::Other(format!("this is not a request of mdBook 0.5: {error:#}")))?;
+    if solutions::are_hidden(&context.config).map_err(Failed::Other)? {
+        solutions::leave_out(&mut context.book);
+    }
     let site =
         context.destination.parent().map(|folder| folder.join("html")).filter(|folder| folder.is_dir());
     let Some(site) = site else {

@@ -19,6 +19,7 @@
 //! | `[set the spin to three](scene:turning?spin=3&kick=0)` | a link that sets the scene, on the page of the scene |
 //! | a Markdown table, and right below it a paragraph `Table: what it holds.` | a table with its caption |
 //! | `![Caption.](table:methods)` in a paragraph of its own | a table that the library gives |
+//! | `![Caption.](table:exercises)` in a paragraph of its own | how many exercises each chapter has, of which grade, and their minutes |
 //! | `let r = wheel.rate(); // → 4.317 rad/s` in a snippet | a number that the test holds to every digit shown |
 //! | `## Title {#sec:motion}` | a section that can be referred to |
 //! | `## Title {#ex:peak}` | an exercise with a number; it holds a hint in `<details>` |
@@ -98,6 +99,7 @@ mod answers;
 mod api;
 mod checks;
 mod edition;
+mod effort;
 mod faces;
 mod head;
 mod labels;
@@ -122,6 +124,7 @@ mod search;
 mod signs;
 mod site;
 mod snippets;
+mod solutions;
 mod summary;
 mod tables;
 mod ties;

@@ -15,7 +15,7 @@ pub use pdf::{browser, numbers, print};
 use crate::book::{self, Page};
 use crate::edition;
 use crate::fault::Faults;
-use crate::summary;
+use crate::{solutions, summary};
 use mdbook_summary::SummaryItem;
 use sheet::{Kind, Sheet};
 use std::collections::{BTreeMap, BTreeSet};
@@ -89,7 +89,10 @@ impl Paper {
     /// # Errors
     /// If a file cannot be read, or the site is not one of this book.
     pub fn read(root: &Path, site: &Path, chapter: Option<&str>, solutions: bool) -> io::Result<Self> {
-        let (_, pages) = book::from_disk(root).map_err(|faults| io::Error::other(faults.to_string()))?;
+        let (_, mut pages) = book::from_disk(root).map_err(|faults| io::Error::other(faults.to_string()))?;
+        if solutions::are_hidden_in(root).map_err(io::Error::other)? {
+            pages.retain(|page| !solutions::stand_on(&page.text));
+        }
         let printed = fs::read_to_string(site.join("print.html"))?;
         let within = printed.split_once(FIRST).and_then(|(_, rest)| rest.split_once(LAST));
         let pieces: Vec<&str> = within.map(|(pages, _)| pages.split(BETWEEN).collect()).unwrap_or_default();

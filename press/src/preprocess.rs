@@ -4,7 +4,7 @@ use crate::book::from_mdbook;
 use crate::fault::Faults;
 use crate::module::{self, Module};
 use crate::rendered::Rendered;
-use crate::{check, outcome, snippets};
+use crate::{check, outcome, snippets, solutions};
 use mdbook_preprocessor::PreprocessorContext;
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::io::{Read, Write};
@@ -65,6 +65,7 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let pages = from_mdbook(book, &source);
     let is_test = context.renderer == "test";
+    let without_solutions = !is_test && solutions::are_hidden(&context.config).map_err(Failed::Other)?;
     // What is wrong with the pages is said before anything is compiled.
     let mut texts = check::rendered(&pages, &context.root, &source, &drawn).map_err(Failed::Faults)?;
     if is_test {
@@ -81,6 +82,9 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
     }
     let title = context.config.book.title.clone().unwrap_or_default();
     replace(&mut book.items, &title, &mut texts.into_iter());
+    if without_solutions {
+        solutions::leave_out(book);
+    }
     Ok(())
 }
 

@@ -77,3 +77,29 @@ fn every_solution_runs_a_program_and_says_what_it_teaches() {
     assert!(solutions >= 110, "only {solutions} solutions");
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
+
+#[test]
+fn a_course_of_some_weeks_adds_up_the_minutes_of_its_exercises() {
+    let mut minutes = std::collections::BTreeMap::new();
+    for page in pages("/exercises.md") {
+        for (heading, below) in sections(&page.text) {
+            let label =
+                heading.split("{#").nth(1).and_then(|rest| rest.split('}').next()).unwrap_or_default();
+            let line = below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+            minutes.insert(label.to_owned(), effort(line).expect("every exercise has a grade").1);
+        }
+    }
+    let teaching = pages("teaching.md").remove(0).text;
+    let mut weeks = 0;
+    for row in teaching.lines() {
+        let cells: Vec<&str> = row.split('|').map(str::trim).collect();
+        if !row.starts_with("| ") || cells[1].parse::<u32>().is_err() {
+            continue;
+        }
+        let labels: Vec<&str> = cells[3].split(", ").map(|word| word.trim_start_matches('@')).collect();
+        let sum: f64 = labels.iter().map(|label| minutes[*label]).sum();
+        assert_eq!(cells[4].parse(), Ok(sum), "{row}");
+        weeks += 1;
+    }
+    assert_eq!(weeks, 12 + 6);
+}

@@ -341,6 +341,40 @@ fn cargo_book_build_names_the_line_of_a_page_that_mdbook_cannot_read() {
 }
 
 #[test]
+fn a_book_without_its_solutions_has_none_and_nothing_leads_to_them() {
+    let exercise = "# A\n\n## The drum {#ex:drum}\n\n*Check · 5 minutes*\n\nWhy? See @sol:drum.\n\n\
+                    <details>\n<summary>Hint</summary>\n\nThink.\n\n</details>\n";
+    let folder = small_book("without-solutions", exercise);
+    let summary = fs::read_to_string(folder.join("book/SUMMARY.md")).unwrap();
+    fs::write(folder.join("book/SUMMARY.md"), summary + "- [Answers](answers.md)\n").unwrap();
+    fs::write(folder.join("book/answers.md"), "# Answers\n\n## {#sol:drum}\n\nBecause it turns.\n").unwrap();
+    let site = folder.join("target/book/html");
+    let page = || fs::read_to_string(site.join("a.html")).unwrap();
+    let built = mdbook(&folder, &["build"]);
+    assert!(built.status.success(), "{}", said(&built));
+    assert!(site.join("answers.html").is_file() && page().matches("answers.html#sol-drum").count() == 2);
+
+    let config = fs::read_to_string(folder.join("book.toml")).unwrap();
+    let with = |line: &str| {
+        let config = config.replace("[preprocessor.press]\n", &format!("[preprocessor.press]\n{line}\n"));
+        fs::write(folder.join("book.toml"), config).unwrap();
+        mdbook(&folder, &["build"])
+    };
+    let built = with("solutions = false");
+    assert!(built.status.success(), "{}", said(&built));
+    assert!(!site.join("answers.html").exists() && page().contains("The drum"));
+    for (file, html) in files(&site, ".html") {
+        assert!(!html.contains("answers.html") && !html.contains("Because it turns"), "{}", file.display());
+    }
+    let built = with("solutions = 3");
+    assert!(
+        said(&built).contains("preprocessor.press.solutions of book.toml is true or false"),
+        "{}",
+        said(&built)
+    );
+}
+
+#[test]
 fn mdbook_test_runs_the_snippets_and_says_which_fails() {
     // A workspace of its own, so that a tiny crate stands for all pages.
     let folder = small_book("tested", GOOD);

@@ -1,5 +1,6 @@
 //! What holds for every figure of the book.
 
+mod map;
 mod size;
 
 use drawing::{Drawing, Fill, Point, Rect, Role, Shape, Stroke};
