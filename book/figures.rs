@@ -1,4 +1,8 @@
-//! The figures of the pages without a number: the frontispiece and the key of the colours.
+//! The figures of the pages without a number: the frontispiece and the key of the colours; in `figures/` that of the
+//! house.
+
+#[path = "figures/house.rs"]
+pub(crate) mod house;
 
 use crate::{Cause, Outcome, linear_steps};
 use drawing::kit::Heads;
