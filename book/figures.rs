@@ -1,4 +1,8 @@
-//! The figures of the pages without a number: the frontispiece, the key of the colours and the map of the chapters.
+//! The figures of the pages without a number: the frontispiece, the key of the colours and the map of the chapters; in
+//! `figures/` that of the house.
+
+#[path = "figures/house.rs"]
+pub(crate) mod house;
 
 use crate::{Cause, Outcome, in_both, linear_steps};
 use drawing::kit::{Heads, head};

@@ -5,6 +5,16 @@ use std::cell::Cell;
 /// The largest absolute difference between two lists of states, over all times and components; NaN if any is NaN.
 ///
 /// The unit is that of the state. Lists that are empty or differ in length give NaN: then nothing has been judged.
+///
+/// ```
+/// use mechanics::{integrate::rk4, measure::max_error};
+/// // A pendulum of 1 rad/s, let go at 10 cm, after one second in ten steps.
+/// let swing = |_: f64, &[x, v]: &[f64; 2]| [v, -x];
+/// let computed = [rk4(swing, 0.0, [0.1, 0.0], 1.0, 10)?];
+/// let exact = [[0.1 * 1_f64.cos(), -0.1 * 1_f64.sin()]];
+/// assert_eq!(format!("{:.0} nm", 1e9 * max_error(&computed, &exact)), "66 nm");
+/// # Ok::<(), mechanics::integrate::Failure>(())
+/// ```
 pub fn max_error<const N: usize>(computed: &[[f64; N]], reference: &[[f64; N]]) -> f64 {
     if computed.len() != reference.len() || computed.is_empty() {
         return f64::NAN;
@@ -17,6 +27,17 @@ pub fn max_error<const N: usize>(computed: &[[f64; N]], reference: &[[f64; N]]) 
 /// The largest departure of a quantity from its first value, relative to `scale`: how well a constant is kept.
 ///
 /// Returns 0 for an empty list, NaN if any value is NaN, and infinity or NaN for a scale of zero.
+///
+/// ```
+/// use mechanics::{integrate::rk4, measure::drift};
+/// // What a hundred steps a turn do to the energy of 1 kg on 1 N/m in ten turns: RK4 loses
+/// // not quite a millionth of it.
+/// let swing = |_: f64, &[x, v]: &[f64; 2]| [v, -x];
+/// let [x, v] = rk4(swing, 0.0, [1.0, 0.0], 20.0 * std::f64::consts::PI, 1000)?;
+/// let energies = [0.5, 0.5 * (x * x + v * v)]; // J
+/// assert_eq!(format!("{:.1e}", drift(&energies, energies[0])), "8.5e-7");
+/// # Ok::<(), mechanics::integrate::Failure>(())
+/// ```
 pub fn drift(values: &[f64], scale: f64) -> f64 {
     let first = values.first().copied().unwrap_or(0.0);
     values.iter().map(|value| (value - first).abs()).fold(0.0, max_or_nan) / scale

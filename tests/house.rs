@@ -1,94 +1,98 @@
 //! The walls of the library: which room of `src` may use which.
 
+#[path = "../press/figures/src/house.rs"]
+#[allow(unreachable_pub, reason = "there it is a public module")]
+mod house;
+
+use house::{EXCEPTION, ROOMS, Source, named, sources};
+use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
-/// The rooms, and for each the rooms that it may use beside itself. `wide` is the other side of `sample` and knows the
-/// motions that it computes.
-const ROOMS: [(&str, &[&str]); 9] = [
-    ("numbers", &[]),
-    ("special", &["numbers"]),
-    ("integrate", &["numbers"]),
-    ("error", &["numbers", "integrate"]),
-    ("bodies", &["numbers", "special", "integrate", "error", "wide"]),
-    ("scenes", &["numbers", "special", "integrate", "error", "bodies", "wide"]),
-    ("wide", &["numbers", "special", "integrate", "bodies", "scenes"]),
-    ("measure", &[]),
-    ("sweep", &[]),
-];
-
-/// The room of each module that `lib.rs` shows at the root.
-fn room(module: &str) -> &str {
-    match module {
-        "quantity" | "two_part" | "InvalidQuantity" | "Rule" => "numbers",
-        "conical" | "elliptic" | "faddeeva" => "special",
-        "attitude" | "euler" | "free_rotation" | "geometric" | "inertia" | "rolling" => "bodies",
-        "Error" => "error",
-        other => other,
-    }
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
-    let files = files.into_iter().filter(|path| path.extension().is_some_and(|ending| ending == "rs"));
-    files.chain(folders.iter().flat_map(|folder| sources(folder))).collect()
-}
-
-/// Every file of the library but its root, as its path below `src`, without the tests and comments in it.
-fn library() -> Vec<(String, String)> {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let name = |path: &Path| path.strip_prefix(&src).unwrap().to_string_lossy().replace('\\', "/");
-    let code = |path: &Path| {
-        let text = fs::read_to_string(path).unwrap();
-        let text = text.split("#[cfg(test)]").next().unwrap_or_default();
-        text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
-    };
-    let files = sources(&src).into_iter().filter(|path| !path.ends_with("lib.rs"));
-    files.map(|path| (name(&path), code(&path))).collect()
-}
-
-/// What a file names behind a prefix such as `crate::`, one name for each place.
-fn named<'a>(code: &'a str, prefix: &str) -> Vec<&'a str> {
-    let word = |rest: &'a str| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or("");
-    code.split(prefix)
-        .skip(1)
-        .flat_map(|rest| match rest.strip_prefix('{') {
-            Some(list) => {
-                list.split('}').next().unwrap_or("").split(',').map(|name| word(name.trim())).collect()
-            }
-            None => vec![word(rest)],
-        })
-        .collect()
+fn library() -> Vec<Source> {
+    house::library(root()).expect("it can be read")
 }
 
 #[test]
-fn every_room_uses_only_what_lies_below_it() {
-    let mut uses = 0;
-    for (file, code) in library() {
-        let here = file.split(['/', '.']).next().unwrap();
-        let (_, allowed) =
-            ROOMS.iter().find(|(name, _)| *name == here).unwrap_or_else(|| panic!("{file} has no room"));
-        for name in named(&code, "crate::") {
-            let used = room(name);
-            assert!(
-                used == here || allowed.contains(&used),
-                "{file} uses {name}, which is no room below {here}"
-            );
-            uses += 1;
-        }
+fn every_room_uses_what_it_may_and_may_use_what_it_uses() {
+    let library = library();
+    let found = house::rooms(&library);
+    let mut below = BTreeSet::from([EXCEPTION]);
+    for (room, allowed) in ROOMS {
+        let (lines, used) = found.get(room).unwrap_or_else(|| panic!("the library has no room {room}"));
+        let allowed: BTreeSet<&str> = allowed.iter().copied().collect();
+        let forbidden: Vec<_> = used.difference(&allowed).collect();
+        assert!(forbidden.is_empty(), "{room} uses {forbidden:?}, which the table does not permit");
+        let idle: Vec<_> = allowed.difference(used).collect();
+        assert!(idle.is_empty(), "the table permits {room} to use {idle:?}, and it does not");
+        let above: Vec<_> = allowed.difference(&below).collect();
+        assert!(above.is_empty(), "{room} may use {above:?}, which stand above it");
+        assert!(*lines > 0);
+        below.insert(room);
     }
-    assert!(uses > 100);
+    for source in &library {
+        assert!(ROOMS.iter().any(|(room, _)| *room == source.room()), "{} has no room", source.path);
+    }
+    assert!(library.iter().map(|source| source.imports().len()).sum::<usize>() > 100);
+}
+
+#[test]
+fn no_file_leaves_its_room_by_the_roof() {
+    // `super::super::` would be an import that the scan does not see, where it climbs out of the room.
+    for Source { path, code } in library() {
+        let depth = path.split('/').count() - usize::from(path.ends_with("/mod.rs"));
+        assert!(!code.contains(&"super::".repeat(depth)), "{path} climbs to the root: say `crate::`");
+    }
+}
+
+#[test]
+fn the_scan_sees_what_is_imported() {
+    let code =
+        "use crate::{error, bodies::{euler, wide},\n    numbers};\ncrate::special::f(); crate::sweep!()";
+    assert_eq!(named(code, "crate::"), ["error", "bodies", "numbers", "special", "sweep"]);
+    let library = [("bodies/a.rs", "crate::wide::f();\ncrate::euler::g();"), ("bodies/b.rs", "crate::Rule")]
+        .map(|(path, code)| Source { path: path.into(), code: code.into() });
+    let rooms = house::rooms(&library);
+    assert_eq!(rooms["bodies"], (3, BTreeSet::from(["numbers", "wide"])));
+}
+
+#[test]
+fn crates_that_users_compile_know_nothing_of_the_book() {
+    let crates = house::crates(root()).expect("they can be read");
+    assert_eq!(crates.len(), house::manifests(root()).expect("they can be read").len());
+    let of = |name: &str| crates.iter().find(|one| one.name == name).expect("it is there");
+    let names = |of: &BTreeSet<String>| of.iter().cloned().collect::<Vec<_>>().join(" ");
+    for (name, uses, builds_with) in [
+        ("mechanics", "", ""),
+        ("drawing", "", ""),
+        ("press", "", ""),
+        ("figures", "drawing mechanics", ""),
+        ("live", "drawing mechanics", ""),
+        ("module", "drawing live mechanics", ""),
+        ("snippets", "", "mechanics"),
+        ("book", "live press", "figures mechanics module"),
+    ] {
+        let one = of(name);
+        assert_eq!(
+            (names(&one.uses).as_str(), names(&one.builds_with).as_str()),
+            (uses, builds_with),
+            "{name}"
+        );
+    }
 }
 
 #[test]
 fn no_scene_uses_another() {
-    for (file, code) in library() {
-        let Some(rest) = file.strip_prefix("scenes/") else { continue };
+    for Source { path, code } in library() {
+        let Some(rest) = path.strip_prefix("scenes/") else { continue };
         let own = rest.split(['/', '.']).next().unwrap();
         for name in named(&code, "scenes::") {
-            assert_eq!(name, own, "{file}");
+            assert_eq!(name, own, "{path}");
         }
     }
 }
@@ -96,7 +100,7 @@ fn no_scene_uses_another() {
 #[test]
 fn only_sample_asks_for_wide_registers() {
     let mut kernels = 0;
-    for (file, code) in library().iter().filter(|(file, _)| !file.starts_with("wide/")) {
+    for Source { path: file, code } in library().iter().filter(|source| source.room() != "wide") {
         // Names that are imported from there count as well: a `use` ends with its semicolon.
         let imports = code.split("use crate::wide").skip(1).filter_map(|rest| rest.split(';').next());
         let names: Vec<&str> = imports
@@ -120,12 +124,49 @@ fn only_sample_asks_for_wide_registers() {
     assert!(kernels > 8, "{kernels}");
 }
 
+/// How many lines of a file's documentation are assertions of an example.
+fn asserted(text: &str) -> usize {
+    let documentation = |line: &str| {
+        ["///", "//!"].iter().find_map(|sign| line.trim_start().strip_prefix(sign)).map(str::to_owned)
+    };
+    text.lines().filter_map(documentation).filter(|line| line.trim_start().starts_with("assert")).count()
+}
+
+#[test]
+fn every_public_module_shows_a_number_in_an_example() {
+    let src = root().join("src");
+    let read = |path: &Path| fs::read_to_string(path).unwrap();
+    let (mut modules, mut without) = (0, Vec::new());
+    for file in sources(&src).unwrap() {
+        let text = read(&file);
+        if text.contains("pub fn new(") && asserted(&text) == 0 {
+            without.push(format!("{}, where something is made", file.display()));
+        }
+        if !file.ends_with("mod.rs") && !file.ends_with("lib.rs") {
+            continue;
+        }
+        let folder = file.parent().unwrap();
+        for name in text.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')) {
+            let alone = folder.join(name).with_extension("rs");
+            let parts = if alone.exists() { vec![alone] } else { sources(&folder.join(name)).unwrap() };
+            modules += 1;
+            if parts.iter().all(|part| asserted(&read(part)) == 0) {
+                without.push(format!("the module {name}"));
+            }
+        }
+    }
+    assert!(asserted(&read(&src.join("lib.rs"))) > 0, "the library itself");
+    assert!(without.is_empty(), "no example: {}", without.join("; "));
+    assert!(modules > 20, "{modules}");
+}
+
 #[test]
 fn comments_fit_a_screen() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let mut long = Vec::new();
-    for path in
-        ["src", "tests", "benches", "press", "book"].iter().flat_map(|folder| sources(&root.join(folder)))
+    for path in ["src", "tests", "benches", "press", "book"]
+        .iter()
+        .flat_map(|folder| sources(&root.join(folder)).unwrap())
     {
         for (number, line) in fs::read_to_string(&path).unwrap().lines().enumerate() {
             let is_text = line.trim_start().starts_with("//") && !line.contains("//! |");
@@ -150,7 +191,7 @@ fn can_be_met(expression: &str, licences: &[&str]) -> bool {
 
 #[test]
 fn what_is_built_may_be_used_and_comes_from_one_place() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let root = root();
     let registry = "source = \"registry+https://github.com/rust-lang/crates.io-index\"";
     for lock in ["Cargo.lock", "benches/peers/Cargo.lock"] {
         let text = fs::read_to_string(root.join(lock)).unwrap();

@@ -20,7 +20,11 @@ fn main() {
 fn render() -> Result<(), Box<dyn Error>> {
     let out = PathBuf::from(env::var_os("OUT_DIR").ok_or("Cargo sets OUT_DIR")?);
     let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").ok_or("Cargo sets CARGO_MANIFEST_DIR")?);
-    let stamps = stamps::Stamps::read(package.ancestors().nth(2).ok_or("the workspace is two folders up")?)?;
+    let root = package.ancestors().nth(2).ok_or("the workspace is two folders up")?;
+    for manifest in figures::house::manifests(root)? {
+        println!("cargo::rerun-if-changed={}", manifest.display());
+    }
+    let stamps = stamps::Stamps::read(root)?;
     let list = out.join("figures.txt");
     // A line of the list: the chapter, the figure, the stamp with which it was drawn, where it goes on a page.
     let known = fs::read_to_string(&list).unwrap_or_default();

@@ -6,6 +6,7 @@
 //! from every name that a word of these mentions, and so on. Shared code can reach a scene only through the
 //! module `scenes`, so a shared file without that word mentions none.
 
+use figures::house;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::Path;
@@ -43,6 +44,10 @@ impl Stamps {
             "book",
         ] {
             stamps.add(&root.join(path), &root.join("src/scenes"), &root.join("book"))?;
+        }
+        // The picture of the house is drawn from them.
+        for manifest in house::manifests(root)? {
+            stamps.shared.add(&manifest, true)?;
         }
         Ok(stamps)
     }

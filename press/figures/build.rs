@@ -42,8 +42,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         writeln!(modules, "#[path = {path:?}]\nmod {module};")?;
         // Its parts, if it has some: book/laundromat/figures/ramp.rs is the module `ramp` of the figures there.
         let mut sources = vec![(file.clone(), module, source)];
+        let file = Path::new(&file);
         let parts = path.with_extension("");
-        if folder != list::FRONT && parts.is_dir() {
+        if parts.is_dir() {
             println!("cargo::rerun-if-changed={}", parts.display());
             let mut paths = fs::read_dir(parts)?
                 .map(|entry| Ok(entry?.path()))
@@ -52,7 +53,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             for part in paths {
                 let name = part.file_stem().unwrap_or_default().to_string_lossy().into_owned();
                 let module = format!("{}::{name}", sources[0].1);
-                sources.push((format!("{folder}/figures/{name}.rs"), module, fs::read_to_string(part)?));
+                let file = file.with_extension("").join(format!("{name}.rs"));
+                sources.push((file.display().to_string(), module, fs::read_to_string(part)?));
             }
         }
         for (file, module, source) in sources {

@@ -31,6 +31,14 @@ pub(crate) fn check_attitude(world_from_body: &UnitQuaternion<f64>) -> Result<()
 ///
 /// The rate is perpendicular to the quaternion, so the exact motion keeps its length; a stepping method does so only
 /// within its error.
+///
+/// ```
+/// use mechanics::attitude::quaternion_rate;
+/// use nalgebra::{Quaternion, Vector3};
+/// // At 3 rad/s the quaternion moves with half of that: after two turns of the body it is back, after one it is −q.
+/// let rate = quaternion_rate(&Quaternion::identity(), &Vector3::new(0.0, 0.0, 3.0));
+/// assert_eq!(format!("{} 1/s", rate.norm()), "1.5 1/s");
+/// ```
 pub fn quaternion_rate(world_from_body: &Quaternion<f64>, omega_body: &Vector3<f64>) -> Quaternion<f64> {
     world_from_body * Quaternion::from_imag(0.5 * omega_body)
 }
@@ -68,6 +76,16 @@ fn length(components: [TwoPart; 3]) -> f64 {
 /// The angle, rad, from 0 to π, of the shortest rotation from one attitude to another: how far apart they are.
 ///
 /// To 9e-16 of itself however small; the sign of a quaternion does not matter.
+///
+/// ```
+/// use mechanics::attitude::rotation_between;
+/// use nalgebra::{UnitQuaternion, Vector3};
+/// // A quarter turn about x and one about z are together a third of a turn about a diagonal.
+/// let [tip, spin] = [Vector3::x(), Vector3::z()]
+///     .map(|axis| UnitQuaternion::from_scaled_axis(axis * std::f64::consts::FRAC_PI_2));
+/// let apart = rotation_between(&UnitQuaternion::identity(), &(spin * tip));
+/// assert_eq!(format!("{:.1}°", apart.to_degrees()), "120.0°");
+/// ```
 pub fn rotation_between(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
     // The imaginary part of a⁻¹b, a sum of differences of exact products.
     let minor = |p: f64, q: f64, r: f64, s: f64| TwoPart::product(p, s) - TwoPart::product(q, r);

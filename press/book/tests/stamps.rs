@@ -20,8 +20,9 @@ fn the_figures_that_are_kept_are_those_that_would_be_drawn_now() {
 }
 
 /// A workspace with three chapters, two scenes and some shared code: path and text.
-const WORKSPACE: [(&str, &str); 12] = [
-    ("Cargo.toml", ""),
+const WORKSPACE: [(&str, &str); 13] = [
+    ("Cargo.toml", "members = [\".\", \"press/live\"]\n"),
+    ("press/live/Cargo.toml", ""),
     ("Cargo.lock", ""),
     ("press/book/build.rs", ""),
     ("press/drawing/src/lib.rs", ""),
@@ -62,6 +63,7 @@ fn a_stamp_changes_with_what_its_figures_are_drawn_from_and_with_nothing_else() 
         (&[("press/figures/src/lib.rs", "new")], [true, true]),
         (&[("src/wide/two_coins.rs", "new")], [true, true]),
         (&[("Cargo.lock", "new")], [true, true]),
+        (&[("press/live/Cargo.toml", "new")], [true, true]),
         // A scene, the chapter of its name, and those that mention it.
         (&[("src/scenes/wheel.rs", "new")], [false, true]),
         (&[("src/scenes/two_coins/mod.rs", "new")], [true, false]),

@@ -8,6 +8,7 @@
 mod axis;
 mod canvas;
 mod failure;
+pub mod house;
 #[cfg(test)]
 mod list; // of the build script
 mod look;

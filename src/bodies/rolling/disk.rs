@@ -24,6 +24,17 @@ impl MomentFactors {
 }
 
 /// A disk on a level table.
+///
+/// ```
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::rolling_wheel::Wheel;
+/// // A coin of 7.5 g that stands still presses on the table with its weight.
+/// let (mass, radius, gravity) = (0.0075, 0.0116, 9.81);
+/// let coin = Wheel::new(DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity })?;
+/// let weight = coin.normal_force(&mechanics::rolling::Rolling::UPRIGHT);
+/// assert_eq!(format!("{:.1} mN", 1e3 * weight), "73.6 mN");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DiskParameters {
     /// The mass m, kg: positive.

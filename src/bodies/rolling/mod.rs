@@ -7,6 +7,13 @@
 //! The lean θ is the angle of the plane from the upright, the tilt α = π/2 − θ that from lying flat. The tilt is what a
 //! state holds: near flat, where the motion hangs on it, it has all its digits; a lean near the upright is good to
 //! 1e-16.
+//!
+//! ```
+//! use mechanics::rolling::Rolling;
+//! // A bicycle wheel that leans by 20° touches the table beside its centre, by a sin θ.
+//! let wheel = Rolling { tilt: 70_f64.to_radians(), omega_3: -15.0, ..Rolling::UPRIGHT };
+//! assert_eq!(format!("{:.1} cm", 100.0 * (wheel.contact(0.34) - wheel.centre).norm()), "11.6 cm");
+//! ```
 
 mod disk;
 mod motion;

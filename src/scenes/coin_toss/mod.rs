@@ -179,6 +179,15 @@ impl Toss {
 ///
 /// # Errors
 /// [`InvalidQuantity`] if the body has no axis of symmetry along 3.
+///
+/// ```
+/// use mechanics::inertia::{Body, Cylinder};
+/// use mechanics::scenes::coin_toss::steady_face_ratio;
+/// // A thick slice of a rod, 2 cm in radius and 1 cm high, must spin a little faster than a thin coin for that.
+/// let slice = Body::cylinder(0.1, Cylinder { radius: 0.02, height: 0.01 })?.moments();
+/// assert_eq!(format!("{:.3}", steady_face_ratio(slice)?), "0.542");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 pub fn steady_face_ratio(moments: PrincipalMoments) -> Result<f64, InvalidQuantity> {
     let SymmetricMoments { transverse, axial } = moments.as_symmetric()?;
     Ok(transverse / axial)
@@ -189,6 +198,13 @@ pub fn steady_face_ratio(moments: PrincipalMoments) -> Result<f64, InvalidQuanti
 ///
 /// # Errors
 /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, or the probability is not from 1/2 to 1.
+///
+/// ```
+/// use mechanics::{inertia::Body, scenes::coin_toss::ratio_for_probability};
+/// let coin = Body::thin_disk(0.0075, 0.0122)?.moments();
+/// assert_eq!(format!("{:.4}", ratio_for_probability(coin, 0.51)?), "0.0886");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 pub fn ratio_for_probability(moments: PrincipalMoments, probability: f64) -> Result<f64, InvalidQuantity> {
     Ok(steady_face_ratio(moments)? * cotangent_for_probability(probability)?) // eq:ratio-for-bias
 }
@@ -198,6 +214,13 @@ pub fn ratio_for_probability(moments: PrincipalMoments, probability: f64) -> Res
 ///
 /// # Errors
 /// [`InvalidQuantity`] if the probability is not from 1/2 to 1.
+///
+/// ```
+/// use mechanics::scenes::coin_toss::angle_for_probability;
+/// // A bias of one in a hundred takes no more than ten degrees of wobble.
+/// assert_eq!(format!("{:.1}°", angle_for_probability(0.51)?.to_degrees()), "79.9°");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 pub fn angle_for_probability(probability: f64) -> Result<f64, InvalidQuantity> {
     Ok(1_f64.atan2(cotangent_for_probability(probability)?))
 }

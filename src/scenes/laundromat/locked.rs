@@ -32,6 +32,20 @@ impl LockedState {
 /// From [`Machine::locked`]. It comes back to r₀ below the natural frequency and runs away above it. The error is at
 /// most eight units in the last place of the sum of r₀, of what the start has become, and of what a change of the
 /// time or of the damping by such a unit makes of the motion.
+///
+/// ```
+/// use mechanics::scenes::laundromat::{LockedState, Machine, Parameters};
+/// let (drum_mass, load_mass, load_radius) = (28.0, 2.0, 0.25);
+/// let (stiffness, damping, spin) = (3000.0, 90.0, 30.0);
+/// let made = Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
+/// let machine = Machine::new(made)?; // 10 rad/s by itself, turned at 30
+/// let steady = machine.steady()?.radius();
+/// // A tenth of a millimetre too far out; a tenth of a second later the locked shaft is nearly eight times as far.
+/// let start = LockedState { radius: steady + 1e-4, radius_rate: 0.0 };
+/// let later = machine.locked(start)?.at(0.1)?;
+/// assert_eq!(format!("{:.2} mm", 1e3 * (later.radius - steady)), "0.77 mm");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LockedMotion {
     oscillator: Oscillator,

@@ -6,6 +6,18 @@ use nalgebra::{Complex, Matrix4};
 
 /// A disturbance ε = ε₀ e<sup>iωt</sup>, δ = δ₀ e<sup>iωt</sup> of r = r₀(1 + ε), θ = Ωt − φ₀ + δ (`eq:perturbation`,
 /// `eq:mode-ansatz`).
+///
+/// ```
+/// use mechanics::scenes::laundromat::{Machine, Parameters};
+/// let (drum_mass, load_mass, load_radius) = (28.0, 2.0, 0.25);
+/// let (stiffness, damping, spin) = (3000.0, 90.0, 30.0);
+/// let made = Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
+/// let machine = Machine::new(made)?; // 10 rad/s by itself, turned at 30
+/// // Seen from the drum, the slowest disturbance swings with 30 − ω₁ and dies with half the damping rate.
+/// let slow = machine.modes()[1].frequency;
+/// assert_eq!(format!("{:.2} rad/s, {:.2} 1/s", slow.re, slow.im), "20.11 rad/s, 1.50 1/s");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mode {
     /// ω, rad/s: its real part is the frequency, its imaginary part the rate of decay (`eq:mode-frequencies`).

@@ -5,6 +5,20 @@ use crate::rolling::{DiskParameters, MomentFactors};
 use nalgebra::Vector3;
 
 /// How steady rolling changes while a weak torque acts on the wheel.
+///
+/// ```
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::rolling_wheel::Wheel;
+/// let (mass, radius, gravity) = (1.0, 0.34, 9.81);
+/// let hoop = Wheel::new(DiskParameters { mass, radius, moments: MomentFactors::HOOP, gravity })?;
+/// let steady = hoop.steady(20_f64.to_radians(), 2.0)?;
+/// // Air takes 1 mN·m from the spin about the axle: the hoop leans over, and its circle shrinks.
+/// let brake = nalgebra::Vector3::new(0.0, 0.0, -1e-3 * steady.omega().z.signum());
+/// let sinking = steady.sinking(brake);
+/// assert_eq!(format!("{:.2} °/min", 60.0 * sinking.lean_rate.to_degrees()), "0.25 °/min");
+/// assert_eq!(format!("{:.2} mm/s", 1e3 * sinking.circle_rate), "-3.52 mm/s");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sinking {
     /// The rate of the lean θ, rad/s.

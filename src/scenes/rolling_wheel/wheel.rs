@@ -7,6 +7,17 @@ use nalgebra::Vector3;
 use std::f64::consts::PI;
 
 /// A round wheel on a level table.
+///
+/// ```
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::rolling_wheel::Wheel;
+/// let (mass, radius, gravity) = (1.0, 0.34, 9.81);
+/// let hoop = Wheel::new(DiskParameters { mass, radius, moments: MomentFactors::HOOP, gravity })?;
+/// // Up to this lean no circle is unstable; and a hoop that all but falls flat gets up on the far side, in π√3.
+/// assert_eq!(format!("{:.1}°", hoop.safe_lean().to_degrees()), "19.2°");
+/// assert_eq!(format!("{:.0}°", hoop.near_flat_turn().to_degrees()), "312°");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wheel {
     pub(super) disk: Disk,

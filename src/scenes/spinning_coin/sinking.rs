@@ -15,6 +15,18 @@ const LOOSEST_TOLERANCE: f64 = 1.0;
 const MOST_DAMPING: f64 = 1000.0;
 
 /// The motion of Euler's disk from a start, followed anew by each call of [`Sinking::at`] and [`Sinking::sample`].
+///
+/// ```
+/// use mechanics::integrate::Taylor;
+/// use mechanics::rolling::{DiskParameters, MomentFactors};
+/// use mechanics::scenes::spinning_coin::EulersDisk;
+/// let (mass, radius, gravity) = (0.4, 0.0375, 9.81); // the steel disc of the toy shops
+/// let steel = DiskParameters { mass, radius, moments: MomentFactors::DISK, gravity };
+/// let disk = EulersDisk::in_air(steel, 1.78e-5)?;
+/// let sinking = disk.sinking(disk.steady(0.1)?, &Taylor::new(1e-13)?)?;
+/// assert_eq!(format!("{:.2}°", sinking.at(10.0)?.tilt.to_degrees()), "5.52°");
+/// # Ok::<(), mechanics::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sinking {
     disk: EulersDisk,

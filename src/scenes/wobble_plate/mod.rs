@@ -17,6 +17,16 @@ pub use unbalance::{Piston, Unbalance};
 use nalgebra::Vector3;
 
 /// Components along x', y', z as components in the room at a phase, rad.
+///
+/// ```
+/// use mechanics::scenes::wobble_plate::{Plate, PlateParameters, in_room};
+/// let plate = PlateParameters { mass: 2.0, radius: 0.1, thickness: 0.0, tilt: 15_f64.to_radians() };
+/// let momentum = Plate::new(plate)?.angular_momentum_rotating(100.0);
+/// // A quarter turn later what leaned along −x leans along −y.
+/// let turned = in_room(&momentum, 90_f64.to_radians());
+/// assert_eq!(format!("{:.3} kg m²/s", turned.y), "-0.125 kg m²/s");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 pub fn in_room(rotating: &Vector3<f64>, phase: f64) -> Vector3<f64> {
     let (sin, cos) = phase.sin_cos();
     Vector3::new(rotating.x * cos - rotating.y * sin, rotating.x * sin + rotating.y * cos, rotating.z)

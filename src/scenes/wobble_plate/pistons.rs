@@ -9,6 +9,17 @@ const MOST_PISTONS: u32 = 1000;
 ///
 /// Piston n of N stands at the azimuth `2πn/N − π/2`. A rod's end keeps its distance from the shaft and stays on the
 /// plate's middle plane; a thick plate adds a constant length, which changes nothing.
+///
+/// ```
+/// use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
+/// let pistons = Pistons::new(PistonParameters { count: 5, mass: 0.4, distance: 0.05, rod: 0.1 })?;
+/// let plate = PlateParameters { mass: 2.0, radius: 0.1, thickness: 0.01, tilt: 15_f64.to_radians() };
+/// let engine = Engine::new(Plate::new(plate)?, pistons);
+/// // At 100 rad/s the first piston is fastest where the rim of the plate is level: r ω tan α.
+/// let fastest = (0..360).map(|degree| engine.velocity(0, f64::from(degree).to_radians(), 100.0)).fold(0.0, f64::max);
+/// assert_eq!(format!("{fastest:.2} m/s"), "1.34 m/s");
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pistons(PistonParameters);
 
