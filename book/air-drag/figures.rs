@@ -364,12 +364,13 @@ pub(crate) fn fates(id: &str) -> Outcome {
         let frame = Rect::new(56.0, 34.0, room.of(340.0, 262.0), 306.0);
         let mut plot = Plot::new(&mut drawing, frame, moments, drags)?;
         plot.region((2.0, 0.1), (10.0, 1000.0), Hue::Muted);
-        for (name, clocks, stroke) in [
-            ("border", 1.0, Stroke::Border),
-            ("ten", 10.0, Stroke::DashedCurve),
-            ("tenth", 0.1, Stroke::DashedCurve),
+        for (name, clocks, stroke, [from, to]) in [
+            ("border", 1.0, Stroke::Border, [1e-3, 10.0]),
+            // As far as no name is in the way.
+            ("ten", 10.0, Stroke::DashedCurve, [0.03, 0.3]),
+            ("tenth", 0.1, Stroke::DashedCurve, [0.03, 0.3]),
         ] {
-            let line = log_steps(1e-3, 10.0, 40).map(|ratio| (ratio, clocks / ratio));
+            let line = log_steps(from, to, 40).map(|ratio| (ratio, clocks / ratio));
             plot.curve(name, line, stroke, Hue::Muted);
         }
         let spheroid = |eta: f64| {
@@ -381,17 +382,17 @@ pub(crate) fn fates(id: &str) -> Outcome {
         };
         let all = log_steps(1e-3, 44.0, 300).map(spheroid).collect::<Result<Vec<_>, InvalidQuantity>>()?;
         plot.curve("spheroids", all, Stroke::Curve, Hue::Blue);
-        for (eta, side, name) in [
-            (0.4, Side::BelowLeft, r"$\tfrac25$"),
-            (1.0, Side::BelowLeft, "$1$"),
-            (3.0, Side::BelowLeft, "$3$"),
-            (10.0, Side::BelowLeft, "$10$"),
-        ] {
+        plot.markers(&[spheroid(0.4)?], Marker::Disc, Hue::Blue);
+        plot.label((1.45, 2.2), Side::Over, r"$\tfrac25$", Hue::Blue)?;
+        for (eta, side, name) in
+            [(1.0, Side::BelowLeft, "$1$"), (3.0, Side::BelowLeft, "$3$"), (10.0, Side::BelowLeft, "$10$")]
+        {
             plot.markers(&[spheroid(eta)?], Marker::Disc, Hue::Blue);
             plot.label(spheroid(eta)?, side, name, Hue::Blue)?;
         }
+        plot.markers(&[(1.0 / 417.2, 81.4)], Marker::Square, Hue::Ink);
+        plot.label((1.0 / 417.2, 36.0), Side::Over, "pencil", Hue::Ink)?;
         for (place, side, name) in [
-            ((1.0 / 417.2, 81.4), Side::Below, "pencil"),
             ((1.0 / 549.0, 813.0), Side::Right, "with a straw"),
             ((2.0, 10.0), Side::AboveLeft, "Frisbee"),
             ((2.0, 0.1), Side::AboveLeft, "rough rim"),
@@ -399,7 +400,7 @@ pub(crate) fn fates(id: &str) -> Outcome {
             plot.markers(&[place], Marker::Square, Hue::Ink);
             plot.label(place, side, name, Hue::Ink)?;
         }
-        plot.label((0.12, 150.0), Side::Over, "settle", Hue::Ink)?;
+        plot.label((0.3, 300.0), Side::Over, "settle", Hue::Ink)?;
         plot.label((0.012, 0.6), Side::Over, "tumble", Hue::Ink)?;
         plot.label((4.5, 30.0), Side::Over, "no", Hue::Muted)?;
         plot.label((4.5, 18.0), Side::Over, "bodies", Hue::Muted)?;

@@ -70,8 +70,8 @@ fn driven_rates(driven: &Driven, state: &[f64; 6]) -> [f64; 6] {
     [x, y, of_x, of_y, of_spin, spin]
 }
 
-/// A part of the course: from a time on, with the drum at an azimuth, a spin (by a weak motor, more than it reaches) and
-/// an angular acceleration.
+/// A part of the course: from a time on, with the drum at an azimuth, a spin (by a weak motor, more than it reaches)
+/// and an angular acceleration.
 struct Part {
     from: f64,
     azimuth: f64,

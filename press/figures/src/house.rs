@@ -146,6 +146,9 @@ pub struct Crate {
     pub builds_with: BTreeSet<String>,
 }
 
+/// The name by which the press calls the package of the root.
+const LIBRARY: &str = "library";
+
 /// The manifests of a workspace, that of its root first.
 ///
 /// # Errors
@@ -168,6 +171,13 @@ pub fn manifests(root: &Path) -> io::Result<Vec<PathBuf>> {
 pub fn crates(root: &Path) -> io::Result<Vec<Crate>> {
     let texts = manifests(root)?.iter().map(fs::read_to_string).collect::<io::Result<Vec<_>>>()?;
     let mut left: Vec<Crate> = texts.iter().map(|text| manifest(text)).collect();
+    // The press calls the package of the root by another name.
+    let root = left[0].name.clone();
+    for uses in left.iter_mut().flat_map(|one| [&mut one.uses, &mut one.builds_with]) {
+        if uses.remove(LIBRARY) {
+            uses.insert(root.clone());
+        }
+    }
     let names: BTreeSet<String> = left.iter().map(|one| one.name.clone()).collect();
     for one in &mut left {
         one.uses.retain(|name| names.contains(name));
