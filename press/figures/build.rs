@@ -85,7 +85,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     let text = format!(
-        "{}\n{modules}\nconst ENTRIES: &[Entry] = &[\n{entries}];\n\nconst TABLES: &[(&str, fn() -> String)] = &[\n{tables}];\n",
+        "{}\n{modules}\nconst ENTRIES: &[Entry] = &[\n{entries}];\n\nconst TABLES: &[Table] = &[\n{tables}];\n",
         library::known_as(&name)
     );
     fs::write(Path::new(&env::var("OUT_DIR")?).join("figures.rs"), text)?;

@@ -16,6 +16,9 @@ mod plot;
 mod room;
 mod sample;
 
+/// The name of a table that the library gives, and what writes it.
+type Table = (&'static str, fn() -> String);
+
 // A module for each chapter, `ENTRIES`, every figure in the order of the book, and `TABLES`: the build script reads
 // them off the files.
 include!(concat!(env!("OUT_DIR"), "/figures.rs"));
