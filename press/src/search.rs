@@ -20,9 +20,10 @@ const END: &str = "'));";
 /// How much longer than it is a section counts whose page has no number: the bibliography comes after the chapters.
 const LOOKED_UP: u64 = 16;
 
-/// What the anchors of parts begin with that are not searched: solutions, and tables of symbols, whose words are those
-/// of their chapters.
-const NOT_SEARCHED: [&str; 2] = ["sol-", "sec-symbols-"];
+/// What the anchors of parts begin with that are not searched: solutions; tables of symbols and the ledger, whose words
+/// are those of the chapters; what is said to teachers of the chapters, and to programmers of the house.
+const NOT_SEARCHED: [&str; 6] =
+    ["sol-", "sec-symbols-", "sec-ledger-", "sec-teaching-", "sec-notes", "sec-house-"];
 
 /// A part of a page under one heading.
 #[derive(Debug, Default, PartialEq, Eq)]
@@ -114,7 +115,8 @@ fn index(site: &Path, context: &RenderContext, mut search: Value) -> io::Result<
     Ok(search)
 }
 
-/// Leaves out of the tree of words what nobody asks for: that no word ends at a letter, and digits of weights.
+/// Leaves out of the tree of words what nobody asks for: that no word ends at a letter, and all digits of weights but
+/// the first. A weight is the root of how often a word stands in a section.
 fn shorten(node: &mut Value) {
     let Some(node) = node.as_object_mut() else {
         return;
@@ -130,7 +132,7 @@ fn shorten(node: &mut Value) {
             "docs" => {
                 for weight in below.as_object_mut().into_iter().flat_map(|all| all.values_mut()) {
                     let tf = weight["tf"].as_f64().unwrap_or_default();
-                    weight["tf"] = json!((tf * 100.0).round() / 100.0);
+                    weight["tf"] = json!(tf.round() as u64);
                 }
             }
             _ => shorten(below),
@@ -219,7 +221,7 @@ fn upright(c: char) -> char {
 
 /// What is no text, or none of its place.
 const LEFT_OUT: [&str; 8] = ["svg", "pre", "script", "style", "button", "template", "nav", "details"];
-const LEFT_OUT_CLASSES: [&str; 4] = ["save", "note-mark", "note-number", "turn"];
+const LEFT_OUT_CLASSES: [&str; 6] = ["save", "note-mark", "note-number", "turn", "code", "citing"];
 /// Elements within a line: there is no space where they begin and end.
 const IN_LINE: [&str; 12] =
     ["a", "abbr", "b", "code", "del", "em", "i", "span", "strong", "sub", "sup", "math"];
