@@ -364,13 +364,12 @@ pub(crate) fn fates(id: &str) -> Outcome {
         let frame = Rect::new(56.0, 34.0, room.of(340.0, 262.0), 306.0);
         let mut plot = Plot::new(&mut drawing, frame, moments, drags)?;
         plot.region((2.0, 0.1), (10.0, 1000.0), Hue::Muted);
-        for (name, clocks, stroke, [from, to]) in [
-            ("border", 1.0, Stroke::Border, [1e-3, 10.0]),
-            // As far as no name is in the way.
-            ("ten", 10.0, Stroke::DashedCurve, [0.03, 0.3]),
-            ("tenth", 0.1, Stroke::DashedCurve, [0.03, 0.3]),
+        for (name, clocks, stroke) in [
+            ("border", 1.0, Stroke::Border),
+            ("ten", 10.0, Stroke::DashedCurve),
+            ("tenth", 0.1, Stroke::DashedCurve),
         ] {
-            let line = log_steps(from, to, 40).map(|ratio| (ratio, clocks / ratio));
+            let line = log_steps(1e-3, 10.0, 40).map(|ratio| (ratio, clocks / ratio));
             plot.curve(name, line, stroke, Hue::Muted);
         }
         let spheroid = |eta: f64| {
@@ -391,11 +390,11 @@ pub(crate) fn fates(id: &str) -> Outcome {
             plot.label(spheroid(eta)?, side, name, Hue::Blue)?;
         }
         plot.markers(&[(1.0 / 417.2, 81.4)], Marker::Square, Hue::Ink);
-        plot.label((1.0 / 417.2, 36.0), Side::Over, "pencil", Hue::Ink)?;
+        plot.label((1.0 / 360.0, 13.0), Side::Over, "pencil", Hue::Ink)?;
         for (place, side, name) in [
-            ((1.0 / 549.0, 813.0), Side::Right, "with a straw"),
-            ((2.0, 10.0), Side::AboveLeft, "Frisbee"),
-            ((2.0, 0.1), Side::AboveLeft, "rough rim"),
+            ((1.0 / 549.0, 813.0), Side::Right, "straw"),
+            ((2.0, 10.0), Side::Right, "Frisbee"),
+            ((2.0, 0.1), Side::AboveRight, "rim"),
         ] {
             plot.markers(&[place], Marker::Square, Hue::Ink);
             plot.label(place, side, name, Hue::Ink)?;
