@@ -35,6 +35,13 @@ struct Section {
     sources: Vec<String>,
 }
 
+impl Section {
+    /// What comes first in an exercise is how hard it is, and for how long, in words that all exercises share.
+    fn is_exercise_without_text(&self) -> bool {
+        self.id.starts_with("ex-") && self.text.trim().is_empty()
+    }
+}
+
 /// Writes the index of the site; nothing if the book has none.
 ///
 /// # Errors
@@ -107,6 +114,12 @@ fn index(site: &Path, context: &RenderContext, mut search: Value) -> io::Result<
             *length = json!(length.as_u64().unwrap_or_default() * LOOKED_UP);
         }
     }
+    // mdBook shows the way, which ends with the title, and a part of the body.
+    for shown in index["documentStore"]["docs"].as_object_mut().into_iter().flat_map(|all| all.values_mut()) {
+        if let Some(shown) = shown.as_object_mut() {
+            shown.retain(|field, _| field == "breadcrumbs" || field == "body");
+        }
+    }
     for field in ["breadcrumbs", "title", "body"] {
         shorten(&mut index["index"][field]["root"]);
     }
@@ -170,8 +183,9 @@ fn words(text: &str) -> Vec<String> {
     for word in text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '.' | '_' | '\''))) {
         let word = word.trim_matches(['.', '_', '\'']);
         let is_number = word.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
-        if word.is_empty() || word.len() > 40 || is_number && word.len() > 5 {
-            continue; // a number of a table
+        let is_result = is_number && (word.len() > 5 || word.starts_with("0."));
+        if word.is_empty() || word.len() > 40 || is_result {
+            continue; // what is asked for by number are years, parts, formulas and exercises
         }
         for word in [Some(word), word.strip_suffix("'s")].into_iter().flatten() {
             let plain: String = word.chars().map(plain).collect();
@@ -257,6 +271,8 @@ struct Reader {
     in_maths: bool,
     /// The element that is left out, and how often it is open.
     left_out: Option<(String, u32)>,
+    /// How long the text of the section was where the open cell of a table begins.
+    cell: Option<usize>,
 }
 
 impl Reader {
@@ -276,6 +292,7 @@ impl Reader {
         let is_displayed = name == "math" && attribute("display").as_deref() == Some("block");
         if LEFT_OUT.contains(&&*name)
             || is_displayed
+            || name == "em" && self.sections.last().is_some_and(Section::is_exercise_without_text)
             || class.split(' ').any(|class| LEFT_OUT_CLASSES.contains(&class))
         {
             self.left_out = (!tag.self_closing).then_some((name, 1));
@@ -288,6 +305,9 @@ impl Reader {
         } else {
             self.in_maths |= name == "math";
             self.space(&name);
+            if name == "td" {
+                self.cell = self.sections.last().map(|section| section.text.len());
+            }
         }
     }
 
@@ -302,6 +322,19 @@ impl Reader {
         self.in_heading &= !matches!(name, "h1" | "h2" | "h3");
         self.in_maths &= name != "math";
         self.space(name);
+        if name == "td" {
+            self.end_cell();
+        }
+    }
+
+    /// Takes back what stands in a cell if it is but a number: who looks for one knows its table.
+    fn end_cell(&mut self) {
+        if let (Some(begin), Some(section)) = (self.cell.take(), self.sections.last_mut())
+            && section.text[begin..].chars().any(|c| c.is_ascii_digit())
+            && !section.text[begin..].chars().any(char::is_alphabetic)
+        {
+            section.text.truncate(begin);
+        }
     }
 
     /// Between blocks.
@@ -336,13 +369,17 @@ mod tests {
             <a class=\"note-mark\">1</a>.</p>\
             <figure><svg><svg><text>12</text></svg><text>13</text></svg>\
             <figcaption>It turns.</figcaption></figure>\
-            <h2 id=\"b\">B</h2><pre>let x;</pre>\
+            <h2 id=\"ex-b\">B</h2><p><em>Problem</em></p><p>An <em>easy</em> one:</p><pre>let x;</pre>\
             <div><math display=\"block\"><mi>q</mi></math><a id=\"source-19\">source 19</a></div>\
+            <table><tr><th>1</th></tr><tr><td>0.1 rad</td><td>−2.07·10<sup>4</sup></td></tr></table>\
             <ul><li>one<li>two</ul></main><p>Foot</p>";
         let [a, b] = sections(html).try_into().unwrap();
         assert_eq!((a.id.as_str(), a.title.as_str()), ("a", "A top"));
         assert_eq!(a.text, "So ω0, Störmer’s. It turns.");
-        assert_eq!((b.text.as_str(), b.sources), ("source 19 one two", vec!["19".to_owned()]));
+        assert_eq!(
+            (b.text.as_str(), b.sources),
+            ("An easy one: source 19 1 0.1 rad one two", vec!["19".to_owned()])
+        );
     }
 
     #[test]
@@ -351,7 +388,10 @@ mod tests {
             words("Störmer’s ω0-axis"),
             ["stormer's", "störmer's", "stormer", "störmer", "ω0", "axis"]
         );
-        assert_eq!(words("of 1869: (1.24), 0.001523 e.g. ‘spin’"), ["of", "1869", "1.24", "e.g", "spin"]);
+        assert_eq!(
+            words("of 1869: (1.24), 0.15, 1.001523 e.g. ‘spin’"),
+            ["of", "1869", "1.24", "e.g", "spin"]
+        );
     }
 
     #[test]
