@@ -1,6 +1,7 @@
 //! What a page says of itself to those who have not opened it (search engines, previews of links), and which edition
 //! it belongs to.
 
+use crate::render::escaped;
 use html5gum::{Token, Tokenizer};
 
 /// What is said on all pages.
@@ -73,7 +74,7 @@ fn first_words(html: &str) -> Option<String> {
 }
 
 /// The words of some HTML.
-fn plain(html: &str) -> String {
+pub(crate) fn plain(html: &str) -> String {
     let mut words = String::new();
     for token in Tokenizer::new(html) {
         let Ok(token) = token;
@@ -82,10 +83,6 @@ fn plain(html: &str) -> String {
         }
     }
     words.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

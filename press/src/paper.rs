@@ -15,6 +15,8 @@ pub use pdf::{browser, numbers, print};
 use crate::book::{self, Page};
 use crate::edition;
 use crate::fault::Faults;
+use crate::head::plain;
+use crate::render::escaped;
 use crate::{solutions, summary};
 use mdbook_summary::SummaryItem;
 use sheet::{Kind, Sheet};
@@ -173,7 +175,7 @@ impl Paper {
     /// The title of the book as the name of a file: `things-that-spin`.
     #[must_use]
     pub fn file_name(&self) -> String {
-        let words = sheet::plain(&self.settings.title).to_lowercase();
+        let words = plain(&self.settings.title).to_lowercase();
         let words: Vec<&str> =
             words.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
         words.join("-")
@@ -207,7 +209,7 @@ impl Paper {
         let number = first.number.map_or(String::new(), |number| format!("{number}\u{2002}"));
         let number = if first.kind == Kind::Solutions { String::new() } else { number };
         let [book, chapter] =
-            [sheet::plain(&self.settings.title), number + &first.plain_title()].map(|words| quoted(&words));
+            [plain(&self.settings.title), number + &first.plain_title()].map(|words| quoted(&words));
         format!(
             "@page chapter-{n} {{ @top-left {{ content: {book}; }} @top-right {{ content: {chapter}; }} }}\n"
         )
@@ -336,11 +338,6 @@ impl Settings {
             language: word("language", "en"),
         })
     }
-}
-
-/// Words as HTML and XML write them.
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// What of the head of print.html paper needs: style sheets, the face of the text, and the script that colours code.

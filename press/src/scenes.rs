@@ -2,6 +2,7 @@
 
 use crate::fault::{Faults, nearest};
 use crate::page::Words;
+use crate::render::escaped;
 use crate::rendered::{Control, Input, Scene};
 use crate::scan::options;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
@@ -189,8 +190,4 @@ fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str
             )
         }
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,8 +1,10 @@
 //! The book as an EPUB: the same sheets, each a file of XHTML.
 
 use super::archive::Archive;
-use super::sheet::{self, Kind};
-use super::{LICENCE, Paper, escaped};
+use super::sheet::Kind;
+use super::{LICENCE, Paper};
+use crate::head::plain;
+use crate::render::escaped;
 use html5gum::{StartTag, Token, Tokenizer};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -59,7 +61,7 @@ impl Paper {
             self.settings.description,
             self.edition_in_words(),
         );
-        let title = self.document(&sheet::plain(&self.settings.title), &title);
+        let title = self.document(&plain(&self.settings.title), &title);
         archive.pack("book/title.xhtml", title.as_bytes());
         for (sheet, name) in self.sheets.iter().zip(&names) {
             let body = xhtml(&sheet.html, |id| places.get(id).map(|place| format!("{place}#{id}")));

@@ -1,6 +1,7 @@
 //! One page of the book, as it goes onto paper.
 
 use crate::book::Page;
+use crate::head::plain;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -99,19 +100,6 @@ fn headings<'a>(html: &'a str, tag: &'a str) -> impl Iterator<Item = Heading> + 
         let words = inside.split_once("<a class=\"header\"")?.1.split_once('>')?.1.strip_suffix("</a>")?;
         Some(Heading { id: id.to_owned(), words: words.to_owned() })
     })
-}
-
-/// Text without elements and entities.
-pub(super) fn plain(html: &str) -> String {
-    let mut parts = html.split('<');
-    let first = parts.next().unwrap_or_default().to_owned();
-    let words = parts.fold(first, |words, part| words + part.split_once('>').map_or("", |(_, rest)| rest));
-    words
-        .replace("&lt;", "<")
-        .replace("&gt;", ">")
-        .replace("&quot;", "\"")
-        .replace("&#39;", "'")
-        .replace("&amp;", "&")
 }
 
 /// All headings a level lower, as those of a page below a chapter's; its title keeps its look.
