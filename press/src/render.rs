@@ -314,12 +314,13 @@ impl Printer<'_, '_> {
         let up = "../".repeat(self.page.path.matches('/').count());
         let link = |(index, place): (usize, &Place)| {
             let (words, target) = (place.words(), place.target());
-            let text = match index {
-                0 if places.len() == 1 => "code".to_owned(),
-                0 => "code 1".to_owned(),
-                _ => (index + 1).to_string(),
+            // What is heard begins with what is seen, so that who speaks can name the link.
+            let (text, name) = match index {
+                0 if places.len() == 1 => ("code".to_owned(), "code".to_owned()),
+                0 => ("code 1".to_owned(), "code 1".to_owned()),
+                _ => ((index + 1).to_string(), format!("code {}", index + 1)),
             };
-            format!("<a href=\"{up}{target}\" title=\"{words}\" aria-label=\"code: {words}\">{text}</a>")
+            format!("<a href=\"{up}{target}\" title=\"{words}\" aria-label=\"{name}: {words}\">{text}</a>")
         };
         let links: Vec<String> = places.iter().enumerate().map(link).collect();
         format!("<span class=\"code\">{}</span>", links.join(", "))

@@ -1,5 +1,7 @@
 //! The live scenes of the built book in a real browser, with real mouse, fingers and keys.
 
+#[path = "access.rs"]
+mod access;
 #[path = "driver.rs"]
 mod driver;
 #[path = "numbers.rs"]

@@ -1,0 +1,208 @@
+//! Access for all: what axe finds, what a phone or paper cuts off, what the keyboard reaches and in which order.
+//!
+//! `axe/axe.min.js` is axe-core 4.14.1 by Deque Systems, unmodified, its licence beside it. `audit.js` asks the rest.
+
+use super::driver::{Browser, Page};
+use super::{address, scenes, site};
+use crate::pages;
+use serde_json::{Value, json};
+use std::sync::Mutex;
+use std::thread;
+
+const AXE: &str = include_str!("axe/axe.min.js");
+const AUDIT: &str = include_str!("audit.js");
+const OTHER_THEMES: [&str; 4] = ["rust", "coal", "navy", "ayu"];
+const WIDTHS: [u32; 3] = [1300, 768, 320];
+/// The rules that another width can break, and those that other colours can.
+const OF_WIDTH: &str =
+    "['target-size', 'scrollable-region-focusable', 'aria-hidden-focus', 'link-name', 'button-name']";
+const OF_COLOUR: &str = "['color-contrast', 'link-in-text-block']";
+/// An A4 page without its margins (`print.css`), px.
+const PAPER: [u32; 2] = [612, 963];
+
+/// The addresses of all pages within the site, but the one of all pages.
+fn names() -> Vec<String> {
+    let pages = pages().into_iter().map(|(path, _)| path.strip_prefix(site()).unwrap().display().to_string());
+    let own = pages.filter(|name| !["print.html", "toc.html"].contains(&name.as_str()));
+    own.chain(["404.html".to_owned()]).collect()
+}
+
+/// The first page of each chapter that has a folder.
+fn first_pages() -> Vec<String> {
+    names().into_iter().filter(|name| name.ends_with("/index.html")).collect()
+}
+
+/// Puts a question to all things, in a browser for each core, and fails with all that is answered.
+fn ask_all<T: Send>(name: &str, things: Vec<T>, ask: impl Fn(&mut Page<'_>, T) -> Vec<String> + Sync) {
+    assert!(things.len() >= 10);
+    let queue = Mutex::new(things.into_iter());
+    let next = || queue.lock().unwrap().next();
+    let work = |worker: usize| {
+        let mut faults = Vec::new();
+        let Some(mut browser) = Browser::open(&format!("{name}-{worker}")) else { return faults };
+        let mut page = browser.page([WIDTHS[0], 900]);
+        page.before_all(AUDIT);
+        page.before_all("window.print = () => {}; localStorage.setItem('mdbook-theme', 'light')");
+        while let Some(thing) = next() {
+            faults.append(&mut ask(&mut page, thing));
+        }
+        faults
+    };
+    let cores = thread::available_parallelism().map_or(1, usize::from).min(4);
+    let faults: Vec<String> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|worker| scope.spawn(move || work(worker))).collect();
+        workers.into_iter().flat_map(|worker| worker.join().expect("the browser answers")).collect()
+    });
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// Opens a page of the site in a width, with its scenes awake and nothing that moves.
+fn open(page: &mut Page<'_>, name: &str, width: u32) {
+    page.tell("Emulation.setEmulatedMedia", json!({ "media": "screen" }));
+    page.prefer("prefers-reduced-motion", "reduce");
+    page.resize([width, 900]);
+    page.go(&format!("{}{name}", address()));
+    page.get("document.fonts.ready.then(() => true)");
+    let chapter = name.split('/').next().unwrap_or_default();
+    if name.ends_with("/index.html") && site().join(format!("live-{chapter}.js")).is_file() {
+        let figure = "document.querySelector('figure.scene')";
+        page.get(&format!("{figure}?.scrollIntoView({{ behavior: 'instant' }})"));
+        page.wait(&format!("!{figure} || {figure}.classList.contains('awake')"));
+        page.get("scrollTo({ top: 0, behavior: 'instant' })");
+    }
+    page.get("{ const calm = document.createElement('style'); calm.textContent = '* { transition: none !important }'; document.head.append(calm) }");
+    page.settle();
+}
+
+/// The faults that an expression of `audit.js` finds, each with a place.
+fn faults(page: &mut Page<'_>, place: &str, expression: &str) -> Vec<String> {
+    let found = page.get(expression);
+    let found = found.as_array().unwrap_or_else(|| panic!("{place}: {expression} is no list"));
+    found.iter().map(|fault| format!("{place}: {}", fault.as_str().unwrap_or_default())).collect()
+}
+
+#[test]
+fn axe_finds_nothing_on_any_page_in_any_theme_at_any_width() {
+    // The long pages first: nobody waits for the last one alone.
+    let mut tasks: Vec<(String, usize, usize)> = Vec::new();
+    for (index, name) in first_pages().into_iter().enumerate() {
+        tasks.extend((0..WIDTHS.len()).map(|width| (name.clone(), width, index)));
+    }
+    let first = first_pages();
+    tasks.extend(names().into_iter().filter(|name| !first.contains(name)).map(|name| (name, 0, usize::MAX)));
+    ask_all("axe", tasks, |page, (name, width, index)| {
+        open(page, &name, WIDTHS[width]);
+        page.get(&format!("{AXE}; true"));
+        let place = format!("{name}, light, {} px", WIDTHS[width]);
+        let rules = if width == 0 { "[]" } else { OF_WIDTH };
+        let mut found = faults(page, &place, &format!("audit({rules})"));
+        found.append(&mut faults(page, &place, "untold()"));
+        found.append(&mut faults(page, &place, "disordered()"));
+        // Other themes have other colours and nothing else: each chapter has each at one of the widths.
+        for (k, theme) in OTHER_THEMES.into_iter().enumerate() {
+            if index != usize::MAX && (index + k) % WIDTHS.len() == width {
+                page.get(&format!("document.getElementById('mdbook-theme-{theme}').click()"));
+                page.wait(&format!("document.documentElement.classList.contains('{theme}')"));
+                page.settle();
+                let place = format!("{name}, {theme}, {} px", WIDTHS[width]);
+                found.append(&mut faults(page, &place, &format!("audit({OF_COLOUR})")));
+            }
+        }
+        found
+    });
+}
+
+#[test]
+fn nothing_is_cut_off_on_the_smallest_phone_and_on_paper() {
+    ask_all("cut", names(), |page, name| {
+        open(page, &name, 320);
+        let mut found = faults(page, &format!("{name}, 320 px"), "wide()");
+        page.tell("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+        page.resize(PAPER);
+        page.settle();
+        found.append(&mut faults(page, &format!("{name}, A4"), &format!("offPaper({})", PAPER[1])));
+        found
+    });
+}
+
+/// Goes on by the tabulator until the page ends, and gives what had the focus: its name and where it is.
+fn by_keys(page: &mut Page<'_>, place: &str) -> Vec<(String, String)> {
+    let mut visited = Vec::new();
+    let mut found = Vec::new();
+    loop {
+        page.key("Tab");
+        let focused = page.get("focused()");
+        if focused.is_null() {
+            break;
+        }
+        let text = |name: &str| focused[name].as_str().unwrap_or_default().to_owned();
+        for fault in focused["faults"].as_array().into_iter().flatten().filter_map(Value::as_str) {
+            found.push(format!("{place}: {}: {fault}", text("name")));
+        }
+        visited.push((text("name"), text("place")));
+        assert!(visited.len() < 2000, "{place}: the keyboard does not come out of the page");
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    visited
+}
+
+#[test]
+fn the_keyboard_reaches_everything_in_the_order_of_the_page() {
+    let Some(mut browser) = Browser::open("keyboard") else { return };
+    let mut page = browser.page([WIDTHS[0], 900]);
+    page.before_all(AUDIT);
+    for (scene, page_address, figure) in scenes().into_iter().take(2) {
+        let name = &page_address[address().len()..];
+        for width in [WIDTHS[0], WIDTHS[2]] {
+            open(&mut page, name, width);
+            let place = format!("{name}, {width} px");
+            let visited = by_keys(&mut page, &place);
+            // Where one is, each place once: the way past the menu, the chapters, the menu, the text, the foot.
+            let mut places: Vec<&str> = visited.iter().map(|(_, place)| place.as_str()).collect();
+            places.dedup();
+            let outer: Vec<&str> = places
+                .iter()
+                .copied()
+                .filter(|place| !["figure.scene", ".answers"].contains(place))
+                .collect();
+            let mut outer = outer;
+            outer.dedup();
+            let all = ["page", "#mdbook-sidebar", "#mdbook-menu-bar", "main", ".foot"];
+            let own = all.iter().copied().filter(|part| width > 1000 || *part != "#mdbook-sidebar");
+            assert_eq!(outer, own.collect::<Vec<_>>(), "{place}");
+            for id in ["#mdbook-sidebar-toggle", "#mdbook-theme-toggle", "#mdbook-search-toggle"] {
+                assert!(visited.iter().any(|(name, _)| name == id), "{place}: {id} is not reached");
+            }
+            // Of the choices of one kind the keyboard reaches the chosen one, and the others by arrows.
+            let is_awake = page.get(&format!("{figure}.classList.contains('awake')")) == true;
+            let steps = visited.iter().filter(|(_, place)| place == "figure.scene").count();
+            let least = if is_awake { scene.controls.len() + 4 } else { 0 };
+            assert!(steps >= least, "{place}: {steps} steps through the scene");
+        }
+        // The menu by keys.
+        open(&mut page, name, WIDTHS[0]);
+        for (id, opened) in [
+            ("mdbook-sidebar-toggle", "document.documentElement.classList.contains('sidebar-visible')"),
+            ("mdbook-theme-toggle", "document.getElementById('mdbook-theme-list').style.display === 'block'"),
+            (
+                "mdbook-search-toggle",
+                "!document.getElementById('mdbook-search-wrapper').classList.contains('hidden')",
+            ),
+        ] {
+            for key in ["Enter", " "] {
+                page.get(&format!("document.getElementById('{id}').focus()"));
+                let before = page.get(opened);
+                page.key(key);
+                page.wait(&format!("({opened}) !== {before}"));
+            }
+        }
+    }
+    // On a phone a wide formula, table or program is scrolled by keys, which do not turn the page.
+    open(&mut page, "turning/index.html", WIDTHS[2]);
+    let place = page.text("location.href");
+    page.wait("document.querySelector('main [tabindex=\"0\"]')");
+    page.get("document.querySelector('main [tabindex=\"0\"]').focus()");
+    page.key("ArrowRight");
+    page.wait("document.activeElement.scrollLeft > 0");
+    assert_eq!(page.text("location.href"), place, "the page was turned");
+}
