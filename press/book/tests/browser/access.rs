@@ -136,10 +136,14 @@ fn by_keys(page: &mut Page<'_>, place: &str) -> Vec<(String, String)> {
             break;
         }
         let text = |name: &str| focused[name].as_str().unwrap_or_default().to_owned();
+        let here = (text("name"), text("place"));
+        if visited.first() == Some(&here) {
+            break; // round to the beginning, as there is no window about the page
+        }
         for fault in focused["faults"].as_array().into_iter().flatten().filter_map(Value::as_str) {
             found.push(format!("{place}: {}: {fault}", text("name")));
         }
-        visited.push((text("name"), text("place")));
+        visited.push(here);
         assert!(visited.len() < 2000, "{place}: the keyboard does not come out of the page");
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
@@ -151,7 +155,7 @@ fn the_keyboard_reaches_everything_in_the_order_of_the_page() {
     let Some(mut browser) = Browser::open("keyboard") else { return };
     let mut page = browser.page([WIDTHS[0], 900]);
     page.before_all(AUDIT);
-    for (scene, page_address, figure) in scenes().into_iter().take(2) {
+    for (scene, page_address, figure) in scenes() {
         let name = &page_address[address().len()..];
         for width in [WIDTHS[0], WIDTHS[2]] {
             open(&mut page, name, width);
@@ -160,12 +164,9 @@ fn the_keyboard_reaches_everything_in_the_order_of_the_page() {
             // Where one is, each place once: the way past the menu, the chapters, the menu, the text, the foot.
             let mut places: Vec<&str> = visited.iter().map(|(_, place)| place.as_str()).collect();
             places.dedup();
-            let outer: Vec<&str> = places
-                .iter()
-                .copied()
-                .filter(|place| !["figure.scene", ".answers"].contains(place))
-                .collect();
-            let mut outer = outer;
+            let in_text = ["figure.scene", ".answers"];
+            let mut outer: Vec<&str> =
+                places.into_iter().filter(|place| !in_text.contains(place)).collect();
             outer.dedup();
             let all = ["page", "#mdbook-sidebar", "#mdbook-menu-bar", "main", ".foot"];
             let own = all.iter().copied().filter(|part| width > 1000 || *part != "#mdbook-sidebar");
@@ -194,6 +195,8 @@ fn the_keyboard_reaches_everything_in_the_order_of_the_page() {
                 let before = page.get(opened);
                 page.key(key);
                 page.wait(&format!("({opened}) !== {before}"));
+                // The index, once it is there, takes the focus to the field.
+                page.wait("!document.querySelector('#mdbook-searchbar-outer.searching')");
             }
         }
     }

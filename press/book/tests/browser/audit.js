@@ -4,7 +4,7 @@
 const named = (node) => {
   const id = node.closest('[id]')?.id;
   const own = [node.localName, ...node.classList].join('.');
-  const words = node.textContent.trim().replace(/\s+/g, ' ').slice(0, 30);
+  const words = [...node.textContent.trim().replace(/\s+/g, ' ')].slice(0, 30).join('');
   return `${id ? `#${id} ` : ''}${id === node.id ? '' : `${own} `}“${words}”`;
 };
 const shown = (node) => node.getClientRects().length > 0 && getComputedStyle(node).visibility === 'visible';
