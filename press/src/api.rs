@@ -2,7 +2,8 @@
 
 use crate::library;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::SystemTime;
 use std::{env, fs, io};
@@ -112,27 +113,42 @@ fn name(root: &Path) -> Option<String> {
     root.join("src/lib.rs").is_file().then_some(name)
 }
 
+/// Where rustdoc leaves its pages.
+fn written(root: &Path) -> io::Result<PathBuf> {
+    let metadata = Command::new(cargo())
+        .args(["metadata", "--no-deps", "--format-version", "1"])
+        .current_dir(root)
+        .stdin(Stdio::null())
+        .stderr(Stdio::inherit())
+        .output()?;
+    let metadata: serde_json::Value = serde_json::from_slice(&metadata.stdout)?;
+    let target = metadata["target_directory"].as_str();
+    Ok(Path::new(target.ok_or_else(|| io::Error::other("cargo names no target folder"))?).join("doc"))
+}
+
+fn cargo() -> OsString {
+    env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
+}
+
+/// Whether the documentation of the library in `root` was written after its sources, if there is one.
+pub(crate) fn is_current(root: &Path) -> bool {
+    name(root).is_none_or(|library| {
+        written(root).and_then(|doc| is_newer(&doc.join(library), &root.join("src"))).unwrap_or(false)
+    })
+}
+
 /// Runs rustdoc on the library in `root`, if there is one, and copies its pages into the site.
 pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
     let Some(library) = name(root) else { return Ok(()) };
-    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let run = |arguments: &[&str]| {
-        Command::new(&cargo)
-            .args(arguments)
-            .current_dir(root)
-            .stdin(Stdio::null())
-            .stderr(Stdio::inherit())
-            .output()
-    };
-    let metadata = run(&["metadata", "--no-deps", "--format-version", "1"])?;
-    let metadata: serde_json::Value = serde_json::from_slice(&metadata.stdout)?;
-    let target = metadata["target_directory"]
-        .as_str()
-        .ok_or_else(|| io::Error::other("cargo names no target folder"))?;
-    let doc = Path::new(target).join("doc");
+    let doc = written(root)?;
     let sources = format!("src/{library}"); // where rustdoc puts them
     remove_outdated(&doc, [&library, &sources], &root.join("src"))?;
-    let documented = run(&["doc", "--quiet", "--no-deps", "--lib"])?;
+    let documented = Command::new(cargo())
+        .args(["doc", "--quiet", "--no-deps", "--lib"])
+        .current_dir(root)
+        .stdin(Stdio::null())
+        .stderr(Stdio::inherit())
+        .output()?;
     if !documented.status.success() {
         return Err(io::Error::other(format!("`cargo doc` failed for the library {library}")));
     }
@@ -157,11 +173,7 @@ pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
 /// Removes rustdoc's pages if the library is newer, since rustdoc writes them all again and never removes
 /// that of an item which is gone.
 fn remove_outdated(doc: &Path, parts: [&str; 2], sources: &Path) -> io::Result<()> {
-    let Ok(written) = fs::metadata(doc.join(parts[0]).join("index.html")).and_then(|page| page.modified())
-    else {
-        return Ok(());
-    };
-    if newest(sources)? < written {
+    if is_newer(&doc.join(parts[0]), sources)? {
         return Ok(());
     }
     for part in parts {
@@ -170,6 +182,12 @@ fn remove_outdated(doc: &Path, parts: [&str; 2], sources: &Path) -> io::Result<(
         }
     }
     Ok(())
+}
+
+/// Whether rustdoc's pages in a folder are there, and newer than the sources.
+fn is_newer(pages: &Path, sources: &Path) -> io::Result<bool> {
+    let written = fs::metadata(pages.join("index.html")).and_then(|page| page.modified());
+    Ok(matches!(written, Ok(written) if newest(sources)? < written))
 }
 
 /// When something in a folder was last changed; a folder changes when a file in it goes.

@@ -1,9 +1,10 @@
 //! `cargo book`: what one can ask of the press by hand.
 
 use crate::book::from_disk;
+use crate::mdbook::{self, For};
 use crate::paper::{self, Paper};
 use crate::rendered::Rendered;
-use crate::{check, mdbook, new, outcome};
+use crate::{check, head, new, outcome, serve};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -11,8 +12,8 @@ use std::process::Command;
 use std::{env, fs};
 
 const HELP: &str = "\
-cargo book serve [--open] [-p PORT] …   the book in the browser, following your edits (http://localhost:3000)
-cargo book build [-d FOLDER]            the site, in target/book/html
+cargo book serve [--open] [-p PORT]     the book in the browser, following your edits (http://localhost:3000)
+cargo book build [-d FOLDER] [--paper]  the site, in target/book/html; with links to its PDF and EPUB, which lie in it
 cargo book test                         the snippets of all pages
 cargo book check                        what is wrong with the pages, fast
 cargo book figures FOLDER               every figure as a standalone SVG file
@@ -31,7 +32,14 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
     let (name, rest) =
         arguments.split_first().map_or(("help", &[][..]), |(name, rest)| (name.as_str(), rest));
     match name {
-        "serve" | "build" | "test" => with_mdbook(root, name, rest),
+        "serve" => serve::run(root, rest).map_err(|message| format!("{message}\n\n{HELP}")),
+        "build" => build(root, rest),
+        "test" => {
+            none_left(name, rest)?;
+            // Of a page that it cannot read mdBook tells no line.
+            from_disk(root).map_err(|faults| faults.to_string())?;
+            mdbook::test(root)
+        }
         "check" => {
             none_left(name, rest)?;
             let pages = check::check(root, drawn).map_err(|faults| faults.to_string())?;
@@ -77,6 +85,9 @@ fn say(line: &str) {
     let _ = writeln!(io::stdout(), "{line}");
 }
 
+/// Where the site for paper is built.
+const PAPER: &str = "target/press/paper";
+
 fn none_left(name: &str, rest: &[String]) -> Result<(), String> {
     match rest.first() {
         None => Ok(()),
@@ -84,30 +95,41 @@ fn none_left(name: &str, rest: &[String]) -> Result<(), String> {
     }
 }
 
-fn with_mdbook(root: &Path, name: &str, rest: &[String]) -> Result<(), String> {
-    // Of a page that it cannot read mdBook tells no line.
-    let outcome = from_disk(root).map_err(|faults| faults.to_string()).and_then(|_| {
-        let mdbook = mdbook::locate(root).map_err(|error| format!("error: {error}"))?;
-        let status = Command::new(mdbook)
-            .arg(name)
-            .args(rest)
-            .current_dir(root)
-            .status()
-            .map_err(|error| format!("error: mdBook cannot be run: {error}"))?;
-        if status.success() { Ok(()) } else { Err(format!("`mdbook {name}` failed")) }
-    });
-    if name == "build" && outcome.is_err() {
-        let site = root.join(destination(rest).unwrap_or("target/book")).join("html");
+fn build(root: &Path, rest: &[String]) -> Result<(), String> {
+    let (mut folder, mut with_paper) = (None, false);
+    let mut rest = rest.iter();
+    while let Some(argument) = rest.next() {
+        match argument.as_str() {
+            "--paper" => with_paper = true,
+            "-d" | "--dest-dir" if rest.len() > 0 => folder = rest.next().map(String::as_str),
+            one if one.starts_with("--dest-dir=") => folder = one.strip_prefix("--dest-dir="),
+            wrong => return Err(format!("error: `cargo book build` takes no argument `{wrong}`\n\n{HELP}")),
+        }
+    }
+    let site = root.join(folder.unwrap_or("target/book")).join("html");
+    let outcome = from_disk(root)
+        .map_err(|faults| faults.to_string())
+        .and_then(|_| mdbook::build(root, folder, For::Readers))
+        .and_then(|()| if with_paper { add_paper(root, &site) } else { Ok(()) });
+    if outcome.is_err() {
         outcome::remove(&site).map_err(|error| format!("error: {}: {error}", site.display()))?;
+    } else {
+        say(&format!("The site is in {}", site.display()));
     }
     outcome
 }
 
-/// The folder that `-d FOLDER` names.
-fn destination(arguments: &[String]) -> Option<&str> {
-    let at = arguments.iter().position(|argument| argument == "-d" || argument == "--dest-dir");
-    let behind = at.and_then(|at| arguments.get(at + 1)).map(String::as_str);
-    behind.or_else(|| arguments.iter().find_map(|argument| argument.strip_prefix("--dest-dir=")))
+/// Puts the book on paper and for readers of EPUBs into its site, and leads to both from the foot of every page.
+fn add_paper(root: &Path, site: &Path) -> Result<(), String> {
+    let cannot = |error: io::Error| format!("error: {}: {error}", site.display());
+    let browser = paper::browser()?;
+    build_for_paper(root)?;
+    let pages = root.join(PAPER).join("html");
+    let book = Paper::read(root, &pages, None, true).map_err(cannot)?;
+    let [pdf, epub] = ["pdf", "epub"].map(|kind| format!("{}.{kind}", book.file_name()));
+    print(root, &browser, &book, &site.join(&pdf))?;
+    book.write_epub(&pages, &site.join(&epub)).map_err(cannot)?;
+    head::add_downloads(site, &[("PDF", &pdf), ("EPUB", &epub)]).map_err(cannot)
 }
 
 /// The peers are a package of their own, outside the workspace, so that nothing else ever builds them.
@@ -159,9 +181,8 @@ fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
     let browser = paper::browser()?;
     let cannot = |error: io::Error| format!("error: {error}");
     build_for_paper(root)?;
-    let folder = root.join("target/press/paper");
-    let paper =
-        Paper::read(root, &folder.join("html"), chapter.as_deref(), order.solutions).map_err(cannot)?;
+    let paper = Paper::read(root, &root.join(PAPER).join("html"), chapter.as_deref(), order.solutions)
+        .map_err(cannot)?;
     let name = match &chapter {
         Some(chapter) if order.solutions => format!("{chapter}-with-solutions"),
         Some(chapter) => chapter.clone(),
@@ -171,12 +192,22 @@ fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
         Some(file) => env::current_dir().map_err(cannot)?.join(file),
         None => root.join(format!("target/book/{name}.pdf")),
     };
-    let [page, first, profile] = ["paper.html", "paper.pdf", "chromium"].map(|name| folder.join(name));
+    print(root, &browser, &paper, &target)?;
+    let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
+    say(&format!("{} ({} KB)", target.display(), size / 1024));
+    Ok(())
+}
+
+/// Prints what `build_for_paper` has left.
+fn print(root: &Path, browser: &Path, paper: &Paper, target: &Path) -> Result<(), String> {
+    let cannot = |error: io::Error| format!("error: {error}");
+    let [page, first, profile] =
+        ["paper.html", "paper.pdf", "chromium"].map(|name| root.join(PAPER).join(name));
     // The first print says on which page everything stands, the second one prints it.
     let mut numbers = BTreeMap::new();
-    for file in [&first, &target] {
+    for file in [&*first, target] {
         fs::write(&page, paper.html("html/", &numbers)).map_err(cannot)?;
-        paper::print(&browser, &page, file, &profile)?;
+        paper::print(browser, &page, file, &profile)?;
         numbers = paper::numbers(&fs::read(file).map_err(cannot)?);
         if numbers.is_empty() {
             eprintln!(
@@ -184,8 +215,6 @@ fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
             );
         }
     }
-    let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
-    say(&format!("{} ({} KB)", target.display(), size / 1024));
     Ok(())
 }
 
@@ -197,7 +226,7 @@ fn epub(root: &Path, rest: &[String]) -> Result<(), String> {
     };
     build_for_paper(root)?;
     let cannot = |error: io::Error| format!("error: {error}");
-    let site = root.join("target/press/paper/html");
+    let site = root.join(PAPER).join("html");
     let paper = Paper::read(root, &site, None, true).map_err(cannot)?;
     let target = match file {
         Some(file) => env::current_dir().map_err(cannot)?.join(file),
@@ -210,14 +239,8 @@ fn epub(root: &Path, rest: &[String]) -> Result<(), String> {
 }
 
 fn build_for_paper(root: &Path) -> Result<(), String> {
-    let mdbook = mdbook::locate(root).map_err(|error| format!("error: {error}"))?;
-    let status = Command::new(mdbook)
-        .args(["build", "-d", "target/press/paper"])
-        .current_dir(root)
-        .env("BOOK_LIVE", "static")
-        .status()
-        .map_err(|error| format!("error: mdBook cannot be run: {error}"))?;
-    if status.success() { Ok(()) } else { Err("`mdbook build` failed".to_owned()) }
+    from_disk(root).map_err(|faults| faults.to_string())?;
+    mdbook::build(root, Some(PAPER), For::Paper)
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use crate::edition::edition;
 use crate::fault::{Faults, Lines};
 use crate::head::{self, Said};
+use crate::mdbook::For;
 use crate::module::{self, Module};
 use crate::preprocess::Failed;
 use crate::rendered::Rendered;
@@ -37,7 +38,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
         Failed::Other(format!("the site in {} cannot be finished: {error}", site.display()))
     };
     let unfinished = outcome::put_aside(&site).map_err(cannot)?;
-    let modules = match module::build(&context.root) {
+    let modules = match module::build(&context.root, For::of(&context.config)) {
         Ok(Module::Built(scripts)) => scripts,
         _ => Vec::new(), // as the preprocessor has said
     };
@@ -61,13 +62,21 @@ fn finished(
     remove_sources_of_theme(site, &context.config)?;
     remove_programs(site)?;
     add(site, &context.root, drawn)?;
+    let is_hasty = For::of(&context.config) == For::Hasty;
+    if !is_hasty {
+        api::add(site, &context.root)?;
+    }
     for script in modules {
         fs::copy(script, site.join(script.file_name().unwrap_or_default()))?;
     }
     complete_pages(site, context)?;
     search::write(site, context)?;
     places::link_back(site, &site::ids(site, context.book.iter())?)?;
-    let found = site::check(site)?;
+    let mut found = site::check(site)?;
+    if is_hasty {
+        let documentation = format!("{}/", api::FOLDER);
+        found.retain(|fault| !fault.clue.contains(&documentation));
+    }
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let mut faults = Faults::default();
     for fault in found {
@@ -132,10 +141,9 @@ fn remove_programs(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Adds figures, the library's documentation and licences.
+/// Adds figures and licences.
 fn add(site_folder: &Path, root: &Path, drawn: &Rendered) -> io::Result<()> {
     drawn.write_all(&site_folder.join("figures"))?;
-    api::add(site_folder, root)?;
     for licence in LICENCES.iter().filter(|licence| root.join(licence).is_file()) {
         fs::copy(root.join(licence), site_folder.join(licence))?;
     }

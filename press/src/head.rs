@@ -3,6 +3,8 @@
 
 use crate::render::escaped;
 use html5gum::{Token, Tokenizer};
+use std::path::Path;
+use std::{fs, io};
 
 /// What is said on all pages.
 pub(crate) struct Said<'a> {
@@ -19,6 +21,8 @@ pub(crate) struct Said<'a> {
 /// Where the page's template takes a description, and where the edition.
 const DESCRIPTION: &str = "<meta name=\"description\" content=\"";
 const EDITION: &str = "<span class=\"edition\"></span>";
+/// Where links to the whole book in other forms go.
+const DOWNLOADS: &str = "<span class=\"downloads\"></span>";
 /// The most that a description says, characters.
 const LONGEST: usize = 200;
 /// A paragraph of fewer characters is a remark.
@@ -52,6 +56,27 @@ pub(crate) fn completed(html: &str, path: &str, said: &Said<'_>) -> String {
     }
     let edition = if said.edition.is_empty() { String::new() } else { format!(" {}", escaped(said.edition)) };
     html.replace(EDITION, &edition)
+}
+
+/// Leads from the foot of every page of a finished site to files in its root, each with what it is called.
+pub(crate) fn add_downloads(site: &Path, files: &[(&str, &str)]) -> io::Result<()> {
+    fn add(folder: &Path, up: &str, files: &[(&str, &str)]) -> io::Result<()> {
+        let link = |(name, file): &(&str, &str)| format!(" · <a href=\"{up}{file}\">{name}</a>");
+        let links: String = files.iter().map(link).collect();
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            if path.is_dir() {
+                add(&path, &format!("../{up}"), files)?;
+            } else if path.extension().is_some_and(|ending| ending == "html") {
+                let page = fs::read_to_string(&path)?;
+                if page.contains(DOWNLOADS) {
+                    fs::write(&path, page.replace(DOWNLOADS, &links))?;
+                }
+            }
+        }
+        Ok(())
+    }
+    add(site, "", files)
 }
 
 fn between<'a>(html: &'a str, start: &str, end: &str) -> Option<&'a str> {
@@ -115,6 +140,21 @@ mod tests {
             completed(PAGE, "tops/index.html", &Said { address: Some("https://example.org/t/"), ..said });
         assert!(page.contains("og:image\" content=\"https://example.org/t/preview.png\""), "{page}");
         assert!(page.contains("canonical\" href=\"https://example.org/t/tops/index.html\""), "{page}");
+    }
+
+    #[test]
+    fn every_page_leads_to_the_downloads_wherever_it_is() {
+        let site = std::env::temp_dir().join(format!("press-downloads-{}", std::process::id()));
+        fs::create_dir_all(site.join("tops")).unwrap();
+        for page in ["index.html", "tops/index.html"] {
+            fs::write(site.join(page), format!("<p>Tops{DOWNLOADS}</p>")).unwrap();
+        }
+        add_downloads(&site, &[("PDF", "tops.pdf"), ("EPUB", "tops.epub")]).unwrap();
+        for (page, up) in [("index.html", ""), ("tops/index.html", "../")] {
+            let links = format!(" · <a href=\"{up}tops.pdf\">PDF</a> · <a href=\"{up}tops.epub\">EPUB</a>");
+            assert_eq!(fs::read_to_string(site.join(page)).unwrap(), format!("<p>Tops{links}</p>"));
+        }
+        fs::remove_dir_all(site).unwrap();
     }
 
     #[test]

@@ -1,74 +1,125 @@
-//! Finding mdBook, or installing it once.
+//! mdBook as a library: what `mdbook build` and `mdbook test` do, for those who have not installed it. It reads
+//! book.toml and calls the press as the program does, so that both print the same site.
 
+use mdbook_driver::MDBook;
+use mdbook_driver::config::Config;
+use std::fmt::{self, Write as _};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::{env, io};
+use std::sync::Once;
+use tracing::field::{Field, Visit};
+use tracing::level_filters::LevelFilter;
+use tracing::span::{Attributes, Id, Record};
+use tracing::{Event, Level, Metadata, Subscriber};
 
-/// The series that the press speaks with, and the version that is installed if there is none.
-const SERIES: &str = "0.5.";
-const VERSION: &str = "0.5.4";
+/// For whom a site is built.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum For {
+    /// Whoever publishes it: all of it.
+    Readers,
+    /// Whoever looks at it while it is written: a fault is shown in its place.
+    Author,
+    /// The same, who wants to see it at once: without what takes long to make anew. The rest follows.
+    Hasty,
+    /// Whoever prints it: with stills of the scenes.
+    Paper,
+}
 
-/// What of it is optimised: where a build of the book spends its time. The rest, mostly the server, compiles
-/// in half the time.
-const OPTIMISED: [&str; 12] = [
-    "elasticlunr-rs",
-    "handlebars",
-    "html5ever",
-    "markup5ever",
-    "mdbook-html",
-    "memchr",
-    "pest",
-    "pulldown-cmark",
-    "regex-automata",
-    "serde_json",
-    "sha2",
-    "tendril",
-];
+/// Where the press finds it in the settings that mdBook hands on.
+const SETTING: &str = "preprocessor.press.for";
 
-/// The program `mdbook` of the right series: the one on PATH, else the one under `target/tools`, else a fresh
-/// one there.
-///
-/// Installing takes some minutes and needs a network; it says so on standard error.
-///
-/// # Errors
-/// If there is none and it cannot be installed.
-pub fn locate(root: &Path) -> io::Result<PathBuf> {
-    let tools = root.join("target").join("tools");
-    let local = tools.join("bin").join("mdbook").with_extension(env::consts::EXE_EXTENSION);
-    for candidate in [PathBuf::from("mdbook"), local.clone()] {
-        if is_of_series(&candidate) {
-            return Ok(candidate);
+impl For {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Readers => "readers",
+            Self::Author => "author",
+            Self::Hasty => "hasty",
+            Self::Paper => "paper",
         }
     }
-    eprintln!(
-        "There is no mdBook {SERIES}x on this machine. Installing mdBook {VERSION} into target/tools: \
-         some two to five minutes, once, and it needs a network."
-    );
-    let status =
-        Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-            .args(["install", "mdbook", "--version", VERSION, "--locked", "--root"])
-            .arg(&tools)
-            .args(["--config", "profile.release.opt-level=0"])
-            .args(OPTIMISED.iter().flat_map(|name| {
-                ["--config".to_owned(), format!("profile.release.package.{name}.opt-level=2")]
-            }))
-            .current_dir(env::temp_dir()) // away from this workspace's settings
-            .env_remove("CARGO_TARGET_DIR")
-            .stdin(Stdio::null())
-            .status()?;
-    if status.success() && is_of_series(&local) {
-        Ok(local)
-    } else {
-        Err(io::Error::other(format!(
-            "mdBook {VERSION} could not be installed; `cargo install mdbook --version {VERSION}` may say more"
-        )))
+
+    /// For whom mdBook builds with these settings. `mdbook serve` leaves a sign of its own.
+    pub(crate) fn of(config: &Config) -> Self {
+        let named: Option<String> = config.get(SETTING).ok().flatten();
+        let all = [Self::Author, Self::Hasty, Self::Paper];
+        let found = all.into_iter().find(|one| named.as_deref() == Some(one.name()));
+        let is_served = config.contains_key("output.html.live-reload-endpoint");
+        found.unwrap_or(if is_served { Self::Author } else { Self::Readers })
     }
 }
 
-fn is_of_series(program: &Path) -> bool {
-    let output = Command::new(program).arg("--version").stdin(Stdio::null()).stderr(Stdio::null()).output();
-    output.is_ok_and(|output| {
-        let said = String::from_utf8_lossy(&output.stdout).into_owned();
-        said.trim().trim_start_matches("mdbook").trim().trim_start_matches('v').starts_with(SERIES)
-    })
+/// Builds the site in `root`, in the folder `html` below `destination` if it is not where book.toml says.
+pub(crate) fn build(root: &Path, destination: Option<&str>, for_whom: For) -> Result<(), String> {
+    let built = load(root).and_then(|mut book| {
+        if let Some(folder) = destination {
+            book.config.build.build_dir = root.join(folder);
+        }
+        book.config.set(SETTING, for_whom.name())?;
+        if matches!(for_whom, For::Author | For::Hasty) {
+            book.config.set("output.html.site-url", "/")?; // for the page that is shown in place of a missing one
+        }
+        book.build()
+    });
+    built.map_err(|error| format!("error: the book was not built: {error:#}"))
+}
+
+/// The files and folders that a change in asks for a new site: those that `mdbook serve` watches, and Cargo's.
+pub(crate) fn made_of(root: &Path) -> Result<Vec<PathBuf>, String> {
+    let config = Config::from_disk(root.join("book.toml")).map_err(|error| format!("error: {error:#}"))?;
+    let mut parts = vec![config.book.src];
+    parts.extend(config.build.extra_watch_dirs);
+    parts.extend(["book.toml", "Cargo.toml", "Cargo.lock"].map(PathBuf::from));
+    Ok(parts.into_iter().map(|part| root.join(part)).collect())
+}
+
+/// Tests the snippets of all pages.
+pub(crate) fn test(root: &Path) -> Result<(), String> {
+    let tested = load(root).and_then(|mut book| book.test(Vec::new()));
+    tested.map_err(|error| format!("error: the book was not tested: {error:#}"))
+}
+
+fn load(root: &Path) -> Result<MDBook, mdbook_driver::errors::Error> {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let _ = tracing::subscriber::set_global_default(Warnings);
+    });
+    MDBook::load(root)
+}
+
+/// Prints what mdBook warns of.
+struct Warnings;
+
+impl Subscriber for Warnings {
+    fn enabled(&self, metadata: &Metadata<'_>) -> bool {
+        *metadata.level() <= Level::WARN
+    }
+
+    fn max_level_hint(&self) -> Option<LevelFilter> {
+        Some(LevelFilter::WARN)
+    }
+
+    fn event(&self, event: &Event<'_>) {
+        let mut message = Message(String::new());
+        event.record(&mut message);
+        let level = if *event.metadata().level() == Level::ERROR { "error" } else { "warning" };
+        eprintln!("{level}: {}", message.0);
+    }
+
+    fn new_span(&self, _: &Attributes<'_>) -> Id {
+        Id::from_u64(1)
+    }
+
+    fn record(&self, _: &Id, _: &Record<'_>) {}
+    fn record_follows_from(&self, _: &Id, _: &Id) {}
+    fn enter(&self, _: &Id) {}
+    fn exit(&self, _: &Id) {}
+}
+
+struct Message(String);
+
+impl Visit for Message {
+    fn record_debug(&mut self, field: &Field, value: &dyn fmt::Debug) {
+        if field.name() == "message" {
+            let _ = write!(self.0, "{value:?}");
+        }
+    }
 }

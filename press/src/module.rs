@@ -10,6 +10,7 @@
 //! nothing) builds the module if it can. `BOOK_WASM_RUSTC` names a compiler other than `rustc`.
 
 use crate::answers;
+use crate::mdbook::For;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -31,15 +32,23 @@ pub(crate) enum Module {
     Built(Vec<PathBuf>),
     /// None; perhaps there is something to say about that.
     Missing(Option<String>),
+    /// None yet.
+    Stale,
 }
 
-/// Builds the modules of which something has changed that they are made of.
+/// Whether nothing has to be compiled for the modules.
+pub(crate) fn is_current(root: &Path) -> bool {
+    !matches!(build(root, For::Hasty), Ok(Module::Stale))
+}
+
+/// Builds the modules of which something has changed that they are made of; who is in haste goes without them.
 ///
 /// # Errors
 /// If it does not compile, with the words of the compiler; if it is required and there is no compiler for it.
-pub(crate) fn build(root: &Path) -> Result<Module, String> {
+pub(crate) fn build(root: &Path, for_whom: For) -> Result<Module, String> {
     let wish = env::var("BOOK_LIVE").unwrap_or_else(|_| "auto".to_owned());
     match wish.as_str() {
+        _ if for_whom == For::Paper => return Ok(Module::Missing(None)),
         "static" => return Ok(Module::Missing(None)),
         "auto" | "require" => {}
         other => return Err(format!("BOOK_LIVE is auto, static or require, not `{other}`")),
@@ -60,6 +69,9 @@ pub(crate) fn build(root: &Path) -> Result<Module, String> {
         let stamp = script.with_extension("stamp");
         let wanted = made_of(root, &compiler, &chapter).map_err(cannot)?;
         if !script.is_file() || fs::read_to_string(&stamp).map_or(true, |stamp| stamp != wanted) {
+            if for_whom == For::Hasty {
+                return Ok(Module::Stale);
+            }
             let wasm = compile(root, &folder, &compiler, &chapter)?;
             let packed = packed(&fs::read(wasm).map_err(cannot)?).map_err(cannot)?;
             let fresh = script.with_extension("new");

@@ -1,6 +1,7 @@
 //! What a build leaves behind: the folder `html` is there when the site in it is whole, and only then, so that a script
 //! which does not look at the exit code has nothing to publish.
 
+use crate::mdbook::For;
 use crate::preprocess::Failed;
 use mdbook_preprocessor::config::Config;
 use std::path::{Path, PathBuf};
@@ -19,12 +20,12 @@ pub(crate) fn bring_back(unfinished: &Path, site: &Path) -> io::Result<()> {
     fs::rename(unfinished, site)
 }
 
-/// Takes the site away after a build that failed. Who looks at it through `mdbook serve` sees the reason
+/// Takes the site away after a build that failed. Who looks at it while it is served sees the reason
 /// instead, at every address, until the next build.
 pub(crate) fn withdraw(site: &Path, config: &Config, failed: &Failed) -> io::Result<()> {
     remove(&site.with_file_name("html-unfinished"))?;
     remove(site)?;
-    if config.contains_key("output.html.live-reload-endpoint") {
+    if matches!(For::of(config), For::Author | For::Hasty) {
         fs::create_dir_all(site)?;
         for name in ["index.html", "404.html"] {
             fs::write(site.join(name), page(&failed.to_string()))?;

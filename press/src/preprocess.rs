@@ -2,6 +2,7 @@
 
 use crate::book::from_mdbook;
 use crate::fault::Faults;
+use crate::mdbook::For;
 use crate::module::{self, Module};
 use crate::rendered::Rendered;
 use crate::{check, outcome, snippets, solutions};
@@ -72,8 +73,11 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
         test_snippets(&context.root)?;
         texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
     } else {
-        if let Module::Missing(why) = module::build(&context.root).map_err(Failed::Other)? {
-            why.iter().for_each(|why| eprintln!("{why}"));
+        let module = module::build(&context.root, For::of(&context.config)).map_err(Failed::Other)?;
+        if let Module::Missing(Some(why)) = &module {
+            eprintln!("{why}");
+        }
+        if !matches!(module, Module::Built(_)) {
             drawn.is_still = true;
             texts = check::rendered(&pages, &context.root, &source, &drawn).map_err(Failed::Faults)?;
         }

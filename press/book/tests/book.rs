@@ -12,12 +12,14 @@ mod scenes;
 mod vision;
 
 use press::rendered::Rendered;
-use std::collections::BTreeSet;
-use std::fs;
-use std::io::Write as _;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{Read as _, Write as _};
+use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::OnceLock;
+use std::time::Duration;
+use std::{fs, thread};
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the package lies two folders down")
@@ -32,20 +34,14 @@ fn drawn() -> &'static Rendered {
     })
 }
 
-/// mdBook, found or installed; its progress goes to standard error, where a waiting reader sees it.
-fn program() -> &'static Path {
-    static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
-    PROGRAM.get_or_init(|| press::mdbook::locate(root()).expect("mdBook can be found or installed"))
-}
-
-/// One run of it.
-fn mdbook(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(program())
+/// One run of `cargo book`.
+fn book(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_book"))
         .args(arguments)
         .current_dir(folder)
         .stdin(Stdio::null())
         .output()
-        .expect("mdBook runs")
+        .expect("it runs")
 }
 
 /// A folder for one test, emptied; inside the workspace, so that Cargo finds the press from there.
@@ -61,7 +57,7 @@ fn site() -> &'static Path {
     static SITE: OnceLock<PathBuf> = OnceLock::new();
     SITE.get_or_init(|| {
         let folder = folder("site");
-        let built = mdbook(root(), &["build", "-d", folder.to_str().unwrap()]);
+        let built = book(root(), &["build", "-d", folder.to_str().unwrap()]);
         assert!(built.status.success(), "{}", String::from_utf8_lossy(&built.stderr));
         folder.join("html")
     })
@@ -281,18 +277,18 @@ const GOOD: &str = "# A\n\n$$\nE = mc^2\n$$ {#eq:rest}\n\nSo @eq:rest says; see 
 fn a_small_book_builds_and_after_a_fault_leaves_no_site() {
     let folder = small_book("good", GOOD);
     let site = folder.join("target/book/html");
-    let built = mdbook(&folder, &["build"]);
+    let built = book(&folder, &["build"]);
     assert!(built.status.success(), "{}", said(&built));
     assert!(site.join("a.html").is_file() && site.join("fonts").is_dir());
 
     // A fault that the preprocessor finds, whether the book is built, tested or checked.
     fs::write(folder.join("book/a.md"), "# A\n\nSee @eq:nothing.\n").unwrap();
     let fault = "error: book/a.md:3: no page defines the label eq:nothing\n";
-    let tested = mdbook(&folder, &["test"]);
+    let tested = book(&folder, &["test"]);
     assert!(!tested.status.success() && said(&tested).contains(fault), "{}", said(&tested));
     assert!(site.join("a.html").is_file(), "a test touches no site");
     assert!(press::check::check(&folder, drawn()).unwrap_err().to_string().starts_with(fault));
-    let built = mdbook(&folder, &["build"]);
+    let built = book(&folder, &["build"]);
     assert!(!built.status.success() && said(&built).contains(fault), "{}", said(&built));
     assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["press".to_owned()]));
 }
@@ -303,30 +299,98 @@ fn a_fault_of_the_finished_site_leaves_none() {
     fs::create_dir_all(folder.join("book/theme")).unwrap();
     fs::write(folder.join("book/theme/head.hbs"), "<script src=\"https://example.org/x.js\"></script>\n")
         .unwrap();
-    let built = mdbook(&folder, &["build"]);
+    let built = book(&folder, &["build"]);
     let fault = "error: book/a.md: <script> loads https://example.org/x.js from a network";
     assert!(!built.status.success() && said(&built).contains(fault), "{}", said(&built));
     assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["press".to_owned()]));
 }
 
+/// What the server at an address says to a browser that asks for a page, once it is there.
+fn page(address: (&str, u16), path: &str) -> String {
+    for _ in 0..600 {
+        if let Ok(mut stream) = TcpStream::connect(address) {
+            let mut said = String::new();
+            stream.set_read_timeout(Some(Duration::from_secs(120))).unwrap();
+            write!(stream, "GET {path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n").unwrap();
+            stream.read_to_string(&mut said).unwrap();
+            return said;
+        }
+        thread::sleep(Duration::from_millis(100));
+    }
+    panic!("nobody answers");
+}
+
 #[test]
-fn who_serves_a_book_with_a_fault_reads_it_at_every_address() {
+fn who_is_served_a_book_with_a_fault_reads_it_at_every_address_and_then_the_page() {
     let folder = small_book("served", "# A\n\nSee <b>@eq:nothing.\n");
-    let site = folder.join("target/book/html");
-    fs::create_dir_all(&site).unwrap();
-    fs::write(site.join("a.html"), "an older page").unwrap();
-    let built = Command::new(program())
-        .arg("build")
+    // A port that is free now.
+    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    let address = ("127.0.0.1", port);
+    let mut server = Command::new(env!("CARGO_BIN_EXE_book"))
+        .args(["serve", "-n", address.0, "-p", &port.to_string()])
         .current_dir(&folder)
-        .env("MDBOOK_OUTPUT__HTML__LIVE_RELOAD_ENDPOINT", "reload") // as `mdbook serve` sets it
         .stdin(Stdio::null())
-        .output()
+        .stderr(Stdio::null())
+        .spawn()
         .unwrap();
-    assert!(!built.status.success());
-    assert_eq!(names(&site), ["404.html", "index.html"].map(str::to_owned).into());
-    let page = fs::read_to_string(site.join("404.html")).unwrap();
-    assert!(page.contains("book/a.md:3: `&lt;b&gt;` is not closed") && page.contains("eq:nothing"), "{page}");
-    assert!(page.contains("http-equiv=\"refresh\""), "it asks again");
+    let bad = page(address, "/a.html");
+    let news = thread::spawn(move || page(address, "/__news"));
+    thread::sleep(Duration::from_millis(500));
+    fs::write(folder.join("book/a.md"), GOOD).unwrap();
+    let heard = news.join();
+    let good = page(address, "/a.html");
+    server.kill().unwrap();
+    server.wait().unwrap();
+    assert!(bad.contains("book/a.md:3: `&lt;b&gt;` is not closed") && bad.contains("eq:nothing"), "{bad}");
+    assert!(bad.starts_with("HTTP/1.1 404") && bad.contains("http-equiv=\"refresh\""), "it asks again");
+    assert!(heard.unwrap().ends_with("data: new\n\n"));
+    assert!(good.starts_with("HTTP/1.1 200") && good.contains("figures.html"), "{good}");
+}
+
+/// All files of a built site.
+fn all(folder: &Path, below: &str, found: &mut BTreeMap<String, Vec<u8>>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = format!("{below}/{}", path.file_name().unwrap().to_string_lossy());
+        if path.is_dir() {
+            all(&path, &name, found);
+        } else {
+            found.insert(name, fs::read(path).unwrap());
+        }
+    }
+}
+
+#[test]
+fn plain_mdbook_prints_the_same_site() {
+    let version = Command::new("mdbook").arg("--version").output();
+    if !version.is_ok_and(|said| String::from_utf8_lossy(&said.stdout).contains("v0.5.")) {
+        assert!(std::env::var_os("CI").is_none(), "`.ci/run` puts mdBook 0.5 on PATH");
+        eprintln!("skipped: there is no mdBook 0.5 on PATH");
+        return;
+    }
+    let folder = small_book("plain", GOOD);
+    let site = folder.join("target/book/html");
+    let mut sites = [BTreeMap::new(), BTreeMap::new()];
+    assert!(book(&folder, &["build"]).status.success());
+    all(&site, "", &mut sites[0]);
+    let plain = Command::new("mdbook").arg("build").current_dir(&folder).output().unwrap();
+    assert!(plain.status.success(), "{}", said(&plain));
+    all(&site, "", &mut sites[1]);
+    let tested = Command::new("mdbook").arg("test").current_dir(&folder).output().unwrap();
+    assert!(tested.status.success(), "{}", said(&tested));
+    // Only the name of the search's index may differ: in it is a sum over what mdBook's own index held.
+    let [ours, theirs] = sites.map(|site| {
+        let index = site.keys().find_map(|name| name.strip_prefix("/searchindex-")).unwrap().to_owned();
+        let plain = |(name, bytes): (String, Vec<u8>)| {
+            let is_text = [".html", ".js"].iter().any(|ending| name.ends_with(ending));
+            let text = |bytes| String::from_utf8(bytes).unwrap().replace(&index, "INDEX").into_bytes();
+            (name.replace(&index, "INDEX"), if is_text { text(bytes) } else { bytes })
+        };
+        site.into_iter().map(plain).collect::<BTreeMap<String, Vec<u8>>>()
+    });
+    assert!(ours.keys().eq(theirs.keys()) && ours.len() > 20);
+    let differ: Vec<&String> = ours.keys().filter(|name| ours[*name] != theirs[*name]).collect();
+    assert!(differ.is_empty(), "{differ:?}");
 }
 
 #[test]
@@ -350,7 +414,7 @@ fn a_book_without_its_solutions_has_none_and_nothing_leads_to_them() {
     fs::write(folder.join("book/answers.md"), "# Answers\n\n## {#sol:drum}\n\nBecause it turns.\n").unwrap();
     let site = folder.join("target/book/html");
     let page = || fs::read_to_string(site.join("a.html")).unwrap();
-    let built = mdbook(&folder, &["build"]);
+    let built = book(&folder, &["build"]);
     assert!(built.status.success(), "{}", said(&built));
     assert!(site.join("answers.html").is_file() && page().matches("answers.html#sol-drum").count() == 2);
 
@@ -358,7 +422,7 @@ fn a_book_without_its_solutions_has_none_and_nothing_leads_to_them() {
     let with = |line: &str| {
         let config = config.replace("[preprocessor.press]\n", &format!("[preprocessor.press]\n{line}\n"));
         fs::write(folder.join("book.toml"), config).unwrap();
-        mdbook(&folder, &["build"])
+        book(&folder, &["build"])
     };
     let built = with("solutions = false");
     assert!(built.status.success(), "{}", said(&built));
@@ -384,7 +448,7 @@ fn mdbook_test_runs_the_snippets_and_says_which_fails() {
     for (sum, outcome) in [(4, "test result: ok. 1 passed"), (5, "a snippet fails")] {
         fs::write(folder.join("src/lib.rs"), format!("//! ```\n//! assert_eq!(2 + 2, {sum});\n//! ```\n"))
             .unwrap();
-        let run = Command::new(program())
+        let run = Command::new(env!("CARGO_BIN_EXE_book"))
             .arg("test")
             .current_dir(&folder)
             .env("MDBOOK_PREPROCESSOR__PRESS__COMMAND", env!("CARGO_BIN_EXE_book"))

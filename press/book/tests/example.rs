@@ -34,8 +34,8 @@ fn another_book_is_printed_with_all_that_the_press_can_do() {
     let again = press::command::run(root, &new, &Rendered::default());
     assert!(again.is_err_and(|said| said.contains("the folder is not empty")));
 
-    let mdbook = press::mdbook::locate(root).expect("mdBook can be found or installed");
-    run(&folder, &mdbook, &["build"]);
+    let cargo = PathBuf::from(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    run(&folder, &cargo, &["book", "build"]);
     let site = folder.join("target/book/html");
     let page = |name: &str| fs::read_to_string(site.join(name)).expect(name);
     let holds = |name: &str, wanted: &[&str]| {
@@ -67,7 +67,6 @@ fn another_book_is_printed_with_all_that_the_press_can_do() {
     }
 
     // The number that the page prints is held by a test.
-    let cargo = PathBuf::from(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     let said = run(&folder, &cargo, &["test", "--doc", "-p", "snippets", "pendulum"]);
     assert!(said.contains("1 passed"), "{said}");
 }

@@ -165,8 +165,7 @@ fn the_keyboard_reaches_everything_in_the_order_of_the_page() {
             let mut places: Vec<&str> = visited.iter().map(|(_, place)| place.as_str()).collect();
             places.dedup();
             let in_text = ["figure.scene", ".answers"];
-            let mut outer: Vec<&str> =
-                places.into_iter().filter(|place| !in_text.contains(place)).collect();
+            let mut outer: Vec<&str> = places.into_iter().filter(|place| !in_text.contains(place)).collect();
             outer.dedup();
             let all = ["page", "#mdbook-sidebar", "#mdbook-menu-bar", "main", ".foot"];
             let own = all.iter().copied().filter(|part| width > 1000 || *part != "#mdbook-sidebar");

@@ -1,0 +1,220 @@
+//! Files over HTTP, for a browser on this machine.
+
+use percent_encoding::percent_decode_str;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::time::Duration;
+use std::{fs, thread};
+use tiny_http::{Header, Method, Request, Response, Server};
+
+/// Where a page asks whether there is a newer one.
+const NEWS: &str = "/__news";
+/// What makes it ask.
+const SCRIPT: &str = "<script>new EventSource(\"/__news\").onmessage = () => location.reload();</script>\n";
+
+/// How long something is waited for that is just being made.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The folder of the site, and what happens to it.
+pub(super) struct Site {
+    folder: PathBuf,
+    state: Mutex<State>,
+    changed: Condvar,
+}
+
+#[derive(Clone, Copy)]
+struct State {
+    is_being_built: bool,
+    /// How often it was built.
+    count: u64,
+}
+
+impl Site {
+    /// A site that is not built yet.
+    pub(super) fn new(folder: PathBuf) -> Self {
+        Self { folder, state: Mutex::new(State { is_being_built: true, count: 0 }), changed: Condvar::new() }
+    }
+
+    /// Has it built by `build`, and tells the pages, also where it has failed: they then show why.
+    pub(super) fn while_built<T>(&self, build: impl FnOnce() -> T) -> T {
+        self.set(|state| state.is_being_built = true);
+        let outcome = build();
+        self.set(|state| *state = State { is_being_built: false, count: state.count + 1 });
+        outcome
+    }
+
+    fn set(&self, change: impl FnOnce(&mut State)) {
+        change(&mut self.state.lock().unwrap_or_else(PoisonError::into_inner));
+        self.changed.notify_all();
+    }
+
+    /// Waits for a state of which `is_it` is true, as long as `patience`; the state then.
+    fn wait(&self, patience: Duration, is_it: impl Fn(&State) -> bool) -> State {
+        let state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
+        let waited = self.changed.wait_timeout_while(state, patience, |state| !is_it(state));
+        *waited.unwrap_or_else(PoisonError::into_inner).0
+    }
+}
+
+/// Answers whoever asks, for ever.
+pub(super) fn answer(server: &Server, site: &Arc<Site>) {
+    for request in server.incoming_requests() {
+        let site = Arc::clone(site);
+        thread::spawn(move || {
+            let _ = one(request, &site); // a browser that has gone away misses nothing
+        });
+    }
+}
+
+fn one(request: Request, site: &Site) -> io::Result<()> {
+    if !matches!(request.method(), Method::Get | Method::Head) {
+        return send(request, 405, "text/plain", b"only for reading".to_vec());
+    }
+    let path = request.url().split(['?', '#']).next().unwrap_or_default().to_owned();
+    if path == NEWS {
+        return news(request, site);
+    }
+    let Some(below) = below(&path) else {
+        return send(request, 400, "text/plain", b"no such address".to_vec());
+    };
+    let read = || {
+        let file = site.folder.join(&below);
+        let file = if file.is_dir() && path.ends_with('/') { file.join("index.html") } else { file };
+        fs::read(&file).map(|bytes| (kind(&file), bytes))
+    };
+    let found = read().or_else(|_| {
+        site.wait(PATIENCE, |state| !state.is_being_built);
+        read()
+    });
+    match found {
+        Ok((HTML, page)) => send(request, 200, HTML, with_script(page)),
+        Ok((kind, bytes)) => send(request, 200, kind, bytes),
+        Err(_) if site.folder.join(&below).is_dir() => {
+            request.respond(Response::empty(302).with_header(header("Location", &format!("{path}/"))))
+        }
+        Err(_) => {
+            let page = fs::read(site.folder.join("404.html"));
+            send(request, 404, HTML, with_script(page.unwrap_or_else(|_| b"There is no such page.".to_vec())))
+        }
+    }
+}
+
+/// Tells when there is something new; asks now and then whether anybody still listens.
+fn news(request: Request, site: &Site) -> io::Result<()> {
+    let count = site.wait(Duration::ZERO, |_| true).count;
+    let mut stream = request.into_writer();
+    let mut tell = |words: &str| stream.write_all(words.as_bytes()).and_then(|()| stream.flush());
+    tell(
+        "HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n",
+    )?;
+    while site.wait(Duration::from_secs(15), |state| state.count > count).count == count {
+        tell(": nothing new\n\n")?;
+    }
+    tell("data: new\n\n")
+}
+
+fn send(request: Request, status: u16, kind: &str, body: Vec<u8>) -> io::Result<()> {
+    let headers = [header("Content-Type", kind), header("Cache-Control", "no-store")];
+    let response = Response::from_data(body).with_status_code(status);
+    request.respond(headers.into_iter().fold(response, Response::with_header))
+}
+
+fn header(name: &str, value: &str) -> Header {
+    Header::from_bytes(name, value).expect("letters of ASCII")
+}
+
+/// A page with what loads it again.
+fn with_script(mut page: Vec<u8>) -> Vec<u8> {
+    let end = page.windows(7).rposition(|window| window == b"</body>").unwrap_or(page.len());
+    page.splice(end..end, SCRIPT.bytes());
+    page
+}
+
+/// The path in the site's folder that an address names; `None` if it leads out of it.
+fn below(path: &str) -> Option<PathBuf> {
+    let path = percent_decode_str(path.strip_prefix('/')?).decode_utf8().ok()?;
+    let path = PathBuf::from(path.as_ref());
+    path.components().all(|part| matches!(part, Component::Normal(_))).then_some(path)
+}
+
+const HTML: &str = "text/html; charset=utf-8";
+
+/// What a file holds, for the browser.
+fn kind(file: &Path) -> &'static str {
+    match file.extension().and_then(|ending| ending.to_str()).unwrap_or_default() {
+        "html" => HTML,
+        "css" => "text/css; charset=utf-8",
+        "js" => "text/javascript; charset=utf-8",
+        "json" => "application/json",
+        "svg" => "image/svg+xml",
+        "png" => "image/png",
+        "woff2" => "font/woff2",
+        "pdf" => "application/pdf",
+        "epub" => "application/epub+zip",
+        "csv" | "md" | "txt" | "" => "text/plain; charset=utf-8",
+        _ => "application/octet-stream",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::{Read, Write};
+    use std::net::TcpStream;
+
+    fn asked(address: std::net::SocketAddr, request: &str) -> String {
+        let mut stream = TcpStream::connect(address).unwrap();
+        stream
+            .write_all(format!("{request} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n").as_bytes())
+            .unwrap();
+        let mut said = String::new();
+        stream.read_to_string(&mut said).unwrap();
+        said
+    }
+
+    #[test]
+    fn pages_are_sent_and_loaded_again_after_a_build() {
+        let folder = std::env::temp_dir().join(format!("press-http-{}", std::process::id()));
+        fs::create_dir_all(folder.join("a b")).unwrap();
+        fs::write(folder.join("index.html"), "<body>Home</body>").unwrap();
+        fs::write(folder.join("404.html"), "<body>Lost</body>").unwrap();
+        fs::write(folder.join("a b/index.html"), "A").unwrap();
+        fs::write(folder.join("a.css"), "p {}").unwrap();
+        let site = Arc::new(Site::new(folder.clone()));
+        site.while_built(|| ());
+        let server = Server::http("127.0.0.1:0").unwrap();
+        let address = server.server_addr().to_ip().unwrap();
+        let served = Arc::clone(&site);
+        thread::spawn(move || answer(&server, &served));
+
+        let home = asked(address, "GET /?x=1");
+        assert!(home.starts_with("HTTP/1.1 200 OK") && home.contains("text/html"), "{home}");
+        assert!(home.ends_with(&format!("<body>Home{SCRIPT}</body>")), "{home}");
+        assert!(asked(address, "GET /a.css").ends_with("\r\n\r\np {}"));
+        assert!(asked(address, "HEAD /a.css").ends_with("\r\n\r\n"));
+        assert!(asked(address, "GET /a%20b").contains("Location: /a%20b/"));
+        assert!(asked(address, "GET /a%20b/").contains("\r\n\r\nA<script>"));
+        assert!(
+            asked(address, "GET /b.html").starts_with("HTTP/1.1 404")
+                && asked(address, "GET /b.html").contains("Lost")
+        );
+        for outside in ["/../x", "/%2e%2e/x", "//etc/passwd"] {
+            assert!(asked(address, &format!("GET {outside}")).starts_with("HTTP/1.1 400"), "{outside}");
+        }
+        assert!(asked(address, "POST /").starts_with("HTTP/1.1 405"));
+
+        // A page that is being made is waited for, and who has one hears of the next.
+        let reader = thread::spawn(move || asked(address, "GET /__news"));
+        thread::sleep(Duration::from_millis(100));
+        let late = site.while_built(|| {
+            let late = thread::spawn(move || asked(address, "GET /late.html"));
+            thread::sleep(Duration::from_millis(100));
+            fs::write(folder.join("late.html"), "Late").unwrap();
+            late
+        });
+        assert!(late.join().unwrap().contains("Late"));
+        assert!(reader.join().unwrap().ends_with("data: new\n\n"));
+        fs::remove_dir_all(folder).unwrap();
+    }
+}
