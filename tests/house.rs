@@ -178,9 +178,27 @@ fn comments_fit_a_screen() {
     assert!(long.is_empty(), "more than 120 characters: {}", long.join(" "));
 }
 
+#[test]
+fn the_version_and_its_day_are_the_same_wherever_they_stand() {
+    let read = |file: &str| fs::read_to_string(root().join(file)).unwrap();
+    let after = |text: &str, key: &str| {
+        let mut lines = text.lines().filter_map(|line| line.strip_prefix(key));
+        lines.next().unwrap_or_else(|| panic!("{key}")).trim_matches(['"', ' ']).to_owned()
+    };
+    let citation = read("CITATION.cff");
+    let [version, day] = ["version:", "date-released:"].map(|key| after(&citation, key));
+    assert_eq!(version, env!("CARGO_PKG_VERSION"));
+    // Above it may stand what is not released yet.
+    let changes = read("CHANGELOG.md");
+    let released =
+        changes.lines().filter(|line| line.starts_with("## ") && !line.starts_with("## Unreleased"));
+    let newest = released.map(|line| &line[3..]).next().unwrap();
+    assert!(newest.starts_with(&format!("{version}, {day}")), "{newest}");
+}
+
 /// Licences that ask for no more than their text and a name.
-const PERMISSIVE: [&str; 7] =
-    ["MIT", "Apache-2.0", "Zlib", "BSD-3-Clause", "0BSD", "Unlicense", "Unicode-3.0"];
+const PERMISSIVE: [&str; 9] =
+    ["MIT", "Apache-2.0", "ISC", "Zlib", "BSD-3-Clause", "0BSD", "Unlicense", "Unicode-3.0", "CC-BY-4.0"];
 
 /// Whether an expression such as `(MIT OR Apache-2.0) AND Unicode-3.0` can be met with these licences. Parentheses
 /// stand about lists of choices only.
