@@ -229,7 +229,7 @@ impl Registry {
                 if page.path.split('/').next() != Some(&scene.chapter) || page.part.is_some() {
                     fault(format!("the scene {} opens the chapter in {}", label.written(), scene.chapter));
                 } else if items[..n].iter().any(|above| matches!(above.item, Item::DisplayMaths { .. })) {
-                    fault(format!("the scene {} stands above the first equation", label.written()));
+                    fault(format!("the scene {} belongs above the first equation", label.written()));
                 }
             }
         }

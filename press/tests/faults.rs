@@ -191,7 +191,7 @@ const CASES: &[Case] = &[
     (
         "scene-below",
         "# A\n\n$$\na\n$$\n\n![A plate.](scene:plate)\n",
-        &[(7, "the scene scene:plate stands above the first equation")],
+        &[(7, "the scene scene:plate belongs above the first equation")],
     ),
     (
         "scene-in-text",
