@@ -7,6 +7,9 @@ use std::path::Path;
 const GRADES: [(&str, [f64; 2]); 3] =
     [("Check", [2.0, 15.0]), ("Problem", [10.0, 60.0]), ("Project", [60.0, 600.0])];
 
+/// How many a page has at least.
+const LEAST: usize = 10;
+
 fn pages(name: &str) -> Vec<Page> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the press lies in the workspace");
     let pages = from_disk(root).expect("a book without faults").1;
@@ -44,16 +47,27 @@ fn every_chapter_has_exercises_of_all_grades_in_their_order() {
             };
             let [least, most] = GRADES[grade].1;
             if !(least..=most).contains(&minutes) {
-                faults.push(format!("{}: `{heading}` takes {minutes} minutes", page.file));
+                let name = GRADES[grade].0;
+                faults.push(format!(
+                    "{}: `{heading}`, a {name}, takes {minutes} minutes, not {least} to {most}",
+                    page.file
+                ));
             }
             if !below.contains("<details>") {
                 faults.push(format!("{}: `{heading}` has no hint", page.file));
             }
-            grades.push(grade);
+            grades.push((grade, *heading));
         }
-        if grades.len() < 10 || !(0..GRADES.len()).all(|grade| grades.contains(&grade)) || !grades.is_sorted()
-        {
-            faults.push(format!("{}: {} exercises, of grades {grades:?}", page.file, grades.len()));
+        if exercises.len() < LEAST {
+            faults.push(format!("{}: {} exercises, of at least {LEAST}", page.file, exercises.len()));
+        }
+        for (grade, (name, _)) in GRADES.iter().enumerate() {
+            if !grades.iter().any(|(own, _)| *own == grade) {
+                faults.push(format!("{}: no exercise is a {name}", page.file));
+            }
+        }
+        if let Some(pair) = grades.windows(2).find(|pair| pair[0].0 > pair[1].0) {
+            faults.push(format!("{}: `{}` stands behind harder ones", page.file, pair[1].1));
         }
         chapters += 1;
     }
@@ -98,7 +112,7 @@ fn a_course_of_some_weeks_adds_up_the_minutes_of_its_exercises() {
         }
         let labels: Vec<&str> = cells[3].split(", ").map(|word| word.trim_start_matches('@')).collect();
         let sum: f64 = labels.iter().map(|label| minutes[*label]).sum();
-        assert_eq!(cells[4].parse(), Ok(sum), "{row}");
+        assert_eq!(cells[4].parse(), Ok(sum), "book/teaching.md: the minutes of the row {row}");
         weeks += 1;
     }
     assert_eq!(weeks, 12 + 6);
