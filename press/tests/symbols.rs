@@ -211,6 +211,11 @@ fn tables() -> BTreeMap<String, Vec<Row>> {
 
 const BOOK: &str = "book";
 
+/// Where the rows of a chapter stand.
+fn place(section: &str) -> String {
+    format!("book/conventions.md, {{#sec:symbols-{section}}}:")
+}
+
 #[test]
 fn every_letter_of_a_formula_has_one_row() {
     let tables = tables();
@@ -223,7 +228,7 @@ fn every_letter_of_a_formula_has_one_row() {
         let mut seen = BTreeSet::new();
         for symbol in rows.iter().flat_map(|row| &row.symbols) {
             if !seen.insert(symbol) {
-                faults.insert(format!("{section}: {symbol} has two rows"));
+                faults.insert(format!("{} {symbol} has two rows", place(section)));
             }
         }
     }
@@ -235,7 +240,8 @@ fn every_letter_of_a_formula_has_one_row() {
             letters += 1;
             let has = |letter: &str| here.iter().flatten().any(|rows| rows.contains(&letter.to_owned()));
             if !has(&letter) && !has(plain(&letter)) {
-                faults.insert(format!("{chapter}: {letter} has no row ({})", page.file));
+                let wanted = place(chapter);
+                faults.insert(format!("{wanted} {letter} has no row, and {} uses it", page.file));
             }
         }
     }
@@ -276,11 +282,11 @@ fn every_row_is_used_and_first_where_it_says() {
                 if section != BOOK {
                     let index = chapters.iter().position(|chapter| chapter == section);
                     let Some(index) = index else {
-                        faults.push(format!("{section} is no chapter"));
+                        faults.push(format!("{} there is no such chapter", place(section)));
                         continue;
                     };
                     if !uses(index, symbol) {
-                        faults.push(format!("{section} does not use {symbol}"));
+                        faults.push(format!("{} no page uses {symbol}", place(section)));
                     }
                     continue;
                 }
@@ -325,14 +331,14 @@ fn what_rows_name_in_the_library_is_there() {
         for row in rows {
             let meaning = row.cells.get(1).map_or("", String::as_str);
             if row.cells.len() != if section == BOOK { 5 } else { 4 } || meaning.len() < 3 {
-                faults.push(format!("{section}: {} has {} cells", row.line, row.cells.len()));
+                faults.push(format!("{} {} has {} cells", place(section), row.line, row.cells.len()));
                 continue;
             }
             for name in row.cells[3].split('`').skip(1).step_by(2) {
                 names += 1;
                 let parts = name.split("::").map(|part| part.trim_end_matches("()"));
                 if let Some(part) = parts.into_iter().find(|part| !words.contains(*part)) {
-                    faults.push(format!("{section}: the library has no {part}"));
+                    faults.push(format!("{} the library has no {part}", place(section)));
                 }
             }
         }
