@@ -124,6 +124,24 @@ fn only_sample_asks_for_wide_registers() {
     assert!(kernels > 8, "{kernels}");
 }
 
+#[test]
+fn the_map_of_the_library_names_every_scene_and_no_chapter_that_is_gone() {
+    let read = |file: &str| fs::read_to_string(root().join(file)).unwrap();
+    let [library, scenes, summary] = ["src/lib.rs", "src/scenes/mod.rs", "book/SUMMARY.md"].map(read);
+    let rows: Vec<&str> = library.lines().filter_map(|line| line.strip_prefix("//! | ")).skip(1).collect();
+    for scene in scenes.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')) {
+        let named = format!("[`scenes::{scene}`]");
+        assert!(rows.iter().any(|row| row.contains(&named)), "src/lib.rs: the map has no row for {named}");
+    }
+    for chapter in rows.iter().filter_map(|row| Some(row.split_once(" | ")?.0)) {
+        let is_there = [format!("- [{chapter}]("), format!("- [{chapter}: ")];
+        assert!(
+            summary.lines().any(|line| is_there.iter().any(|start| line.starts_with(start))),
+            "src/lib.rs: the map has a row for {chapter}, which is no chapter of book/SUMMARY.md"
+        );
+    }
+}
+
 /// How many lines of a file's documentation are assertions of an example.
 fn asserted(text: &str) -> usize {
     let documentation = |line: &str| {

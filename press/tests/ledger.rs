@@ -181,19 +181,31 @@ fn the_tables_of_the_chapters_and_the_changelog_list_what_the_ledger_corrects() 
     assert_eq!(logged, corrected, "the changelog and the ledger");
 }
 
+/// The chapters in their order: name and folder.
+fn chapters() -> Vec<(String, String)> {
+    let summary = fs::read_to_string(root().join("book/SUMMARY.md")).expect("the summary");
+    let chapters: Vec<(String, String)> = summary
+        .lines()
+        .filter_map(|line| line.strip_prefix("- [")?.strip_suffix("/index.md)")?.split_once("]("))
+        .map(|(title, folder)| (title.split(':').next().expect("a name").to_owned(), folder.to_owned()))
+        .collect();
+    assert!(chapters.len() >= 12, "{chapters:?}");
+    chapters
+}
+
 #[test]
 fn the_readme_lists_the_chapters_and_the_equations_that_they_derive() {
     let readme = fs::read_to_string(root().join("README.md")).expect("the readme");
-    let summary = fs::read_to_string(root().join("book/SUMMARY.md")).expect("the summary");
-    let chapters: Vec<(&str, &str)> = summary
-        .lines()
-        .filter_map(|line| line.strip_prefix("- [")?.strip_suffix("/index.md)")?.split_once("]("))
-        .collect();
-    assert!(chapters.len() >= 12, "{chapters:?}");
-    for (title, folder) in chapters {
-        let name = title.split(':').next().expect("a name");
-        let row = readme.lines().find_map(|line| line.strip_prefix(&format!("| {name} |")));
-        let row = row.unwrap_or_else(|| panic!("the table has no row for {name}"));
+    let chapters = chapters();
+    let table = readme.split("| chapter | problem |").nth(1).expect("the table").trim_start();
+    let rows: Vec<&str> = table.lines().skip(1).map_while(|line| line.strip_prefix("| ")).collect();
+    let names: Vec<&str> = rows.iter().filter_map(|row| Some(row.split_once(" | ")?.0)).collect();
+    let wanted: Vec<&str> = chapters.iter().map(|(name, _)| &name[..]).collect();
+    // One row is of a page that is no chapter.
+    let listed: Vec<&str> = names.into_iter().filter(|name| *name != "Ledger").collect();
+    assert_eq!(listed, wanted, "the chapters of the table in README.md and of book/SUMMARY.md");
+    for (name, folder) in chapters {
+        let row = rows.iter().find_map(|line| line.strip_prefix(&format!("{name} |"))).expect("its row");
         // "(1), (2), (34) to (45)"
         let mut listed = BTreeSet::new();
         let mut last = 0;
@@ -204,10 +216,21 @@ fn the_readme_lists_the_chapters_and_the_equations_that_they_derive() {
                 last = number;
             }
         }
-        let labels = labels(&texts(&root().join("book").join(folder), ".md"));
+        let labels = labels(&texts(&root().join("book").join(&folder), ".md"));
         let derived: BTreeSet<usize> = labels.into_iter().flat_map(|(numbers, _)| numbers).collect();
-        assert_eq!(listed, derived, "the row of {name} and its pages");
+        assert_eq!(listed, derived, "the row of {name} in README.md and the pages of book/{folder}");
     }
+}
+
+#[test]
+fn teachers_have_a_section_of_notes_for_each_chapter_in_their_order() {
+    let notes = fs::read_to_string(root().join("book/teaching-notes.md")).expect("the notes");
+    let headings: Vec<&str> = notes
+        .lines()
+        .filter_map(|line| Some(line.strip_prefix("## ")?.split(" {#sec:notes-").next().expect("words")))
+        .collect();
+    let names: Vec<String> = chapters().into_iter().map(|(name, _)| name).collect();
+    assert_eq!(headings, names, "the sections of book/teaching-notes.md and the chapters of book/SUMMARY.md");
 }
 
 #[test]
