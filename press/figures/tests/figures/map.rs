@@ -1,6 +1,7 @@
 //! The map of the chapters shows what the chapters themselves say.
 
 use super::every_figure;
+use drawing::{Label, Piece, Shape};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
@@ -71,5 +72,62 @@ fn the_map_of_the_chapters_shows_what_each_says_that_one_needs() {
     for part in map.drawing.all_parts() {
         let drawn: BTreeSet<String> = part.items().iter().filter_map(|item| item.name.clone()).collect();
         assert_eq!(drawn, wanted, "{}", part.id());
+    }
+}
+
+/// The words of a label.
+fn words(label: &Label) -> String {
+    let word = |piece: &Piece| match piece {
+        Piece::Words { text, .. } => text.clone(),
+        Piece::Outline(_) => String::new(),
+    };
+    label.pieces.iter().map(word).collect()
+}
+
+/// The folders of the chapters with their titles, in the order of the book.
+fn chapters() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the workspace");
+    let summary = fs::read_to_string(root.join("book/SUMMARY.md")).expect("the summary");
+    let line = |line: &str| {
+        let (title, folder) = line.strip_prefix("- [")?.strip_suffix("/index.md)")?.split_once("](")?;
+        Some((folder.to_owned(), title.to_lowercase()))
+    };
+    summary.lines().filter_map(line).collect()
+}
+
+/// Whether a picture with this name, `4 Coin toss`, is one of the chapter with this number and title.
+fn names(name: &str, number: usize, title: &str) -> bool {
+    name.split_once(' ')
+        .is_some_and(|(own, words)| own == number.to_string() && title.contains(&words.to_lowercase()))
+}
+
+#[test]
+fn the_map_has_a_box_for_each_chapter_with_its_number() {
+    let map = every_figure().iter().find(|figure| figure.id == "fig:chapters-map").expect("the map");
+    let chapters = chapters();
+    for part in map.drawing.all_parts() {
+        let boxes: Vec<String> = part
+            .items()
+            .iter()
+            .filter_map(|item| match &item.shape {
+                Shape::Label(label) => Some(words(label)),
+                _ => None,
+            })
+            .collect();
+        for (number, (folder, title)) in (1..).zip(&chapters) {
+            let has = boxes.iter().any(|name| names(name, number, title));
+            assert!(has, "book/figures.rs: the map has no box `{number} …` for book/{folder}: {boxes:?}");
+        }
+        assert_eq!(boxes.len(), chapters.len(), "book/figures.rs: a box for what is no chapter: {boxes:?}");
+    }
+}
+
+#[test]
+fn the_frontispiece_gives_each_chapter_its_number() {
+    let figure = every_figure().iter().find(|figure| figure.id == "fig:frontispiece").expect("the figure");
+    let chapters = chapters();
+    for picture in figure.drawing.parts() {
+        let is_one = (1..).zip(&chapters).any(|(number, (_, title))| names(picture.title(), number, title));
+        assert!(is_one, "book/figures.rs: no chapter has number and name of `{}`", picture.title());
     }
 }
