@@ -38,13 +38,14 @@ struct Curve {
 
 /// The curve with this name, of the figure with this id without its `fig:`.
 fn curve(figure: &str, name: &str) -> Curve {
-    let figure = figures().iter().find(|other| other.id == format!("fig:{figure}")).expect("the figure");
+    let id = format!("fig:{figure}");
+    let figure = figures().iter().find(|other| other.id == id).unwrap_or_else(|| panic!("no figure {id}"));
     let carries = |axes: &&Axes| axes.curves.iter().any(|curve| curve == name);
     let parts = figure.drawing.parts();
     let (part, axes) = parts
         .into_iter()
         .find_map(|part| Some((part, part.axes().iter().find(carries)?)))
-        .unwrap_or_else(|| panic!("no curve {name}"));
+        .unwrap_or_else(|| panic!("{id} has no curve {name}"));
     let document = Document::parse(&figure.svg).expect("valid XML");
     let id = format!("{}-{name}", part.id().replace(':', "-"));
     let node =
