@@ -140,11 +140,13 @@ pub(crate) fn is_current(root: &Path) -> bool {
 /// Runs rustdoc on the library in `root`, if there is one, and copies its pages into the site.
 pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
     let Some(library) = name(root) else { return Ok(()) };
+    let package = library::package(&fs::read_to_string(root.join("Cargo.toml"))?).unwrap_or_default();
     let doc = written(root)?;
     let sources = format!("src/{library}"); // where rustdoc puts them
     remove_outdated(&doc, [&library, &sources], &root.join("src"))?;
     let documented = Command::new(cargo())
-        .args(["doc", "--quiet", "--no-deps", "--lib"])
+        // Of this package alone: for all that is built here rustdoc would read the mdBook of the press, too.
+        .args(["doc", "--quiet", "--no-deps", "--lib", "--package", &package])
         .current_dir(root)
         .stdin(Stdio::null())
         .stderr(Stdio::inherit())

@@ -64,10 +64,11 @@ pub(crate) fn build(root: &Path, for_whom: For) -> Result<Module, String> {
     let cannot = |error: io::Error| format!("the module of the pages cannot be made: {error}");
     let folder = root.join("target/live");
     let mut scripts = Vec::new();
+    let shared = shared(root, &compiler).map_err(cannot)?;
     for chapter in chapters(root).map_err(cannot)? {
         let script = folder.join(file(&chapter));
         let stamp = script.with_extension("stamp");
-        let wanted = made_of(root, &compiler, &chapter).map_err(cannot)?;
+        let wanted = made_of(root, shared.clone(), &chapter).map_err(cannot)?;
         if !script.is_file() || fs::read_to_string(&stamp).map_or(true, |stamp| stamp != wanted) {
             if for_whom == For::Hasty {
                 return Ok(Module::Stale);
@@ -132,8 +133,8 @@ fn compiler() -> Result<PathBuf, String> {
     })
 }
 
-/// A number that changes with everything that the module of a chapter is made of.
-fn made_of(root: &Path, compiler: &Path, chapter: &str) -> io::Result<String> {
+/// A hasher that has seen what all modules are made of.
+fn shared(root: &Path, compiler: &Path) -> io::Result<DefaultHasher> {
     let mut hasher = DefaultHasher::new();
     let version = Command::new(compiler).arg("-vV").stdin(Stdio::null()).output()?;
     version.stdout.hash(&mut hasher);
@@ -149,22 +150,35 @@ fn made_of(root: &Path, compiler: &Path, chapter: &str) -> io::Result<String> {
         "press/src/library.rs",
         "press/src/module.rs",
         "press/src/printed.rs",
+        "book/SUMMARY.md",
     ] {
         walk(&root.join(path), &mut files)?;
     }
+    see(root, files, &mut hasher)?;
+    Ok(hasher)
+}
+
+/// A number that changes with everything that the module of a chapter is made of.
+fn made_of(root: &Path, mut hasher: DefaultHasher, chapter: &str) -> io::Result<String> {
     let own = root.join("book").join(chapter);
     live_text(&own)?.hash(&mut hasher);
-    files.push(root.join("book/SUMMARY.md"));
+    let mut files = Vec::new();
     for part in ["scene.rs", "scene"].map(|part| own.join(part)) {
         if part.exists() {
             walk(&part, &mut files)?;
         }
     }
+    see(root, files, &mut hasher)?;
+    Ok(format!("{:016x}", hasher.finish()))
+}
+
+/// Shows files with their names to a hasher.
+fn see(root: &Path, mut files: Vec<PathBuf>, hasher: &mut DefaultHasher) -> io::Result<()> {
     files.sort();
     for file in files {
-        (file.strip_prefix(root).unwrap_or(&file), fs::read(&file)?).hash(&mut hasher);
+        (file.strip_prefix(root).unwrap_or(&file), fs::read(&file)?).hash(hasher);
     }
-    Ok(format!("{:016x}", hasher.finish()))
+    Ok(())
 }
 
 /// A file, or all files in a folder but those of tests and examples.
