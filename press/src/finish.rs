@@ -38,7 +38,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
         Failed::Other(format!("the site in {} cannot be finished: {error}", site.display()))
     };
     let unfinished = outcome::put_aside(&site).map_err(cannot)?;
-    let modules = match module::build(&context.root, For::of(&context.config)) {
+    let modules = match module::found(&context.root, For::of(&context.config)) {
         Ok(Module::Built(scripts)) => scripts,
         _ => Vec::new(), // as the preprocessor has said
     };

@@ -32,20 +32,27 @@ pub(crate) enum Module {
     Built(Vec<PathBuf>),
     /// None; perhaps there is something to say about that.
     Missing(Option<String>),
-    /// None yet.
+    /// Some have to be compiled.
     Stale,
 }
 
-/// Whether nothing has to be compiled for the modules.
-pub(crate) fn is_current(root: &Path) -> bool {
-    !matches!(build(root, For::Hasty), Ok(Module::Stale))
-}
-
-/// Builds the modules of which something has changed that they are made of; who is in haste goes without them.
+/// What there is now.
 ///
 /// # Errors
-/// If it does not compile, with the words of the compiler; if it is required and there is no compiler for it.
+/// If modules are required and there is no compiler for them.
+pub(crate) fn found(root: &Path, for_whom: For) -> Result<Module, String> {
+    modules(root, for_whom, false)
+}
+
+/// What there is once those modules are compiled of which something has changed that they are made of.
+///
+/// # Errors
+/// Those of [`found`]; if one does not compile, with the words of the compiler.
 pub(crate) fn build(root: &Path, for_whom: For) -> Result<Module, String> {
+    modules(root, for_whom, true)
+}
+
+fn modules(root: &Path, for_whom: For, may_compile: bool) -> Result<Module, String> {
     let wish = env::var("BOOK_LIVE").unwrap_or_else(|_| "auto".to_owned());
     match wish.as_str() {
         _ if for_whom == For::Paper => return Ok(Module::Missing(None)),
@@ -70,7 +77,7 @@ pub(crate) fn build(root: &Path, for_whom: For) -> Result<Module, String> {
         let stamp = script.with_extension("stamp");
         let wanted = made_of(root, shared.clone(), &chapter).map_err(cannot)?;
         if !script.is_file() || fs::read_to_string(&stamp).map_or(true, |stamp| stamp != wanted) {
-            if for_whom == For::Hasty {
+            if !may_compile {
                 return Ok(Module::Stale);
             }
             let wasm = compile(root, &folder, &compiler, &chapter)?;

@@ -67,19 +67,22 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
     let pages = from_mdbook(book, &source);
     let is_test = context.renderer == "test";
     let without_solutions = !is_test && solutions::are_hidden(&context.config).map_err(Failed::Other)?;
+    let for_whom = For::of(&context.config);
+    let modules = if is_test { Ok(Module::Stale) } else { module::found(&context.root, for_whom) };
+    let modules = modules.map_err(Failed::Other)?;
+    drawn.is_still = matches!((&modules, for_whom), (Module::Missing(_), _) | (Module::Stale, For::Hasty));
     // What is wrong with the pages is said before anything is compiled.
     let mut texts = check::rendered(&pages, &context.root, &source, &drawn).map_err(Failed::Faults)?;
     if is_test {
         test_snippets(&context.root)?;
         texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
     } else {
-        let module = module::build(&context.root, For::of(&context.config)).map_err(Failed::Other)?;
-        if let Module::Missing(Some(why)) = &module {
-            eprintln!("{why}");
-        }
-        if !matches!(module, Module::Built(_)) {
-            drawn.is_still = true;
-            texts = check::rendered(&pages, &context.root, &source, &drawn).map_err(Failed::Faults)?;
+        match modules {
+            Module::Missing(Some(why)) => eprintln!("{why}"),
+            Module::Stale if !drawn.is_still => {
+                module::build(&context.root, for_whom).map_err(Failed::Other)?;
+            }
+            _ => {}
         }
         install_finisher(&context.root)
             .map_err(|error| Failed::Other(format!("the press cannot be put at {FINISHER}: {error}")))?;

@@ -6,8 +6,9 @@
 mod http;
 mod watch;
 
+use crate::api;
 use crate::mdbook::{self, For};
-use crate::{api, module};
+use crate::module::{self, Module};
 use http::Site;
 use std::io;
 use std::net::{TcpListener, ToSocketAddrs};
@@ -93,7 +94,7 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
 
 /// Builds the pages, with all that takes no time; whether that is everything.
 fn build(root: &Path, folder: &str, site: &Site) -> bool {
-    let is_current = api::is_current(root) && module::is_current(root);
+    let is_current = api::is_current(root) && !matches!(module::found(root, For::Author), Ok(Module::Stale));
     let for_whom = if is_current { For::Author } else { For::Hasty };
     let is_built = site.while_built(|| report(mdbook::build(root, Some(folder), for_whom)));
     is_current || !is_built
