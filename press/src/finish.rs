@@ -4,20 +4,23 @@ use crate::edition::edition;
 use crate::fault::{Faults, Lines};
 use crate::head::{self, Said};
 use crate::mdbook::For;
-use crate::module::{self, Module};
 use crate::preprocess::Failed;
 use crate::rendered::Rendered;
-use crate::{api, lost, outcome, places, search, site, solutions};
+use crate::{api, lost, module, outcome, places, search, site, solutions};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::config::Config;
+use std::collections::BTreeMap;
 use std::io::Read;
-use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::path::Path;
+use std::{fs, io, thread};
 
 /// Files of the project that belong into the site.
 const LICENCES: [&str; 1] = ["LICENSE-CC-BY-4.0"];
 /// The picture of the book that previews of links show: its file in the theme's folder, and in the site.
 const PREVIEW: &str = "preview.png";
+
+/// All pages on one.
+pub(crate) const PRINT: &str = "print.html";
 
 /// Finishes and checks the site that mdBook has just rendered; `drawn` holds its figures.
 ///
@@ -38,11 +41,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
         Failed::Other(format!("the site in {} cannot be finished: {error}", site.display()))
     };
     let unfinished = outcome::put_aside(&site).map_err(cannot)?;
-    let modules = match module::found(&context.root, For::of(&context.config)) {
-        Ok(Module::Built(scripts)) => scripts,
-        _ => Vec::new(), // as the preprocessor has said
-    };
-    match finished(&unfinished, &context, drawn, &modules) {
+    match finished(&unfinished, &context, drawn) {
         Ok(faults) if faults.is_empty() => outcome::bring_back(&unfinished, &site).map_err(cannot),
         other => {
             let failed = other.map_or_else(cannot, Failed::Faults);
@@ -53,29 +52,36 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
 }
 
 /// Finishes the site; what is wrong with it.
-fn finished(
-    site: &Path,
-    context: &RenderContext,
-    drawn: &Rendered,
-    modules: &[PathBuf],
-) -> io::Result<Faults> {
+fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
     remove_sources_of_theme(site, &context.config)?;
     remove_programs(site)?;
     add(site, &context.root, drawn)?;
     let is_hasty = For::of(&context.config) == For::Hasty;
-    if !is_hasty {
+    if is_hasty {
+        outcome::remove(&site.join(PRINT))?;
+    } else {
         api::add(site, &context.root)?;
     }
-    for script in modules {
-        fs::copy(script, site.join(script.file_name().unwrap_or_default()))?;
+    let mut pages = complete_pages(site, context)?;
+    module::add(site, &context.root, &pages)?;
+    let index = search::rename(site, &mut pages)?;
+    for (page, html) in &pages {
+        fs::write(site.join(page), html)?;
     }
-    complete_pages(site, context)?;
-    search::write(site, context)?;
-    places::link_back(site, &site::ids(site, context.book.iter())?)?;
-    let mut found = site::check(site)?;
+    // The words are collected while the links are checked.
+    let mut found = thread::scope(|scope| {
+        let index = index.as_ref().map(|file| scope.spawn(|| search::write(file, context, &pages)));
+        let examined = site::examined(site, pages.keys().cloned())?;
+        places::link_back(site, &examined.homes())?;
+        let found = site::check(site, examined);
+        let searched = index.map_or(Ok(()), |thread| {
+            thread.join().unwrap_or_else(|_| Err(io::Error::other("no index for the search can be made")))
+        });
+        searched.and(found)
+    })?;
     if is_hasty {
-        let documentation = format!("{}/", api::FOLDER);
-        found.retain(|fault| !fault.clue.contains(&documentation));
+        let left_out = [format!("{}/", api::FOLDER), PRINT.to_owned()];
+        found.retain(|fault| !left_out.iter().any(|name| fault.clue.contains(name)));
     }
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let mut faults = Faults::default();
@@ -86,9 +92,9 @@ fn finished(
     Ok(faults)
 }
 
-/// Lets every page say what it is, where it is and of which edition, and helps those who ask for one that is not
-/// there.
-fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<()> {
+/// The pages of the book, by their paths in the site, each of which says now what it is, where it is and of which
+/// edition. Helps those who ask for one that is not there.
+fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<BTreeMap<String, String>> {
     let html = context.config.html_config().unwrap_or_default();
     let title = context.config.book.title.clone().unwrap_or_default();
     let picture =
@@ -103,16 +109,18 @@ fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<()> {
         address: Some(address).filter(|address| address.starts_with("http")),
         picture: picture.is_some().then_some(PREVIEW),
     };
-    let mut pages: Vec<String> = vec!["index.html".to_owned(), "print.html".to_owned()];
-    pages.extend(site::pages(context.book.iter()));
-    for page in pages {
+    let mut pages = BTreeMap::new();
+    let copies = ["index.html", PRINT].map(str::to_owned);
+    for page in copies.into_iter().chain(site::pages(context.book.iter())) {
         let file = site.join(&page);
         if file.is_file() {
-            fs::write(&file, head::completed(&fs::read_to_string(&file)?, &page, &said))?;
+            let html = head::completed(&fs::read_to_string(file)?, &page, &said);
+            pages.insert(page, html);
         }
     }
     let language = context.config.book.language.as_deref().unwrap_or("en");
-    fs::write(site.join("404.html"), lost::page(&title, language, address, context.book.iter()))
+    fs::write(site.join("404.html"), lost::page(&title, language, address, context.book.iter()))?;
+    Ok(pages)
 }
 
 /// The theme lies among the pages, so that mdBook has copied it once more, as it is before it goes into the site.

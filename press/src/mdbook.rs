@@ -3,6 +3,7 @@
 
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
+use mdbook_driver::errors::Error;
 use std::fmt::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Once;
@@ -49,40 +50,57 @@ impl For {
 
 /// Builds the site in `root`, in the folder `html` below `destination` if it is not where book.toml says.
 pub(crate) fn build(root: &Path, destination: Option<&str>, for_whom: For) -> Result<(), String> {
-    let built = load(root).and_then(|mut book| {
+    build_by(None, root, destination, for_whom)
+}
+
+/// The same, by a `press` that is known to be current, in place of that which book.toml has Cargo look after.
+pub(crate) fn build_by(
+    press: Option<&str>,
+    root: &Path,
+    destination: Option<&str>,
+    for_whom: For,
+) -> Result<(), String> {
+    let built = settings(root).and_then(|mut settings| {
         if let Some(folder) = destination {
-            book.config.build.build_dir = root.join(folder);
+            settings.build.build_dir = root.join(folder);
         }
-        book.config.set(SETTING, for_whom.name())?;
+        if let Some(press) = press {
+            settings.set("preprocessor.press.command", press)?;
+        }
+        settings.set(SETTING, for_whom.name())?;
         if matches!(for_whom, For::Author | For::Hasty) {
-            book.config.set("output.html.site-url", "/")?; // for the page that is shown in place of a missing one
+            settings.set("output.html.site-url", "/")?; // for the page that is shown in place of a missing one
         }
-        book.build()
+        MDBook::load_with_config(root, settings)?.build()
     });
     built.map_err(|error| format!("error: the book was not built: {error:#}"))
 }
 
 /// The files and folders that a change in asks for a new site: those that `mdbook serve` watches, and Cargo's.
 pub(crate) fn made_of(root: &Path) -> Result<Vec<PathBuf>, String> {
-    let config = Config::from_disk(root.join("book.toml")).map_err(|error| format!("error: {error:#}"))?;
-    let mut parts = vec![config.book.src];
-    parts.extend(config.build.extra_watch_dirs);
+    let settings = settings(root).map_err(|error| format!("error: {error:#}"))?;
+    let mut parts = vec![settings.book.src];
+    parts.extend(settings.build.extra_watch_dirs);
     parts.extend(["book.toml", "Cargo.toml", "Cargo.lock"].map(PathBuf::from));
     Ok(parts.into_iter().map(|part| root.join(part)).collect())
 }
 
 /// Tests the snippets of all pages.
 pub(crate) fn test(root: &Path) -> Result<(), String> {
-    let tested = load(root).and_then(|mut book| book.test(Vec::new()));
+    let tested =
+        settings(root).and_then(|settings| MDBook::load_with_config(root, settings)?.test(Vec::new()));
     tested.map_err(|error| format!("error: the book was not tested: {error:#}"))
 }
 
-fn load(root: &Path) -> Result<MDBook, mdbook_driver::errors::Error> {
+/// What book.toml and the environment say.
+fn settings(root: &Path) -> Result<Config, Error> {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let _ = tracing::subscriber::set_global_default(Warnings);
     });
-    MDBook::load(root)
+    let mut settings = Config::from_disk(root.join("book.toml"))?;
+    settings.update_from_env()?;
+    Ok(settings)
 }
 
 /// Prints what mdBook warns of.

@@ -11,6 +11,7 @@
 
 use crate::answers;
 use crate::mdbook::For;
+use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -22,18 +23,32 @@ pub(crate) fn file(chapter: &str) -> String {
     format!("live-{chapter}.js")
 }
 
+/// Where the scripts lie, beside what the compiler leaves.
+const FOLDER: &str = "target/live";
 const TARGET: &str = "wasm32-unknown-unknown";
 const CRATE: &str = "press/live/module";
 
 /// What there is for a book.
 #[derive(Debug)]
 pub(crate) enum Module {
-    /// The scripts lie here.
-    Built(Vec<PathBuf>),
+    /// All scripts.
+    Built,
     /// None; perhaps there is something to say about that.
     Missing(Option<String>),
     /// Some have to be compiled.
     Stale,
+}
+
+/// Copies into the site what its `pages` load.
+pub(crate) fn add(site: &Path, root: &Path, pages: &BTreeMap<String, String>) -> io::Result<()> {
+    for entry in fs::read_dir(root.join(FOLDER)).into_iter().flatten() {
+        let script = entry?.file_name();
+        let name = script.to_string_lossy();
+        if name.ends_with(".js") && pages.values().any(|page| page.contains(&*name)) {
+            fs::copy(root.join(FOLDER).join(&script), site.join(&script))?;
+        }
+    }
+    Ok(())
 }
 
 /// What there is now.
@@ -41,7 +56,7 @@ pub(crate) enum Module {
 /// # Errors
 /// If modules are required and there is no compiler for them.
 pub(crate) fn found(root: &Path, for_whom: For) -> Result<Module, String> {
-    modules(root, for_whom, false)
+    modules(root, for_whom, 0)
 }
 
 /// What there is once those modules are compiled of which something has changed that they are made of.
@@ -49,10 +64,19 @@ pub(crate) fn found(root: &Path, for_whom: For) -> Result<Module, String> {
 /// # Errors
 /// Those of [`found`]; if one does not compile, with the words of the compiler.
 pub(crate) fn build(root: &Path, for_whom: For) -> Result<Module, String> {
-    modules(root, for_whom, true)
+    modules(root, for_whom, usize::MAX)
 }
 
-fn modules(root: &Path, for_whom: For, may_compile: bool) -> Result<Module, String> {
+/// The same, but of one of them at most.
+///
+/// # Errors
+/// Those of [`build`].
+pub(crate) fn build_one(root: &Path, for_whom: For) -> Result<Module, String> {
+    modules(root, for_whom, 1)
+}
+
+/// What there is once `most` modules are compiled.
+fn modules(root: &Path, for_whom: For, most: usize) -> Result<Module, String> {
     let wish = env::var("BOOK_LIVE").unwrap_or_else(|_| "auto".to_owned());
     match wish.as_str() {
         _ if for_whom == For::Paper => return Ok(Module::Missing(None)),
@@ -69,17 +93,18 @@ fn modules(root: &Path, for_whom: For, may_compile: bool) -> Result<Module, Stri
         Err(message) => return Ok(Module::Missing(Some(message))),
     };
     let cannot = |error: io::Error| format!("the module of the pages cannot be made: {error}");
-    let folder = root.join("target/live");
-    let mut scripts = Vec::new();
+    let folder = root.join(FOLDER);
     let shared = shared(root, &compiler).map_err(cannot)?;
+    let mut compiled = 0;
     for chapter in chapters(root).map_err(cannot)? {
         let script = folder.join(file(&chapter));
         let stamp = script.with_extension("stamp");
         let wanted = made_of(root, shared.clone(), &chapter).map_err(cannot)?;
         if !script.is_file() || fs::read_to_string(&stamp).map_or(true, |stamp| stamp != wanted) {
-            if !may_compile {
+            if compiled == most {
                 return Ok(Module::Stale);
             }
+            compiled += 1;
             let wasm = compile(root, &folder, &compiler, &chapter)?;
             let packed = packed(&fs::read(wasm).map_err(cannot)?).map_err(cannot)?;
             let fresh = script.with_extension("new");
@@ -88,9 +113,8 @@ fn modules(root: &Path, for_whom: For, may_compile: bool) -> Result<Module, Stri
                 .and_then(|()| fs::write(stamp, wanted))
                 .map_err(cannot)?;
         }
-        scripts.push(script);
     }
-    Ok(Module::Built(scripts))
+    Ok(Module::Built)
 }
 
 /// The folders of the chapters that have a scene, or snippets with live numbers.

@@ -34,9 +34,10 @@ pub(crate) fn withdraw(site: &Path, config: &Config, failed: &Failed) -> io::Res
     Ok(())
 }
 
-/// Removes a folder; one that does not exist is nothing to remove.
-pub(crate) fn remove(folder: &Path) -> io::Result<()> {
-    match fs::remove_dir_all(folder) {
+/// Removes a file, or a folder with all that is in it; what does not exist is nothing to remove.
+pub(crate) fn remove(path: &Path) -> io::Result<()> {
+    let removed = if path.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };
+    match removed {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),
     }

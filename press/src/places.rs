@@ -2,7 +2,7 @@
 
 use crate::api::FOLDER;
 use crate::page::Kind;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fs, io};
 
@@ -116,14 +116,10 @@ fn found(text: &str) -> Vec<(usize, Kind, &str)> {
     found
 }
 
-/// Makes links to the pages of the book of the labels that the library's documentation and sources name. `pages` are
-/// those of the book, with the ids on each.
-pub(crate) fn link_back(site: &Path, pages: &[(String, BTreeSet<String>)]) -> io::Result<()> {
-    let mut homes: BTreeMap<&str, &str> = BTreeMap::new();
-    for (page, ids) in pages {
-        homes.extend(ids.iter().map(|id| (id.as_str(), page.as_str())));
-    }
-    link_folder(&site.join(FOLDER), "../", &homes)
+/// Makes links to the pages of the book of the labels that the library's documentation and sources name. `homes` says on
+/// which page each id is.
+pub(crate) fn link_back(site: &Path, homes: &BTreeMap<&str, &str>) -> io::Result<()> {
+    link_folder(&site.join(FOLDER), "../", homes)
 }
 
 fn link_folder(folder: &Path, up: &str, homes: &BTreeMap<&str, &str>) -> io::Result<()> {

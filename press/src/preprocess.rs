@@ -8,14 +8,14 @@ use crate::rendered::Rendered;
 use crate::{check, outcome, snippets, solutions};
 use mdbook_preprocessor::PreprocessorContext;
 use mdbook_preprocessor::book::{Book, BookItem};
-use std::io::{Read, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::{env, fmt, fs};
 
 /// Where the finished press waits for mdBook to call it as a renderer, relative to the project's root: a
 /// place that does not depend on Cargo's settings. book.toml names it.
-const FINISHER: &str = "target/press/book";
+pub(crate) const FINISHER: &str = "target/press/book";
 
 /// Why there is no book.
 #[derive(Debug)]
@@ -96,7 +96,10 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
 }
 
 fn write_book(output: &mut impl Write, book: &Book) -> Result<(), Failed> {
-    serde_json::to_writer(output, book)
+    let mut output = BufWriter::new(output);
+    serde_json::to_writer(&mut output, book)
+        .map_err(io::Error::from)
+        .and_then(|()| output.flush())
         .map_err(|error| Failed::Other(format!("mdBook does not take the answer: {error}")))
 }
 

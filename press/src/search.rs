@@ -11,7 +11,9 @@ use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::book::BookItem;
 use serde_json::{Value, json};
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 const BEGINNING: &str = "window.search = Object.assign(window.search, JSON.parse('";
@@ -42,22 +44,37 @@ impl Section {
     }
 }
 
-/// Writes the index of the site; nothing if the book has none.
+/// Names the index that mdBook has written, if it has, by what is on the pages, which name it: a browser keeps it as long
+/// as nothing has changed. mdBook names it by what it has found itself.
 ///
 /// # Errors
-/// If a page cannot be read, or the index be read or written.
-pub(crate) fn write(site: &Path, context: &RenderContext) -> io::Result<()> {
-    for entry in fs::read_dir(site)? {
-        let path = entry?.path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if name.starts_with("searchindex") && name.ends_with(".js") {
-            let script = fs::read_to_string(&path)?;
-            let settings =
-                unpacked(&script).ok_or_else(|| io::Error::other(format!("{name} is not mdBook's")))?;
-            fs::write(&path, packed(&index(site, context, settings)?))?;
-        }
-    }
-    Ok(())
+/// If the file cannot be renamed.
+pub(crate) fn rename(site: &Path, pages: &mut BTreeMap<String, String>) -> io::Result<Option<PathBuf>> {
+    let mut files =
+        fs::read_dir(site)?.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let Some(name) = files.find(|name| name.starts_with("searchindex") && name.ends_with(".js")) else {
+        return Ok(None);
+    };
+    let mut hasher = DefaultHasher::new();
+    pages.hash(&mut hasher);
+    let fresh = format!("searchindex-{:08x}.js", hasher.finish() >> 32);
+    pages.values_mut().for_each(|html| *html = html.replace(&name, &fresh));
+    fs::rename(site.join(name), site.join(&fresh))?;
+    Ok(Some(site.join(fresh)))
+}
+
+/// Writes the index of the finished `pages` in the place of mdBook's.
+///
+/// # Errors
+/// If the file is not mdBook's, or cannot be read or written.
+pub(crate) fn write(
+    file: &Path,
+    context: &RenderContext,
+    pages: &BTreeMap<String, String>,
+) -> io::Result<()> {
+    let settings = unpacked(&fs::read_to_string(file)?)
+        .ok_or_else(|| io::Error::other(format!("{} is not mdBook's", file.display())))?;
+    fs::write(file, packed(&index(context, pages, settings)?))
 }
 
 /// The JSON in the script that mdBook writes.
@@ -72,7 +89,7 @@ fn packed(json: &Value) -> String {
 }
 
 /// The index in place of the one in `search`, whose other settings stay.
-fn index(site: &Path, context: &RenderContext, mut search: Value) -> io::Result<Value> {
+fn index(context: &RenderContext, pages: &BTreeMap<String, String>, mut search: Value) -> io::Result<Value> {
     // Of the way to a section no word is asked for, as its title is a field; it is shown.
     let mut index = IndexBuilder::with_language(Box::new(Words(English::new())))
         .add_field_with_tokenizer("breadcrumbs", Box::new(|_| Vec::new()))
@@ -91,7 +108,7 @@ fn index(site: &Path, context: &RenderContext, mut search: Value) -> io::Result<
         let path = path.with_extension("html").to_string_lossy().replace('\\', "/");
         let mut way = chapter.parent_names.clone();
         way.push(chapter.name.clone());
-        let sections = sections(&fs::read_to_string(site.join(&path))?);
+        let sections = pages.get(&path).map(|html| sections(html)).unwrap_or_default();
         let read = sections
             .into_iter()
             .filter(|section| !NOT_SEARCHED.iter().any(|label| section.id.starts_with(label)));

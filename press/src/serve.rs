@@ -6,16 +6,16 @@
 mod http;
 mod watch;
 
-use crate::api;
 use crate::mdbook::{self, For};
 use crate::module::{self, Module};
+use crate::preprocess::FINISHER;
+use crate::{api, finish, outcome};
 use http::Site;
-use std::io;
 use std::net::{TcpListener, ToSocketAddrs};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
-use std::thread;
+use std::{fs, io, thread};
 use tiny_http::Server;
 use watch::Watcher;
 
@@ -64,7 +64,8 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
     let order = Order::read(arguments)?;
     // Before anything is built, which takes a while.
     let servers = servers(&order)?;
-    let site = Arc::new(Site::new(root.join(&order.folder).join("html")));
+    let made = Made::new(root, &order.folder);
+    let site = Arc::new(Site::new(vec![made.folder.join("html"), made.folder.join("kept")]));
     for server in servers {
         let site = Arc::clone(&site);
         thread::spawn(move || http::answer(&server, &site));
@@ -73,8 +74,11 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
     eprintln!("Printing the pages");
     let mut watcher = Watcher::new(mdbook::made_of(root)?);
     let mut is_first = true;
+    let mut is_kept = false;
+    let mut press = None;
     loop {
-        let whole = build(root, &order.folder, &site);
+        // The pages at once, without what takes long to make and does not change with a sentence.
+        let is_shown = site.while_built(|| report(made.build(press, For::Hasty)));
         if is_first {
             eprintln!("The book is at {address}; it follows your edits until you press Ctrl+C");
             if order.open {
@@ -82,22 +86,77 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
             }
             is_first = false;
         }
-        if !whole && !watcher.has_changed() {
-            // What the pages show already needs no second look before the rest is there.
-            site.while_built(|| report(mdbook::build(root, Some(&order.folder), For::Author)));
+        if is_shown && !(is_kept && is_current(root)) {
+            is_kept = has_built_rest(&made, press, &site, &watcher);
         }
-        let (changed, more) = watcher.wait();
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        eprintln!("Changed: {}{more}", changed.strip_prefix(root).unwrap_or(&changed).display());
+        let changed = watcher.wait();
+        let first = changed.iter().map(|file| file.strip_prefix(root).unwrap_or(file).display()).next();
+        let first = first.map(|file| file.to_string()).unwrap_or_default();
+        let more = if changed.len() > 1 { format!(" and {} more", changed.len() - 1) } else { String::new() };
+        eprintln!("Changed: {first}{more}");
+        press = (is_shown && changed.iter().all(|file| is_text(file))).then_some(FINISHER);
     }
 }
 
-/// Builds the pages, with all that takes no time; whether that is everything.
-fn build(root: &Path, folder: &str, site: &Site) -> bool {
-    let is_current = api::is_current(root) && !matches!(module::found(root, For::Author), Ok(Module::Stale));
-    let for_whom = if is_current { For::Author } else { For::Hasty };
-    let is_built = site.while_built(|| report(mdbook::build(root, Some(folder), for_whom)));
-    is_current || !is_built
+/// Builds what a hasty build has left out, a part at a time, so that an edit does not wait for all of it; whether it is
+/// there. What the pages show already needs no second look before.
+fn has_built_rest(made: &Made<'_>, press: Option<&str>, site: &Site, watcher: &Watcher) -> bool {
+    let mut has_more = true;
+    while has_more && !watcher.has_changed() {
+        has_more = matches!(module::build_one(made.root, For::Author), Ok(Module::Stale));
+    }
+    !watcher.has_changed() && site.while_built(|| report(made.build(press, For::Author)))
+}
+
+/// Whether no program is made of a file.
+fn is_text(file: &Path) -> bool {
+    file.extension().is_some_and(|ending| ["md", "css", "hbs", "js"].iter().any(|text| ending == *text))
+}
+
+/// Whether what a hasty build leaves out would be made as it is.
+fn is_current(root: &Path) -> bool {
+    api::is_current(root) && !matches!(module::found(root, For::Author), Ok(Module::Stale))
+}
+
+/// Where the site lies: in `html`, and in `kept` what hasty builds leave out. It is made beside them, so that nobody sees
+/// half a page.
+struct Made<'a> {
+    root: &'a Path,
+    folder: PathBuf,
+    next: String,
+}
+
+impl<'a> Made<'a> {
+    fn new(root: &'a Path, folder: &str) -> Self {
+        Self { root, folder: root.join(folder), next: format!("{folder}/next") }
+    }
+
+    fn build(&self, press: Option<&str>, for_whom: For) -> Result<(), String> {
+        let built = mdbook::build_by(press, self.root, Some(&self.next), for_whom);
+        let [html, next, old] = ["html", "next/html", "old"].map(|name| self.folder.join(name));
+        let kept = self.folder.join("kept");
+        let put = || {
+            if for_whom == For::Author && built.is_ok() {
+                outcome::remove(&kept)?;
+                fs::create_dir_all(&kept)?;
+                for name in [api::FOLDER, finish::PRINT].into_iter().filter(|name| next.join(name).exists()) {
+                    fs::rename(next.join(name), kept.join(name))?;
+                }
+            }
+            if next.is_dir() {
+                outcome::remove(&old)?;
+                if html.is_dir() {
+                    fs::rename(&html, &old)?;
+                }
+                fs::rename(&next, &html)?; // also where it says why there is no book
+            }
+            outcome::remove(&old)
+        };
+        let is_put: io::Result<()> = put();
+        built.and(
+            is_put.map_err(|error| format!("error: nothing can be put into {}: {error}", html.display())),
+        )
+    }
 }
 
 fn report(outcome: Result<(), String>) -> bool {

@@ -6,9 +6,12 @@ use self::page::{Built, examine, is_remote, remote_in_css};
 use crate::book::{slashed, text};
 use crate::fault::{Faults, Lines};
 use mdbook_renderer::book::BookItem;
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::sync::Mutex;
+use std::{fs, io, thread};
 
 /// A fault of the site: the built page, a word that may stand in its Markdown, and what is wrong.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,25 +23,63 @@ pub(crate) struct SiteFault {
     pub(crate) message: String,
 }
 
-/// Checks every page of the site in `folder`.
-pub(crate) fn check(folder: &Path) -> io::Result<Vec<SiteFault>> {
+/// What pages of the site hold, by their paths in it: `laundromat/index.html`.
+#[derive(Debug, Default)]
+pub(crate) struct Examined(BTreeMap<String, Built>);
+
+impl Examined {
+    /// Where each id is found. What mdBook prints again is named by its first place.
+    pub(crate) fn homes(&self) -> BTreeMap<&str, &str> {
+        let own = self.0.iter().filter(|(page, _)| !is_copy(page));
+        own.flat_map(|(page, built)| built.ids.iter().map(|id| (id.as_str(), page.as_str()))).collect()
+    }
+}
+
+/// Reads pages of the site in `folder`, as many at a time as the machine can.
+pub(crate) fn examined(folder: &Path, pages: impl Iterator<Item = String>) -> io::Result<Examined> {
+    let mut open = Vec::new();
+    for page in pages {
+        open.push((fs::metadata(folder.join(&page))?.len(), page));
+    }
+    open.sort_by_key(|(size, _)| Reverse(*size)); // nobody should begin with print.html last
+    let open = Mutex::new(open.into_iter());
+    let some = || {
+        let mut built = Vec::new();
+        loop {
+            let next = open.lock().map_or(None, |mut open| open.next());
+            let Some((_, page)) = next else { return Ok::<_, io::Error>(built) };
+            let examined = examine(&fs::read_to_string(folder.join(&page))?);
+            built.push((page, examined));
+        }
+    };
+    let parts = thread::scope(|scope| {
+        let threads = thread::available_parallelism().map_or(1, NonZero::get);
+        let all: Vec<_> = (0..threads).map(|_| scope.spawn(some)).collect();
+        let join = |thread: thread::ScopedJoinHandle<'_, _>| {
+            thread.join().unwrap_or_else(|_| Err(io::Error::other("a page cannot be examined")))
+        };
+        all.into_iter().map(join).collect::<io::Result<Vec<_>>>()
+    })?;
+    Ok(Examined(parts.into_iter().flatten().collect()))
+}
+
+/// Checks every page of the site in `folder`, of which some may have been examined before.
+pub(crate) fn check(folder: &Path, before: Examined) -> io::Result<Vec<SiteFault>> {
     let mut files = Vec::new();
     walk(folder, Path::new(""), &mut files)?;
-    let mut pages: BTreeMap<String, Built> = BTreeMap::new();
+    let names = files.iter().map(|file| slashed(file));
+    let rest =
+        examined(folder, names.filter(|name| name.ends_with(".html") && !before.0.contains_key(name)))?;
+    let mut pages = before.0;
+    pages.extend(rest.0);
     let mut faults = Vec::new();
-    for file in &files {
-        let name = slashed(file);
-        if name.ends_with(".html") {
-            pages.insert(name, examine(&fs::read_to_string(folder.join(file))?));
-        } else if name.ends_with(".css") {
-            let css = fs::read_to_string(folder.join(file))?;
-            if let Some(at) = remote_in_css(&css) {
-                faults.push(SiteFault {
-                    page: name,
-                    clue: at.clone(),
-                    message: format!("the style sheet loads {at} from a network"),
-                });
-            }
+    for file in files.iter().filter(|file| file.extension().is_some_and(|ending| ending == "css")) {
+        if let Some(at) = remote_in_css(&fs::read_to_string(folder.join(file))?) {
+            faults.push(SiteFault {
+                page: slashed(file),
+                clue: at.clone(),
+                message: format!("the style sheet loads {at} from a network"),
+            });
         }
     }
     let known: BTreeSet<String> = files.iter().map(|file| slashed(file)).collect();
@@ -77,15 +118,6 @@ pub(crate) fn pages<'a>(items: impl Iterator<Item = &'a BookItem>) -> Vec<String
         _ => None,
     };
     items.filter_map(path).collect()
-}
-
-/// The same, with the ids on each.
-pub(crate) fn ids<'a>(
-    folder: &Path,
-    items: impl Iterator<Item = &'a BookItem>,
-) -> io::Result<Vec<(String, BTreeSet<String>)>> {
-    let ids = |page: String| Ok((page.clone(), examine(&fs::read_to_string(folder.join(page))?).ids));
-    pages(items).into_iter().map(ids).collect()
 }
 
 /// Adds a fault for each style sheet of the book that loads something from a network.
@@ -184,7 +216,7 @@ mod tests {
         fs::write(folder.join("b.html"), "<p id=\"there\">b</p>").unwrap();
         fs::write(folder.join("print.html"), html).unwrap();
         fs::write(folder.join("page.css"), css).unwrap();
-        let report = check(&folder);
+        let report = check(&folder, Examined::default());
         fs::remove_dir_all(&folder).unwrap();
         report.unwrap().into_iter().map(|fault| format!("{}: {}", fault.page, fault.message)).collect()
     }
@@ -270,7 +302,7 @@ mod tests {
         fs::write(folder.join("api/a.html"), "<a href=\"src/a.rs.html#1\">Source</a>").unwrap();
         fs::write(folder.join("api/b.html"), "<a href=\"src/b.rs.html\">Source</a>").unwrap();
         fs::write(folder.join("api/src/a.rs.html"), "<a href=#1 id=1>1</a>").unwrap();
-        let faults = check(&folder).unwrap();
+        let faults = check(&folder, Examined::default()).unwrap();
         fs::remove_dir_all(&folder).unwrap();
         let said: Vec<&str> = faults.iter().map(|fault| fault.message.as_str()).collect();
         assert_eq!(said, ["the link to `src/b.rs.html` leads nowhere"]);

@@ -16,9 +16,10 @@ const SCRIPT: &str = "<script>new EventSource(\"/__news\").onmessage = () => loc
 /// How long something is waited for that is just being made.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The folder of the site, and what happens to it.
+/// The folders of the site, and what happens to it.
 pub(super) struct Site {
-    folder: PathBuf,
+    /// What is not in the first may be in the next.
+    folders: Vec<PathBuf>,
     state: Mutex<State>,
     changed: Condvar,
 }
@@ -32,8 +33,14 @@ struct State {
 
 impl Site {
     /// A site that is not built yet.
-    pub(super) fn new(folder: PathBuf) -> Self {
-        Self { folder, state: Mutex::new(State { is_being_built: true, count: 0 }), changed: Condvar::new() }
+    pub(super) fn new(folders: Vec<PathBuf>) -> Self {
+        Self { folders, state: Mutex::new(State { is_being_built: true, count: 0 }), changed: Condvar::new() }
+    }
+
+    /// Where a path lies, or would.
+    fn place(&self, below: &Path) -> PathBuf {
+        let mut places = self.folders.iter().map(|folder| folder.join(below));
+        places.clone().find(|place| place.exists()).or(places.next()).unwrap_or_default()
     }
 
     /// Has it built by `build`, and tells the pages, also where it has failed: they then show why.
@@ -79,7 +86,7 @@ fn one(request: Request, site: &Site) -> io::Result<()> {
         return send(request, 400, "text/plain", b"no such address".to_vec());
     };
     let read = || {
-        let file = site.folder.join(&below);
+        let file = site.place(&below);
         let file = if file.is_dir() && path.ends_with('/') { file.join("index.html") } else { file };
         fs::read(&file).map(|bytes| (kind(&file), bytes))
     };
@@ -90,11 +97,11 @@ fn one(request: Request, site: &Site) -> io::Result<()> {
     match found {
         Ok((HTML, page)) => send(request, 200, HTML, with_script(page)),
         Ok((kind, bytes)) => send(request, 200, kind, bytes),
-        Err(_) if site.folder.join(&below).is_dir() => {
+        Err(_) if site.place(&below).is_dir() => {
             request.respond(Response::empty(302).with_header(header("Location", &format!("{path}/"))))
         }
         Err(_) => {
-            let page = fs::read(site.folder.join("404.html"));
+            let page = fs::read(site.place(Path::new("404.html")));
             send(request, 404, HTML, with_script(page.unwrap_or_else(|_| b"There is no such page.".to_vec())))
         }
     }
@@ -181,7 +188,9 @@ mod tests {
         fs::write(folder.join("404.html"), "<body>Lost</body>").unwrap();
         fs::write(folder.join("a b/index.html"), "A").unwrap();
         fs::write(folder.join("a.css"), "p {}").unwrap();
-        let site = Arc::new(Site::new(folder.clone()));
+        fs::create_dir_all(folder.join("kept/api")).unwrap();
+        fs::write(folder.join("kept/api/index.html"), "API").unwrap();
+        let site = Arc::new(Site::new(vec![folder.clone(), folder.join("kept")]));
         site.while_built(|| ());
         let server = Server::http("127.0.0.1:0").unwrap();
         let address = server.server_addr().to_ip().unwrap();
@@ -194,6 +203,7 @@ mod tests {
         assert!(asked(address, "GET /a.css").ends_with("\r\n\r\np {}"));
         assert!(asked(address, "HEAD /a.css").ends_with("\r\n\r\n"));
         assert!(asked(address, "GET /a%20b").contains("Location: /a%20b/"));
+        assert!(asked(address, "GET /api/").contains("\r\n\r\nAPI<script>"));
         assert!(asked(address, "GET /a%20b/").contains("\r\n\r\nA<script>"));
         assert!(
             asked(address, "GET /b.html").starts_with("HTTP/1.1 404")

@@ -121,6 +121,9 @@ fn start(built: &mut Built, name: &str, tag: &StartTag<()>) {
 
 /// What looks like our dialect and is still there.
 fn unresolved(text: &str) -> Option<String> {
+    if !text.contains(['{', '@', '$']) {
+        return None;
+    }
     let suspicious = [
         "{#eq", "{#fig", "{#scene", "{#sec", "{#ex", "{#sol", "{#cite", "@eq:", "@fig:", "@scene:", "@ex:",
         "@sol:", "@sec:", "@source:", "@cite:", "$$",
