@@ -1,10 +1,10 @@
 //! What the figures of a chapter are drawn from, as one number that changes when any of it does.
 //!
-//! A *name* stands for a scene and for a chapter: `pinned_hoop` for `src/scenes/pinned_hoop.rs` (or the
-//! folder) and for `book/pinned-hoop/` without its Markdown and its live scene. All other code that draws is
-//! *shared*. The figures of a chapter are drawn from what is shared, from what its own name stands for, and
-//! from every name that a word of these mentions, and so on. Shared code can reach a scene only through the
-//! module `scenes`, so a shared file without that word mentions none.
+//! The code that draws lies in *parts*: each scene (`src/scenes/wheel.rs`, or the folder), each kernel (`src/wide/wheel.rs`),
+//! each chapter (`book/pinned-hoop/` without its Markdown and its live scene), and all that is left, which is *shared*. The
+//! figures of a chapter are drawn from what is shared, from the chapter, and from every part that these name, and so on. A
+//! file names the scene `wheel` by that word, if it has the word `scenes` too or is a scene itself; likewise for kernels
+//! and `wide`; a chapter by `chapter_pinned_hoop`. A string that is but one word names nothing.
 
 use figures::house;
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,6 +16,7 @@ use std::{fs, io};
 #[derive(Debug, Default)]
 pub(crate) struct Stamps {
     shared: Part,
+    /// By their names: `scenes wheel`, `wide wheel`, `chapter_pinned_hoop`.
     named: BTreeMap<String, Part>,
 }
 
@@ -23,8 +24,8 @@ pub(crate) struct Stamps {
 #[derive(Debug, Default)]
 struct Part {
     hasher: DefaultHasher,
-    /// The words in which another name may be mentioned.
-    words: BTreeSet<String>,
+    /// The names of all parts that these files may mean.
+    named: BTreeSet<String>,
 }
 
 impl Stamps {
@@ -43,17 +44,17 @@ impl Stamps {
             "src",
             "book",
         ] {
-            stamps.add(&root.join(path), &root.join("src/scenes"), &root.join("book"))?;
+            stamps.add(&root.join(path), root)?;
         }
         // The picture of the house is drawn from them.
         for manifest in house::manifests(root)? {
-            stamps.shared.add(&manifest, true)?;
+            stamps.shared.add(&manifest, "")?;
         }
         Ok(stamps)
     }
 
     /// Adds a file, or a folder with all that is in it but pages, live scenes, tests and examples.
-    fn add(&mut self, path: &Path, scenes: &Path, book: &Path) -> io::Result<()> {
+    fn add(&mut self, path: &Path, root: &Path) -> io::Result<()> {
         if path.is_dir() {
             let mut below =
                 fs::read_dir(path)?.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>()?;
@@ -66,26 +67,26 @@ impl Stamps {
                         .iter()
                         .any(|draws_none| name == *draws_none)
             };
-            return below.iter().filter(drawn_from).try_for_each(|path| self.add(path, scenes, book));
+            return below.iter().filter(drawn_from).try_for_each(|path| self.add(path, root));
         }
-        let below = path.strip_prefix(scenes).or_else(|_| path.strip_prefix(book));
-        let name = below.ok().and_then(|below| below.iter().next()).map(Path::new).and_then(Path::file_stem);
-        let name = name.map(|name| name.to_string_lossy().replace('-', "_")).filter(|name| name != "mod");
-        let is_shared = name.is_none();
-        let part = name.map_or(&mut self.shared, |name| self.named.entry(name).or_default());
-        part.add(path, is_shared)
+        let kinds = [("src/scenes", "scenes "), ("src/wide", "wide "), ("book", "chapter_")];
+        let below = |(folder, kind)| Some((path.strip_prefix(root.join(folder)).ok()?, kind));
+        let (below, kind) = kinds.into_iter().find_map(below).unwrap_or((Path::new(""), ""));
+        let name = below.iter().next().map(Path::new).and_then(Path::file_stem).filter(|name| *name != "mod");
+        let part = name.map(|name| format!("{kind}{}", name.to_string_lossy().replace('-', "_")));
+        part.map_or(&mut self.shared, |name| self.named.entry(name).or_default()).add(path, kind)
     }
 
     /// The stamp of the figures of `chapter`, the name of its folder.
     pub(crate) fn of(&self, chapter: &str) -> String {
         let mut names = BTreeSet::new();
-        let mut open: Vec<String> = self.shared.words.iter().cloned().collect();
-        open.push(chapter.replace('-', "_"));
+        let mut open: Vec<String> = self.shared.named.iter().cloned().collect();
+        open.push(format!("chapter_{}", chapter.replace('-', "_")));
         while let Some(name) = open.pop() {
             if let Some(part) = self.named.get(&name)
                 && names.insert(name)
             {
-                open.extend(part.words.iter().cloned());
+                open.extend(part.named.iter().cloned());
             }
         }
         let mut hasher = self.shared.hasher.clone();
@@ -98,7 +99,8 @@ impl Stamps {
 }
 
 impl Part {
-    fn add(&mut self, path: &Path, is_shared: bool) -> io::Result<()> {
+    /// Adds a file, whose names of parts of its own `kind` need no other word.
+    fn add(&mut self, path: &Path, kind: &str) -> io::Result<()> {
         let content = fs::read(path)?;
         (path, &content).hash(&mut self.hasher);
         if path.extension().is_none_or(|ending| ending != "rs") {
@@ -113,17 +115,34 @@ impl Part {
             }
         }
         let is_code = |line: &&str| {
-            let line = line.trim_start().trim_start_matches("pub ");
+            let line = line.trim_start();
+            let line =
+                ["pub ", "pub(crate) "].iter().find_map(|start| line.strip_prefix(start)).unwrap_or(line);
             !line.starts_with("//") && !line.starts_with("mod ")
         };
-        let words: BTreeSet<&str> = text
-            .lines()
-            .filter(is_code)
-            .flat_map(|line| line.split(|c: char| !(c.is_alphanumeric() || c == '_')))
-            .collect();
-        if !is_shared || words.contains("scenes") {
-            self.words.extend(words.into_iter().map(str::to_owned));
+        let words: BTreeSet<&str> = text.lines().filter(is_code).flat_map(words).collect();
+        for module in ["scenes ", "wide "] {
+            if module == kind || words.contains(module.trim_end()) {
+                self.named.extend(words.iter().map(|word| format!("{module}{word}")));
+            }
         }
+        let chapters = words.iter().filter(|word| word.starts_with("chapter_"));
+        self.named.extend(chapters.map(|word| (*word).to_owned()));
         Ok(())
     }
+}
+
+/// The words of a line of code, but for strings that are one.
+fn words(line: &str) -> impl Iterator<Item = &str> {
+    let in_word = |c: char| c.is_alphanumeric() || c == '_';
+    let mut parts = line.split_inclusive(move |c| !in_word(c));
+    let mut before = None;
+    std::iter::from_fn(move || {
+        let part = parts.next()?;
+        let word = part.trim_end_matches(move |c| !in_word(c));
+        let after = part[word.len()..].chars().next();
+        let is_string = before == Some('"') && after == Some('"');
+        before = after;
+        Some(if is_string { "" } else { word })
+    })
 }

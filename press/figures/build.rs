@@ -34,11 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         println!("cargo::rerun-if-changed={}", path.display());
         // A chapter may have the name of the library, or of a module of this crate.
-        let module = if folder == list::FRONT {
-            "front".into()
-        } else {
-            format!("chapter_{}", folder.replace('-', "_"))
-        };
+        let module = format!("chapter_{}", folder.replace('-', "_"));
         writeln!(modules, "#[path = {path:?}]\nmod {module};")?;
         // Its parts, if it has some: book/laundromat/figures/ramp.rs is the module `ramp` of the figures there.
         let mut sources = vec![(file.clone(), module, source)];

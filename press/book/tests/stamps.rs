@@ -32,7 +32,10 @@ const WORKSPACE: [(&str, &str); 13] = [
     ("src/scenes/mod.rs", "pub mod wheel;\npub mod two_coins;\n"),
     ("src/scenes/wheel.rs", "//! Unlike two_coins.\nuse crate::shared;\n"),
     ("src/scenes/two_coins/mod.rs", "const A: f64 = 1.0;\n"),
-    ("book/two-coins/figures.rs", "const DATA: &str = include_str!(\"data.csv\");\n"),
+    (
+        "book/two-coins/figures.rs",
+        "use mechanics::{scenes::two_coins, wide};\nconst DATA: &str = include_str!(\"data.csv\");\n",
+    ),
     ("book/methods/figures.rs", "use mechanics::scenes::wheel;\ninclude_str!(\"../../tests/data.csv\");\n"),
 ];
 
@@ -52,7 +55,6 @@ fn stamps_with(root: &Path, changes: &[(&str, &str)]) -> [String; 2] {
 fn a_stamp_changes_with_what_its_figures_are_drawn_from_and_with_nothing_else() {
     let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stamps");
     let before = stamps_with(&root, &[]);
-    let uses_both = ("src/scenes/wheel.rs", "use super::two_coins;\n");
     for (changes, expected) in [
         // Pages, tests and live scenes draw no figures.
         (&[("book/two-coins/index.md", "new"), ("press/figures/tests/a.rs", "new")][..], [false, false]),
@@ -61,13 +63,14 @@ fn a_stamp_changes_with_what_its_figures_are_drawn_from_and_with_nothing_else() 
         (&[("src/shared.rs", "pub fn wheel() { new() }\n")], [true, true]),
         (&[("press/drawing/src/lib.rs", "new")], [true, true]),
         (&[("press/figures/src/lib.rs", "new")], [true, true]),
-        (&[("src/wide/two_coins.rs", "new")], [true, true]),
+        (&[("src/wide/mod.rs", "new")], [true, true]),
         (&[("Cargo.lock", "new")], [true, true]),
         (&[("press/live/Cargo.toml", "new")], [true, true]),
         // A scene, the chapter of its name, and those that mention it.
         (&[("src/scenes/wheel.rs", "new")], [false, true]),
         (&[("src/scenes/two_coins/mod.rs", "new")], [true, false]),
         (&[("src/scenes/two_coins/deep/er.rs", "new")], [true, false]),
+        (&[("src/wide/two_coins.rs", "new")], [true, false]),
         (&[("book/two-coins/figures.rs", "new")], [true, false]),
         (&[("book/two-coins/figures/edge.rs", "new")], [true, false]),
         (&[("book/two-coins/data.csv", "new")], [true, false]),
@@ -77,10 +80,24 @@ fn a_stamp_changes_with_what_its_figures_are_drawn_from_and_with_nothing_else() 
         let changed = [0, 1].map(|n| after[n] != before[n]);
         assert_eq!(changed, expected, "{changes:?}");
     }
-    // A scene that uses another, and shared code that uses one, pass its changes on.
-    for by in [uses_both, ("src/shared.rs", "use crate::scenes::two_coins;\n")] {
-        let before = stamps_with(&root, &[by]);
-        let after = stamps_with(&root, &[by, ("src/scenes/two_coins/mod.rs", "new")]);
-        assert!(after[0] != before[0] && after[1] != before[1], "{by:?}");
+    // Code that uses a scene, a kernel or another chapter passes its changes on.
+    let [scene, kernel, chapter] =
+        ["src/scenes/two_coins/mod.rs", "src/wide/two_coins.rs", "book/two-coins/figures.rs"];
+    for (by, text, used) in [
+        ("src/scenes/wheel.rs", "use super::two_coins;\n", scene),
+        ("src/shared.rs", "use crate::scenes::two_coins;\n", scene),
+        ("src/shared.rs", "use crate::wide::{two_coins};\n", kernel),
+        ("book/methods/figures.rs", "use mechanics::wide;\nuse wide::wheel::*;\n", kernel),
+        ("book/methods/figures.rs", "use crate::chapter_two_coins::coins;\n", chapter),
+    ] {
+        let wheel = ("src/wide/wheel.rs", "use super::two_coins;\n");
+        let before = stamps_with(&root, &[wheel, (by, text)]);
+        let after = stamps_with(&root, &[wheel, (by, text), (used, "use crate::wide::two_coins;")]);
+        assert!(after[0] != before[0] && after[1] != before[1], "{by}: {text}");
     }
+    // Who only names it does not.
+    let named = ("src/shared.rs", "const SCENES: [&str; 2] = [\"scenes\", \"two_coins\"];\n");
+    let [before, after] = [None, Some(("src/scenes/two_coins/mod.rs", "new"))]
+        .map(|change| stamps_with(&root, &[Some(named), change].into_iter().flatten().collect::<Vec<_>>()));
+    assert!(after[0] != before[0] && after[1] == before[1]);
 }
