@@ -75,7 +75,7 @@ fn crates_that_users_compile_know_nothing_of_the_book() {
         ("live", "drawing mechanics", ""),
         ("module", "drawing live mechanics", ""),
         ("snippets", "", "mechanics"),
-        ("book", "live press", "figures module"),
+        ("book", "figures live press", "module"),
     ] {
         let one = of(name);
         assert_eq!(

@@ -1,10 +1,11 @@
 //! What the figures of a chapter are drawn from, as one number that changes when any of it does.
 //!
-//! The code that draws lies in *parts*: each scene (`src/scenes/wheel.rs`, or the folder), each kernel (`src/wide/wheel.rs`),
-//! each chapter (`book/pinned-hoop/` without its Markdown and its live scene), and all that is left, which is *shared*. The
-//! figures of a chapter are drawn from what is shared, from the chapter, and from every part that these name, and so on. A
-//! file names the scene `wheel` by that word, if it has the word `scenes` too or is a scene itself; likewise for kernels
-//! and `wide`; a chapter by `chapter_pinned_hoop`. A string that is but one word names nothing.
+//! The code that draws lies in *parts*: each scene (`src/scenes/wheel.rs`, or the folder), each kernel
+//! (`src/wide/wheel.rs`), each chapter (`book/pinned-hoop/` without its Markdown and its live scene), and all that is
+//! left, which is *shared*. The figures of a chapter are drawn from what is shared, from the chapter, and from every
+//! part that these name, and so on. A file names the scene `wheel` by that word, if it has the word `scenes` too or is
+//! a scene itself; likewise for kernels and `wide`; a chapter by `chapter_pinned_hoop`. A string that is but one word
+//! names nothing.
 
 use figures::house;
 use std::collections::{BTreeMap, BTreeSet};

@@ -116,8 +116,8 @@ fn found(text: &str) -> Vec<(usize, Kind, &str)> {
     found
 }
 
-/// Makes links to the pages of the book of the labels that the library's documentation and sources name. `homes` says on
-/// which page each id is.
+/// Makes links to the pages of the book of the labels that the library's documentation and sources name. `homes` says
+/// on which page each id is.
 pub(crate) fn link_back(site: &Path, homes: &BTreeMap<&str, &str>) -> io::Result<()> {
     link_folder(&site.join(FOLDER), "../", homes)
 }

@@ -44,8 +44,8 @@ impl Section {
     }
 }
 
-/// Names the index that mdBook has written, if it has, by what is on the pages, which name it: a browser keeps it as long
-/// as nothing has changed. mdBook names it by what it has found itself.
+/// Names the index that mdBook has written, if it has, by what is on the pages, which name it: a browser keeps it as
+/// long as nothing has changed. mdBook names it by what it has found itself.
 ///
 /// # Errors
 /// If the file cannot be renamed.

@@ -118,8 +118,8 @@ fn is_current(root: &Path) -> bool {
     api::is_current(root) && !matches!(module::found(root, For::Author), Ok(Module::Stale))
 }
 
-/// Where the site lies: in `html`, and in `kept` what hasty builds leave out. It is made beside them, so that nobody sees
-/// half a page.
+/// Where the site lies: in `html`, and in `kept` what hasty builds leave out. It is made beside them, so that nobody
+/// sees half a page.
 struct Made<'a> {
     root: &'a Path,
     folder: PathBuf,
