@@ -32,7 +32,7 @@ pub(crate) struct Library {
 impl Library {
     /// Reads the library whose sources lie in `root/src`. Of a folder without one it has nothing.
     pub(crate) fn read(root: &Path) -> Self {
-        let mut library = Self { name: name(root).unwrap_or_default(), kinds: BTreeMap::new() };
+        let mut library = Self { name: names(root).unwrap_or_default().1, kinds: BTreeMap::new() };
         library.collect(&root.join("src"));
         library
     }
@@ -107,10 +107,11 @@ fn expanded(tree: &str) -> Vec<String> {
     parts.into_iter().flat_map(expanded).map(|path| format!("{prefix}{path}")).collect()
 }
 
-/// The name of the package in `root`, if it is a library.
-fn name(root: &Path) -> Option<String> {
-    let name = library::name(&fs::read_to_string(root.join("Cargo.toml")).ok()?)?;
-    root.join("src/lib.rs").is_file().then_some(name)
+/// The package in `root`, if it is a library: what Cargo calls it, and what Rust does.
+fn names(root: &Path) -> Option<(String, String)> {
+    let manifest = fs::read_to_string(root.join("Cargo.toml")).ok()?;
+    let names = library::package(&manifest).zip(library::name(&manifest))?;
+    root.join("src/lib.rs").is_file().then_some(names)
 }
 
 /// Where rustdoc leaves its pages.
@@ -132,15 +133,14 @@ fn cargo() -> OsString {
 
 /// Whether the documentation of the library in `root` was written after its sources, if there is one.
 pub(crate) fn is_current(root: &Path) -> bool {
-    name(root).is_none_or(|library| {
+    names(root).is_none_or(|(_, library)| {
         written(root).and_then(|doc| is_newer(&doc.join(library), &root.join("src"))).unwrap_or(false)
     })
 }
 
 /// Runs rustdoc on the library in `root`, if there is one, and copies its pages into the site.
 pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
-    let Some(library) = name(root) else { return Ok(()) };
-    let package = library::package(&fs::read_to_string(root.join("Cargo.toml"))?).unwrap_or_default();
+    let Some((package, library)) = names(root) else { return Ok(()) };
     let doc = written(root)?;
     let sources = format!("src/{library}"); // where rustdoc puts them
     remove_outdated(&doc, [&library, &sources], &root.join("src"))?;
