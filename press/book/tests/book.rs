@@ -320,6 +320,17 @@ fn page(address: (&str, u16), path: &str) -> String {
     panic!("nobody answers");
 }
 
+/// Waits for something that is about to happen.
+fn until(is_it: impl Fn() -> bool) {
+    for _ in 0..600 {
+        if is_it() {
+            return;
+        }
+        thread::sleep(Duration::from_millis(100));
+    }
+    panic!("it does not happen");
+}
+
 #[test]
 fn who_is_served_a_book_with_a_fault_reads_it_at_every_address_and_then_the_page() {
     let folder = small_book("served", "# A\n\nSee <b>@eq:nothing.\n");
@@ -339,8 +350,16 @@ fn who_is_served_a_book_with_a_fault_reads_it_at_every_address_and_then_the_page
     fs::write(folder.join("book/a.md"), GOOD).unwrap();
     let heard = news.join();
     let good = page(address, "/a.html");
+    // The page of all pages comes with the rest, and stays as it is while a sentence changes.
+    let made = folder.join("target/book");
+    until(|| made.join("kept/print.html").is_file());
+    fs::write(folder.join("book/a.md"), GOOD.replace("So ", "Thus ")).unwrap();
+    until(|| page(address, "/a.html").contains("Thus "));
+    let all = page(address, "/print.html");
     server.kill().unwrap();
     server.wait().unwrap();
+    assert!(all.starts_with("HTTP/1.1 200") && all.contains("So ") && !all.contains("Thus "));
+    assert!(!made.join("html/print.html").exists() && !made.join("next/html").exists());
     assert!(bad.contains("book/a.md:3: `&lt;b&gt;` is not closed") && bad.contains("eq:nothing"), "{bad}");
     assert!(bad.starts_with("HTTP/1.1 404") && bad.contains("http-equiv=\"refresh\""), "it asks again");
     assert!(heard.unwrap().ends_with("data: new\n\n"));
