@@ -89,7 +89,7 @@ pub(crate) fn made_of(root: &Path) -> Result<Vec<PathBuf>, String> {
 pub(crate) fn test(root: &Path) -> Result<(), String> {
     let tested =
         settings(root).and_then(|settings| MDBook::load_with_config(root, settings)?.test(Vec::new()));
-    tested.map_err(|error| format!("error: the book was not tested: {error:#}"))
+    tested.map_err(|error| format!("error: the test of the book failed: {error:#}"))
 }
 
 /// What book.toml and the environment say.

@@ -25,13 +25,16 @@ pub(crate) fn bring_back(unfinished: &Path, site: &Path) -> io::Result<()> {
 pub(crate) fn withdraw(site: &Path, config: &Config, failed: &Failed) -> io::Result<()> {
     remove(&site.with_file_name("html-unfinished"))?;
     remove(site)?;
-    if matches!(For::of(config), For::Author | For::Hasty) {
-        fs::create_dir_all(site)?;
-        for name in ["index.html", "404.html"] {
-            fs::write(site.join(name), page(&failed.to_string()))?;
-        }
+    match For::of(config) {
+        For::Author | For::Hasty => say(site, &failed.to_string()),
+        For::Readers | For::Paper => Ok(()),
     }
-    Ok(())
+}
+
+/// Puts the reason into a folder, in the place of a site.
+pub(crate) fn say(site: &Path, reason: &str) -> io::Result<()> {
+    fs::create_dir_all(site)?;
+    ["index.html", "404.html"].iter().try_for_each(|name| fs::write(site.join(name), page(reason)))
 }
 
 /// Removes a file, or a folder with all that is in it; what does not exist is nothing to remove.

@@ -141,7 +141,7 @@ fn test_snippets(root: &Path) -> Result<(), Failed> {
         Ok(())
     } else {
         eprintln!("{report}");
-        Err(Failed::Other("a snippet fails: see above for its page and line".to_owned()))
+        Err(Failed::Other("snippets fail: see above for page, line and value of each".to_owned()))
     }
 }
 

@@ -15,9 +15,9 @@ use std::net::{TcpListener, ToSocketAddrs};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Arc;
+use std::thread::JoinHandle;
 use std::{fs, io, thread};
-use tiny_http::Server;
-use watch::Watcher;
+use watch::{PAUSE, Watcher};
 
 /// What one can ask for.
 #[derive(Debug, PartialEq, Eq)]
@@ -63,12 +63,12 @@ impl Order {
 pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
     let order = Order::read(arguments)?;
     // Before anything is built, which takes a while.
-    let servers = servers(&order)?;
+    let listeners = listeners(&order)?;
     let made = Made::new(root, &order.folder);
     let site = Arc::new(Site::new(vec![made.folder.join("html"), made.folder.join("kept")]));
-    for server in servers {
+    for listener in listeners {
         let site = Arc::clone(&site);
-        thread::spawn(move || http::answer(&server, &site));
+        thread::spawn(move || http::answer(&listener, &site));
     }
     let address = format!("http://{}:{}", order.host, order.port);
     eprintln!("Printing the pages");
@@ -76,6 +76,7 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
     let mut is_first = true;
     let mut is_kept = false;
     let mut press = None;
+    let mut compiler = None;
     loop {
         // The pages at once, without what takes long to make and does not change with a sentence.
         let is_shown = site.while_built(|| report(made.build(press, For::Hasty)));
@@ -87,25 +88,56 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
             is_first = false;
         }
         if is_shown && !(is_kept && is_current(root)) {
-            is_kept = has_built_rest(&made, press, &site, &watcher);
+            is_kept = has_built_rest(&made, press, &site, &watcher, &mut compiler);
         }
         let changed = watcher.wait();
         let first = changed.iter().map(|file| file.strip_prefix(root).unwrap_or(file).display()).next();
         let first = first.map(|file| file.to_string()).unwrap_or_default();
         let more = if changed.len() > 1 { format!(" and {} more", changed.len() - 1) } else { String::new() };
         eprintln!("Changed: {first}{more}");
+        if changed.iter().any(|file| !is_text(file)) {
+            eprintln!(
+                "Whether tests, and numbers on the pages, still hold is not looked at here: `cargo test` says"
+            );
+        }
         press = (is_shown && changed.iter().all(|file| is_text(file))).then_some(FINISHER);
     }
 }
 
-/// Builds what a hasty build has left out, a part at a time, so that an edit does not wait for all of it; whether it is
-/// there. What the pages show already needs no second look before.
-fn has_built_rest(made: &Made<'_>, press: Option<&str>, site: &Site, watcher: &Watcher) -> bool {
-    let mut has_more = true;
-    while has_more && !watcher.has_changed() {
-        has_more = matches!(module::build_one(made.root, For::Author), Ok(Module::Stale));
+/// Who compiles a module.
+type Compiler = JoinHandle<Result<Module, String>>;
+
+/// Builds what a hasty build has left out; whether it is there. An edit waits for no module: one is compiled to its end
+/// by `compiler`, meanwhile. What the pages show already needs no second look before the rest is there.
+fn has_built_rest(
+    made: &Made<'_>,
+    press: Option<&str>,
+    site: &Site,
+    watcher: &Watcher,
+    compiler: &mut Option<Compiler>,
+) -> bool {
+    let start = || {
+        let root = made.root.to_owned();
+        thread::spawn(move || module::build_one(&root, For::Author))
+    };
+    loop {
+        while !compiler.get_or_insert_with(start).is_finished() {
+            if watcher.has_changed() {
+                return false;
+            }
+            thread::sleep(PAUSE);
+        }
+        let is_compiled = matches!(compiler.take().map(JoinHandle::join), Some(Ok(Ok(_))));
+        let has_more = || matches!(module::found(made.root, For::Author), Ok(Module::Stale));
+        if !is_compiled || !has_more() {
+            break;
+        }
     }
-    !watcher.has_changed() && site.while_built(|| report(made.build(press, For::Author)))
+    let is_there = !watcher.has_changed() && site.while_built(|| report(made.build(press, For::Author)));
+    if is_there {
+        eprintln!("Everything is there: scenes, search and the documentation of the library");
+    }
+    is_there
 }
 
 /// Whether no program is made of a file.
@@ -117,6 +149,9 @@ fn is_text(file: &Path) -> bool {
 fn is_current(root: &Path) -> bool {
     api::is_current(root) && !matches!(module::found(root, For::Author), Ok(Module::Stale))
 }
+
+/// What the compiler prints does not pass through here.
+const ELSEWHERE: &str = "If the library, a figure or a scene does not compile, the compiler says why where `cargo book serve` runs.";
 
 /// Where the site lies: in `html`, and in `kept` what hasty builds leave out. It is made beside them, so that nobody
 /// sees half a page.
@@ -136,6 +171,12 @@ impl<'a> Made<'a> {
         let [html, next, old] = ["html", "next/html", "old"].map(|name| self.folder.join(name));
         let kept = self.folder.join("kept");
         let put = || {
+            if let Err(message) = &built
+                && !next.is_dir()
+            {
+                // The press itself did not come so far, or it would have said why.
+                outcome::say(&next, &format!("{message}\n\n{ELSEWHERE}"))?;
+            }
             if for_whom == For::Author && built.is_ok() {
                 outcome::remove(&kept)?;
                 fs::create_dir_all(&kept)?;
@@ -164,7 +205,7 @@ fn report(outcome: Result<(), String>) -> bool {
 }
 
 /// Where it is listened: `localhost` may be two addresses.
-fn servers(order: &Order) -> Result<Vec<Server>, String> {
+fn listeners(order: &Order) -> Result<Vec<TcpListener>, String> {
     let place = format!("{}:{}", order.host, order.port);
     let cannot = |error: io::Error| match error.kind() {
         io::ErrorKind::AddrInUse => format!(
@@ -177,10 +218,7 @@ fn servers(order: &Order) -> Result<Vec<Server>, String> {
     let mut failed = None;
     for address in place.to_socket_addrs().map_err(cannot)? {
         match TcpListener::bind(address) {
-            Ok(listener) => {
-                let server = Server::from_listener(listener, None);
-                found.push(server.map_err(|error| cannot(io::Error::other(error)))?);
-            }
+            Ok(listener) => found.push(listener),
             Err(error) if error.kind() == io::ErrorKind::AddrInUse => return Err(cannot(error)),
             Err(error) => failed = Some(error),
         }

@@ -1,12 +1,14 @@
-//! Files over HTTP, for a browser on this machine.
+//! Files over HTTP, for a browser on this machine. Each connection has a thread and is asked once: browsers open some
+//! that they may not need, and nobody should wait behind those.
 
+use httparse::{EMPTY_HEADER, Request, Status};
 use percent_encoding::percent_decode_str;
-use std::io;
+use std::io::{self, Read, Write};
+use std::net::{TcpListener, TcpStream};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::Duration;
 use std::{fs, thread};
-use tiny_http::{Header, Method, Request, Response, Server};
 
 /// Where a page asks whether there is a newer one.
 const NEWS: &str = "/__news";
@@ -15,6 +17,8 @@ const SCRIPT: &str = "<script>new EventSource(\"/__news\").onmessage = () => loc
 
 /// How long something is waited for that is just being made.
 const PATIENCE: Duration = Duration::from_secs(60);
+/// The longest head of a request, bytes.
+const LONGEST: usize = 1 << 16;
 
 /// The folders of the site, and what happens to it.
 pub(super) struct Site {
@@ -65,25 +69,29 @@ impl Site {
 }
 
 /// Answers whoever asks, for ever.
-pub(super) fn answer(server: &Server, site: &Arc<Site>) {
-    for request in server.incoming_requests() {
+pub(super) fn answer(listener: &TcpListener, site: &Arc<Site>) {
+    for stream in listener.incoming().flatten() {
         let site = Arc::clone(site);
         thread::spawn(move || {
-            let _ = one(request, &site); // a browser that has gone away misses nothing
+            let _ = one(&stream, &site); // a browser that has gone away misses nothing
         });
     }
 }
 
-fn one(request: Request, site: &Site) -> io::Result<()> {
-    if !matches!(request.method(), Method::Get | Method::Head) {
-        return send(request, 405, "text/plain", b"only for reading".to_vec());
+fn one(stream: &TcpStream, site: &Site) -> io::Result<()> {
+    stream.set_read_timeout(Some(PATIENCE))?;
+    let Some((method, address)) = request(stream)? else {
+        return send(stream, "400 Bad Request", TEXT, b"this is no request", true);
+    };
+    if !matches!(&*method, "GET" | "HEAD") {
+        return send(stream, "405 Method Not Allowed", TEXT, b"only for reading", true);
     }
-    let path = request.url().split(['?', '#']).next().unwrap_or_default().to_owned();
+    let path = address.split(['?', '#']).next().unwrap_or_default();
     if path == NEWS {
-        return news(request, site);
+        return news(stream, site);
     }
-    let Some(below) = below(&path) else {
-        return send(request, 400, "text/plain", b"no such address".to_vec());
+    let Some(below) = below(path) else {
+        return send(stream, "400 Bad Request", TEXT, b"no such address", true);
     };
     let read = || {
         let file = site.place(&below);
@@ -94,24 +102,45 @@ fn one(request: Request, site: &Site) -> io::Result<()> {
         site.wait(PATIENCE, |state| !state.is_being_built);
         read()
     });
-    match found {
-        Ok((HTML, page)) => send(request, 200, HTML, with_script(page)),
-        Ok((kind, bytes)) => send(request, 200, kind, bytes),
+    let (status, head, body) = match found {
+        Ok((HTML, page)) => ("200 OK", HTML.to_owned(), with_script(page)),
+        Ok((kind, bytes)) => ("200 OK", kind.to_owned(), bytes),
         Err(_) if site.place(&below).is_dir() => {
-            request.respond(Response::empty(302).with_header(header("Location", &format!("{path}/"))))
+            ("302 Found", format!("{TEXT}\r\nLocation: {path}/"), Vec::new())
         }
         Err(_) => {
             let page = fs::read(site.place(Path::new("404.html")));
-            send(request, 404, HTML, with_script(page.unwrap_or_else(|_| b"There is no such page.".to_vec())))
+            let page = page.unwrap_or_else(|_| b"There is no such page.".to_vec());
+            ("404 Not Found", HTML.to_owned(), with_script(page))
+        }
+    };
+    send(stream, status, &head, &body, method != "HEAD")
+}
+
+/// The method and the address of a request; `None` if it is none.
+fn request(mut stream: impl Read) -> io::Result<Option<(String, String)>> {
+    let mut head = Vec::new();
+    let mut part = [0; 4096];
+    while head.len() < LONGEST {
+        let count = stream.read(&mut part)?;
+        head.extend_from_slice(&part[..count]);
+        let mut headers = [EMPTY_HEADER; 100];
+        let mut request = Request::new(&mut headers);
+        match request.parse(&head) {
+            Ok(Status::Complete(_)) => {
+                return Ok(request.method.map(str::to_owned).zip(request.path.map(str::to_owned)));
+            }
+            Ok(Status::Partial) if count > 0 => {}
+            _ => return Ok(None),
         }
     }
+    Ok(None)
 }
 
 /// Tells when there is something new; asks now and then whether anybody still listens.
-fn news(request: Request, site: &Site) -> io::Result<()> {
+fn news(mut stream: &TcpStream, site: &Site) -> io::Result<()> {
     let count = site.wait(Duration::ZERO, |_| true).count;
-    let mut stream = request.into_writer();
-    let mut tell = |words: &str| stream.write_all(words.as_bytes()).and_then(|()| stream.flush());
+    let mut tell = |words: &str| stream.write_all(words.as_bytes());
     tell(
         "HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n",
     )?;
@@ -121,14 +150,13 @@ fn news(request: Request, site: &Site) -> io::Result<()> {
     tell("data: new\n\n")
 }
 
-fn send(request: Request, status: u16, kind: &str, body: Vec<u8>) -> io::Result<()> {
-    let headers = [header("Content-Type", kind), header("Cache-Control", "no-store")];
-    let response = Response::from_data(body).with_status_code(status);
-    request.respond(headers.into_iter().fold(response, Response::with_header))
-}
-
-fn header(name: &str, value: &str) -> Header {
-    Header::from_bytes(name, value).expect("letters of ASCII")
+fn send(mut stream: &TcpStream, status: &str, kind: &str, body: &[u8], with_body: bool) -> io::Result<()> {
+    let length = body.len();
+    let head = format!(
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {length}\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n"
+    );
+    stream.write_all(head.as_bytes())?;
+    if with_body { stream.write_all(body) } else { Ok(()) }
 }
 
 /// A page with what loads it again.
@@ -146,6 +174,7 @@ fn below(path: &str) -> Option<PathBuf> {
 }
 
 const HTML: &str = "text/html; charset=utf-8";
+const TEXT: &str = "text/plain; charset=utf-8";
 
 /// What a file holds, for the browser.
 fn kind(file: &Path) -> &'static str {
@@ -159,7 +188,7 @@ fn kind(file: &Path) -> &'static str {
         "woff2" => "font/woff2",
         "pdf" => "application/pdf",
         "epub" => "application/epub+zip",
-        "csv" | "md" | "txt" | "" => "text/plain; charset=utf-8",
+        "csv" | "md" | "txt" | "" => TEXT,
         _ => "application/octet-stream",
     }
 }
@@ -167,8 +196,6 @@ fn kind(file: &Path) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::io::{Read, Write};
-    use std::net::TcpStream;
 
     fn asked(address: std::net::SocketAddr, request: &str) -> String {
         let mut stream = TcpStream::connect(address).unwrap();
@@ -192,10 +219,10 @@ mod tests {
         fs::write(folder.join("kept/api/index.html"), "API").unwrap();
         let site = Arc::new(Site::new(vec![folder.clone(), folder.join("kept")]));
         site.while_built(|| ());
-        let server = Server::http("127.0.0.1:0").unwrap();
-        let address = server.server_addr().to_ip().unwrap();
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = listener.local_addr().unwrap();
         let served = Arc::clone(&site);
-        thread::spawn(move || answer(&server, &served));
+        thread::spawn(move || answer(&listener, &served));
 
         let home = asked(address, "GET /?x=1");
         assert!(home.starts_with("HTTP/1.1 200 OK") && home.contains("text/html"), "{home}");
@@ -213,6 +240,14 @@ mod tests {
             assert!(asked(address, &format!("GET {outside}")).starts_with("HTTP/1.1 400"), "{outside}");
         }
         assert!(asked(address, "POST /").starts_with("HTTP/1.1 405"));
+
+        assert!(asked(address, "GET").starts_with("HTTP/1.1 400"));
+
+        // Connections that nobody uses, as browsers open them, hold up nobody.
+        let idle: Vec<_> = (0..20).map(|_| TcpStream::connect(address).unwrap()).collect();
+        let all: Vec<_> = (0..20).map(|_| thread::spawn(move || asked(address, "GET /a.css"))).collect();
+        all.into_iter().for_each(|one| assert!(one.join().unwrap().ends_with("p {}")));
+        drop(idle);
 
         // A page that is being made is waited for, and who has one hears of the next.
         let reader = thread::spawn(move || asked(address, "GET /__news"));

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 use std::{fs, thread};
 
-const PAUSE: Duration = Duration::from_millis(100);
+/// Between two looks.
+pub(super) const PAUSE: Duration = Duration::from_millis(100);
 
 /// When a file was written, and how long it is.
 type Stamp = (SystemTime, u64);
