@@ -178,7 +178,11 @@ fn the_same_face_is_up_for_that_part_of_a_simulated_precession() {
         let times: Vec<f64> = (0..2000).map(|n| period * (f64::from(n) + 0.5) / 2000.0).collect();
         let omega_3 = toss.at(0.0).unwrap().omega_body.z;
         let up = simulated(moments, 50.0, omega_3, &times).iter().filter(|normal| normal.z > 0.0).count();
-        assert!((up as f64 / 2000.0 - toss.same_face_probability()).abs() < 1.01 / 2000.0);
+        let p = toss.same_face_probability();
+        assert!(
+            (up as f64 / 2000.0 - p).abs() < 1.01 / 2000.0,
+            "p = {p}, and {up} of 2000 moments show the face"
+        );
         // On edge at the time that the closed form names, and not before.
         let edge = toss.first_edge().unwrap();
         let around = simulated(moments, 50.0, omega_3, &[0.999 * edge, edge, 1.001 * edge]);
@@ -298,8 +302,14 @@ fn a_little_twist_makes_a_bias_that_goes_with_its_square() {
         let square = 4.0 / PI * (0.4 * twist).powi(2);
         let next = (0.64 * twist * twist).powi(2) / 6.0;
         let rounding = f64::EPSILON / bias;
-        assert!(bias > square * (1.0 + 0.9 * next) - rounding * square, "{twist}");
-        assert!(bias < square * (1.0 + 1.5 * next) + rounding * square, "{twist}");
+        assert!(
+            bias > square * (1.0 + 0.9 * next) - rounding * square,
+            "twist {twist}: {bias}, not above {square}"
+        );
+        assert!(
+            bias < square * (1.0 + 1.5 * next) + rounding * square,
+            "twist {twist}: {bias}, far above {square}"
+        );
     }
 }
 

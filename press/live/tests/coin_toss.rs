@@ -51,7 +51,11 @@ fn the_part_above_is_the_part_of_the_moments_at_which_heads_shows() {
         let period = 2.0 * PI / tumble.hypot(2.0 * twist);
         let heads =
             (0..1000).filter(|k| hand.reading(period * (f64::from(*k) + 0.5) / 1e3, HEIGHT) >= 0.0).count();
-        assert!((hand.reading(0.0, ABOVE) - heads as f64 / 1e3).abs() < 3e-3, "{tumble} {twist}");
+        let above = hand.reading(0.0, ABOVE);
+        assert!(
+            (above - heads as f64 / 1e3).abs() < 3e-3,
+            "tumble {tumble}, twist {twist}: the scene says {above}, and heads shows at {heads} of 1000 moments"
+        );
         assert!(hand.reading(0.0, ABOVE) >= 0.5);
     }
 }
@@ -66,7 +70,10 @@ fn thousands_of_tosses_come_near_the_probability_if_the_hand_is_unsure() {
         let hand = tossed(0.0);
         // Four standard deviations of five thousand tosses, and half a per cent for what is left of the last window.
         let (heads, p) = (hand.reading(0.0, HEADS), hand.reading(0.0, ABOVE));
-        assert!((heads - p).abs() < 4.0 * (p * (1.0 - p) / 5e3).sqrt() + 0.01, "{twist}: {heads}, not {p}");
+        assert!(
+            (heads - p).abs() < 4.0 * (p * (1.0 - p) / 5e3).sqrt() + 0.01,
+            "twist {twist}: {heads} of the tosses, and not {p}"
+        );
         assert_eq!(hand.reading(0.0, TOSSES), 5000.0);
         // A machine knows no chance: all show what the coin shows at the end.
         let machine = tossed(2.0);
