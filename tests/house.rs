@@ -75,7 +75,7 @@ fn crates_that_users_compile_know_nothing_of_the_book() {
         ("live", "drawing mechanics", ""),
         ("module", "drawing live mechanics", ""),
         ("snippets", "", "mechanics"),
-        ("book", "figures live press", "module"),
+        ("book", "live press", "figures module"),
     ] {
         let one = of(name);
         assert_eq!(

@@ -18,8 +18,7 @@ use std::{fs, io, thread};
 const LICENCES: [&str; 1] = ["LICENSE-CC-BY-4.0"];
 /// The picture of the book that previews of links show: its file in the theme's folder, and in the site.
 const PREVIEW: &str = "preview.png";
-
-/// All pages on one.
+/// The page of all pages.
 pub(crate) const PRINT: &str = "print.html";
 
 /// Finishes and checks the site that mdBook has just rendered; `drawn` holds its figures.

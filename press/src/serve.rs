@@ -135,7 +135,7 @@ fn has_built_rest(
     }
     let is_there = !watcher.has_changed() && site.while_built(|| report(made.build(press, For::Author)));
     if is_there {
-        eprintln!("Everything is there: scenes, search and the documentation of the library");
+        eprintln!("Everything is there, the documentation of the library too");
     }
     is_there
 }
