@@ -549,6 +549,35 @@ fn a_thick_coin_lands_on_the_side_that_a_simulation_finds_under_its_centre() {
 }
 
 #[test]
+fn a_thin_coin_lands_on_its_edge_as_often_as_its_simulated_normal_is_within_the_band() {
+    let shape = |ratio: f64| Cylinder { radius: 1.0, height: 2.0 * ratio };
+    for omega_3 in [0.0, 0.3, 0.45] {
+        let toss = tossed(coin(), 1.0, omega_3);
+        // From one height to the next the normal moves straight on: how long is it inside the band |n| < sin β?
+        let times: Vec<f64> =
+            (0..=100_000).map(|n| f64::from(n) * TAU / toss.precession_rate() / 1e5).collect();
+        let heights: Vec<f64> =
+            simulated(coin(), 1.0, omega_3, &times).iter().map(|normal| normal.z).collect();
+        let mut missed = Vec::new();
+        for ratio in [1e-2_f64, 1e-3] {
+            let border = ratio.atan().sin();
+            let inside = heights.windows(2).map(|pair| {
+                let [low, high] = [pair[0].min(pair[1]), pair[0].max(pair[1])];
+                (high.min(border) - low.max(-border)).max(0.0) / (high - low).max(f64::MIN_POSITIVE)
+            });
+            let share = inside.sum::<f64>() / 1e5;
+            missed.push((toss.thin_edge(shape(ratio)).unwrap().unwrap() / share - 1.0).abs());
+        }
+        // The limit is approached as the square of the thickness, the faster the farther the toss is from 45°.
+        assert!(missed[0] < 5e-3 && missed[1] < 5e-5, "{missed:?} at a twist of {omega_3}");
+    }
+    // From 45° on it has none: ω₁ = 2 ω₃ for a thin disc.
+    assert!(tossed(coin(), 1.0, 0.499).thin_edge(shape(0.01)).unwrap().is_some());
+    assert_eq!(tossed(coin(), 1.0, 0.501).thin_edge(shape(0.01)).unwrap(), None);
+    assert!(tossed(coin(), 1.0, 0.0).thin_edge(shape(f64::NAN)).is_err());
+}
+
+#[test]
 fn a_coin_of_any_attitude_stands_on_its_edge_as_often_as_the_band_is_high() {
     let mut random = fastrand::Rng::with_seed(20);
     for height in [0.1, 2.0 / 8_f64.sqrt(), 3.0] {

@@ -23,12 +23,9 @@ fn plate(degrees: f64) -> Result<Plate, InvalidQuantity> {
 /// So many pistons on the chapter's plate, all of them together with a multiple of the mass that balances three and
 /// more.
 fn with_pistons(plate: Plate, count: u32, part: f64) -> Result<Engine, Cause> {
-    let SymmetricMoments { transverse, axial } = plate.moments().as_symmetric()?;
-    let distance = 0.07;
-    // eq:many-pistons, whether it works for this number or not.
-    let cosine = plate.tilt().cos();
-    let needed = 2.0 * (axial - transverse) * cosine * cosine / (f64::from(count) * distance * distance);
-    let pistons = PistonParameters { count, mass: part * needed, distance, rod: 0.2 };
+    let three = PistonParameters { count: 3, mass: 0.0, distance: 0.07, rod: 0.2 };
+    let needed = 3.0 * plate.balancing_mass(&Pistons::new(three)?)?;
+    let pistons = PistonParameters { count, mass: part * needed / f64::from(count), ..three };
     Ok(Engine::new(plate, Pistons::new(pistons)?))
 }
 

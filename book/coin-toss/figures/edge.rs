@@ -137,8 +137,10 @@ fn against_angle() -> Result<Drawing, Cause> {
     }
     let thin = linear_steps(0.0, 1.0, 300).map(|step| {
         let degrees = 45.3 + 44.7 * step * step;
-        (degrees, 2.0 * sine / (PI * (-(2.0 * degrees).to_radians().cos()).sqrt()))
+        let chance = leaning(degrees)?.thin_edge(coin(NICKEL))?;
+        Ok((degrees, chance.ok_or("its normal crosses the horizon")?))
     });
+    let thin = thin.collect::<Result<Vec<_>, Cause>>()?;
     plot.curve("thin", thin, Stroke::DashedCurve, Hue::Muted);
     plot.curve("nickel", values, Stroke::Curve, Hue::Orange);
     let best = leaning(peak)?.landings(coin(NICKEL))?.edge;

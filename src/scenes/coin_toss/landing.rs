@@ -52,6 +52,29 @@ impl Toss {
         let [same, edge, other] = [near.atan2(above), between, below.atan2(far)].map(|half| FRAC_2_PI * half);
         Ok(Landings { same, edge, other })
     }
+
+    /// How often a coin of this shape lands on its edge in the limit of thin coins: `2 sin β/(π √(−cos 2ψ))`
+    /// (`eq:edge-thin`); `None` if the normal never crosses the horizon. It grows without bound towards `ψ = 45°`, so
+    /// that it is no probability there.
+    ///
+    /// ```
+    /// use mechanics::inertia::{Body, Cylinder};
+    /// use mechanics::scenes::coin_toss::{Toss, TossParameters};
+    /// let nickel = Cylinder { radius: 10.605e-3, height: 1.95e-3 };
+    /// let moments = Body::cylinder(5e-3, nickel)?.moments();
+    /// let tumble = Toss::new(TossParameters { moments, omega_1: 40.0, omega_3: 0.0 })?;
+    /// let thin = tumble.thin_edge(nickel)?.ok_or("it turns over")?;
+    /// assert_eq!(format!("{:.2} %", 100.0 * thin), "5.83 %"); // and not 5.84, as for no thin coin
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Toss::landings`].
+    pub fn thin_edge(&self, coin: Cylinder) -> Result<Option<f64>, InvalidQuantity> {
+        let (sin, _) = sine_of_edge(coin)?;
+        let lowest = self.lowest_normal(); // cos 2ψ
+        Ok((lowest < 0.0).then(|| FRAC_2_PI * sin / (-lowest).sqrt()))
+    }
 }
 
 /// How often a coin of this shape stands on its edge if every attitude is as likely as every other: `sin β`
