@@ -45,7 +45,7 @@ pub(crate) fn station(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 400.0).titled(
         "The station at the moment of the blow",
         "A wheel with hub and spokes, seen from above at an angle, with axes 1 and 2 in its plane and 3 \
-         upright. From below a meteor comes to the rim where axis 2 meets it, and the impulse P points up \
+         upright. From below a ship comes to the rim where axis 2 meets it, and the impulse P points up \
          there. From the hub the new angular velocity omega leans from axis 3 towards axis 1 by the angle \
          theta, and the angular momentum L by the smaller angle theta L.",
     );
@@ -75,7 +75,7 @@ pub(crate) fn station(id: &str) -> Outcome {
     let rim = [0.0, 0.93, 0.08];
     stage.solid(Solid::sphere([0.0, 0.93, -0.72], 0.045)?, Hue::Muted)?;
     stage.curve(Curve::segment([0.0, 0.93, -0.67], [0.0, 0.93, -0.08])?, Stroke::Dotted, Hue::Muted)?;
-    stage.label_shifted([0.0, 0.93, -0.72], at(4.0, 0.0), Side::Right, "meteor", Hue::Muted)?;
+    stage.label_shifted([0.0, 0.93, -0.72], at(4.0, 0.0), Side::Right, "ship", Hue::Muted)?;
     stage.named_vector(rim, [0.0, 0.93, 0.85], r"$\boldsymbol{P}$", Hue::Pink)?;
     stage.dot(rim, 3.5, Hue::Pink)?;
     stage.turning([0.0, 0.0, 1.6], [0.0, 0.0, 1.0], 0.17, Hue::Orange)?;

@@ -1,4 +1,4 @@
-//! A turning ring struck by a meteor. Chapter "The struck space station".
+//! A turning ring that is struck. Chapter "The struck space station".
 //!
 //! Axes 1, 2, 3 are fixed in the station, 3 along its axis; at time zero, the moment of the blow, they are the axes x,
 //! y, z of the room, whose origin is where the station's centre then is. The station turns with ω₀ about 3 and is

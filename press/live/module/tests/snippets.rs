@@ -102,8 +102,8 @@ fn with_other_numbers_the_answers_are_those_of_the_equations() {
     prints(coin, &[0.6, 1e4], 0, 0.5 * (-(std::f64::consts::PI * 0.6).cos()).sqrt());
     prints(coin, &[0.6, 1e4], 2, 0.1 / (0.25_f64 / 1e4).sqrt());
     // eq:struck-rate: 2P/ma.
-    let station = of("book/space-station/index.md", &["meteor", "place", "spin"]);
-    prints(station, &[400.0, 20.0, 0.2], 0, 2.0 * 7.2e6 * 20.0 / (4e5 * 2500.0));
+    let station = of("book/space-station/index.md", &["ship", "place", "spin"]);
+    prints(station, &[144.0, 20.0, 0.2], 0, 2.0 * 7.2e6 * 20.0 / (4e5 * 2500.0));
     // eq:spin-decay.
     let drag = of("book/air-drag/index.md", &["ratio", "time"]);
     let moment = 0.7 * 0.175 * 0.137 * 0.137 / 4.0;
