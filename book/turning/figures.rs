@@ -505,8 +505,8 @@ pub(crate) fn possible_moments(id: &str) -> Outcome {
         let place = plot.at(place) + clear_of_the_edge;
         plot.drawing().label_on_face(place, side, name, Hue::Ink)?;
     }
-    let place = plot.at((0.62, 0.22));
-    plot.drawing().label(place, Side::BelowLeft, "flat bodies", Hue::Blue)?;
+    let place = plot.at((0.72, 0.28));
+    plot.drawing().label_on_face(place, Side::AboveRight, "flat bodies", Hue::Blue)?;
     let nothing = (2.0 / 9.0, 3.0 / 9.0);
     plot.markers(&[nothing], Marker::Ring, Hue::Muted);
     plot.label(nothing, Side::Below, "$(2, 3, 9)$: no body", Hue::Muted)?;

@@ -2,6 +2,7 @@
 //! form of the ramp, which is Faddeeva's function.
 
 use crate::WASHER;
+use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
@@ -91,4 +92,27 @@ fn what_a_passage_leaves_is_lewiss_amplitude() {
         let swing = ramp.at((1.0 + root * 1e-3) / (10.0 * acceleration)).expect("a state").position.norm();
         assert!((swing / left - 1.0).abs() < 0.5 / root, "{}", swing / left);
     }
+}
+
+#[test]
+fn the_chapters_machine_stays_below_four_centimetres_from_33_and_below_six_with_a_tenth_of_the_damper_from_26()
+ {
+    // The largest swing, m, by Newton's law, to three times ω₀ and half a second more.
+    let largest = |damping: f64, acceleration: f64| {
+        let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {
+            let (sin, cos) = (0.5 * acceleration * t * t).sin_cos();
+            let (spin, push) = (acceleration * t, 0.5); // m a, kg m
+            // m a (φ̇² e^{iφ} − iφ̈ e^{iφ})
+            let (px, py) = (spin * spin * cos + acceleration * sin, spin * spin * sin - acceleration * cos);
+            let rate = |pull: f64, x: f64, v: f64| (push * pull - 3000.0 * x - damping * v) / 30.0;
+            [vx, vy, rate(px, x, vx), rate(py, y, vy)]
+        };
+        let end = 30.0 / acceleration + 0.5;
+        let times: Vec<f64> = (0..=4000).map(|n| end * f64::from(n) / 4000.0).collect();
+        let (states, _) =
+            Dop853::new(1e-10).expect("a solver").sample(rates, 0.0, [0.0; 4], &times).expect("a motion");
+        states.iter().map(|[x, y, ..]| x.hypot(*y)).fold(0.0, f64::max)
+    };
+    assert!(largest(90.0, 33.0) > 0.04 && largest(90.0, 33.4) < 0.04); // "a little over 33"
+    assert!(largest(9.0, 25.5) > 0.06 && largest(9.0, 26.0) < 0.06); // "nearly 26"
 }

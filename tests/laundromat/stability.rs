@@ -191,6 +191,41 @@ fn the_slowest_mode_stands_still_when_the_spin_passes_w1() {
 }
 
 #[test]
+fn both_circles_of_a_swing_come_to_the_top_of_the_hill_one_from_below_and_one_from_above() {
+    // Without a load the steady place is O, the top of the hill of eq:jacobi.
+    let (w0, gamma) = (10.0_f64, 0.01);
+    for spin in [11.0, 22.0, 60.0] {
+        let parameters = Parameters {
+            drum_mass: 30.0,
+            load_mass: 0.0,
+            load_radius: 0.25,
+            stiffness: 3000.0,
+            damping: 30.0 * gamma,
+            spin,
+        };
+        let machine = Machine::new(parameters).unwrap();
+        let solver = Dop853::new(1e-12).unwrap();
+        let rates = |t: f64, state: &[f64; 4]| newton(&parameters, t, state);
+        // Circles with the drum and against it, and both together: at x = 2 cm and at y = 3 cm.
+        let [with, against, both] = [[0.02, 0.0, 0.0, 0.2], [0.0, 0.03, 0.3, 0.0], [0.02, 0.03, 0.3, 0.2]]
+            .map(|start| {
+                [0.0, 50.0, 100.0].map(|time| {
+                    let state = solver.solve(rates, 0.0, start, time).unwrap().state;
+                    machine.jacobi_integral(time, &Shaft::from_array(state))
+                })
+            });
+        for (k, fallen) in [0.0_f64, 0.5, 1.0].map(|lives| (-lives).exp()).into_iter().enumerate() {
+            let of = [-w0 * (spin - w0) * 4e-4, w0 * (spin + w0) * 9e-4].map(|start| start * fallen);
+            // A circle that dies out is one but for a part Γ/ω₀ of its speed.
+            let slack = gamma / w0 * (w0 + spin).powi(2) * 1e-3;
+            for (found, expected) in [(with[k], of[0]), (against[k], of[1]), (both[k], of[0] + of[1])] {
+                assert!((found - expected).abs() < slack, "{found} for {expected} at {spin} rad/s");
+            }
+        }
+    }
+}
+
+#[test]
 fn a_damper_on_the_radius_alone_turns_stability_round() {
     // The quartic is the characteristic polynomial of the dual-number linearisation without the drag across the
     // radius; at the steady motion of that machine, sin φ₀ = 0 and r₀ = b Ω²/|ω₀² − Ω²|.

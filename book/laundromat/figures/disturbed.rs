@@ -50,10 +50,9 @@ pub(crate) fn frames(id: &str) -> Outcome {
     let machine = washing_machine(0.2, 2.2)?;
     let amplitude = machine.steady()?.amplitude();
     let radius = amplitude.norm();
-    // The kick sets the shaft aside and gives it a little velocity across, so that one sees it go and return.
     let spin = Complex::new(0.0, machine.spin());
-    let (aside, across) = (0.8 * radius, Complex::new(0.0, 0.22 * radius * NATURAL));
-    let kicked = Shaft { position: amplitude + aside, velocity: amplitude * spin + across };
+    let kick = Complex::from(radius * NATURAL);
+    let kicked = Shaft { position: amplitude, velocity: amplitude * spin + kick };
     let motion = machine.transient(kicked)?;
     let mut ways = [Values::new(), Values::new()];
     for time in linear_steps(0.0, 4.0, 4000) {
@@ -67,13 +66,14 @@ pub(crate) fn frames(id: &str) -> Outcome {
         (
             "turning",
             "riding on the drum",
-            "As seen from the turning drum: the shaft loops round its steady place in a rosette that shrinks to a point.",
+            "As seen from the turning drum: the shaft leaves its steady place, passes it again and again on the loops of a rosette, and the \
+             loops shrink to a point.",
         ),
         (
             "room",
             "standing in the room",
-            "As seen in the room: the centre of the shaft’s circle swings to and fro along a slender ellipse that shrinks to a point, like a \
-             mass on a spring.",
+            "As seen in the room: the centre of the shaft’s circle swings to and fro on a straight line through the steady place, like a mass \
+             on a spring. Dots mark where it turns back, each nearer than the one before.",
         ),
     ]
     .into_iter()
@@ -81,13 +81,20 @@ pub(crate) fn frames(id: &str) -> Outcome {
     {
         let mut drawing = Drawing::new("", 320.0, 340.0).titled(&format!("One kick, {text}"), words);
         let origin = at(160.0, 150.0);
-        let mut plot = Plot::plane(&mut drawing, origin, 128.0 / (0.8 * radius), 1.1 * radius)?;
+        let mut plot = Plot::plane(&mut drawing, origin, 128.0 / (0.87 * radius), 1.1 * radius)?;
         plot.curve(name, way.iter().copied(), Stroke::Orbit, Hue::Blue);
-        let [first, next] = [way[0], way[if name == "room" { 520 } else { 80 }]].map(|value| plot.at(value));
-        let before = plot.at(way[if name == "room" { 510 } else { 75 }]);
+        let [before, next] = [way[75], way[80]].map(|value| plot.at(value));
         kit::head(plot.drawing(), next, next - before, 0.8, Hue::Blue);
-        plot.drawing().dot(first, 3.4, Hue::Blue);
-        plot.drawing().label(first, Side::Right, "kick", Hue::Blue)?;
+        plot.label(way[80], Side::Below, "after the kick", Hue::Blue)?;
+        if name == "room" {
+            let turns = way.windows(3).filter(|near| {
+                near[1].0.abs() > near[0].0.abs() && near[1].0.abs() > near[2].0.abs()
+            });
+            for turn in turns {
+                let place = plot.at(turn[1]);
+                plot.drawing().dot(place, 2.6, Hue::Blue);
+            }
+        }
         drawing.dot(origin, 2.6, Hue::Ink);
         drawing.label(at(160.0, 282.0), Side::Over, text, Hue::Ink)?;
         panels.push(drawing);

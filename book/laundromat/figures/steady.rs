@@ -175,7 +175,7 @@ pub(crate) fn floor_force(id: &str) -> Outcome {
         let rest = quietest(&curves[1])?;
         plot.markers(&[rest], Marker::Disc, Hue::Green);
         plot.label((28.5, 384.0), Side::Right, room.of("on rigid bearings", "rigid bearings"), Hue::Muted)?;
-        let place = (room.of(48.0, 40.0), room.of(24.0, 24.0));
+        let place = (room.of(27.0, 30.0), 24.0);
         plot.label(place, Side::Over, &format!(r"quietest, ${:.0}$ N", rest.1), Hue::Green)?;
         plot.label((57.0, 305.0), Side::AboveLeft, r"$\Gamma = \omega_0$", Hue::Pink)?;
         plot.label((100.0, 161.0), Side::AboveLeft, r"$0.3\,\omega_0$", Hue::Green)?;
