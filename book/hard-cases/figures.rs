@@ -165,7 +165,7 @@ fn exact_phase(m: u128, t: u128) -> f64 {
 pub(crate) fn hard_phase(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 320.0).titled(
         "Error of the direction of the load at late times",
-        "Both scales are logarithmic: along x the time from one to 1e9 seconds, along y the error of the direction. Added up in steps of 1/128 s it grows with the square of the time, to 0.02 after 1e6 \
+        "Both scales are logarithmic: along x the time from one to 1e9 seconds, along y the error of the direction. Added up in steps of 1/128 s it grows with the square of the time, to 0.01 after 1e6 \
          seconds; from one rounded product with the time, to 1e-6 after 1e9 seconds; from the product in two parts it stays at 1e-16.",
     );
     let spin = 11.503_217;
