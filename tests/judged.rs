@@ -234,7 +234,7 @@ fn toutatis_was_where_the_closed_form_says_but_not_sixteen_years_later() {
     assert!(*late > 100.0);
     assert!(early.iter().all(|angle| (1.0..16.0).contains(angle)), "{early:?}");
     misses.sort_by(f64::total_cmp);
-    assert!(misses[31] < 10.0 && misses[32] > 43.0, "{misses:?}"); // two of 34 are far off
+    assert!(misses[31] < 8.0 && misses[32] > 43.0, "{misses:?}"); // two of 34 are far off
     let period = top.period().expect("it tumbles");
     assert!((period - 5.3685).abs() < 5e-5, "{period}");
 }
