@@ -176,7 +176,7 @@ fn the_second_finds_the_rates_of_its_angles_at_the_old_angles() {
 
 #[test]
 fn angles_that_are_a_step_late_cost_the_second_830_times_what_the_same_rule_costs_without() {
-    // The mean of the old rate and the new one, which is found at the old angles or at those that the old rate leads to.
+    // The mean of the old rate and the new one, found at the old angles or at those that the old rate leads to.
     let step = 0.01;
     let rate = |omega: &Vector3<f64>| rates(&brick(), omega, &Vector3::zeros());
     let top = FreeTop::new(brick(), brick_start()).expect("a top");

@@ -55,8 +55,8 @@ impl Thrown {
     /// is upright at the start; and the part of the spin that is left.
     fn stills(&self) -> Result<Vec<(Vec<Turning>, f64)>, Cause> {
         let [across, _, along] = self.moments.to_array();
-        // L = 1 at the start, and a drag under which it makes hundreds of rounds; chosen so that no small circle has its
-        // gap at the left or the right end, where an arrowhead covers most of it.
+        // L = 1 at the start, and a drag under which it makes hundreds of rounds, chosen so that no small circle has
+        // its gap at the left or the right end, where an arrowhead covers most of it.
         let omega_body = Vector3::new(self.lean.sin() / across, 0.0, self.lean.cos() / along);
         let axial = 8e-4 * along / across / self.face;
         let drag = Drag { transverse: self.face * axial, axial };
