@@ -505,6 +505,40 @@ fn of_even_spheroids_the_flat_settle_and_the_long_tumble_as_the_closed_form_says
 }
 
 #[test]
+fn lentils_that_equal_coefficients_would_settle_tumble_up_to_a_ratio_of_their_shape() {
+    // 1.26 for the shape with the least C₁/C₃, 0.41; 1.11 for one of a tenth.
+    let border = |eta: f64| {
+        let [transverse, axial] = jeffery(eta);
+        axial / transverse
+    };
+    assert!((border(0.41) - 1.256).abs() < 5e-4 && (border(0.1) - 1.113).abs() < 5e-4);
+    assert!([0.39, 0.43].map(border).iter().all(|other| *other < border(0.41)));
+}
+
+#[test]
+fn in_slow_air_a_grain_stops_before_it_has_turned_once_and_a_steel_ball_in_thin_air_does_not() {
+    // How far a ball turns until it stands still, by steps: a fifteenth of the densities' ratio times ωa²ρ/μ.
+    let viscosity = 1.8e-5;
+    let turned = |radius: f64, density: f64, air: f64, slow: f64| {
+        let ball = Spheroid { equatorial_radius: radius, polar_radius: radius };
+        let mass = density * 4.0 / 3.0 * PI * radius.powi(3);
+        let moments = Body::spheroid(mass, ball).unwrap().moments();
+        let drag = Drag::of_spheroid(ball, viscosity).unwrap();
+        let spin = slow * viscosity / (air * radius * radius);
+        let rates = |_: f64, state: &[f64; 4]| {
+            let [x, y, z] = written_out(moments, drag, [state[0], state[1], state[2]]);
+            [x, y, z, state[2]]
+        };
+        let time = 20.0 * moments.as_symmetric().unwrap().axial / drag.axial;
+        let [.., angle] = rk4(rates, 0.0, [0.0, 0.0, spin, 0.0], time, 4000).unwrap();
+        assert_relative_eq!(angle, density / air * slow / 15.0, max_relative = 1e-6);
+        angle / TAU
+    };
+    assert!(turned(1e-5, 1000.0, 1.2, 0.1) < 1.0);
+    assert!(turned(0.01, 7800.0, 0.012, 0.1) > 500.0);
+}
+
+#[test]
 fn on_either_side_of_the_border_rk4_finds_the_fate_that_the_clocks_say() {
     let mut random = fastrand::Rng::with_seed(5);
     for _ in 0..60 {

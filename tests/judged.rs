@@ -174,6 +174,35 @@ fn the_second_finds_the_rates_of_its_angles_at_the_old_angles() {
     assert!(largest < 1e-6, "{largest:e}");
 }
 
+#[test]
+fn angles_that_are_a_step_late_cost_the_second_830_times_what_the_same_rule_costs_without() {
+    // The mean of the old rate and the new one, found at the old angles or at those that the old rate leads to.
+    let step = 0.01;
+    let rate = |omega: &Vector3<f64>| rates(&brick(), omega, &Vector3::zeros());
+    let top = FreeTop::new(brick(), brick_start()).expect("a top");
+    let exact = top.at(30.0).expect("a state").world_from_body;
+    let off = |late: bool| {
+        let mut omega = brick_start().omega_body;
+        let mut before = rate(&omega);
+        let mut angles = [0.0; 3];
+        let mut last = angle_rates(angles, &omega);
+        for _ in 0..3000 {
+            let old = if late { last } else { angle_rates(angles, &omega) };
+            let now = rate(&omega);
+            omega += step * (1.5 * now - 0.5 * before);
+            before = now;
+            let ahead = [0, 1, 2].map(|axis| angles[axis] + step * old[axis]);
+            last = angle_rates(if late { angles } else { ahead }, &omega);
+            angles = [0, 1, 2].map(|axis| angles[axis] + 0.5 * step * (old[axis] + last[axis]));
+        }
+        let found = quaternion(about(2, angles[0]) * about(1, angles[1]) * about(0, angles[2]));
+        rotation_between(&found, &exact).to_degrees()
+    };
+    let (late, in_time) = (off(true), off(false));
+    assert!((late - 3.7).abs() < 0.05 && (in_time - 0.0045).abs() < 5e-5, "{late}, {in_time}");
+    assert!((late / in_time - 830.0).abs() < 5.0, "{}", late / in_time);
+}
+
 /// The solution of 2013 in degrees and days: its top, whose world is that of the z-x-z angles.
 fn toutatis() -> FreeTop {
     let moments = PrincipalMoments::new(3.0836, 3.235, 1.0).expect("moments");
@@ -205,7 +234,7 @@ fn toutatis_was_where_the_closed_form_says_but_not_sixteen_years_later() {
     assert!(*late > 100.0);
     assert!(early.iter().all(|angle| (1.0..16.0).contains(angle)), "{early:?}");
     misses.sort_by(f64::total_cmp);
-    assert!(misses[31] < 10.0 && misses[32] > 43.0, "{misses:?}"); // two of 34 are far off
+    assert!(misses[31] < 8.0 && misses[32] > 43.0, "{misses:?}"); // two of 34 are far off
     let period = top.period().expect("it tumbles");
     assert!((period - 5.3685).abs() < 5e-5, "{period}");
 }

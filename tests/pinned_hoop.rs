@@ -160,6 +160,8 @@ fn eq65_the_speed_of_b_is_a_signed_sum_and_the_stated_answer_a_root_mean_square(
         let stated = unit * (sin * sin / 9.0 + cos * cos).sqrt();
         let mean_square = 0.5 * (found[0] * found[0] + found[1] * found[1]);
         assert_relative_eq!(stated, mean_square.sqrt(), epsilon = ROUNDING);
+        // It is what a point at the distance a from the new axis has; B is not at that distance.
+        assert_relative_eq!(stated, BODY.1 * omega.norm(), epsilon = ROUNDING);
         if degrees > 5.0 && degrees < 175.0 && (degrees - 90.0).abs() > 5.0 {
             assert!((stated - found[0].abs()).abs() > 0.05 * unit, "the stated answer fails at {degrees}°");
         }

@@ -172,7 +172,7 @@ fn the_contact_goes_round_by_the_sum_of_its_rates() {
 }
 
 #[test]
-fn the_table_is_left_before_mach_one_by_every_loss_but_rolling_friction_alone() {
+fn slow_sinking_ends_before_mach_one_by_every_loss_but_rolling_friction_alone() {
     // The toy lives for a hundred seconds from a tilt of 0.1 with a loss that goes like α^{−p}. Where the fall of its
     // centre would outrun g the table could only pull: that is where the law ends. How fast is the contact there?
     let (sound, start) = (343.0, SpinningCoin::new(TOY, 0.1).unwrap());

@@ -27,6 +27,8 @@ struct Thrown {
     moments: PrincipalMoments,
     /// The angle between axis and angular momentum at the start, rad.
     lean: f64,
+    /// The drag across the axis over that about it, C₁/C₃.
+    face: f64,
     /// By which factor the spin falls from one still to the next.
     factor: f64,
     flat: bool,
@@ -39,9 +41,13 @@ impl Thrown {
         let rod = Body::cylinder(1.0, Cylinder { radius, height: 2.0 * half })?.moments();
         let disc = Body::thin_disk(1.0, 1.0)?.moments();
         let degree = TAU / 360.0;
+        // The Frisbee's wobble halves from still to still, eq:tangent-power with a face that counts ten times.
+        let halves = 0.5_f64.powf(1.0 / 19.0);
+        // eq:stick-drag for a stick eight times as long as thick.
+        let face = half * half / (3.0 * radius * radius * ((half / radius).ln() - 0.66));
         Ok([
-            Self { name: "Frisbee", moments: disc, lean: 30.0 * degree, factor: 0.5, flat: true },
-            Self { name: "pencil", moments: rod, lean: 6.0 * degree, factor: 0.25, flat: false },
+            Self { name: "Frisbee", moments: disc, lean: 30.0 * degree, face: 10.0, factor: halves, flat: true },
+            Self { name: "pencil", moments: rod, lean: 6.0 * degree, face, factor: 0.1, flat: false },
         ])
     }
 
@@ -49,9 +55,11 @@ impl Thrown {
     /// is upright at the start; and the part of the spin that is left.
     fn stills(&self) -> Result<Vec<(Vec<Turning>, f64)>, Cause> {
         let [across, _, along] = self.moments.to_array();
-        // L = 1 at the start, and a drag under which it makes hundreds of rounds.
+        // L = 1 at the start, and a drag under which it makes hundreds of rounds, chosen so that no small circle has
+        // its gap at the left or the right end, where an arrowhead covers most of it.
         let omega_body = Vector3::new(self.lean.sin() / across, 0.0, self.lean.cos() / along);
-        let drag = Drag::isotropic(1e-3 * along / across);
+        let axial = 8e-4 * along / across / self.face;
+        let drag = Drag { transverse: self.face * axial, axial };
         let top = DraggedTop::new(Parameters { moments: self.moments, drag, omega_body })?;
         let upright =
             UnitQuaternion::rotation_between(&self.moments.angular_momentum(&omega_body), &Vector3::z())
@@ -75,9 +83,9 @@ fn stills(size: (f64, f64), cell: (f64, f64), down: bool) -> Outcome {
     let mut drawing = Drawing::new("", size.0, size.1).titled(
         "A Frisbee calms down, a pencil tumbles",
         "Four pictures of each. The Frisbee begins with its axis thirty degrees off the upright angular \
-         momentum; in each next picture, with half the spin, the circle of its axis is smaller, until it \
-         lies flat. The pencil begins nearly upright, with a small circle; in each next picture, with a \
-         quarter of the spin, it leans more, until it turns end over end.",
+         momentum; in each next picture, with hardly less spin, the circle of its axis is half as large, until it \
+         all but lies flat. The pencil begins nearly upright, with a small circle; in each next picture, with a \
+         tenth of the spin, it leans more, until it turns end over end.",
     );
     for (row, body) in Thrown::both()?.into_iter().enumerate() {
         for (still, (states, left)) in body.stills()?.into_iter().enumerate() {
@@ -107,7 +115,7 @@ fn stills(size: (f64, f64), cell: (f64, f64), down: bool) -> Outcome {
                 stage.vector([0.0; 3], axis * reach, Hue::Blue)?;
             }
             stage.write(&mut drawing);
-            let decimals = usize::from(left < 0.1);
+            let decimals = usize::from(left < 0.01);
             let percent = format!("{:.decimals$} %", 100.0 * left);
             let name = if still == 0 { format!("{}, spin {percent}", body.name) } else { percent };
             let below = if body.flat && !down { 60.0 } else { 76.0 };

@@ -476,15 +476,15 @@ fn from_the_room(id: &str) -> Outcome {
     Ok(drawing)
 }
 
-/// Paths of the centres of a hoop and of a sphere, pinned at the same place.
+/// Paths of the centres of a hoop and of a ball, pinned at the same place.
 pub(crate) fn hoop_and_sphere(id: &str) -> Outcome {
     let hoop = path_of_centre(Shape::Hoop, "hoop", 60.0)?.titled(
         "Path of the centre of a pinned hoop",
         "A hoop hangs from the pinned point A. Its centre goes round the upright angular momentum and nods as it goes, so that its path is a rosette on the sphere about A.",
     );
-    let sphere = path_of_centre(Shape::Sphere, "sphere", 60.0)?.titled(
-        "Path of the centre of a pinned sphere",
-        "A sphere hangs from the pinned point A. Its centre goes round the upright angular momentum on one level circle.",
+    let sphere = path_of_centre(Shape::Sphere, "ball", 60.0)?.titled(
+        "Path of the centre of a pinned ball",
+        "A ball hangs from the pinned point A. Its centre goes round the upright angular momentum on one level circle.",
     );
     Ok(Drawing::panels(id, vec![hoop, sphere]))
 }

@@ -286,11 +286,8 @@ fn going_down(power: f64) -> Result<SpinDown, InvalidQuantity> {
 
 /// The time left, s, and the coin where the fall that a law of loss asks for reaches g.
 fn law_ends(power: f64) -> Result<(f64, SpinningCoin), InvalidQuantity> {
-    let (down, s) = (going_down(power)?, 1.0 / (power + 1.0));
-    let DiskParameters { radius, gravity, .. } = down.start().parameters();
-    // α = c (t₀ − t)^s there, and the fall is s(1 − s) a c (t₀ − t)^(s − 2).
-    let c = down.with_time_left(1e-3)?.tilt() / 1e-3_f64.powf(s);
-    let left = (s * (1.0 - s) * radius * c / gravity).powf(1.0 / (2.0 - s));
+    let down = going_down(power)?;
+    let left = down.time_left_at_free_fall();
     Ok((left, down.with_time_left(left)?))
 }
 
@@ -302,7 +299,7 @@ pub(crate) fn spin_down(id: &str) -> Outcome {
 fn spin_down_whole(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 290.0, 310.0).titled(
         "The tilt against time for four laws of loss",
-        "The tilt from 0.1 rad to zero over about a hundred seconds, for p of 2, 5/4, 1 and 1/2. All four end with an upright tangent, the later and the more suddenly the larger p.",
+        "The tilt from 0.1 rad to zero over about a hundred seconds, for p of 2, 5/4, 1 and 1/2. All four end at 100 s with an upright tangent, the more suddenly the larger p.",
     );
     let time = Axis::linear(0.0, 100.0, 25.0)?.minor(5.0).titled("time, s");
     let tilt = Axis::linear(0.0, 0.1, 0.02)?.minor(0.005).titled(r"tilt $\alpha$, rad");
@@ -329,8 +326,8 @@ fn spin_down_whole(id: &str) -> Outcome {
 fn spin_down_end(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 290.0, 310.0).titled(
         "The tilt against the time that is left",
-        "Both scales logarithmic: the tilt against the time left, from a microsecond to 100 s. Four straight lines with the slopes 1/3, 4/9, 1/2 and 2/3. A dot on each marks where the fall would \
-         outrun g: for p = 2 at a millisecond and a half, for p = 1/2 at twenty microseconds.",
+        "Both scales logarithmic: the tilt against the time left, from ten microseconds to 100 s. Four straight lines with the slopes 1/3, 4/9, 1/2 and 2/3. A dot on each marks where the fall would \
+         outrun g: for p = 2 at a millisecond and a half, for p = 1/2 at ninety microseconds.",
     );
     let left = Axis::log(1e-5, 100.0, 2)?.titled("time left, s");
     let tilt = Axis::log(1e-6, 0.1, 1)?.titled(r"tilt $\alpha$, rad");

@@ -1,9 +1,10 @@
-//! Conical functions: Legendre's equation with a complex index, as a rolling disk has it.
+//! Conical functions: Legendre's equation as a rolling disk has it, with a complex index.
 //!
 //! The solutions of `(1 − X²) n″ − 2X n′ − a n = 0` for `a` up to 2 on −1 < X < 1 (`eq:legendre`): an even and an odd
-//! one, with their slopes. Near the ends they grow like a logarithm of the gap `1 − |X|`, which is therefore an
-//! argument of its own. Power series about 0 and about the ends, matched at ½ (*Digital Library of Mathematical
-//! Functions*, §14.20 and §15.8).
+//! one, with their slopes. The index is complex for `a` above 1/4, as for every flat disk; below it is real, with the
+//! same series. Near the ends they grow like a logarithm of the gap `1 − |X|`, which is therefore an argument of its
+//! own. Power series about 0 and about the ends, matched at ½ (*Digital Library of Mathematical Functions*, §14.20 and
+//! §15.8).
 
 /// The largest `a` that a rolling disk has, whose moments nearly vanish; then they lose a digit, and more for larger
 /// ones.

@@ -8,6 +8,7 @@ use mechanics::integrate::Dop853;
 use mechanics::rolling::{MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel};
 use nalgebra::{Complex, Vector3};
+use std::f64::consts::FRAC_PI_2;
 
 /// Disc, hoop, the front wheel of a bicycle, and a disc with weights on its axle.
 const MOMENTS: [MomentFactors; 4] = [
@@ -27,13 +28,13 @@ fn rate() -> f64 {
     (GRAVITY / RADIUS).sqrt()
 }
 
-/// The brakes: against all turning, and rolling friction, which shifts the support ahead by a hundredth of the size.
+/// The brakes: against all turning, and felt, which pushes ahead of the lowest point, by `size` radii.
 type Brake = fn(f64, &State) -> Vector3<f64>;
 fn against_all(size: f64, state: &State) -> Vector3<f64> {
     Vector3::new(state[10], state[11], state[12]) * (-size * UNIT * rate())
 }
-fn against_rolling(size: f64, state: &State) -> Vector3<f64> {
-    // The support ahead of the contact: a torque about the level line across the way.
+fn on_felt(size: f64, state: &State) -> Vector3<f64> {
+    // The push mg ahead of the contact: a torque about the level line across the way.
     let across = Vector3::new(axle(state).x, axle(state).y, 0.0).normalize();
     let spin = across.dot(&Vector3::new(state[10], state[11], state[12]));
     across * (-spin.signum() * size * MASS * GRAVITY * RADIUS)
@@ -80,7 +81,7 @@ fn a_weak_brake_carries_the_whole_body_along_steady_circles() {
         [(0, 0.15, 8.0), (1, 0.15, 8.0), (2, 0.3, 3.0), (3, 0.55, 2.0), (0, 0.4, 0.05), (1, 0.5, -0.05)]
             .map(|(which, lean, b): (usize, f64, f64)| (MOMENTS[which], lean, b))
     {
-        for brake in [against_all as Brake, against_rolling as Brake] {
+        for brake in [against_all as Brake, on_felt as Brake] {
             let mut errors = Vec::new();
             for size in [2e-3, 5e-4] {
                 // To the same place on the way, however weak the brake is.
@@ -168,6 +169,51 @@ fn nearly_straight_the_lean_grows_as_a_power_before_the_wheel_is_too_slow() {
         let part = |n: f64| 1.0 - (slowest / n).powi(2);
         let law = (part(first) / part(n)).powf(0.5 + 0.5 * (1.0 + i3) / i1);
         assert_relative_eq!((-axle(&end).z).asin() / lean, law, max_relative = 0.02);
+    }
+}
+
+#[test]
+fn on_felt_the_lean_grows_less_if_the_friction_moves_ahead_with_the_push() {
+    for moments in MOMENTS {
+        let MomentFactors { transverse: i1, axial: i3 } = moments;
+        let slowest = (i1 / (i3 * (1.0 + i3))).sqrt() * rate();
+        let (first, last, lean, ahead) = (2.0 * slowest, 1.1 * slowest, 1e-6, 3e-4);
+        let q = GRAVITY / RADIUS * lean / ((1.0 + i3) * first);
+        let start = placed(lean, 0.0, [0.0, q, first], Complex::new(0.0, 0.0));
+        // The force at the contact is found, and then moved ahead: so much of its level part, and the upright one.
+        let grown = |level: f64| {
+            let rates = |_: f64, s: &State| {
+                let way = Vector3::new(s[7], s[8], 0.0).normalize();
+                let moved = |force: Vector3<f64>| {
+                    let force = Vector3::new(level * force.x, level * force.y, force.z);
+                    (way * (ahead * RADIUS)).cross(&force)
+                };
+                let before = solve_with(moments, 0.0, Vector3::zeros(), s).1;
+                solve_with(moments, 0.0, moved(before), s).0
+            };
+            let time = (first - last) * (1.0 + i3) * RADIUS / (ahead * GRAVITY);
+            let solver = Dop853::with_tolerances(1e-11, 1e-13).unwrap();
+            let end = solver.solve(rates, 0.0, start, time).unwrap().state;
+            let n = Vector3::new(end[10], end[11], end[12]).dot(&axle(&end));
+            assert_relative_eq!(n, last, max_relative = 1e-3);
+            (-axle(&end).z).asin() / lean
+        };
+        let law = |power: f64| last / first * (3.0 / (last * last / (slowest * slowest) - 1.0)).powf(power);
+        assert_relative_eq!(grown(0.0), law((1.0 + 2.0 * i3) / (2.0 * i3)), max_relative = 0.03);
+        assert_relative_eq!(grown(1.0), law(1.0), max_relative = 0.03);
+    }
+}
+
+#[test]
+fn felt_takes_the_less_from_a_coin_on_the_spot_the_flatter_it_lies() {
+    // Its price of a length of way goes like the sine of the tilt, and the power like Ω sin α cos α, so like 1/Ω.
+    let price = |tilt: f64| {
+        let steady = of(MomentFactors::DISK).steady(FRAC_PI_2 - tilt, 0.0).unwrap();
+        let power = -on(on_felt, 0.01, &steady, FRAC_PI_2 - tilt).dot(&steady.omega());
+        power / (steady.turn_rate() * RADIUS * tilt.cos())
+    };
+    for tilt in [1.2, 0.3, 0.01, 1e-4] {
+        assert_relative_eq!(price(tilt), 0.01 * MASS * GRAVITY * tilt.sin(), max_relative = 1e-9);
     }
 }
 

@@ -27,7 +27,7 @@ fn followed(power: f64, tilts: &[f64]) -> Result<(BrakedDisk, Vec<Sunk>), Cause>
 pub(crate) fn four_exponents(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 330.0).titled(
         "Four exponents, and where each is given up",
-        "The exponent against the tilt, from a hundred-thousandth to a tenth, on a logarithmic scale. Four curves lie on the dashed levels 1/3, 4/9, 1/2 and 2/3 from the right, where the motion \
+        "The exponent against the tilt, from a millionth to a tenth, on a logarithmic scale. Four curves lie on the dashed levels 1/3, 4/9, 1/2 and 2/3 from the right, where the motion \
          begins, and turn up one after the other: for p = 2 at some five thousandths, for p = 1/2 at some forty millionths. A pink dot below each marks where the law would fall with g.",
     );
     let tilt = Axis::log(1e-6, 0.1, 1)?.titled(r"tilt $\alpha$, rad");

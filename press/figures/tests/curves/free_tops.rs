@@ -435,16 +435,17 @@ fn the_circle_of_the_frisbee_closes_and_that_of_the_pencil_opens() {
             let spin = percent.parse::<f64>().expect("a number") / 100.0;
             let place = label.bounds.centre();
             let pencil = if down { place.x > 0.5 * part.width() } else { place.y > 0.5 * part.height() };
-            // tan θ_L at the start, the power of the spin by which it changes, I₃/I₁ − 1, and what is drawn
-            // of the axis.
+            // tan θ_L at the start, the power of the spin by which it changes (eq:tangent-power), and what is drawn of
+            // the axis. The drag of the pencil is that of eq:stick-drag, the face of the Frisbee counts ten times.
             let (start, power, length) = if pencil {
                 let (i1, i3) = (0.14_f64.powi(2) / 4.0 + 2.3_f64.powi(2) / 12.0, 0.14_f64.powi(2) / 2.0);
-                (6_f64, i3 / i1 - 1.0, 1.15)
+                let drags = (2.3_f64 / 0.14).powi(2) / 12.0 / ((2.3_f64 / 0.28).ln() - 0.66);
+                (6_f64, drags * i3 / i1 - 1.0, 1.15)
             } else {
-                (30.0, 1.0, 1.1)
+                (30.0, 19.0, 1.1)
             };
             // The names have rounded numbers.
-            let factor: f64 = if pencil { 0.25 } else { 0.5 };
+            let factor: f64 = if pencil { 0.1 } else { 0.5_f64.powf(1.0 / 19.0) };
             let spin = factor.powf((spin.ln() / factor.ln()).round());
             let angle = (start.to_radians().tan() * spin.powf(power)).atan();
             let below = if pencil || down { 76.0 } else { 60.0 };
