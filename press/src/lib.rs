@@ -36,7 +36,7 @@
 //!
 //! Two tables of `conventions.md` say which letters stand for which coloured quantity, in the whole book and in
 //! single chapters. A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its
-//! unit; the number of an equation within round brackets has none of its own.
+//! unit. The number of an equation loses its brackets where they open with it, `(see 1.9)` is printed as `(see Eq. 1.9)`.
 //!
 //! In a table a column of numbers is set with their points below one another. (At least two cells are numbers, the
 //! rest dashes or short words.) There and in captions and notes `1.6e-8` is printed as 1.6·10⁻⁸.
@@ -109,9 +109,12 @@ mod mdbook;
 mod module;
 mod new;
 mod notes;
+#[path = "../live/src/numbers.rs"]
+mod numbers;
 mod outcome;
 mod outline;
 mod page;
+mod pages;
 mod panel;
 mod places;
 mod printed;
