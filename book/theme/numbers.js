@@ -9,7 +9,7 @@ let machine = null;
 
 /** A number in the page’s form: a true minus, and powers of ten. */
 const pretty = (text) =>
-  text.replace(/e(-?\d+)/g, "\u202f×\u202f10<sup>$1</sup>").replaceAll("-", "−");
+  text.replace(/e(-?\d+)/g, "·10<sup>$1</sup>").replaceAll("-", "−");
 
 /** Makes an element of its own of the words that stand at a place of some code, so that they can change. */
 function piece(code, start, length) {
