@@ -730,6 +730,12 @@ mod tests {
     }
 
     #[test]
+    fn the_paragraph_below_a_formula_is_read_like_any_other() {
+        let page = printed("# A\n\n$$\na\n$$\n\nSo [spin]{.spin} is 5 kg.\n");
+        assert!(page.contains("So <span class=\"q-spin\">spin</span> is 5\u{a0}kg."), "{page}");
+    }
+
+    #[test]
     fn brackets_around_the_number_of_an_equation_are_its_own() {
         let page = printed(
             "# A\n\n$$\na\n$$ {#eq:x}\n\nBy @eq:x (@eq:x, as in @eq:x) and (so)\n@eq:x.[^a]\n\n[^a]: By (@eq:x) @eq:x.\n",

@@ -77,6 +77,9 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                     assert_eq!(words.is_empty(), said.is_empty(), "{at}: {words}");
                 }
             }
+            let field = format!("{panel}.querySelector('.number input[type=number]')");
+            page.get(&format!("({field}.value = 1e99, {field}.dispatchEvent(new Event('input')))"));
+            page.wait(&format!("{panel}.querySelector('.says').textContent.includes(' goes from ')"));
             act(&mut page, Means::Mouse, &format!("{panel}.querySelector('.reset')"), 0.5, "");
             let shown = format!(
                 "[...{panel}.querySelectorAll('dd > output')].every((output) => output.textContent === \
