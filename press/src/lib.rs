@@ -36,7 +36,8 @@
 //!
 //! Two tables of `conventions.md` say which letters stand for which coloured quantity, in the whole book and in
 //! single chapters. A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its
-//! unit. The number of an equation loses its brackets where they open with it, `(see 1.9)` is printed as `(see Eq. 1.9)`.
+//! unit. In round brackets the number of an equation has none of its own: `(@eq:x)` is printed as (1.9), and
+//! `(see @eq:x)` as (see Eq. 1.9).
 //!
 //! In a table a column of numbers is set with their points below one another. (At least two cells are numbers, the
 //! rest dashes or short words.) There and in captions and notes `1.6e-8` is printed as 1.6·10⁻⁸.
@@ -75,7 +76,8 @@
 //! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
 //! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
 //!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, what
-//!   only looks like one (`// -> 7.0`, `// about → 7.0`) or like a live number (`// Live: 0..2`), a live number without a range that holds it, or to which nothing answers, text indented into a code block;
+//!   only looks like one (`// -> 7.0`, `// about → 7.0`) or like a live number (`// Live: 0..2`), a live number without a range
+//!   that holds it, or to which nothing answers, text indented into a code block;
 //! - exercises without hint or solution;
 //! - tables without a caption, or with a column that has no name, or in a list; a caption of no table;
 //! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are
