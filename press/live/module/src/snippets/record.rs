@@ -115,8 +115,8 @@ mod tests {
     #[test]
     fn a_number_that_counts_has_the_type_that_the_text_gives_it_or_that_of_a_literal() {
         let count = whole(3, 5.0);
-        assert_eq!((count as f64, f64::from(count)), (5.0, 5.0));
+        std::assert_eq!((count as f64, f64::from(count)), (5.0, 5.0));
         let places: usize = whole(3, 7.0);
-        assert_eq!(places, 7);
+        std::assert_eq!(places, 7);
     }
 }
