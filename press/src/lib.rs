@@ -75,16 +75,17 @@
 //!   paragraph of words, or hangs on a heading or another note;
 //! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
 //! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
-//!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, what
-//!   only looks like one (`// -> 7.0`, `// about → 7.0`) or like a live number (`// Live: 0..2`), a live number without a range
-//!   that holds it, or to which nothing answers, text indented into a code block;
+//!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, a
+//!   live number without a range that holds it, or to which nothing answers, what only looks like either
+//!   (`// -> 7.0`, `// about → 7.0`, `// Live: 0..2`), text indented into a code block;
 //! - exercises without hint or solution;
 //! - tables without a caption, or with a column that has no name, or in a list; a caption of no table;
 //! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are
 //!   not closed where they were opened, end tags that close nothing, mathematics or references inside;
 //! - mdBook's directives `{{#…}}`, control characters, and characters that turn the direction of the text;
-//! - pages: one that SUMMARY.md names twice, or that does not exist or is not UTF-8, one that SUMMARY.md does not name,
-//!   one outside of the folder or with a name that the site needs; a link to a folder, which may lead round in a circle;
+//! - pages: one that SUMMARY.md names twice, or that does not exist or is not UTF-8, one that SUMMARY.md
+//!   does not name, one outside of the folder or with a name that the site needs; a link to a folder, which may
+//!   lead round in a circle;
 //! - numbers of the source: one that two equations claim, and one without a row in the ledger.
 
 pub mod book;
