@@ -39,7 +39,7 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("board", r"friction on board, $\Gamma_i/\omega_0$", [0.0, 0.5, 0.01], "", 0.0),
         Control::choice("damper", "the damper feels", &["the whole velocity", "the radius only"]),
         Control::choice("motor", "the drum", &["keeps its spin", "speeds up from rest", "has a weak motor"]),
-        Control::slider("torque", "torque of the weak motor", [0.1, 12.0, 0.1], "N m", 6.0),
+        Control::slider("torque", "torque of the weak motor", [0.1, 12.0, 0.1], "N·m", 6.0),
         Control::choice("camera", "seen", &["in the room", "on the drum"]),
         Control::button("kick", "Kick"),
     ],
@@ -75,7 +75,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "shaft from $O$", form: Form::Fixed(1), unit: "mm" },
         Reading { words: "centre of mass from $O$", form: Form::Fixed(1), unit: "mm" },
         Reading { words: "force on the floor", form: Form::Fixed(0), unit: "N" },
-        Reading { words: "drift of the momentum balance", form: Form::Power(1), unit: "N s" },
+        Reading { words: "drift of the momentum balance", form: Form::Power(1), unit: "N·s" },
     ],
     symbols: crate::symbols::LAUNDROMAT,
     start: |settings| Ok(Box::new(Washer::new(settings)?)),
@@ -87,7 +87,7 @@ const MOST_SPIN: f64 = 60.0;
 const ACCELERATION: f64 = 2.5;
 const LASTS: f64 = 8.0;
 const WEAK_LASTS: f64 = 25.0;
-/// The drum's own moment of inertia, kg m², which a weak motor feels.
+/// The drum's own moment of inertia, kg·m², which a weak motor feels.
 const DRUM_INERTIA: f64 = 0.5;
 /// The change of the shaft's velocity in a kick, m/s, along x.
 const KICK: Complex<f64> = Complex::new(0.4, 0.0);

@@ -9,7 +9,7 @@ let machine = null;
 
 /** A number in the page’s form: a true minus, and powers of ten. */
 const pretty = (text) =>
-  text.replace(/e(-?\d+)/g, "\u202f×\u202f10<sup>$1</sup>").replaceAll("-", "−");
+  text.replace(/e(-?\d+)/g, "·10<sup>$1</sup>").replaceAll("-", "−");
 
 /** Makes an element of its own of the words that stand at a place of some code, so that they can change. */
 function piece(code, start, length) {
@@ -31,6 +31,8 @@ function piece(code, start, length) {
 class Program {
   #frame = 0;
   #isFailed = false;
+  /** What to say of a number that was typed beyond its range, and taken as the end of it. */
+  #beyond = "";
 
   constructor(panel) {
     const all = (selector) => [...panel.querySelectorAll(selector)];
@@ -46,11 +48,20 @@ class Program {
     this.#findPieces(panel.parentElement.querySelector("pre > code"));
     for (const live of this.live) {
       [live.field.value, live.range.value] = [live.field.defaultValue, live.start]; // whatever the browser remembers
-      live.field.addEventListener("input", () => this.#take(live, live.field.valueAsNumber, false));
+      live.field.addEventListener("input", () => {
+        const typed = live.field.valueAsNumber;
+        const range = `${live.least} to ${live.most}`.replaceAll("-", "−");
+        this.#beyond = typed < live.least || typed > live.most ? `${live.name} goes from ${range}.` : "";
+        this.#take(live, typed, false);
+      });
       live.field.addEventListener("change", () => this.#take(live, live.value, true));
-      live.range.addEventListener("input", () => this.#take(live, live.range.valueAsNumber, true));
+      live.range.addEventListener("input", () => {
+        this.#beyond = "";
+        this.#take(live, live.range.valueAsNumber, true);
+      });
     }
     this.reset.addEventListener("click", () => {
+      this.#beyond = "";
       for (const live of this.live) this.#take(live, live.start, true);
       this.live[0].field.focus();
     });
@@ -131,7 +142,7 @@ class Program {
       check.querySelector("b").textContent = words;
     });
     const trouble = lines.find((line) => line.startsWith("!"));
-    this.says.textContent = trouble ? `It ends early: ${trouble.slice(1)}.` : "";
+    this.says.textContent = [this.#beyond, trouble && `It ends early: ${trouble.slice(1)}.`].filter(Boolean).join(" ");
     this.reset.disabled = this.live.every(({ value, start }) => value === start);
   }
 

@@ -327,7 +327,7 @@ pub(crate) fn residual(id: &str) -> Outcome {
         let step = room.of(0.5, 0.5);
         let mass =
             Axis::linear(0.0, 2.0, step)?.minor(0.1).titled("mass of all pistons, in units of what balances");
-        let torque = Axis::linear(0.0, 40.0, 10.0)?.minor(2.0).titled("torque on the frame, N m");
+        let torque = Axis::linear(0.0, 40.0, 10.0)?.minor(2.0).titled("torque on the frame, N·m");
         let frame = Rect::new(52.0, 34.0, room.of(580.0, 320.0), 260.0);
         let mut plot = Plot::new(&mut drawing, frame, mass, torque)?;
         let ends = |limit: f64| 40.0_f64.min(limit);

@@ -63,7 +63,9 @@ impl Stamps {
             let drawn_from = |path: &&std::path::PathBuf| {
                 let name = path.file_name().unwrap_or_default();
                 let is_page = path.extension().is_some_and(|ending| ending == "md");
+                let is_link = path.is_symlink() && path.is_dir(); // perhaps back to where it stands
                 !is_page
+                    && !is_link
                     && !["tests", "examples", "scene.rs", "scene"]
                         .iter()
                         .any(|draws_none| name == *draws_none)
@@ -73,8 +75,9 @@ impl Stamps {
         let kinds = [("src/scenes", "scenes "), ("src/wide", "wide "), ("book", "chapter_")];
         let below = |(folder, kind)| Some((path.strip_prefix(root.join(folder)).ok()?, kind));
         let (below, kind) = kinds.into_iter().find_map(below).unwrap_or((Path::new(""), ""));
-        let name = below.iter().next().map(Path::new).and_then(Path::file_stem).filter(|name| *name != "mod");
-        let part = name.map(|name| format!("{kind}{}", name.to_string_lossy().replace('-', "_")));
+        let name = below.iter().next().map(|name| name.to_string_lossy());
+        let name = name.map(|name| name.trim_end_matches(".rs").to_owned()).filter(|name| name != "mod");
+        let part = name.map(|name| format!("{kind}{}", in_rust(&name)));
         part.map_or(&mut self.shared, |name| self.named.entry(name).or_default()).add(path, kind)
     }
 
@@ -82,7 +85,7 @@ impl Stamps {
     pub(crate) fn of(&self, chapter: &str) -> String {
         let mut names = BTreeSet::new();
         let mut open: Vec<String> = self.shared.named.iter().cloned().collect();
-        open.push(format!("chapter_{}", chapter.replace('-', "_")));
+        open.push(format!("chapter_{}", in_rust(chapter)));
         while let Some(name) = open.pop() {
             if let Some(part) = self.named.get(&name)
                 && names.insert(name)
@@ -131,6 +134,11 @@ impl Part {
         self.named.extend(chapters.map(|word| (*word).to_owned()));
         Ok(())
     }
+}
+
+/// A name as figures are known by it in Rust, as the press has it.
+fn in_rust(name: &str) -> String {
+    name.replace(|c: char| !c.is_ascii_alphanumeric(), "_").to_lowercase()
 }
 
 /// The words of a line of code, but for strings that are one.

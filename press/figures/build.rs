@@ -6,6 +6,8 @@
 mod library;
 #[path = "src/list.rs"]
 mod list;
+#[path = "../src/pages.rs"]
+mod pages;
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -23,8 +25,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut modules, mut entries) = (String::new(), String::new());
     let mut places = BTreeMap::new();
     let fault = |place: &str, what: &str| println!("cargo::error={place}: {what}");
-    let summary = fs::read_to_string(summary)?;
-    for folder in std::iter::once(list::FRONT).chain(list::chapters(&summary)) {
+    let chapters = pages::chapters(&fs::read_to_string(summary)?);
+    for folder in std::iter::once(list::FRONT).chain(chapters.iter().map(String::as_str)) {
         let file = list::file(folder);
         let path = root.join("book").join(&file);
         let Ok(source) = fs::read_to_string(&path) else {
@@ -34,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         println!("cargo::rerun-if-changed={}", path.display());
         // A chapter may have the name of the library, or of a module of this crate.
-        let module = format!("chapter_{}", folder.replace('-', "_"));
+        let module = format!("chapter_{}", pages::in_rust(folder));
         writeln!(modules, "#[path = {path:?}]\nmod {module};")?;
         // Its parts, if it has some: book/laundromat/figures/ramp.rs is the module `ramp` of the figures there.
         let mut sources = vec![(file.clone(), module, source)];

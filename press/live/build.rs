@@ -2,6 +2,8 @@
 
 #[path = "../src/library.rs"]
 mod library;
+#[path = "../src/pages.rs"]
+mod pages;
 
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -17,25 +19,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let name = library::name(&fs::read_to_string(manifest)?).ok_or("Cargo.toml names no package")?;
     let known = library::known_as(&name);
-    let summary = fs::read_to_string(summary)?;
-    let chapters =
-        summary.lines().filter_map(|line| Some(line.split_once("](")?.1.split_once("/index.md)")?.0));
     let (mut modules, mut entries, mut list, mut symbols) =
         (String::new(), String::new(), String::new(), String::new());
-    for chapter in chapters {
-        let file = root.join("book").join(chapter).join("scene.rs");
+    for chapter in pages::chapters(&fs::read_to_string(summary)?) {
+        let file = root.join("book").join(&chapter).join("scene.rs");
         let Ok(mut source) = fs::read_to_string(&file) else {
-            println!("cargo::rerun-if-changed={}", root.join("book").join(chapter).display());
+            println!("cargo::rerun-if-changed={}", root.join("book").join(&chapter).display());
             continue;
         };
         println!("cargo::rerun-if-changed={}", file.display());
-        let module = chapter.replace('-', "_");
         // A chapter may have the name of the library, or of a module of this crate.
-        writeln!(modules, "#[path = {file:?}]\nmod chapter_{module};")?;
-        let (name, place) = (module.to_uppercase(), list.lines().count());
-        let entry = format!(
-            "Entry {{ place: {place}, chapter: {chapter:?}, scene: &super::chapter_{module}::SCENE }}"
-        );
+        let module = format!("chapter_{}", pages::in_rust(&chapter));
+        writeln!(modules, "#[path = {file:?}]\nmod {module};")?;
+        let (name, place) = (pages::constant(&chapter), list.lines().count());
+        let entry =
+            format!("Entry {{ place: {place}, chapter: {chapter:?}, scene: &super::{module}::SCENE }}");
         writeln!(
             entries,
             "    /// The scene of the chapter `{chapter}`.\n    pub static {name}: super::Entry = super::{entry};"

@@ -3,6 +3,8 @@
 
 #[path = "../src/library.rs"]
 mod library;
+#[path = "../src/pages.rs"]
+mod pages;
 #[path = "../src/printed.rs"]
 mod printed;
 
@@ -17,24 +19,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     let root = package.ancestors().nth(2).ok_or("the workspace is two folders up")?;
     let [summary, manifest, readme] =
         ["book/SUMMARY.md", "Cargo.toml", "README.md"].map(|path| root.join(path));
-    for read in [
-        Path::new("build.rs"),
-        Path::new("../src/library.rs"),
-        Path::new("../src/printed.rs"),
-        &summary,
-        &manifest,
-    ] {
+    let sources = ["build.rs", "../src/library.rs", "../src/pages.rs", "../src/printed.rs"].map(Path::new);
+    for read in sources.into_iter().chain([&*summary, &*manifest]) {
         println!("cargo::rerun-if-changed={}", read.display());
     }
     let name = library::name(&fs::read_to_string(manifest)?).ok_or("Cargo.toml names no package")?;
-    let known = library::known_as(&name);
-    let text = fs::read_to_string(summary)?;
-    let pages = text.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    let known = format!("use ::library as {name};"); // `extern crate` would shift the lines that rustc names
+    let pages = pages::links(&fs::read_to_string(summary)?).into_iter();
     let mut modules = String::new();
     let readme = readme.is_file().then(|| "README.md".to_owned());
-    for page in readme.into_iter().chain(pages.map(|page| format!("book/{page}"))) {
-        let name =
-            page.trim_start_matches("book/").trim_end_matches(".md").to_lowercase().replace(['/', '-'], "_");
+    let files = readme.into_iter().chain(pages.map(|(page, _)| format!("book/{page}")));
+    for (n, page) in files.enumerate() {
+        let name = pages::module(n, page.trim_start_matches("book/"));
         let mut path = root.join(&page);
         println!("cargo::rerun-if-changed={}", path.display());
         let text = fs::read_to_string(&path)?;
@@ -44,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             fs::create_dir_all(path.parent().ok_or("a page has a folder")?)?;
             fs::write(&path, tested)?;
         }
-        writeln!(modules, "#[doc = include_str!({path:?})]\nmod {} {{}}", name.trim_end_matches("_index"))?;
+        writeln!(modules, "#[doc = include_str!({path:?})]\nmod {name} {{}}")?;
     }
     fs::write(out.join("pages.rs"), modules)?;
     Ok(())

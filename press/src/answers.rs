@@ -8,6 +8,8 @@ use crate::printed;
 
 /// What opens the mark of a live number.
 const MARK: &str = "// live:";
+/// How many digits behind its point a number may have that a reader changes: those that the page's script keeps.
+const MOST_DECIMALS: usize = 12;
 /// The assertions that the page knows how to show.
 const ASSERTIONS: [&str; 6] =
     ["assert", "assert_eq", "assert_ne", "assert_relative_eq", "assert_abs_diff_eq", "assert_ulps_eq"];
@@ -53,15 +55,28 @@ pub(crate) struct Answers<'a> {
     pub(crate) checks: Vec<String>,
 }
 
-/// Whether a page line carries the mark of a live number.
+/// Whether a line carries the mark of a live number, or what looks like it.
 pub(crate) fn is_marked(line: &str) -> bool {
-    line.contains(MARK)
+    live(line).is_some()
 }
 
-/// The live number of a line, if it has the mark; `Err` says what is wrong with it.
+/// The live number of a line, if it has the mark; `Err` says what is wrong with it, or with what looks like it.
 pub(crate) fn live(line: &str) -> Option<Result<Live<'_>, String>> {
-    let (code, range) = line.split_once(MARK)?;
-    Some(read(code.trim_end(), range.trim()))
+    match line.split_once(MARK) {
+        Some((code, range)) => Some(read(code.trim_end(), range.trim())),
+        None => is_near_miss(line).then(|| Err(FORM.to_owned())),
+    }
+}
+
+/// Whether a comment gives a range to the word "live": `// Live: 0..2`, `// m; live: 0..2`.
+fn is_near_miss(line: &str) -> bool {
+    let comment = printed::comment(line).to_ascii_lowercase();
+    comment.match_indices("live").any(|(at, word)| {
+        let behind = comment[at + word.len()..].trim_start();
+        !comment[..at].ends_with(char::is_alphanumeric)
+            && (behind.starts_with(':')
+                || printed::number(behind).is_some_and(|end| behind[end..].starts_with("..")))
+    })
 }
 
 fn read<'a>(code: &'a str, range: &'a str) -> Result<Live<'a>, String> {
@@ -94,12 +109,19 @@ fn read<'a>(code: &'a str, range: &'a str) -> Result<Live<'a>, String> {
     }
     let whole = !literal.contains(['.', 'e']) && !after.starts_with("_f64");
     let step = step.unwrap_or_else(|| nice((most - least) / 200.0, whole));
-    if least >= most {
+    let decimals = |number: &str| number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    if !(least.is_finite() && most.is_finite()) {
+        return Err(format!("the range of `{name}` ends at a number that is too large for a computer"));
+    } else if least >= most {
         return Err(format!("the range of `{name}` is empty: it goes from below to above"));
     } else if !(least..=most).contains(&literal_value) {
         return Err(format!("`{name}` is {literal}, outside of its range, {least} to {most}"));
     } else if !(step > 0.0 && step <= most - least) {
         return Err(format!("the step of `{name}` does not lie between zero and its range"));
+    } else if decimals(&step.to_string()).max(decimals(literal)) > MOST_DECIMALS {
+        return Err(format!(
+            "`{name}` or its step has more than {MOST_DECIMALS} digits behind the point: choose another unit"
+        ));
     } else if whole && [least, most, step].iter().any(|value| value.fract() != 0.0) {
         return Err(format!(
             "`{name}` counts, and its range does not: write its value with a point, or whole numbers"
@@ -237,8 +259,10 @@ pub(crate) fn body(lines: &[&str]) -> String {
         };
         let mut code = line.to_owned();
         if let Some(Ok(live)) = live(line) {
-            let number =
-                if live.whole { format!("live[{live_count}] as _") } else { format!("live[{live_count}]") };
+            let number = match live.whole {
+                true => format!("record::whole({}, live[{live_count}])", live.literal),
+                false => format!("live[{live_count}]"),
+            };
             let after = live.after.trim_start_matches("_f64");
             code = format!("{}{number}{after}", live.before);
             live_count += 1;
@@ -316,7 +340,7 @@ mod tests {
         assert_eq!(found, [(3, CODE.to_vec())]);
         assert_eq!(
             body(&found[0].1),
-            "use x::f;\nlet spin = live[0];\nlet tilt = live[1].to_radians();\nlet count = live[2] as _;\n \
+            "use x::f;\nlet spin = live[0];\nlet tilt = live[1].to_radians();\nlet count = record::whole(4, live[2]);\n \
              record::printed(0, &(f(spin, tilt)), \"4.317\");\nassert!(0; f(spin, tilt) > 4.0); // it is fast\n\
              // Equation eq:x holds,\n// nearly.\n\
              for n in 0..count { assert_eq!(1; n, n); assert_relative_eq!(2; 1.0, g(n)); }\n\
@@ -325,6 +349,24 @@ mod tests {
         let other = page.replace("# A", "# B").replace("let a", "let b");
         assert_eq!(matter([&*page]), matter([&*other]));
         assert_ne!(matter([&*page]), matter([&*page.replace("0..60", "0..61")]));
+    }
+
+    #[test]
+    fn what_looks_like_a_live_number_is_refused() {
+        for comment in [
+            "//live: 0..2",
+            "// Live: 0..2",
+            "//\tlive: 0..2",
+            "// m to either side; live: 0..2",
+            "// live 0..2",
+            "/* live: 0..2 */",
+        ] {
+            let line = format!("let x = 1.0; {comment}");
+            assert_eq!(live(&line), Some(Err(FORM.to_owned())), "{line}");
+        }
+        for line in ["let x = 1.0; // alive: so", "let live = 1.0; // they live long", "f(\"live: 0..2\")"] {
+            assert_eq!(live(line), None, "{line}");
+        }
     }
 
     #[test]

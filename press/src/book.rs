@@ -1,7 +1,7 @@
 //! The pages of the book as the press sees them, whoever loaded them.
 
 use crate::fault::{Faults, Lines, Reporter};
-use crate::summary;
+use crate::{pages, summary};
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_summary::SummaryItem;
 use std::fs;
@@ -139,7 +139,7 @@ fn read(item: &SummaryItem, root: &Path, source: &str, pages: &mut Vec<Page>, fa
 }
 
 pub(crate) fn slashed(path: &Path) -> String {
-    path.to_string_lossy().replace('\\', "/")
+    pages::slashed(&path.to_string_lossy())
 }
 
 /// The path that leads from the page at `from` to the page at `to`, both in the source folder.

@@ -62,7 +62,7 @@ fn collect(root: &Path, folder: &str, files: &mut Vec<(String, String)>) {
     };
     for entry in entries.flatten() {
         let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
-        if entry.path().is_dir() {
+        if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
             collect(root, &name, files);
         } else if name.ends_with(".rs")
             && let Ok(text) = fs::read_to_string(entry.path())

@@ -128,9 +128,8 @@ impl Registry {
                 }
                 if let Item::Figure { .. } = &placed.item {
                     let figure = figures.iter().find(|figure| figure.id == label.written());
-                    claimed.extend(
-                        figure.iter().flat_map(|figure| figure.ids()).map(|id| (id.to_owned(), line)),
-                    );
+                    let ids: BTreeSet<&str> = figure.iter().flat_map(|figure| figure.ids()).collect();
+                    claimed.extend(ids.into_iter().map(|id| (id.to_owned(), line)));
                 }
             }
             for (id, line) in claimed {
@@ -202,6 +201,16 @@ impl Registry {
             }
         }
         for figure in figures {
+            let mut ids = BTreeSet::new();
+            for id in figure.ids() {
+                if !ids.insert(id) {
+                    let message = format!(
+                        "the id `{id}` stands twice in the figure {}: has it two curves of one name?",
+                        figure.id
+                    );
+                    faults.add(&figure.source(), 0, message);
+                }
+            }
             let name = figure.id.trim_start_matches("fig:").to_owned();
             if !self.entries.contains_key(&Label { kind: Kind::Figure, name }) {
                 faults.add(

@@ -36,7 +36,8 @@
 //!
 //! Two tables of `conventions.md` say which letters stand for which coloured quantity, in the whole book and in
 //! single chapters. A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its
-//! unit; the number of an equation within round brackets has none of its own.
+//! unit. In round brackets the number of an equation has none of its own: `(@eq:x)` is printed as (1.9), and
+//! `(see @eq:x)` as (see Eq. 1.9).
 //!
 //! In a table a column of numbers is set with their points below one another. (At least two cells are numbers, the
 //! rest dashes or short words.) There and in captions and notes `1.6e-8` is printed as 1.6·10⁻⁸.
@@ -75,14 +76,16 @@
 //! - headings: none, a second title, a level left out, a heading without words, attributes other than an id;
 //! - code: a fence without language, one that is not closed or not tested, a snippet of more than 25 visible
 //!   lines or with a line too long for the page, a printed number that is none or belongs to no statement, a
-//!   live number without a range that holds it, or to which nothing answers, text indented into a code block;
+//!   live number without a range that holds it, or to which nothing answers, what only looks like either
+//!   (`// -> 7.0`, `// about → 7.0`, `// Live: 0..2`), text indented into a code block;
 //! - exercises without hint or solution;
 //! - tables without a caption, or with a column that has no name, or in a list; a caption of no table;
 //! - raw HTML: elements and attributes other than the few that load, run and style nothing, elements that are
 //!   not closed where they were opened, end tags that close nothing, mathematics or references inside;
 //! - mdBook's directives `{{#…}}`, control characters, and characters that turn the direction of the text;
-//! - pages: one that SUMMARY.md names twice, or that does not exist or is not UTF-8, and one that SUMMARY.md
-//!   does not name;
+//! - pages: one that SUMMARY.md names twice, or that does not exist or is not UTF-8, one that SUMMARY.md
+//!   does not name, one outside of the folder or with a name that the site needs; a link to a folder, which may
+//!   lead round in a circle;
 //! - numbers of the source: one that two equations claim, and one without a row in the ledger.
 
 pub mod book;
@@ -109,9 +112,12 @@ mod mdbook;
 mod module;
 mod new;
 mod notes;
+#[path = "../live/src/numbers.rs"]
+mod numbers;
 mod outcome;
 mod outline;
 mod page;
+mod pages;
 mod panel;
 mod places;
 mod printed;

@@ -180,6 +180,7 @@ fn shared(root: &Path, compiler: &Path) -> io::Result<DefaultHasher> {
         "press/src/answers.rs",
         "press/src/library.rs",
         "press/src/module.rs",
+        "press/src/pages.rs",
         "press/src/printed.rs",
         "book/SUMMARY.md",
     ] {
@@ -214,7 +215,9 @@ fn see(root: &Path, mut files: Vec<PathBuf>, hasher: &mut DefaultHasher) -> io::
 
 /// A file, or all files in a folder but those of tests and examples.
 fn walk(path: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
-    if !path.is_dir() {
+    if path.is_symlink() && path.is_dir() {
+        return Ok(()); // perhaps back to where it stands
+    } else if !path.is_dir() {
         files.push(path.to_owned());
         return Ok(());
     }

@@ -4,6 +4,7 @@
 
 use crate::answers::{Answers, Live, Value};
 use crate::module;
+use crate::numbers::with_power;
 use crate::render::escaped;
 
 /// The panel of the snippet with this number among those of the book.
@@ -53,20 +54,33 @@ fn field(live: &Live<'_>, id: &str) -> String {
 fn value(value: &Value<'_>) -> String {
     let Value { code, numbers, unit } = value;
     let gap = if unit.is_empty() { "" } else { "\u{a0}" };
-    let (code, unit) = (escaped(code), escaped(unit));
+    let (code, unit) = (breakable(&escaped(code)), escaped(unit));
     format!(
         "<div><dt><code>{code}</code></dt><dd><output data-value=\"{numbers}\">{}</output>{gap}{unit}</dd></div>\n",
         pretty(numbers)
     )
 }
 
+/// Code with places where a line may end: before a dot, and behind a bracket or a comma.
+fn breakable(code: &str) -> String {
+    let mut out = String::with_capacity(2 * code.len());
+    let mut letters = code.chars().peekable();
+    while let Some(c) = letters.next() {
+        let is_call = c == '.' && letters.peek().is_some_and(|next| next.is_alphabetic());
+        out += if is_call { "<wbr>" } else { "" };
+        out.push(c);
+        out += if "([,".contains(c) { "<wbr>" } else { "" };
+    }
+    out
+}
+
 /// Numbers in the page's form: a true minus, and powers of ten.
 fn pretty(numbers: &str) -> String {
     let one = |number: &str| match number.split_once('e') {
-        Some((digits, power)) => format!("{digits}\u{202f}×\u{202f}10<sup>{power}</sup>"),
-        None => number.to_owned(),
+        Some((digits, power)) => with_power(digits, power),
+        None => number.replace('-', "−"),
     };
-    numbers.split(", ").map(one).collect::<Vec<_>>().join(", ").replace('-', "−")
+    numbers.split(", ").map(one).collect::<Vec<_>>().join(", ")
 }
 
 /// How many digits a number has behind its point.

@@ -140,8 +140,20 @@ fn test_snippets(root: &Path) -> Result<(), Failed> {
         }
         Ok(())
     } else {
-        eprintln!("{report}");
+        report.lines().for_each(|line| eprintln!("{}", named_by_its_page(line)));
         Err(Failed::Other("snippets fail: see above for page, line and value of each".to_owned()))
+    }
+}
+
+/// The name of a snippet, without the folder of the copy that is tested. (The compiler's own words keep it: it counts
+/// lines that rustdoc has put above.)
+fn named_by_its_page(line: &str) -> String {
+    match line.split_once("/out/book/") {
+        Some((before, page)) if !before.contains("-->") => {
+            let folder = before.rfind(' ').map_or(0, |blank| blank + 1);
+            format!("{}book/{page}", &before[..folder])
+        }
+        _ => line.to_owned(),
     }
 }
 
@@ -162,4 +174,18 @@ fn install_finisher(root: &Path) -> std::io::Result<()> {
         fs::copy(&program, &fresh)?;
     }
     fs::rename(fresh, place) // at once, for an mdBook that may be running the old one
+}
+
+#[cfg(test)]
+mod tests {
+    use super::named_by_its_page;
+
+    #[test]
+    fn a_snippet_is_named_by_its_page() {
+        let said = "---- /a/build/snippets-1/out/book/b/index.md - page_1_b (line 18) stdout ----";
+        assert_eq!(named_by_its_page(said), "---- book/b/index.md - page_1_b (line 18) stdout ----");
+        for said in ["  --> /a/out/book/b.md:3:5", "test result: FAILED."] {
+            assert_eq!(named_by_its_page(said), said);
+        }
+    }
 }

@@ -5,6 +5,7 @@
 
 /// What opens the comment that holds the numbers.
 const ARROW: char = '→';
+const FORM: &str = "a printed number is written `// → 4.317 rad/s`, several `// → 1.2, 3.4`";
 
 /// A line of a snippet that prints numbers.
 #[derive(Debug, PartialEq, Eq)]
@@ -22,17 +23,33 @@ pub(crate) struct Printed<'a> {
 /// What the line `lines[at]` prints, if it has the mark; `Err` says what is wrong with it.
 pub(crate) fn read<'a>(lines: &[&'a str], at: usize) -> Option<Result<Printed<'a>, &'static str>> {
     let line = lines[at];
-    let (before, after) = line.split_once(ARROW)?;
-    let code = before.trim_end().strip_suffix("//")?.trim_end();
+    let mark = line.split_once(ARROW);
+    let Some((code, after)) =
+        mark.and_then(|(code, after)| Some((code.trim_end().strip_suffix("//")?, after)))
+    else {
+        return is_near_miss(line).then_some(Err(FORM));
+    };
+    let code = code.trim_end();
     Some(numbers(after).and_then(|numbers| {
         let (value, bare) = value(lines, at, code)?;
         Ok(Printed { code, value, numbers, bare })
     }))
 }
 
+/// Whether a comment has an arrow before a number where nothing would test it: `// -> 7.0`, `// about → 7.0`.
+fn is_near_miss(line: &str) -> bool {
+    let behind = ["→", "->", "=>"].map(|arrow| comment(line).split(arrow).skip(1));
+    behind.into_iter().flatten().any(|behind| number(behind.trim_start()).is_some())
+}
+
+/// The comment that a line of code ends with, or nothing.
+pub(crate) fn comment(line: &str) -> &str {
+    let start = ["//", "/*"].into_iter().filter_map(|mark| line.find(mark)).min();
+    &line[start.unwrap_or(line.len())..]
+}
+
 /// The numbers at the beginning of a comment; any words may follow, as its unit.
 fn numbers(comment: &str) -> Result<&str, &'static str> {
-    const FORM: &str = "a printed number is written `// → 4.317 rad/s`, several `// → 1.2, 3.4`";
     let text = comment.strip_prefix(' ').ok_or(FORM)?;
     let mut end = number(text).ok_or(FORM)?;
     while let Some(next) = text[end..].strip_prefix(", ").and_then(number) {
@@ -89,7 +106,7 @@ fn pattern(bound: &str) -> &str {
 }
 
 /// The page with a check in the place of each printed number, and with the item `first` at the beginning of each
-/// snippet; every line keeps its number. `file` names the page.
+/// snippet, and what names the snippet if it fails; every line keeps its number. `file` names the page.
 #[cfg_attr(not(test), allow(dead_code, reason = "for the build script of the documentation tests alone"))]
 pub(crate) fn tested(page: &str, file: &str, first: &str) -> String {
     let lines: Vec<&str> = page.lines().collect();
@@ -97,7 +114,11 @@ pub(crate) fn tested(page: &str, file: &str, first: &str) -> String {
     for (at, line) in lines.iter().enumerate() {
         let begins = at > 0 && lines[at - 1].starts_with("```rust");
         if begins {
+            let code = lines[at..].iter().take_while(|line| !line.starts_with("```"));
             out.push_str(&format!("{first} "));
+            if !code.into_iter().any(|line| line.contains("fn main(")) {
+                out.push_str(&format!("::snippets::begin({file:?}, {}); ", at + 1));
+            }
         }
         if let Some(Ok(Printed { code, value, numbers, bare })) = read(&lines, at) {
             let indent = &code[..code.len() - code.trim_start().len()];
@@ -134,8 +155,8 @@ mod tests {
     #[test]
     fn a_snippet_begins_with_what_makes_the_library_known() {
         let page = "```rust\n# use a::b;\n# b();\n```\n\n```rust\nlet a = 1; // → 1\n```\n";
-        let expected = "```rust\nx; use a::b;\n# b();\n```\n\n\
-                        ```rust\nx; let a = 1; ::snippets::printed(&(a), \"1\", \"p.md:7\");\n```\n";
+        let expected = "```rust\nx; ::snippets::begin(\"p.md\", 2); use a::b;\n# b();\n```\n\n\
+                        ```rust\nx; ::snippets::begin(\"p.md\", 7); let a = 1; ::snippets::printed(&(a), \"1\", \"p.md:7\");\n```\n";
         assert_eq!(tested(page, "p.md", "x;"), expected);
     }
 
@@ -146,6 +167,9 @@ mod tests {
             ("let a = f(); // →4.3", "is written"),
             ("let a = f(); // → 4.3.1", "is written"),
             ("let a = f(); // → 4.3e", "is written"),
+            ("let a = f(); // -> 7.0", "is written"),
+            ("let a = f(); /* → 9.9 */", "is written"),
+            ("let a = f(); // about → 9.9", "is written"),
             ("f(4) // → 4.3", "end of a statement"),
             ("// → 4.3", "end of a statement"),
             (".f(4); // → 4.3", "needs a `let`"),

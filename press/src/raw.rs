@@ -1,7 +1,9 @@
 //! Raw HTML on a page: a few elements that load and run nothing, each closed where it was opened.
 
+use crate::faces::Face;
 use crate::fault::Reporter;
 use crate::page::Kind;
+use crate::signs;
 use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
 
 /// The elements that a page may write itself; for everything else there is Markdown, or there should not be any.
@@ -87,7 +89,7 @@ impl RawHtml {
                     let offset = place(tag.span.start);
                     in_summary = name == "summary";
                     if ELEMENTS.contains(&name.as_str()) {
-                        attributes(&name, &tag, &place, report, &mut found);
+                        attributes(&name, &tag, html, &place, report, &mut found);
                     } else {
                         report.fault(
                             offset,
@@ -112,9 +114,9 @@ impl RawHtml {
                     self.close(&String::from_utf8_lossy(&tag.name), place(tag.span.start), report);
                 }
                 Token::String(text) => {
-                    let offset = place(text.span.start);
+                    let (text_span, offset) = (text.span.start..text.span.end, place(text.span.start));
                     let text = String::from_utf8_lossy(&text).into_owned();
-                    prose(&text, offset, report);
+                    prose(&text, &html[text_span], offset, report);
                     if in_summary && text.trim() == "Hint" {
                         found.push((offset, Find::Hint));
                     } else if in_summary && text.trim().to_lowercase().starts_with("hint") {
@@ -156,14 +158,15 @@ impl RawHtml {
 fn attributes(
     name: &str,
     tag: &StartTag<usize>,
+    html: &str,
     place: impl Fn(usize) -> usize,
     report: &mut Reporter<'_>,
     found: &mut Vec<(usize, Find)>,
 ) {
     for (key, value) in &tag.attributes {
-        let offset = place(value.span.start);
+        let (span, offset) = (value.span.start..value.span.end, place(value.span.start));
         let (key, value) = (String::from_utf8_lossy(key), String::from_utf8_lossy(value).into_owned());
-        prose(&value, offset, report);
+        prose(&value, &html[span], offset, report);
         match &*key {
             "id" => found.push((offset, Find::Id(value))),
             "href" if name == "a" => found.push((offset, Find::Link(value))),
@@ -180,8 +183,16 @@ fn attributes(
     }
 }
 
-/// Text inside HTML is not read as our dialect.
-fn prose(text: &str, offset: usize, report: &mut Reporter<'_>) {
+/// Text inside HTML is not read as our dialect; `source` is what the page has for it.
+fn prose(text: &str, source: &str, offset: usize, report: &mut Reporter<'_>) {
+    if source.contains('&') {
+        signs::characters(text, |_, message| report.fault(offset, message));
+    }
+    if let Err((at, message)) = Face::Text.check(text) {
+        let above = text[..at].matches('\n').count();
+        let line: usize = source.split_inclusive('\n').take(above).map(str::len).sum();
+        report.fault(offset + line, message);
+    }
     const CURE: &str = "put the text into a paragraph of its own, with blank lines around it";
     if text.contains('$') {
         report.fault(offset, format!("raw HTML is not read for mathematics: {CURE}"));

@@ -522,8 +522,7 @@ impl Printer<'_, '_> {
         out
     }
 
-    /// The words of a reference behind the text `before`, and where it leads. An equation within brackets has
-    /// no more of its own.
+    /// The words of a reference behind the text `before`, and where it leads.
     fn mention(&mut self, mention: &Mention, before: &str, offset: usize) -> Option<(String, String)> {
         let found = match mention {
             Mention::Source(number) => self.registry.find_source(*number).map(|entry| {
@@ -539,11 +538,7 @@ impl Printer<'_, '_> {
         };
         match found {
             Ok((words, page, id)) => {
-                let bare = words.strip_prefix('(').and_then(|words| words.strip_suffix(')'));
-                let words = match bare {
-                    Some(bare) if ties::in_brackets(before) => bare.to_owned(),
-                    _ => words,
-                };
+                let words = ties::in_place(words, before);
                 Some((words, format!("{}#{id}", relative(&self.page.path, &page))))
             }
             Err(message) => {
@@ -735,12 +730,18 @@ mod tests {
     }
 
     #[test]
+    fn the_paragraph_below_a_formula_is_read_like_any_other() {
+        let page = printed("# A\n\n$$\na\n$$\n\nSo [spin]{.spin} is 5 kg.\n");
+        assert!(page.contains("So <span class=\"q-spin\">spin</span> is 5\u{a0}kg."), "{page}");
+    }
+
+    #[test]
     fn brackets_around_the_number_of_an_equation_are_its_own() {
         let page = printed(
             "# A\n\n$$\na\n$$ {#eq:x}\n\nBy @eq:x (@eq:x, as in @eq:x) and (so)\n@eq:x.[^a]\n\n[^a]: By (@eq:x) @eq:x.\n",
         );
-        let [x, bare] = ["(1.1)", "1.1"].map(|words| format!("[{words}](a.md#eq-x)"));
-        assert!(page.contains(&format!("By {x} ({bare}, as in {bare}) and (so)\n{x}.")), "{page}");
+        let [x, bare, word] = ["(1.1)", "1.1", "Eq.\u{a0}1.1"].map(|words| format!("[{words}](a.md#eq-x)"));
+        assert!(page.contains(&format!("By {x} ({bare}, as in {word}) and (so)\n{x}.")), "{page}");
         let [x, bare] = ["(1.1)", "1.1"].map(|words| format!("<a href=\"a.md#eq-x\">{words}</a>"));
         assert!(page.contains(&format!("By ({bare}) {x}.")), "{page}");
     }

@@ -94,6 +94,16 @@ impl<'a> Scan<'a, '_> {
         }
     }
 
+    /// Characters that the page writes by their numbers or names, `&#x202e;` or `&omega;`.
+    fn entities(&mut self, text: &str, range: &Range<usize>) {
+        if self.text[range.clone()].starts_with('&') && text != &self.text[range.clone()] {
+            signs::characters(text, |_, message| self.report.fault(range.start, message));
+            if let Err((_, message)) = Face::Text.check(text) {
+                self.fault(range.start, message);
+            }
+        }
+    }
+
     fn place(&mut self, range: Range<usize>, item: Item<'a>) {
         self.items.push(Placed { range, item });
     }
@@ -131,8 +141,9 @@ impl<'a> Scan<'a, '_> {
                 Event::InlineMath(_) => self.inline(range),
                 Event::DisplayMath(_) => self.display(range),
                 Event::Code(_) => self.shown(Face::Code, range),
-                Event::Text(_) => {
+                Event::Text(text) => {
                     self.shown(Face::Text, range);
+                    self.entities(text, range);
                     let in_link = self.surroundings.in_link;
                     self.items.extend(written::mentions(self.text, range, in_link, &mut self.report));
                     self.stray_dollars(range.clone());
@@ -385,7 +396,6 @@ impl<'a> Scan<'a, '_> {
         let mut places = Vec::new();
         for (event, range) in events {
             if let Event::Html(piece) | Event::InlineHtml(piece) = event {
-                self.shown(Face::Text, range);
                 places.push((html.len(), range.start));
                 html.push_str(piece);
             }

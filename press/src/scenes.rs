@@ -59,7 +59,7 @@ pub(crate) fn check_settings(scene: &Scene, settings: &str) -> Result<(), String
         let Ok(value) = value.parse::<f64>() else {
             return Err(format!("`{setting}` is no setting: they are written spin=3&kick=0"));
         };
-        if name == "t" && value >= 0.0 {
+        if name == "t" && (0.0..=f64::MAX).contains(&value) {
             continue; // the time, s of the scene
         }
         let Some(control) = scene.controls.iter().find(|control| control.name == name) else {

@@ -3,21 +3,21 @@
 use crate::fault::Reporter;
 
 pub(crate) fn check(text: &str, report: &mut Reporter<'_>) {
-    characters(text, report);
+    characters(text, |at, message| report.fault(at, message));
     directives(text, report);
 }
 
 /// Control characters, and those that turn the direction of the text around them.
-pub(crate) fn characters(text: &str, report: &mut Reporter<'_>) {
+pub(crate) fn characters(text: &str, mut fault: impl FnMut(usize, String)) {
     for (at, c) in text.char_indices() {
         let code = u32::from(c);
         if matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}') {
-            report.fault(
+            fault(
                 at,
                 format!("the invisible character U+{code:04X} turns the direction of the text: delete it"),
             );
         } else if c.is_control() && !matches!(c, '\n' | '\r' | '\t') {
-            report.fault(at, format!("the control character U+{code:04X} has no place in a text: delete it"));
+            fault(at, format!("the control character U+{code:04X} has no place in a text: delete it"));
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Tables: their cells, and how a column of numbers is set.
 
+use crate::numbers::with_power;
 use crate::page::{Cell, Table, Words};
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::ops::Range;
@@ -152,10 +153,8 @@ pub(crate) fn powers_of_ten(html: &str) -> String {
         });
         match power {
             Some((negative, digits, behind)) => {
-                if mantissa != "1" {
-                    out.push_str(&format!("{mantissa}·"));
-                }
-                out.push_str(&format!("10<sup>{}{digits}</sup>", if negative { "−" } else { "" }));
+                let power = with_power(mantissa, &format!("{}{digits}", if negative { "−" } else { "" }));
+                out.push_str(power.strip_prefix("1·").unwrap_or(&power));
                 rest = behind;
             }
             None => out.push_str(mantissa),

@@ -1,14 +1,11 @@
 //! What belongs together at the end of a line: a formula and its punctuation, a number and its unit; and
 //! which brackets there are already.
 
+use crate::numbers::is_unit;
+
 /// A blank at which no line ends.
 pub(crate) const BLANK: &str = "\u{a0}";
 
-/// Units that stand behind a number.
-const UNITS: [&str; 22] = [
-    "kg", "g", "m", "cm", "mm", "km", "s", "ms", "ns", "µs", "min", "h", "N", "J", "W", "Hz", "rad", "rad/s",
-    "m/s", "kg/s", "N/m", "%",
-];
 /// The longest word that hangs on a formula: `$x$-axis`.
 const LONGEST: usize = 16;
 
@@ -42,25 +39,40 @@ pub(crate) fn blanks(text: &str) -> Vec<usize> {
 /// How long the blank and the unit are with which a text begins.
 fn unit(text: &str) -> Option<usize> {
     let rest = text.strip_prefix([' ', '\n'])?;
-    let end = rest.find(|c: char| !(c.is_alphabetic() || c == '/' || c == '%')).unwrap_or(rest.len());
-    (UNITS.contains(&&rest[..end]) && !rest[end..].starts_with(['^', '·'])).then_some(1 + end)
+    let end = rest.find(|c: char| !(c.is_alphabetic() || "/%·²³⁻¹".contains(c))).unwrap_or(rest.len());
+    (is_unit(&rest[..end]) && !rest[end..].starts_with('^')).then_some(1 + end)
 }
 
-/// Whether a round bracket stands open at the end of a page's text, in its last paragraph and outside of
+/// What stands in the round bracket that is open at the end of a page's text, in its last paragraph and outside of
 /// mathematics and code.
-pub(crate) fn in_brackets(before: &str) -> bool {
+fn in_brackets(before: &str) -> Option<&str> {
     let paragraph = before.rsplit("\n\n").next().unwrap_or(before);
-    let (mut open, mut within) = (0_usize, None);
-    for c in paragraph.chars() {
+    let (mut open, mut within) = (Vec::new(), None);
+    for (at, c) in paragraph.char_indices() {
         match (within, c) {
             (None, '$' | '`') => within = Some(c),
             (Some(mark), _) if mark == c => within = None,
-            (None, '(') => open += 1,
-            (None, ')') => open = open.saturating_sub(1),
+            (None, '(') => open.push(at + 1),
+            (None, ')') => drop(open.pop()),
             _ => {}
         }
     }
-    open > 0
+    open.last().map(|&at| &paragraph[at..])
+}
+
+/// How a reference behind the text `before` is printed, where alone it would be `(2.31)`. A bracket that begins with
+/// references is theirs, `(2.31, 2.32)`; elsewhere in one a bare number would be read as a value.
+pub(crate) fn in_place(reference: String, before: &str) -> String {
+    let bare = reference.strip_prefix('(').and_then(|words| words.strip_suffix(')'));
+    let (Some(bare), Some(inside)) = (bare, in_brackets(before)) else {
+        return reference;
+    };
+    let is_reference = |word: &str| word.is_empty() || word.starts_with('@') || word == "and";
+    if inside.split([' ', '\n', ',', ';']).all(is_reference) {
+        bare.to_owned()
+    } else {
+        format!("Eq.{BLANK}{bare}")
+    }
 }
 
 #[cfg(test)]
@@ -94,19 +106,30 @@ mod tests {
     #[test]
     fn a_number_keeps_its_unit() {
         assert_eq!(blanks("It has 5 kg, 3 m and 20 meals; in 4\ns, 9 % at 1.5 rad/s"), [8, 14, 35, 40, 49]);
+        for tied in
+            ["400 t", "30 km/s", "44 cm/s", "7.9 kN", "6 N·m", "2 kg·m²", "10 m/s²", "3 s⁻¹.", "7 MN·s"]
+        {
+            assert_eq!(blanks(tied).len(), 1, "{tied}");
+        }
+        assert_eq!(blanks("5 N·, 2 things, 3 m^2, 1 a/b"), [0; 0]);
     }
 
     #[test]
-    fn brackets_are_counted_outside_of_formulas_and_code() {
-        for (text, inside) in [
-            ("so (", true),
-            ("(as in ", true),
-            ("(a) and ", false),
-            ("$f(x$ and `g(` ", false),
-            ("(lost\n\nnew ", false),
-            ("[a](b.md) and ", false),
+    fn a_reference_in_brackets_is_no_value() {
+        let [alone, bare, word] = ["(2.31)", "2.31", "Eq.\u{a0}2.31"];
+        for (before, printed) in [
+            ("so (", bare),
+            ("so (@eq:x, @eq:y and ", bare),
+            ("(For any body it is ", word),
+            ("(@sec:x, by ", word),
+            ("(a) and ", alone),
+            ("((a) and ", word),
+            ("$f(x$ and `g(` ", alone),
+            ("(lost\n\nnew ", alone),
+            ("[a](b.md) and ", alone),
         ] {
-            assert_eq!(in_brackets(text), inside, "{text}");
+            assert_eq!(in_place(alone.to_owned(), before), printed, "{before}");
         }
+        assert_eq!(in_place("Figure 1.2".to_owned(), "(in "), "Figure 1.2");
     }
 }

@@ -205,7 +205,7 @@ const CASES: &[Case] = &[
         "settings",
         "# A\n\n![A plate.](scene:plate)\n\n[A](scene:plate?spun=1)\n[B](scene:plate?spin=5)\n[C](scene:plate?spin=1.25)\n\
          [D](scene:plate?camera=2)\n[E](scene:plate?kick=now)\n[F](scene:plate?drag=0)\n[G](scene:plate)\n\
-         [H](scene:plate?t=-1)\n[I](scene:plate?cones=2)\n\n| [J](scene:plate?kick=-2) |\n|---|\n\nTable: T.\n",
+         [H](scene:plate?t=inf)\n[I](scene:plate?cones=2)\n\n| [J](scene:plate?kick=-2) |\n|---|\n\nTable: T.\n",
         &[
             (5, "the scene plate has no control `spun`; is `spin` meant?"),
             (6, "`spin=5`, which must be from -1 to 4 in steps of 0.1"),
@@ -234,6 +234,29 @@ const CASES: &[Case] = &[
         "printed",
         "# A\n\n```rust\nlet x = 1; // → much\nlet y = 1 // → 4\n    .f(); // → 5 m\n\n// → 6\ny; // → -1.2e-5, 7 m\n```\n",
         &[(4, "is written `// → 4.317 rad/s`"), (5, "end of a statement"), (8, "end of a statement")],
+    ),
+    (
+        "nearly-printed",
+        "# A\n\n```rust\nlet x = 1; // -> 7.0\nx; /* → 9.9 */\nx; // about → 9.9\nx; // a → b\n// |x| -> y\n```\n",
+        &[(4, "is written `// → 4.317"), (5, "is written `// → 4.317"), (6, "is written `// → 4.317")],
+    ),
+    (
+        "nearly-live",
+        "# A\n\n```rust\nlet x = 1.5; //live: 0..2\nlet y = 1.5; // Live: 0..2\nlet z = 1.5; //\tlive: 0..2\n\
+         let w = 1.5; // m; live: 0..2\nlet v = 1.5; // live 0..2\nlet u = 1.5; // they live on\n```\n",
+        &[
+            (4, "a live number is written"),
+            (5, "a live number is written"),
+            (6, "a live number is written"),
+            (7, "a live number is written"),
+            (8, "a live number is written"),
+        ],
+    ),
+    (
+        "live-extreme",
+        "# A\n\n```rust\nlet x = 1.5; // live: 0..1e999\nlet y = 1.5; // live: 1..2 step 1e-150\n\
+         let z = 1e-20; // live: 0..1e-19\nx; // → 1.5\n```\n",
+        &[(4, "the range of `x` ends at a number"), (5, "more than 12 digits"), (6, "more than 12 digits")],
     ),
     (
         "live",
@@ -473,6 +496,16 @@ const CASES: &[Case] = &[
         "# A\n\n| a | |\n|---|---|\n| 1 | 2 |\n\nTable: T.\n",
         &[(3, "a column of the table has no name")],
     ),
+    (
+        "entities",
+        "# A\n\nOne &amp; two\n&#x202e;three &#x5e9;\nand &omega;.\n",
+        &[(4, "no `ש`"), (4, "U+202E"), (5, "no `ω`")],
+    ),
+    (
+        "entities-in-html",
+        "# A\n\n<p title=\"&#x202e;\">\n&lt;\n&omega;\n</p>\n",
+        &[(3, "U+202E"), (5, "no `ω`")],
+    ),
     ("nul", "# A\n\nA\0B.\n", &[(3, "U+0000")]),
     ("override", "# A\n\nOne\ntwo\u{202e}three.\n", &[(4, "U+202E")]),
     ("isolate-in-code", "# A\n\n```text\na\u{2066}b\n```\n", &[(4, "U+2066")]),
@@ -539,6 +572,9 @@ fn what_is_nested_too_deeply_is_a_fault_at_its_line() {
             "{name}"
         );
     }
+    let page = format!("# A\n\n$$\n{}a\n$$\n", "a + ".repeat(200_000));
+    let faults = Book::new("long-formula", &page, "# B\n", "# C\n").faults();
+    assert!(faults.len() == 1 && faults[0].contains("more than 10000 cannot be read"), "{faults:?}");
     let page = format!("# A\n\n{}\n", "<b>".repeat(20_000));
     let faults = Book::new("deep-html", &page, "# B\n", "# C\n").faults();
     assert!(faults.iter().any(|fault| fault.contains("more than 30 elements of raw HTML")), "{}", faults[0]);
@@ -593,6 +629,88 @@ fn a_page_that_the_summary_does_not_name_is_a_fault() {
     fs::write(book.root.join("book/more/stray.md"), "# Nobody reads this\n").unwrap();
     let said = "error: book/more/stray.md: SUMMARY.md does not name this page: add it there, or move it out of book/";
     assert_eq!(book.faults(), [said]);
+}
+
+/// Checking, building and testing read SUMMARY.md alike (`press/src/pages.rs`).
+#[test]
+fn a_page_may_have_any_name_that_does_not_lead_away_or_belong_to_the_site() {
+    for (link, file) in [
+        ("01-intro/index.md", "01-intro/index.md"),
+        ("loop/index.md", "loop/index.md"),
+        ("v1.0.md", "v1.0.md"),
+        ("./b.md", "b.md"),
+        ("a/b.md", "a/b.md"),
+        ("<b c.md>", "b c.md"),
+        ("b%20c.md", "b c.md"),
+        ("b.md \"tip\"", "b.md"),
+        ("", "b.md"),
+        ("api.md", "api.md"),
+    ] {
+        let book = Book::new("names", "# A\n", "# B\n", "# C\n");
+        let path = book.root.join("book").join(file);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, "# N\n").unwrap();
+        let rest = if file == "b.md" { "" } else { "- [B](b.md)\n" };
+        let named = if link.is_empty() {
+            "- [Draft]()\n- [B](b.md)\n".into()
+        } else {
+            format!("- [N]({link})\n{rest}")
+        };
+        fs::write(book.root.join("book/SUMMARY.md"), format!("- [A](a.md)\n{named}- [C](c.md)\n")).unwrap();
+        assert_eq!(book.faults(), [""; 0], "{link}");
+    }
+    let away = "is no page in book/: the way there goes down from it, without `..`";
+    let taken = "cannot have this name: the site has a page of its own there";
+    for (link, words) in [
+        ("../outside.md", away),
+        ("x/../b.md", away),
+        ("print.md", taken),
+        ("toc.md", taken),
+        ("404.md", taken),
+        ("api/index.md", taken),
+    ] {
+        let book = Book::new("names", "# A\n", "# B\n", "# C\n");
+        fs::write(book.root.join("outside.md"), "# N\n").unwrap();
+        fs::write(
+            book.root.join("book/SUMMARY.md"),
+            format!("- [A](a.md)\n- [B](b.md)\n- [C](c.md)\n- [N]({link})\n"),
+        )
+        .unwrap();
+        let [fault] = &book.faults()[..] else { panic!("{link}: one fault, not {:?}", book.faults()) };
+        assert!(fault.starts_with("error: book/SUMMARY.md:4: ") && fault.ends_with(words), "{link}: {fault}");
+    }
+    let book = Book::new("names", "# A\n", "# B\n", "# C\n");
+    fs::write(book.root.join("book/SUMMARY.md"), "# [A](a.md)\n\n- [B](b.md)\n- [C](c.md)\n").unwrap();
+    assert_eq!(
+        book.faults(),
+        ["error: book/SUMMARY.md:1: mdBook does not read a.md as a page where it stands here"]
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_a_folder_is_not_followed_round_in_a_circle() {
+    let book = Book::new("circle", "# A\n", "# B\n", "# C\n");
+    for name in ["one", "two"] {
+        std::os::unix::fs::symlink(".", book.root.join("book").join(name)).unwrap();
+    }
+    let said = ["one", "two"].map(|name| {
+        format!(
+            "error: book/{name}: a link to a folder could lead round in a circle: put the folder itself here"
+        )
+    });
+    assert_eq!(book.faults(), said);
+}
+
+#[test]
+fn two_curves_of_one_name_are_a_fault_of_their_figure() {
+    let book = Book::new("twins", "# A\n\n![A.](fig:machine)\n", "# B\n", "# C\n");
+    let mut drawn = drawn();
+    drawn.figures[0].svg = "<svg><path id=\"fig-machine-gain\"/><path id=\"fig-machine-gain\"/></svg>".into();
+    let faults = check(&book.root, &drawn).unwrap_err().to_string();
+    let said = "error: book/a/figures.rs: the id `fig-machine-gain` stands twice in the figure fig:machine: has it two \
+                curves of one name?";
+    assert!(faults.contains(said) && !faults.contains("stands on the page already"), "{faults}");
 }
 
 #[test]

@@ -10,7 +10,7 @@ use mechanics::scenes::laundromat::{Driven, DrivenState, Folds, Motor};
 /// The motor's idle spin, rad/s.
 const IDLE: f64 = 40.0;
 
-/// The chapter's machine with half its damper, turned by a motor of this stall torque, N m.
+/// The chapter's machine with half its damper, turned by a motor of this stall torque, N·m.
 fn driven(stall_torque: f64) -> Result<Driven, Cause> {
     let motor = Motor { stall_torque, idle_spin: IDLE, drum_inertia: 0.5 };
     Ok(washing_machine(0.15, 0.0)?.driven(motor)?)
@@ -37,7 +37,7 @@ pub(crate) fn motor_line(id: &str) -> Outcome {
              starts at 0.84 and touches the floor of the valley at 18.",
         );
         let spin = Axis::linear(0.0, IDLE, 10.0)?.minor(2.0).titled(r"spin $\dot\phi$, rad/s");
-        let torque = Axis::linear(0.0, 8.0, 2.0)?.minor(0.5).titled("torque, N m");
+        let torque = Axis::linear(0.0, 8.0, 2.0)?.minor(0.5).titled("torque, N·m");
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 292.0);
         let mut plot = Plot::new(&mut drawing, frame, spin, torque)?;
         plot.curve("shaking", shaking.iter().copied(), Stroke::Curve, Hue::Orange);
@@ -104,7 +104,7 @@ pub(crate) fn motor_hysteresis(id: &str) -> Outcome {
              lower branch to its end and then on the upper. Crosses, while it is lowered, lie on the upper branch back to 1, and then on the lower.",
         );
         let torque =
-            Axis::linear(0.0, 9.0, 1.0)?.titled(r"stall torque of the motor $\tau_\text{stall}$, N m");
+            Axis::linear(0.0, 9.0, 1.0)?.titled(r"stall torque of the motor $\tau_\text{stall}$, N·m");
         let spin = Axis::linear(0.0, 40.0, 10.0)?.minor(2.0).titled(r"spin $\dot\phi$, rad/s");
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 312.0);
         let mut plot = Plot::new(&mut drawing, frame, torque, spin)?;

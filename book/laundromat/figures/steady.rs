@@ -201,7 +201,7 @@ pub(crate) fn torque(id: &str) -> Outcome {
              growing with the spin.",
         );
         let spin = Axis::linear(0.0, 3.0, room.of(0.5, 1.0))?.minor(0.1).titled(r"spin $\Omega/\omega_0$");
-        let torque = Axis::linear(0.0, 4.5, 1.0)?.minor(0.5).titled(r"torque of the motor $\tau$, N m");
+        let torque = Axis::linear(0.0, 4.5, 1.0)?.minor(0.5).titled(r"torque of the motor $\tau$, N·m");
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 244.0);
         let mut plot = Plot::new(&mut drawing, frame, spin, torque)?;
         for (damping, hue) in DAMPINGS {

@@ -63,7 +63,7 @@ fn end(course: &Course) -> String {
 /// What a weak motor makes of it.
 fn with_weak_motor(course: &Course, driven: &Driven) -> String {
     let Motor { stall_torque, idle_spin, .. } = driven.motor();
-    let motor = format!("{stall_torque:.1} N m at a standstill and none at {idle_spin:.0} rad/s");
+    let motor = format!("{stall_torque:.1} N·m at a standstill and none at {idle_spin:.0} rad/s");
     let last = course.at(course.end).map_or(f64::NAN, |state| state.spin);
     let words = match driven.steady_spins()[..] {
         [slow, middle, fast] => {
@@ -72,7 +72,7 @@ fn with_weak_motor(course: &Course, driven: &Driven) -> String {
             let frees = driven.folds().map_or(String::new(), |folds| {
                 let Folds { up, down } = folds;
                 format!(
-                    " A knob that is turned up slowly would free it at {:.1} N m, and down it would fall back at {:.1}.",
+                    " A knob that is turned up slowly would free it at {:.1} N·m, and down it would fall back at {:.1}.",
                     up.stall_torque, down.stall_torque
                 )
             });

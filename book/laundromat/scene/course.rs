@@ -38,7 +38,7 @@ impl State {
 pub(super) enum Drive {
     KeepsItsSpin,
     SpeedsUp,
-    /// By a motor with so much torque at a standstill, N m, that idles at the spin.
+    /// By a motor with so much torque at a standstill, N·m, that idles at the spin.
     WeakMotor(f64),
 }
 
@@ -200,7 +200,7 @@ pub(super) struct Course {
     pub swings: Vec<(f64, f64)>,
     pub widest: (f64, f64),
     parts: Vec<Part>,
-    /// Times, and what the floor has been given until then, N s.
+    /// Times, and what the floor has been given until then, N·s.
     given: Vec<(f64, Complex<f64>)>,
 }
 
@@ -338,7 +338,7 @@ impl Course {
         (seen_on_board * self.rotor.damping_rate_on_board() - Complex::new(x, y)) * self.machine.total_mass()
     }
 
-    /// What has been gained in momentum, less what floor and kick gave, by a time, N s: rounding.
+    /// What has been gained in momentum, less what floor and kick gave, by a time, N·s: rounding.
     pub(super) fn imbalance(&self, time: f64) -> Result<f64, Cause> {
         let index = self.given.partition_point(|(from, _)| *from <= time).saturating_sub(1);
         let (from, mut left) = self.given[index];
@@ -352,7 +352,7 @@ impl Course {
         Ok(left.norm())
     }
 
-    /// The momentum of tub, drum and load, N s: that of their mass at its centre.
+    /// The momentum of tub, drum and load, N·s: that of their mass at its centre.
     fn momentum(&self, state: &State) -> Complex<f64> {
         let turning = Complex::new(0.0, state.spin * self.machine.offset()) * state.load();
         (state.shaft.velocity + turning) * self.machine.total_mass()

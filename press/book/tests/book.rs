@@ -94,6 +94,66 @@ fn loads(sheet: &Path, css: &str) -> Vec<PathBuf> {
     quoted.map(|address| sheet.parent().unwrap().join(address.trim_matches(['"', '\'']))).collect()
 }
 
+/// The text of a page outside of code, scripts and drawings, with a digit for each formula.
+fn words(html: &str) -> String {
+    let mut out = String::new();
+    let mut rest = html;
+    while let Some((text, tag)) = rest.split_once('<') {
+        out.push_str(text);
+        let name = tag.split([' ', '>']).next().unwrap_or_default();
+        rest = match name {
+            "pre" | "code" | "script" | "style" | "svg" | "math" => {
+                out.push_str(if name == "math" { "0" } else { "" });
+                tag.split_once(&format!("</{name}>")).expect("it is closed").1
+            }
+            _ => tag.split_once('>').expect("it is closed").1,
+        };
+    }
+    out + rest
+}
+
+/// Whether a word is made of units of the SI, each perhaps with a prefix and a power.
+fn is_unit(word: &str) -> bool {
+    word.split(['/', '·']).all(|part| {
+        let part = part.trim_end_matches(['²', '³', '⁻', '¹']);
+        let base =
+            |name: &str| ["g", "m", "s", "t", "N", "J", "W", "V", "K", "Pa", "Hz", "rad"].contains(&name);
+        base(part)
+            || ["h", "min", "%"].contains(&part)
+            || part.strip_prefix(['n', 'µ', 'm', 'c', 'k', 'M', 'G']).is_some_and(base)
+    })
+}
+
+#[test]
+fn no_number_is_torn_from_its_unit_and_powers_of_ten_have_one_form() {
+    let (mut tied, mut torn) = (0, Vec::new());
+    for (path, html) in pages() {
+        let text = words(&html);
+        for (at, blank) in text.match_indices([' ', '\n', '\u{a0}']) {
+            let behind = &text[at + blank.len()..];
+            let end =
+                behind.find(|c: char| !(c.is_alphanumeric() || "/·%⁻".contains(c))).unwrap_or(behind.len());
+            if text[..at].ends_with(|c: char| c.is_ascii_digit()) && is_unit(&behind[..end]) {
+                if blank == "\u{a0}" {
+                    tied += 1;
+                } else {
+                    torn.push(format!("{}: {blank:?}{}", path.display(), &behind[..end]));
+                }
+            }
+        }
+        for other in ["×\u{202f}10", "× 10<", "×10<", "<mo>×</mo><mn>10</mn>"] {
+            assert!(
+                !html.contains(other),
+                "{}: a power of ten is written 1.6·10⁸, not {other}",
+                path.display()
+            );
+        }
+    }
+    assert!(torn.is_empty() && tied > 500, "{tied} tied, {} torn:\n{}", torn.len(), torn.join("\n"));
+    let script = fs::read_to_string(root().join("book/theme/numbers.js")).unwrap();
+    assert!(script.contains("·10<sup>") && !script.contains('×'), "the script writes them like the pages");
+}
+
 #[test]
 fn the_site_holds_the_fonts_that_it_asks_for_and_their_licences() {
     let mut asked = BTreeSet::new();

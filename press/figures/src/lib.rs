@@ -9,6 +9,8 @@ mod axis;
 mod canvas;
 mod failure;
 pub mod house;
+#[path = "../../src/limit.rs"]
+mod limit;
 #[cfg(test)]
 mod list; // of the build script
 mod look;
@@ -120,6 +122,7 @@ fn failed(entry: &Entry, cause: Cause) -> Failure {
 }
 
 fn render(entry: &Entry) -> Result<Figure, Cause> {
+    let _limit = limit::watch(format!("{}:{}: the figure {}", entry.file, entry.line, entry.id));
     let drawing = (entry.draw)(entry.id)?;
     let [title, description] = [drawing.title(), drawing.description()].map(|words| words.trim().is_empty());
     // A panel may leave the words to the whole, but not half of them.

@@ -1,4 +1,4 @@
-//! The list of figures, read from the pages' order and the text of `book/*/figures.rs` and its parts; the build script
+//! The list of figures, read from the text of `book/*/figures.rs` and its parts; the build script
 //! uses it.
 
 /// A figure as it stands in the text of its chapter.
@@ -20,11 +20,6 @@ pub(crate) const FRONT: &str = "figures";
 #[cfg_attr(test, allow(dead_code, reason = "the build script asks for it"))]
 pub(crate) fn file(chapter: &str) -> String {
     if chapter == FRONT { "figures.rs".into() } else { format!("{chapter}/figures.rs") }
-}
-
-/// The folders of the chapters, in the order of SUMMARY.md.
-pub(crate) fn chapters(summary: &str) -> impl Iterator<Item = &str> {
-    summary.lines().filter_map(|line| Some(line.split_once("](")?.1.split_once("/index.md)")?.0))
 }
 
 /// The figures of a file: every function `pub(crate) fn two_clocks(…) -> Outcome` is the figure `fig:two-clocks`.
@@ -66,18 +61,12 @@ pub(crate) fn tables(source: &str) -> impl Iterator<Item = &str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Found, chapters, figures, tables};
+    use super::{Found, figures, tables};
 
     #[test]
     fn every_function_that_gives_a_text_is_a_table() {
         let source = "fn row() -> String {\npub(crate) fn step_sizes() -> String {\npub(crate) fn f(x: f64) -> String {\n";
         assert_eq!(tables(source).collect::<Vec<_>>(), ["step_sizes"]);
-    }
-
-    #[test]
-    fn chapters_follow_the_summary() {
-        let summary = "# Summary\n[Preface](preface.md)\n- [Tops](free-tops/index.md)\n  - [Exercises](free-tops/exercises.md)\n- [Coin](coin/index.md)\n";
-        assert_eq!(chapters(summary).collect::<Vec<_>>(), ["free-tops", "coin"]);
     }
 
     #[test]

@@ -5,13 +5,15 @@
 mod answers;
 #[path = "../../src/library.rs"]
 mod library;
+#[path = "../../src/pages.rs"]
+mod pages;
 #[path = "../../src/printed.rs"]
 mod printed;
 
 use answers::Live;
 use std::error::Error;
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -20,17 +22,20 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rerun-if-changed={}", root.join(path).display());
         fs::read_to_string(root.join(path))
     };
-    for source in ["build.rs", "../../src/answers.rs", "../../src/library.rs", "../../src/printed.rs"] {
+    for source in ["answers", "library", "pages", "printed"].map(|file| format!("../../src/{file}.rs")) {
         println!("cargo::rerun-if-changed={source}");
     }
+    println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-env-changed=BOOK_CHAPTER");
     let chapter = env::var("BOOK_CHAPTER").ok();
-    let (mut functions, mut list, mut count, mut broken) = (String::new(), String::new(), 0, Vec::new());
+    let out = PathBuf::from(env::var("OUT_DIR")?);
+    let (mut functions, mut list, mut count) = (String::new(), String::new(), 0);
     let name = library::name(&read("Cargo.toml")?).ok_or("Cargo.toml names no package")?;
     let known = library::known_as(&name);
-    let summary = read("book/SUMMARY.md")?;
-    for page in summary.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+    for (page, _) in pages::links(&read("book/SUMMARY.md")?) {
         let file = format!("book/{page}");
+        // Each function stands in the lines of its snippet, so that the compiler names these.
+        let mut own = String::new();
         for (line, code) in answers::snippets(&read(&file)?) {
             let place = format!("{file}:{line}");
             let (found, faults) = answers::answers(&code);
@@ -39,14 +44,14 @@ fn main() -> Result<(), Box<dyn Error>> {
                 continue;
             }
             let number = count - 1;
-            broken.extend(faults.iter().map(|(n, fault)| format!("{file}:{}: {fault}", line + 1 + n)));
+            faults.iter().for_each(|(n, fault)| println!("cargo::error={file}:{}: {fault}", line + 1 + n));
             let live: Vec<String> = found.live.iter().map(described).collect();
             let printed: Vec<&str> = found.values.iter().map(|value| value.numbers).collect();
+            own += &"\n".repeat((line - 1).saturating_sub(own.lines().count()));
             writeln!(
-                functions,
-                "fn snippet_{number}(live: &[f64]) -> Result<(), String> {{\n    (|| {{\n{}    }})()\n        \
-                 .map_err(|error| error.to_string())\n}}\n",
-                answers::body(&code)
+                own,
+                "fn snippet_{number}(live: &[f64]) -> Result<(), String> {{ (|| {{\n{} }})().map_err(|error| error.to_string()) }}",
+                answers::body(&code).trim_end()
             )?;
             writeln!(
                 list,
@@ -55,14 +60,17 @@ fn main() -> Result<(), Box<dyn Error>> {
                 found.checks.len(),
             )?;
         }
-    }
-    for fault in &broken {
-        println!("cargo::error={fault}");
+        if !own.is_empty() {
+            let path = out.join(&file);
+            fs::create_dir_all(path.parent().ok_or("a page has a folder")?)?;
+            fs::write(&path, own)?;
+            writeln!(functions, "include!({path:?});")?;
+        }
     }
     let scenes = match &chapter {
         None => "live::scenes()".to_owned(),
         Some(chapter) if root.join("book").join(chapter).join("scene.rs").is_file() => {
-            let entry = chapter.replace('-', "_").to_uppercase();
+            let entry = pages::constant(chapter);
             format!("static ONE: &[&live::Entry] = &[&live::entries::{entry}];\n    ONE")
         }
         Some(_) => "&[]".to_owned(),
@@ -70,7 +78,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let text = format!(
         "{known}\n/// The scenes.\npub fn scenes() -> &'static [&'static live::Entry] {{\n    {scenes}\n}}\n\n{functions}/// The snippets with live numbers, in the order of the book.\npub static SNIPPETS: &[Snippet] = &[\n{list}];\n"
     );
-    fs::write(Path::new(&env::var("OUT_DIR")?).join("snippets.rs"), text)?;
+    fs::write(out.join("snippets.rs"), text)?;
     Ok(())
 }
 

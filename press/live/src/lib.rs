@@ -15,6 +15,7 @@
 
 mod control;
 mod graph;
+mod numbers;
 mod player;
 mod scene;
 mod written;

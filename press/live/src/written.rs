@@ -1,5 +1,6 @@
 //! Numbers as they are written beside a picture.
 
+use crate::numbers::{is_unit, with_power};
 use crate::scene::Form;
 
 /// A number with its unit, as HTML: a true minus, and powers of ten raised.
@@ -31,7 +32,7 @@ pub fn written(value: f64, form: Form, unit: &str) -> String {
         Form::Power(digits) | Form::Digits(digits) => format!("{value:.*e}", digits.saturating_sub(1)),
     };
     let number = match number.split_once('e') {
-        Some((digits, power)) => format!("{digits}·10<sup>{power}</sup>"),
+        Some((digits, power)) => with_power(digits, power),
         None if number.trim_start_matches(['-', '0', '.']).is_empty() => {
             number.trim_start_matches('-').into()
         }
@@ -40,9 +41,6 @@ pub fn written(value: f64, form: Form, unit: &str) -> String {
     let space = if unit.is_empty() || unit == "°" { "" } else { "\u{a0}" };
     format!("{}{space}{unit}", number.replace('-', "−"))
 }
-
-/// Units that are not parted from their number.
-const UNITS: [&str; 11] = ["s", "ms", "m", "mm", "cm", "kg", "N", "N·m", "Hz", "%", "rad/s"];
 
 /// Words in which no line parts a number from its unit.
 ///
@@ -54,8 +52,8 @@ pub fn tied(words: &str) -> String {
     for word in words.split(' ') {
         if !out.is_empty() {
             let unit = word.trim_end_matches(['.', ',', ';', ':']);
-            let is_unit = out.ends_with(|c: char| c.is_ascii_digit()) && UNITS.contains(&unit);
-            out.push(if is_unit { '\u{a0}' } else { ' ' });
+            let is_tied = out.ends_with(|c: char| c.is_ascii_digit()) && is_unit(unit);
+            out.push(if is_tied { '\u{a0}' } else { ' ' });
         }
         out.push_str(word);
     }

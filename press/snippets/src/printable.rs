@@ -2,6 +2,11 @@
 //! has changed is answered in the form of the page.
 
 /// What a page can print: a number, or several.
+#[diagnostic::on_unimplemented(
+    message = "a page cannot print a `{Self}`",
+    label = "behind `// →` stands a number of this line",
+    note = "it can be an `f64`, an integer, or a pair or an array of them: print a word or a truth by an assertion"
+)]
 pub trait Printable {
     /// The numbers of the value, in their order.
     fn numbers(&self) -> Vec<Number>;

@@ -21,6 +21,8 @@ const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
 /// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
 /// MathML later.
 const DEEPEST: usize = 60;
+/// How long a formula may be: the time that some passes take grows as its square.
+const LONGEST: usize = 10_000;
 
 /// A converter, built once a run.
 pub(crate) struct Maths {
@@ -95,6 +97,11 @@ impl Maths {
         if let Some(offset) = too_deep(tex) {
             let message = format!("the formula is nested more than {DEEPEST} deep: give its parts names");
             return Err(MathsFault { offset, message });
+        }
+        if tex.len() > LONGEST {
+            let message =
+                format!("the formula has {} bytes; more than {LONGEST} cannot be read: divide it", tex.len());
+            return Err(MathsFault { offset: 0, message });
         }
         let mathml = match self.converter.convert_with_local_state(tex, display) {
             Ok(result) => result.mathml.replace('\n', " "),

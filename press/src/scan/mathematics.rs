@@ -107,7 +107,9 @@ impl<'a> Scan<'a, '_> {
 
     /// Whether this place follows display mathematics in its paragraph: its label is read with it.
     pub(super) fn behind_maths(&self, offset: usize) -> bool {
-        self.text[..offset].trim_end().ends_with("$$")
+        let before = &self.text[..offset];
+        let formula = before.trim_end();
+        formula.ends_with("$$") && before[formula.len()..].matches('\n').count() < 2
     }
 
     /// A label that nothing has read, in a run of text.

@@ -13,7 +13,7 @@ impl Machine {
         shaft.position + self.offset() * self.load_direction(t)
     }
 
-    /// Torque about the shaft that the motor must give at time `t`, s, to keep the spin constant, N m
+    /// Torque about the shaft that the motor must give at time `t`, s, to keep the spin constant, N·m
     /// (`eq:motor-torque`). Counter-clockwise if positive.
     pub fn motor_torque(&self, t: f64, shaft: &Shaft) -> f64 {
         let [_, _, ax, ay] = self.cartesian_rates(t, &shaft.to_array());

@@ -10,11 +10,11 @@ use nalgebra::{Complex, Matrix5};
 /// Its torque at the spin φ̇ is `τ_stall (1 − φ̇/Ω_idle)`, `eq:motor-line`, also beyond the idle spin, where it brakes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motor {
-    /// Torque `τ_stall` on a drum that stands still, N m; more than zero.
+    /// Torque `τ_stall` on a drum that stands still, N·m; more than zero.
     pub stall_torque: f64,
     /// Spin `Ω_idle` at which the torque is zero, rad/s; more than zero.
     pub idle_spin: f64,
-    /// Moment of inertia I of the drum, without the load, about its shaft, kg m²; zero or more.
+    /// Moment of inertia I of the drum, without the load, about its shaft, kg·m²; zero or more.
     pub drum_inertia: f64,
 }
 
@@ -56,7 +56,7 @@ pub struct DrivenState {
 pub struct Fold {
     /// The spin, rad/s.
     pub spin: f64,
-    /// The stall torque, N m.
+    /// The stall torque, N·m.
     pub stall_torque: f64,
 }
 
@@ -77,14 +77,14 @@ impl Machine {
     /// for no torque), or if nothing resists a change of spin: drum, load and tub have I + mMa²/(m + M) = 0.
     pub fn driven(self, motor: Motor) -> Result<Driven, InvalidQuantity> {
         let Motor { stall_torque, idle_spin, drum_inertia } = motor;
-        InvalidQuantity::check_positive("stall torque", stall_torque, "N m")?;
+        InvalidQuantity::check_positive("stall torque", stall_torque, "N·m")?;
         InvalidQuantity::check_positive("idle spin", idle_spin, "rad/s")?;
-        InvalidQuantity::check_not_negative("moment of inertia of the drum", drum_inertia, "kg m²")?;
+        InvalidQuantity::check_not_negative("moment of inertia of the drum", drum_inertia, "kg·m²")?;
         let parameters = self.parameters();
         InvalidQuantity::require(self.damping_rate() > 0.0, "damping", 0.0, "kg/s", Rule::Positive)?;
         // I + mMa²/(m + M): mab is ma² m/(m + M).
         let inertia = drum_inertia + parameters.drum_mass * self.offset() * parameters.load_radius;
-        InvalidQuantity::require(inertia > 0.0, "moment of inertia", inertia, "kg m²", Rule::Positive)?;
+        InvalidQuantity::require(inertia > 0.0, "moment of inertia", inertia, "kg·m²", Rule::Positive)?;
         Ok(Driven { machine: self, motor, inertia })
     }
 }
@@ -95,7 +95,7 @@ impl Driven {
         self.motor
     }
 
-    /// The same with another stall torque, N m.
+    /// The same with another stall torque, N·m.
     ///
     /// # Errors
     /// [`InvalidQuantity`] unless it is more than zero.
@@ -103,12 +103,12 @@ impl Driven {
         self.machine.driven(Motor { stall_torque, ..self.motor })
     }
 
-    /// Torque of the motor at a spin in rad/s, N m (`eq:motor-line`).
+    /// Torque of the motor at a spin in rad/s, N·m (`eq:motor-line`).
     pub fn motor_torque(&self, spin: f64) -> f64 {
         self.motor.stall_torque * (1.0 - spin / self.motor.idle_spin)
     }
 
-    /// Moment of inertia `I_cm` = I + mMa²/(m + M) of what turns, about the common centre of mass, kg m².
+    /// Moment of inertia `I_cm` = I + mMa²/(m + M) of what turns, about the common centre of mass, kg·m².
     pub fn inertia(&self) -> f64 {
         self.inertia
     }
@@ -164,7 +164,7 @@ impl Driven {
         Some(Folds { up, down })
     }
 
-    /// The stall torque at which this spin can go on for ever, N m (`eq:steady-speeds`).
+    /// The stall torque at which this spin can go on for ever, N·m (`eq:steady-speeds`).
     ///
     /// # Errors
     /// [`InvalidQuantity`] unless the spin is between zero and the idle spin.
@@ -233,7 +233,7 @@ impl Driven {
         (torque + unbalance * pull.im) / self.inertia
     }
 
-    /// What shaking takes at constant spin, N m (`eq:steady-torque`).
+    /// What shaking takes at constant spin, N·m (`eq:steady-torque`).
     fn shaking_torque(&self, spin: f64) -> f64 {
         // A spin that is too small for a machine takes no torque.
         self.machine.with_spin(spin).map_or(0.0, |machine| machine.steady_circle().motor_torque())

@@ -148,12 +148,12 @@ impl SteadyMotion {
         self.centre_of_mass_radius
     }
 
-    /// Torque that the motor must give, N m (`eq:steady-torque`): constant, and in the sense of the spin.
+    /// Torque that the motor must give, N·m (`eq:steady-torque`): constant, and in the sense of the spin.
     pub fn motor_torque(&self) -> f64 {
         self.motor_torque
     }
 
-    /// How the torque changes with the spin, dτ/dΩ, N m s (`eq:torque-slope`), to twelve units in the last place of the
+    /// How the torque changes with the spin, dτ/dΩ, N·m·s (`eq:torque-slope`), to twelve units in the last place of the
     /// largest of its three terms.
     pub fn motor_torque_slope(&self) -> f64 {
         self.motor_torque_slope

@@ -24,7 +24,7 @@ use nalgebra::Vector3;
 /// let momentum = Plate::new(plate)?.angular_momentum_rotating(100.0);
 /// // A quarter turn later what leaned along −x leans along −y.
 /// let turned = in_room(&momentum, 90_f64.to_radians());
-/// assert_eq!(format!("{:.3} kg m²/s", turned.y), "-0.125 kg m²/s");
+/// assert_eq!(format!("{:.3} kg·m²/s", turned.y), "-0.125 kg·m²/s");
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 pub fn in_room(rotating: &Vector3<f64>, phase: f64) -> Vector3<f64> {

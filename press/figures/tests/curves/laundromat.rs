@@ -226,7 +226,7 @@ fn eigenvalues_end_where_the_polynomials_vanish() {
     assert_eq!((growing, through_zero), (2, 2));
 }
 
-/// The stall torque, N m, at which a spin can last: γ b² Ω⁵/D² over 1 − Ω/40, for the chapter's machine with half its
+/// The stall torque, N·m, at which a spin can last: γ b² Ω⁵/D² over 1 − Ω/40, for the chapter's machine with half its
 /// damper.
 fn stall_torque(spin: f64) -> f64 {
     let d = (100.0 - spin * spin).hypot(1.5 * spin);

@@ -29,7 +29,7 @@ fn step(line: &[Point]) -> (f64, f64) {
     (last.x - first.x, first.y - last.y)
 }
 
-/// What the bearings give the chapter's plate alone, N m, eq:bearing-torque.
+/// What the bearings give the chapter's plate alone, N·m, eq:bearing-torque.
 fn alone() -> f64 {
     let (mass, radius, spin, tilt) = (2.0, 0.1, 100.0, 25_f64.to_radians());
     mass * radius * radius * spin * spin * (2.0 * tilt).sin() / 8.0

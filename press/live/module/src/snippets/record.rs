@@ -37,6 +37,13 @@ pub(super) fn printed(at: usize, value: &impl Printable, shown: &str) {
     RECORD.with_borrow_mut(|record| record.printed[at] = written.join(", "));
 }
 
+/// A number that counts, of the type that the snippet gives to the one in its text: where it does not say, that of a
+/// literal.
+pub(super) fn whole<T: TryFrom<i64>>(_text: T, value: f64) -> T {
+    T::try_from(value as i64)
+        .unwrap_or_else(|_| panic!("the number that counts here cannot be {value}: its range is too wide"))
+}
+
 /// A number in the form of `shown`, or with two digits where this form has none left of it.
 fn written(number: Number, shown: &str) -> String {
     let form = number.written_like(shown);
@@ -100,3 +107,16 @@ macro_rules! assert_ulps_eq {
 }
 
 pub(crate) use {assert_abs_diff_eq, assert_relative_eq, assert_ulps_eq};
+
+#[cfg(test)]
+mod tests {
+    use super::whole;
+
+    #[test]
+    fn a_number_that_counts_has_the_type_that_the_text_gives_it_or_that_of_a_literal() {
+        let count = whole(3, 5.0);
+        std::assert_eq!((count as f64, f64::from(count)), (5.0, 5.0));
+        let places: usize = whole(3, 7.0);
+        std::assert_eq!(places, 7);
+    }
+}
