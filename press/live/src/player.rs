@@ -94,6 +94,7 @@ impl Player {
         let id = format!("scene-{}{}", self.scene.name, moment.room.of("", "-narrow"));
         let mut drawing = Drawing::new(&id, width, height).framed();
         with_symbols(self.scene.symbols, || self.motion.draw(&moment, &mut drawing))?;
+        drawing.part_labels();
         Ok(drawing)
     }
 
