@@ -48,15 +48,12 @@ impl Player {
         Ok(Self { scene, values, motion, seen, drawn: f64::NAN, found: Vec::new() })
     }
 
-    /// The scene with other values of its controls, and with what the reader has measured.
-    ///
-    /// # Errors
-    /// As for [`with`](Self::with).
-    pub fn set(&self, values: Vec<f64>) -> Result<Self, Cause> {
-        let mut player = Self::with(self.scene, values)?;
-        player.motion.keep(&self.found);
-        player.found.clone_from(&self.found);
-        Ok(player)
+    /// Takes over what the reader has measured in the same scene with other settings.
+    pub fn keep(&mut self, before: &Self) {
+        if self.scene.name == before.scene.name {
+            self.found.clone_from(&before.found);
+            self.motion.keep(&self.found);
+        }
     }
 
     /// The scene with some settings changed.
@@ -64,7 +61,9 @@ impl Player {
     /// # Errors
     /// As for [`with`](Self::with), and for names that the scene does not have.
     pub fn changed(&self, settings: &[(&str, f64)]) -> Result<Self, Cause> {
-        self.set(changed(self.scene, self.values.clone(), settings)?)
+        let mut player = Self::with(self.scene, changed(self.scene, self.values.clone(), settings)?)?;
+        player.keep(self);
+        Ok(player)
     }
 
     /// The scene.

@@ -46,16 +46,15 @@ pub extern "C" fn start(scene: usize, count: usize) -> isize {
     answer(|| {
         let entry = snippets::scenes().iter().find(|entry| entry.place == scene);
         let scene = entry.unwrap_or_else(|| panic!("this module has no scene {scene}")).scene;
+        let mut player = if count == 0 { Player::new(scene)? } else { Player::with(scene, values(count))? };
         PLAYER.with(|own| {
             let mut own = own.borrow_mut();
-            let player = match &*own {
-                _ if count == 0 => Player::new(scene)?,
-                Some(before) if before.scene().name == scene.name => before.set(values(count))?,
-                _ => Player::with(scene, values(count))?,
-            };
+            if let Some(before) = &*own {
+                player.keep(before);
+            }
             *own = Some(player);
-            Ok(String::new())
-        })
+        });
+        Ok(String::new())
     })
 }
 
