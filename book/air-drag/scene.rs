@@ -243,10 +243,16 @@ impl Slowing {
         for (left, name) in [(0.5, "50 %"), (0.9, "90 %")] {
             let line = line(1.0 + LN_10 / -f64::ln(left));
             map.curve(line, Stroke::Reference, Hue::Muted);
-            map.label(line[1], Side::Right, name, Hue::Muted)?;
+            at_end(&mut map, line[1], name)?;
         }
-        map.label(line(1.0)[1], Side::Right, "0", Hue::Muted)?;
-        map.label((to, 80.0), Side::Right, room.of("spin left", "left"), Hue::Muted)?;
+        at_end(&mut map, line(1.0)[1], "0")?;
+        match room {
+            Room::Wide => at_end(&mut map, (to, 80.0), "spin left")?,
+            Room::Narrow => {
+                at_end(&mut map, (to, 300.0), "spin")?;
+                at_end(&mut map, (to, 80.0), "left")?;
+            }
+        }
         map.label(
             (room.of(0.021, 0.008), 900.0),
             Side::Right,
@@ -289,6 +295,13 @@ impl Slowing {
         graph.dot(self.parts(0.0)?, 5.0, Hue::Pink);
         Ok(())
     }
+}
+
+/// What stands at the end of a line of the map: so far from it that the body's dot does not cover it.
+fn at_end(map: &mut Graph<'_>, value: (f64, f64), text: &str) -> Result<(), Cause> {
+    let end = map.at(value);
+    map.drawing().label_set(end, Side::Right, 8.0, 13.0, text, Role::Text(Hue::Muted))?;
+    Ok(())
 }
 
 const MAP: (Axis<'_>, Axis<'_>) = (

@@ -232,7 +232,7 @@ impl Throw {
         self.draw_path(&mut stage, 1.0, Stroke::Curve)?;
         stage.label([0.85, -0.52, 0.0], Side::Below, "equator", Hue::Muted)?;
         stage.dot([0.0, 0.0, 1.0], 3.5, Hue::Ink)?;
-        stage.label([0.0, 0.0, 1.0], Side::Above, "start, flat", Hue::Muted)?;
+        stage.label([0.0, 0.0, 1.0], Side::AboveLeft, "start, flat", Hue::Muted)?; // L goes up to its right
         if self.toss.is_some() {
             let momentum = self.momentum();
             stage.arrow(

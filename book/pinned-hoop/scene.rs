@@ -85,8 +85,9 @@ struct Pinned {
     period: Option<f64>,
     /// The path of the direction of L in the body over a period.
     path: Vec<Vector3<f64>>,
-    /// How long it waits, s, against the gap, degrees.
+    /// How long it waits, s, against the gap, degrees; and where a reader has measured that.
     waits: Vec<(f64, f64)>,
+    measured: Vec<(f64, f64)>,
     /// What does not move of the picture of the sphere, on a page and on a phone, once it has been drawn.
     sphere: [OnceCell<Vec<Item>>; 2],
 }
@@ -111,7 +112,8 @@ impl Pinned {
                 waits.extend(wait(shape, gap)?.map(|wait| (gap, wait)));
             }
         }
-        Ok(Self { body, shape, gap, top, upright, period, path, waits, sphere: Default::default() })
+        let (measured, sphere) = Default::default();
+        Ok(Self { body, shape, gap, top, upright, period, path, waits, measured, sphere })
     }
 
     fn is_flat(&self) -> bool {
@@ -371,6 +373,9 @@ impl Pinned {
                 graph.drawing().label_set(place, Side::AboveRight, 8.0, 13.0, name, blue)?;
             }
         }
+        for &place in &self.measured {
+            graph.dot(place, 3.5, Hue::Pink);
+        }
         if self.gap > 0.0 {
             graph.dot(self.on_plot(moment.time), 6.0, Hue::Pink);
         }
@@ -465,6 +470,18 @@ impl Motion for Pinned {
             0.5 * period,
             nearer - wait
         )
+    }
+
+    /// The body, the gap and the wait, if it has turned over meanwhile.
+    fn found(&self, from: f64, to: f64) -> Option<[f64; 3]> {
+        let wait = self.period.filter(|_| self.is_flat()).map(|period| 0.25 * period);
+        wait.filter(|wait| from < *wait && *wait <= to).map(|wait| [f64::from(self.shape as u8), self.gap, wait])
+    }
+
+    fn keep(&mut self, found: &[[f64; 3]]) {
+        let own = f64::from(self.shape as u8);
+        let of_own = found.iter().filter(|[shape, ..]| *shape == own);
+        self.measured = of_own.map(|&[_, gap, wait]| (gap, wait)).collect();
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {

@@ -4,7 +4,7 @@ use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, point_at, value_at,
 };
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at, clip};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at};
 use mechanics::rolling::{MomentFactors, Rolling};
 use nalgebra::{Complex, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -124,7 +124,8 @@ impl Rolled {
 
         // The track lies on the table, and the wheel stands on both.
         let mut table = Stage::new(camera);
-        let corner = |way: f64| [middle.re, middle.im].map(|x| x + way * (reach - 0.2));
+        let half = reach - 0.2;
+        let corner = |way: f64| [middle.re, middle.im].map(|x| x + way * half);
         table.ground(corner(-1.0), corner(1.0), 0.0, 1.0)?;
         // The circle on which the contact would run undisturbed.
         let circle = self.steady.map_or(0.0, |steady| (steady.contact_radius() / RADIUS).abs());
@@ -132,7 +133,7 @@ impl Rolled {
             table.curve(Curve::circle([0.0; 3], Vector3::z(), circle)?, Stroke::Reference, Hue::Muted)?;
         }
         table.write(drawing);
-        self.draw_track(moment.time, now, &camera, &frame, drawing);
+        self.draw_track(moment.time, now, &camera, (middle, half), drawing);
         let mut stage = Stage::new(camera);
         self.draw_wheel(now, &eye, &frame, &mut stage)?;
         stage.dot_in_front([contact.re, contact.im, 0.0], 4.5, Hue::Pink)?;
@@ -140,13 +141,22 @@ impl Rolled {
         Ok(())
     }
 
-    /// The track of the contact: what is to come pale, the last seconds heavy.
-    fn draw_track(&self, time: f64, now: &Rolling, camera: &Camera, frame: &Rect, drawing: &mut Drawing) {
+    /// The track of the contact on a table with this middle and half this side: what is to come pale, the last seconds
+    /// heavy.
+    fn draw_track(
+        &self,
+        time: f64,
+        now: &Rolling,
+        camera: &Camera,
+        (middle, half): (Complex<f64>, f64),
+        drawing: &mut Drawing,
+    ) {
         let here = now.contact(RADIUS) / RADIUS;
         let place = |contact: Complex<f64>| {
-            // Where the eye goes with the wheel, what is far off may lie behind it.
-            let near = (contact - here).norm_sqr() < (2.0 * MOST_REACH).powi(2);
-            let seen = camera.on_page([contact.re, contact.im, 0.0]).ok().filter(|_| near);
+            // Where the eye goes with the wheel, the table does: what lay beyond its edge is not seen.
+            let aside = contact - middle;
+            let is_on_table = aside.re.abs().max(aside.im.abs()) <= half;
+            let seen = camera.on_page([contact.re, contact.im, 0.0]).ok().filter(|_| is_on_table);
             seen.unwrap_or(at(f64::NAN, f64::NAN))
         };
         let (recent, reached) = (self.count_to(time - RECENT), self.count_to(time));
@@ -157,8 +167,8 @@ impl Rolled {
         let mut heavy = way(recent, reached);
         heavy.push(place(here));
         for (points, stroke) in [(coming, Stroke::Pale), (past, Stroke::Orbit), (heavy, Stroke::Curve)] {
-            for piece in clip(&points, frame) {
-                drawing.polyline(&piece, stroke, Hue::Pink);
+            for piece in points.split(|point| point.x.is_nan()) {
+                drawing.polyline(piece, stroke, Hue::Pink);
             }
         }
     }
@@ -244,7 +254,14 @@ impl Rolled {
         map.area(none, Fill::Ground, Hue::Ink);
         map.curve(border, Stroke::Border, Hue::Muted);
         let past = self.states[..self.count_to(moment.time)].iter().map(|(_, state)| state);
-        let way = past.chain([now]).map(Self::on_map);
+        let (mut way, mut before) = (Vec::new(), now.omega_2);
+        for state in past.chain([now]) {
+            if before * state.omega_2 < 0.0 {
+                way.push((f64::NAN, f64::NAN)); // straight on for an instant: out on one side, back on the other
+            }
+            before = state.omega_2;
+            way.push(Self::on_map(state));
+        }
         map.curve(way, Stroke::Orbit, Hue::Blue);
         map.label((2.4, 44.0), Side::Over, "stays small", Hue::Ink)?;
         let inside = map.at((2.2, 4.5));
@@ -311,9 +328,11 @@ impl Motion for Rolled {
         } else {
             f64::NAN
         };
-        let energy = self.wheel.energy(&now) / self.wheel.energy(&self.first()) - 1.0;
-        let [before, after] = [self.first(), now].map(|state| self.wheel.constants(&state));
+        let first = self.first(time)?;
+        let energy = self.wheel.energy(&now) / self.wheel.energy(&first) - 1.0;
+        let [before, after] = [first, now].map(|state| self.wheel.constants(&state));
         let change = (after.even - before.even).hypot(after.odd - before.odd) / before.even.hypot(before.odd);
+        let change = if self.loss == 0.0 { change } else { f64::NAN }; // nothing keeps them then
         Ok(vec![now.lean().to_degrees(), now.heading / TAU, wobbles, friction, energy, change])
     }
 
@@ -337,7 +356,9 @@ impl Motion for Rolled {
         let round = TAU / steady.turn_rate();
         let on = format!("On this circle the {what} goes round in {round:.2} s.");
         let square = steady.wobble_square();
-        let fate = if square > 0.0 {
+        let fate = if self.loss > 0.0 {
+            format!("With no loss it would be {}stable there.", if square > 0.0 { "" } else { "un" })
+        } else if square > 0.0 {
             format!("It is stable: small wobbles take {:.2} s each and stay small.", TAU / square.sqrt())
         } else {
             let rate = (-square).sqrt();
@@ -346,8 +367,7 @@ impl Motion for Rolled {
                 1.0 / rate
             )
         };
-        let below = self.which == WEIGHTS && self.far * self.lean.tan() > 1.0;
-        let hole = if below { " (The lower weight is in a slot in the table.)" } else { "" };
+        let hole = self.slot();
         let kicked = match &self.wobble {
             _ if self.loss > 0.0 => self.spiral(),
             Some(wobble) => {
@@ -388,9 +408,22 @@ impl Motion for Rolled {
 }
 
 impl Rolled {
-    /// The state at the start, just after a kick that was given then.
-    fn first(&self) -> Rolling {
-        self.states[0].1
+    /// The state from which it has rolled undisturbed until a time: that just after the kick or, before it, the first.
+    fn first(&self, time: f64) -> Result<Rolling, Cause> {
+        match self.kicked.filter(|kicked| *kicked <= time) {
+            Some(kicked) => self.at(kicked),
+            None => Ok(self.states[0].1),
+        }
+    }
+
+    /// What is said of a lower weight that would hang below the table.
+    fn slot(&self) -> String {
+        let hangs_below = |state: &Rolling| self.far * state.tilt.cos().abs() > state.tilt.sin();
+        if self.which != WEIGHTS || !self.states.iter().any(|(_, state)| hangs_below(state)) {
+            return String::new();
+        }
+        let limit = degrees((1.0 / self.far).atan());
+        format!(" (Wherever it leans by more than {limit}, its lower weight is in a slot in the table.)")
     }
 
     /// Whether the kick is not a small one of a stable motion: the lean swings by more than a radian, or far wider

@@ -5,7 +5,7 @@ use crate::{
     value_at,
 };
 use drawing::kit;
-use drawing::space::{Curve, Solid, Stage, View};
+use drawing::space::{Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Room, Side, Stroke, at};
 use mechanics::InvalidQuantity;
 use mechanics::rolling::{DiskParameters, MomentFactors};
@@ -72,8 +72,9 @@ const LIFE: (f64, f64) = (100.0, 0.1);
 const ROUND: f64 = 6.0;
 const ROUNDS: f64 = 4.0;
 const DECADE: f64 = 6.0;
-/// Thickness of the coin, in radii.
+/// Thickness of the coin and, if it is a hoop, its inner radius, in radii.
 const THICK: f64 = 0.06;
+const INNER: f64 = 0.87;
 
 /// A coin, and how it goes down.
 struct Spinning {
@@ -224,10 +225,14 @@ impl Spinning {
         let mut stage = Stage::new(camera);
         stage.ground([-1.25, -1.25], [1.25, 1.25], 0.0, 0.25)?;
         stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos.max(1e-3))?, Stroke::Pale, Hue::Pink)?;
-        stage.solid(Solid::disc(centre, normal, 1.0, THICK)?, Hue::Blue)?;
-        if normal.dot(&(eye - centre)) > 0.5 * THICK {
-            draw_head(&mut stage, centre, attitude)?;
-        }
+        let is_hoop = self.parameters.moments == MomentFactors::HOOP;
+        let solid = if is_hoop {
+            Solid::ring(centre, normal, 1.0, INNER, THICK)?
+        } else {
+            Solid::disc(centre, normal, 1.0, THICK)?
+        };
+        stage.solid(solid, Hue::Blue)?;
+        draw_head(&mut stage, centre, attitude, normal.dot(&(eye - centre)), is_hoop)?;
         // What has touched since the round began, where it lies on the table and where it is on the rim now.
         let (begun, reached) = match self.down {
             None => (now.rounds.floor(), now.rounds),
@@ -365,10 +370,33 @@ impl Spinning {
     }
 }
 
-/// Draws the head on the upper face.
-fn draw_head(stage: &mut Stage, centre: Vector3<f64>, attitude: UnitQuaternion<f64>) -> Result<(), Cause> {
-    let place = |(u, v): (f64, f64)| centre + attitude * Vector3::new(u, v, 0.5 * THICK);
-    stage.patch(kit::portrait().into_iter().map(place), Fill::Side, Hue::Blue)?;
+/// Draws the head on the face of a coin that is seen from a height above its middle: on the upper one, and through the
+/// other its outline. A hoop has a patch where the top of the head would be.
+fn draw_head(
+    stage: &mut Stage,
+    centre: Vector3<f64>,
+    attitude: UnitQuaternion<f64>,
+    height: f64,
+    is_hoop: bool,
+) -> Result<(), Cause> {
+    let half = 0.5 * THICK;
+    let place = |(u, v): (f64, f64)| centre + attitude * Vector3::new(u, v, half.copysign(height));
+    if height.abs() <= half {
+        return Ok(()); // only the rim is seen
+    }
+    if is_hoop {
+        let arc = |radius: f64| (-4..=4).map(move |n| Point::polar(radius, FRAC_PI_2 + 0.04 * f64::from(n)));
+        let patch = arc(1.0).chain(arc(INNER).collect::<Vec<_>>().into_iter().rev());
+        stage.patch(patch.map(|point| place((point.x, -point.y))), Fill::Solid, Hue::Blue)?;
+        return Ok(());
+    }
+    let outline = kit::portrait();
+    let closed = outline.iter().chain(&outline[..1]).map(|&point| place(point));
+    if height > 0.0 {
+        stage.patch(closed.clone(), Fill::Side, Hue::Blue)?;
+    }
+    let stroke = if height > 0.0 { Stroke::Outline } else { Stroke::Pale };
+    stage.curve(Curve::smooth(closed)?.hiding(Hiding::Ignored), stroke, Hue::Blue)?;
     Ok(())
 }
 
@@ -412,10 +440,11 @@ impl Motion for Spinning {
                 let cos = tilt.cos();
                 let slow = self.start.turn_rate() / self.start.figure_rate();
                 if slow > 1e6 {
+                    let (unit, name) = if slow < 1e9 { (1e6, "million") } else { (1e9, "billion") };
                     return format!(
                         "All but the whole rim rolls off on the table, and the head all but stands: the \
-                         contact goes round {} million times while the head turns once.",
-                        few(1e-6 * slow)
+                         contact goes round {} {name} times while the head turns once.",
+                        few(slow / unit)
                     );
                 }
                 format!(
@@ -495,7 +524,7 @@ fn angle(angle: f64) -> String {
 /// A small angle, rad, as it is written.
 fn small(angle: f64) -> String {
     if angle < 1e-3 {
-        format!("{} millionths of a radian", few(1e6 * angle))
+        format!("{} µrad", few(1e6 * angle))
     } else {
         format!("{} rad", few(angle))
     }

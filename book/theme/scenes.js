@@ -4,8 +4,8 @@
 //   1 the module   2 the picture   3 the controls   4 a scene   5 the beginning, and links
 //
 // The page holds a still of each scene, which stays if anything here fails. A scene wakes when it is nearly on screen
-// and sleeps off it: no frame is asked for then. Nothing is remembered but the values of the controls, the time and the
-// view; the module has the whole motion for given settings, so any moment can be drawn at once.
+// and sleeps off it: no frame is asked for then. Nothing is remembered here but the values of the controls, the time
+// and the view; the module has the whole motion for given settings, so any moment can be drawn at once.
 (() => {
 "use strict";
 
@@ -79,6 +79,10 @@ class Picture {
     this.svg = svg;
     this.still = [...svg.childNodes];
     this.words = this.still.filter((node) => ["title", "desc"].includes(node.localName));
+    const description = svg.querySelector("desc");
+    const ofStill = description?.textContent;
+    /** Says what is seen; without words, what the still shows. */
+    this.describe = (words = ofStill) => description && (description.textContent = words);
   }
   draw(text) {
     if (!this.#isLive) this.svg.replaceChildren(...this.words, ...this.#nodes.map(({ node }) => node));
@@ -137,14 +141,14 @@ function control(name, elements) {
   const [get, set] = {
     range: [
       () => (isLog ? Number((10 ** first.valueAsNumber).toPrecision(3)) : first.valueAsNumber),
-      (value) => (first.value = isLog ? Math.log10(value) : value),
+      (value) => (first.value = isLog ? within(Math.log10(Math.max(value, 0)), +first.min, +first.max) : value),
     ],
     radio: [
       () => elements.findIndex((radio) => radio.checked),
       (place) => elements[place] && (elements[place].checked = true),
     ],
     checkbox: [() => Number(first.checked), (isOn) => (first.checked = isOn !== 0)],
-    button: [() => pressed, (time) => (pressed = time)],
+    button: [() => pressed, (time) => (pressed = Math.max(time, -1))],
   }[type];
   const show = () => {
     if (type !== "range") return;
@@ -157,6 +161,15 @@ function control(name, elements) {
   for (const radio of elements) if ("defaultChecked" in radio) radio.checked = radio.defaultChecked;
   if (type === "range") first.value = defaultValue;
   show();
+  // There an arrow key changes the second digit, so round values are met.
+  if (isLog) first.addEventListener("keydown", (event) => {
+    const way = /^Arrow(Right|Up)$/.test(event.key) - /^Arrow(Left|Down)$/.test(event.key);
+    if (way === 0) return;
+    event.preventDefault();
+    const digit = 10 ** (Math.floor(Math.log10(get() * (way > 0 ? 1 : 0.999))) - 1);
+    set((Math.round(get() / digit) + way) * digit);
+    first.dispatchEvent(new Event("input"));
+  });
   const own = { name, elements, show, isButton: type === "button", start: get() };
   return Object.defineProperty(own, "value", { get, set: (value) => [set(value), show()] });
 }
@@ -171,6 +184,12 @@ function controlsIn(figure, selector) {
   return [...groups].map(([name, elements]) => control(name, elements));
 }
 
+/** The value that settings give to a control; its start, if they name none that is a number. */
+function named(settings, { name, start }) {
+  const value = settings.get(name) ? Number(settings.get(name)) : NaN;
+  return Number.isFinite(value) ? value : start;
+}
+
 // 4 — A scene
 
 class Scene {
@@ -178,6 +197,7 @@ class Scene {
   #before = null; // when the frame before was drawn, if it plays
   #isChanged = true; // since the module computed the motion
   #isAtStill = true; // at the moment of the still: it plays from the beginning
+  #usual = null; // how long the motion runs with the settings of the start
   #isOnScreen = false;
   #shown = []; // readings
   #read = 0; // when they were
@@ -191,8 +211,10 @@ class Scene {
     this.controls = controlsIn(figure, ".controls");
     this.view = controlsIn(figure, ".view");
     this.angles = this.view.map(({ start }) => start);
-    [this.drawing, this.play, this.time, this.clock, this.says] =
-      [".drawing", ".play", ".time", ".clock", ".says"].map(find);
+    [this.drawing, this.play, this.step, this.time, this.clock, this.says, this.copied] =
+      [".drawing", ".play", ".step", ".time", ".clock", ".says", ".copied"].map(find);
+    this.presets = [...figure.querySelectorAll(".presets button")]
+      .map((button) => ({ button, settings: new URLSearchParams(button.dataset.set) }));
     this.readings = [...figure.querySelectorAll(".readings dd")];
     // A formula in a label is a part of its name, which no browser hears by itself.
     for (const math of figure.querySelectorAll(".panel math")) math.ariaLabel = math.textContent;
@@ -200,6 +222,11 @@ class Scene {
     for (const output of figure.querySelectorAll("output")) output.ariaLive = "off";
     this.still = Number(this.time.defaultValue);
     [this.now, this.duration, this.pace] = [this.still, Infinity, 1];
+    this.#lock(true);
+    this.says.textContent = "The program that moves this picture is loading.";
+  }
+  #lock(isLocked) {
+    for (const part of this.figure.querySelectorAll(".panel > :not(.says)")) part.inert = isLocked;
   }
 
   /** Loads the library, draws the first moment and begins to listen. */
@@ -212,6 +239,7 @@ class Scene {
     }
     if (this.hasFailed) return;
     this.figure.classList.add("awake");
+    this.#lock(false);
     this.#listen();
     this.follow();
   }
@@ -231,11 +259,13 @@ class Scene {
   /** Computes the motion for the present settings. */
   #begin() {
     const { run } = this.machine;
+    for (const { button, settings } of this.presets) button.ariaPressed = this.#isSet(settings);
     const values = this.controls.map(({ value }) => value);
     this.machine.numbers(values.length).set(values);
     this.machine.text(run.start(Number(this.figure.dataset.scene), values.length));
     this.#isChanged = false;
     [this.duration, this.pace, this.repeats] = [run.duration(), run.pace(), run.repeats() !== 0];
+    this.#usual ??= this.duration;
     this.time.max = this.duration;
     this.digits = Math.ceil(0.7 - Math.log10(this.pace)); // of the clock: one can see them change
   }
@@ -255,7 +285,8 @@ class Scene {
       if (this.#shown[index] !== values[index]) place.innerHTML = values[index];
     });
     this.#shown = values;
-    if (!this.isPlaying) this.time.setAttribute("aria-valuetext", this.clock.textContent);
+    // Under a reader's hand the time does not speak by itself.
+    if (!this.isPlaying || document.activeElement !== this.time) this.time.ariaValueText = this.clock.textContent;
   }
 
   /** Asks for one frame. */
@@ -270,11 +301,14 @@ class Scene {
       this.drag?.();
       const hasChanged = this.#isChanged;
       if (hasChanged) this.#begin();
+      const isCalm = hasChanged && this.#isAtStill && !this.isPlaying;
+      if (isCalm) this.now = this.duration === this.#usual ? this.still : this.duration / 2;
       if (this.isPlaying) this.#advance(moment);
       this.now = within(this.now, 0, this.duration);
       this.#draw(moment);
       const isStale = hasChanged || !this.isPlaying || this.says.classList.contains("trouble");
       if (isStale) this.#say(this.machine.text(this.machine.run.words(this.now)), false);
+      this.#name();
     } catch (error) {
       if (error instanceof Trouble) this.#say(error.message, true); // and the last picture stays
       else this.fail(error);
@@ -288,11 +322,26 @@ class Scene {
     if (this.repeats) this.now %= this.duration;
     else this.#setPlaying(false);
   }
+  #isSet(settings) {
+    return this.controls.every((control) => Math.abs(control.value - named(settings, control)) < 1e-6);
+  }
   /** What is read aloud to those who cannot see: nothing while it stays the same. */
   #say(words, isTrouble) {
     if (this.says.textContent !== words) this.says.textContent = words;
+    const isOther = !isTrouble && !this.#isSet(new Map());
+    for (const picture of this.pictures) picture.describe(isOther ? words : undefined);
     this.says.classList.toggle("trouble", isTrouble);
     this.figure.classList.toggle("pale", isTrouble && !this.hasFailed);
+    for (const part of [this.play, this.step, this.time]) part.disabled = isTrouble; // there is no motion
+    this.#name();
+  }
+  /** Says what the button would do. */
+  #name() {
+    const isMoving = this.isPlaying && !this.play.disabled;
+    this.play.textContent = isMoving ? "Pause" : this.#isAtEnd() ? "Again" : "Play";
+  }
+  #isAtEnd() {
+    return this.now >= this.duration * (1 - 1e-9); // a slider rounds
   }
 
   /** Settings have changed; they take effect in the next frame, however often they change until then. */
@@ -302,14 +351,14 @@ class Scene {
   }
   /** Plays on; from the beginning if it stands at its end, or still at the moment of the still. */
   start() {
-    if (this.#isAtStill || this.now >= this.duration) this.now = 0;
+    if (this.#isAtStill || this.#isAtEnd()) this.now = 0;
     this.#setPlaying(true);
   }
   #setPlaying(isPlaying) {
     this.#isAtStill = false;
     this.isPlaying = isPlaying;
     this.#before = null;
-    this.play.textContent = isPlaying ? "Pause" : "Play";
+    this.#name();
     this.ask();
   }
   /** Goes to a moment, and stays there. */
@@ -323,19 +372,14 @@ class Scene {
     this.#setPlaying(true);
     this.change();
   }
-  /** Sets controls and the view by name, other controls (if `isAll`) to their starts; begins anew without a time. */
-  set(settings, isAll) {
-    const number = (name) => (settings.get(name) ? Number(settings.get(name)) : NaN);
-    for (const control of this.controls) {
-      if (Number.isFinite(number(control.name))) control.value = number(control.name);
-      else if (isAll) control.value = control.start;
-    }
-    this.look((angle, { name }) => (Number.isFinite(number(name)) ? number(name) : angle));
+  /** Sets controls by name, the others to their starts; begins anew without a time. */
+  set(settings) {
+    for (const control of this.controls) control.value = named(settings, control);
     this.change();
     this.#isAtStill = true;
-    if (Number.isFinite(number("t"))) this.seek(number("t"));
+    const time = named(settings, { name: "t" });
+    if (time !== undefined) this.seek(time);
     else if (!calm.matches || this.isPlaying) this.start();
-    else this.now = this.still;
   }
   /** Changes the angles of the view, in degrees. */
   look(to) {
@@ -354,7 +398,22 @@ class Scene {
   /** Does what the page's address says, if it is of this scene. */
   follow() {
     const target = addressed(location.hash);
-    if (target?.figure === this.figure && this.machine && !this.hasFailed) this.set(target.settings, false);
+    if (target?.figure !== this.figure || !this.machine || this.hasFailed) return;
+    const { settings } = target;
+    this.look((_, control) => named(settings, control));
+    this.set(settings);
+  }
+
+  /** Puts a link into the page's address and, if it can, on the clipboard. */
+  #copy(event) {
+    if (event.ctrlKey || event.metaKey || event.shiftKey) return; // it is opened elsewhere
+    event.preventDefault();
+    const link = event.currentTarget;
+    history.replaceState({ isVisited: true }, "", link.href);
+    const say = (words) => (this.copied.textContent = words);
+    const copying = navigator.clipboard?.writeText(link.href) ?? Promise.reject();
+    copying.then(() => say("copied"), () => say("it is the page's address now"));
+    setTimeout(say, 4000, "");
   }
 
   /** Does something at events of elements. What goes wrong then is the end of the scene, and not of the page. */
@@ -378,24 +437,27 @@ class Scene {
     on(".view input", "input", () => this.look((_, { value }) => value));
     on(".reset", "click", () => {
       this.look((_, { start }) => start);
-      this.set(new Map(), true);
+      this.set(new Map());
     });
-    on(".presets button", "click", ({ currentTarget: { dataset } }) => this.set(new URLSearchParams(dataset.set), true));
-    // Before the link is followed, or copied.
+    for (const { button, settings } of this.presets) this.on([button], "click", () => this.set(settings));
+    // Before the link is opened elsewhere, or copied by the browser.
     on(".share a", "pointerdown focus keydown", ({ currentTarget }) => (currentTarget.href = this.address()));
+    on(".share a", "click", (event) => this.#copy(event));
     for (const control of this.controls) {
       if (control.isButton) this.on(control.elements, "click", () => this.press(control));
       else this.on(control.elements, "input", () => this.change(control.show()));
     }
     // The arrow keys belong to the slider that has them, and not to the book, whose pages they would turn.
     on("input", "keydown", (event) => /^(Arrow|Home|End|Page)/.test(event.key) && event.stopPropagation());
+    this.on([this.figure], "keydown", ({ key }) => key === "Escape" && this.isPlaying && this.#setPlaying(false));
     for (const { svg } of this.pictures) this.#give(svg);
     new ResizeObserver(() => {
       this.picture = null; // the page may have come to be narrow
       this.ask();
     }).observe(this.drawing);
     let isNew = true;
-    new IntersectionObserver(([{ isIntersecting, intersectionRatio, intersectionRect }]) => {
+    new IntersectionObserver((entries) => {
+      const { isIntersecting, intersectionRatio, intersectionRect } = entries.at(-1); // the newest of a batch
       this.#isOnScreen = isIntersecting;
       this.#before = null;
       if (isNew && (intersectionRatio >= 0.5 || intersectionRect.height >= innerHeight / 2)) {
@@ -475,23 +537,28 @@ function whenNear(element, act) {
 const scenes = [...document.querySelectorAll("figure.scene[data-module]")].map((figure) => new Scene(figure));
 for (const scene of scenes) whenNear(scene.figure, () => scene.wake());
 
-/** Goes to the scene that the page's address names: the eye, and with it the place from which the Tab key goes on. */
-function visit() {
+/** Goes to the scene that the page's address names: the eye, and with it the place from which the Tab key goes on.
+ *  Coming back to an address is left to the browser. */
+function visit(isAgain = false) {
   const target = addressed(location.hash);
   if (!target) return;
-  target.figure.tabIndex = -1;
-  target.figure.focus({ preventScroll: true });
-  target.figure.scrollIntoView();
+  if (isAgain || !history.state?.isVisited) {
+    history.replaceState({ isVisited: true }, "");
+    target.figure.tabIndex = -1;
+    target.figure.focus({ preventScroll: true });
+    const { top, bottom } = target.figure.querySelector(".drawing").getBoundingClientRect();
+    if (top < -1 || bottom > innerHeight + 1) target.figure.scrollIntoView(); // else the link stays in sight too
+  }
   for (const scene of scenes) scene.follow();
 }
 // Without a script a link of the text leads to the still; with it, to its setting.
 for (const link of document.querySelectorAll("a[data-set]")) link.hash += `?${link.dataset.set}`;
 visit();
 window.spinning = { Machine, whenNear }; // for snippets whose numbers can be changed
-addEventListener("hashchange", visit);
+addEventListener("hashchange", () => visit());
 // A link that is followed again changes no address.
-document.addEventListener("click", ({ target }) => {
+document.addEventListener("click", ({ target, defaultPrevented }) => {
   const link = target.closest?.("a[href]");
-  if (link && link.href === location.href) visit();
+  if (link && !defaultPrevented && addressed(link.hash) && link.href === location.href) visit(true);
 });
 })();

@@ -205,7 +205,7 @@ impl Throw {
         })?;
         let mut stage = Stage::new(camera);
         if !self.on_board {
-            stage.ground([-1.5, -1.2], [1.5, 0.9], -1.1, 0.3)?;
+            stage.ground([-1.2, -0.9], [1.2, 0.9], -1.1, 0.3)?;
         }
         self.draw_body(&mut stage, &now)?;
         let arrows = self.arrows(&now);
@@ -353,16 +353,17 @@ impl Motion for Throw {
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
         let now = self.top.at(time)?;
-        let [_, spin] = self.rates();
+        let [across, spin] = self.rates();
         // From the attitude and ω of this moment, against the start.
         let (start, momentum) =
             (self.top.angular_momentum_world(), now.angular_momentum_world(&self.top.moments()));
         let energy = 0.5 * now.omega_world().dot(&momentum);
         let drift = |now: f64, start: f64| if start > 0.0 { now / start } else { 0.0 };
+        let wobbles = if across > 0.0 { self.top.precession_rate() * time / TAU } else { f64::NAN };
         Ok(vec![
-            self.top.precession_rate() * time / TAU,
+            wobbles,
             spin * time / TAU,
-            if spin > 0.0 { self.wobbles_a_turn() } else { f64::NAN },
+            if spin > 0.0 && across > 0.0 { self.wobbles_a_turn() } else { f64::NAN },
             self.top.momentum_angle().to_degrees(),
             self.top.omega_angle().to_degrees(),
             drift((momentum - start).norm(), start.norm()),

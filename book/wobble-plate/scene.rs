@@ -110,8 +110,8 @@ impl Layout {
             azimuth: 0.0,
             elevation: 0.0,
             distance: 12.0,
-            centre: room.of(at(172.0, 222.0), at(190.0, 182.0)),
-            scale: room.of(86.0, 70.0) / (1.0 + 0.36 * drop),
+            centre: room.of(at(172.0, 217.0), at(190.0, 182.0)),
+            scale: room.of(81.0, 70.0) / (1.0 + 0.36 * drop),
         };
         Self {
             view,
@@ -229,7 +229,7 @@ impl Shaking {
         let (frame, ground, top) = (FRAME - drop, FLOOR - drop, TOP.max(drop + 0.4));
         let over_frame = (eye - place(0.0, 0.0, frame + 0.07)).dot(&axis) > 0.0;
         let mut floor = Stage::new(camera);
-        floor.ground([-1.25, -1.25], [1.25, 1.25], ground, 0.5)?;
+        floor.ground([-1.0, -1.0], [1.0, 1.0], ground, 0.5)?;
         floor.write(drawing);
         for quarter in 0..4 {
             let (sin, cos) = (TAU * (f64::from(quarter) + 0.35) / 4.0).sin_cos();
@@ -238,6 +238,26 @@ impl Shaking {
             let head = camera.on_page(place(x, y, frame - 0.07))?;
             kit::spring(drawing, foot, head, 5, 15.0, 2.0, Hue::Ink);
         }
+        // Above the plate: what the end of the shaft draws in the room, the spin, and where the angular momentum points.
+        let mut above = Stage::new(camera);
+        let path = (0..=STEPS).map(|step| {
+            let (lean, hop) = self.stands(&self.engine, TAU * f64::from(step % STEPS) / f64::from(STEPS));
+            lean * (Vector3::z() * top) + hop
+        });
+        let path: Vec<Vector3<f64>> = path.collect();
+        if path.iter().any(|point| (point - path[0]).norm() > 0.01) {
+            let path = path.into_iter().map(|point| seen * point);
+            above.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Ink)?;
+        }
+        let about = place(0.0, 0.0, top - 0.35);
+        above.turning(about, axis, 0.2, Hue::Orange)?;
+        above.label_shifted(about, at(18.0, -2.0), Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+        let momentum = seen * self.engine.angular_momentum(phase, 1.0).normalize();
+        // It comes out of the upper face, or of the side of a thick plate.
+        let rises = momentum.dot(&normal);
+        let out = (half / rises).min(1.0 / (1.0 - rises * rises).max(1e-12).sqrt());
+        above.vector(place(0.0, 0.0, 0.0) + momentum * out, momentum * (top + 0.6), Hue::Green)?;
+        above.label(momentum * (top + 0.6), Side::Above, r"$\boldsymbol{L}$", Hue::Green)?;
         let along = |from: f64, to: f64| [place(0.0, 0.0, from), place(0.0, 0.0, to)];
         let plate = [-half, half].map(|along| normal * along).map(|step| place(0.0, 0.0, 0.0) + step);
         let mut painter = Painter { camera, eye, scale: view.scale, drawing: &mut *drawing };
@@ -255,10 +275,12 @@ impl Shaking {
         }
         if height < half {
             painter.cylinder(along(drop, top), SHAFT, Hue::Muted)?;
+            above.write(painter.drawing);
         }
         painter.cylinder(plate, 1.0, Hue::Blue)?;
         if height >= half {
             painter.cylinder(along(drop, top), SHAFT, Hue::Muted)?;
+            above.write(painter.drawing);
         }
         if height <= -half {
             if has_face {
@@ -270,24 +292,6 @@ impl Shaking {
             painter.cylinder(along(frame - 0.07, frame + 0.07), 0.95, Hue::Muted)?;
         }
 
-        // What the end of the shaft draws in the room, the spin, and where the angular momentum points.
-        let mut stage = Stage::new(camera);
-        let path = (0..=STEPS).map(|step| {
-            let (lean, hop) = self.stands(&self.engine, TAU * f64::from(step % STEPS) / f64::from(STEPS));
-            lean * (Vector3::z() * top) + hop
-        });
-        let path: Vec<Vector3<f64>> = path.collect();
-        if path.iter().any(|point| (point - path[0]).norm() > 0.01) {
-            let path = path.into_iter().map(|point| seen * point);
-            stage.curve(Curve::smooth(path)?, Stroke::Curve, Hue::Ink)?;
-        }
-        let about = place(0.0, 0.0, top - 0.35);
-        stage.turning(about, axis, 0.2, Hue::Orange)?;
-        stage.label_shifted(about, at(18.0, -2.0), Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        let momentum = seen * self.engine.angular_momentum(phase, 1.0).normalize() * (top + 0.6);
-        stage.vector(place(0.0, 0.0, 0.0), momentum, Hue::Green)?;
-        stage.label(momentum, Side::Above, r"$\boldsymbol{L}$", Hue::Green)?;
-        stage.write(drawing);
         let grip = camera.on_page(self.high_end(self.engine.plate().tilt(), phase)?)?;
         kit::marker(drawing, grip, kit::Marker::Ring, Hue::Blue);
         Ok(())

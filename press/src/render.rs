@@ -359,15 +359,14 @@ impl Printer<'_, '_> {
             }
             self.words_of(&scenes::words(words, offset), "scene")
         };
-        let question = html(&scene.question);
+        let (id, question) = (label.id(), html(&scene.question));
         let panel = if drawn.is_still { String::new() } else { scenes::panel(scene, html) };
         let file = module::file(&scene.chapter);
         let module = if drawn.is_still { String::new() } else { format!(" data-module=\"{file}\"") };
         Some(format!(
-            "<figure class=\"scene\" id=\"{}\" data-scene=\"{place}\"{module}>\n<p class=\"question\">{question}</p>\n\
+            "<figure class=\"scene\" id=\"{id}\" data-scene=\"{place}\"{module} aria-labelledby=\"{id}-caption\">\n<p class=\"question\">{question}</p>\n\
              <div class=\"drawing\">{}</div>\n{panel}\
-             <figcaption><span class=\"number\">Scene {number}.</span> {caption}</figcaption>\n</figure>",
-            label.id(),
+             <figcaption id=\"{id}-caption\"><span class=\"number\">Scene {number}.</span> {caption}</figcaption>\n</figure>",
             scene.svg.trim(),
         ))
     }
@@ -841,7 +840,7 @@ mod tests {
         let range = "<input type=\"range\" id=\"scene-plate-";
         let moving = print(&drawn);
         for part in [
-            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live-a.md.js\">\n<p class=\"question\">Why ",
+            "<figure class=\"scene\" id=\"scene-plate\" data-scene=\"0\" data-module=\"live-a.md.js\" aria-labelledby=\"scene-plate-caption\">\n<p class=\"question\">Why ",
             "<div class=\"drawing\"><svg></svg></div>\n<div class=\"panel\">\n",
             &format!(
                 "<label for=\"scene-plate-spin\">spin, {x}</label>{range}spin\" name=\"spin\" min=\"-1\" max=\"4\" \
@@ -857,7 +856,7 @@ mod tests {
             "name=\"azimuth\" min=\"-180\" max=\"180\" step=\"any\" value=\"-30\"",
             "<div><dt>wobbles</dt><dd></dd></div>",
             "<button type=\"button\" data-set=\"spin=1&amp;drag=0.1\">a ball</button>",
-            "<figcaption><span class=\"number\">Scene 1.1.</span> A <em>plate</em>.</figcaption>\n</figure>",
+            "<figcaption id=\"scene-plate-caption\"><span class=\"number\">Scene 1.1.</span> A <em>plate</em>.</figcaption>\n</figure>",
             &format!("<a href=\"#scene-plate\" data-set=\"spin=3&amp;kick=0\">Set {}</a>.", maths("$x$")),
         ] {
             assert!(moving.contains(part), "{part} in {moving}");

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// What stands in links beside the settings, and ids that the panel or the still has: no control may have such a name.
-const TAKEN: [&str; 7] = ["t", "time", "title", "desc", "narrow", "azimuth", "elevation"];
+const TAKEN: [&str; 8] = ["t", "time", "title", "desc", "narrow", "azimuth", "elevation", "caption"];
 
 /// Adds what is wrong with the scenes themselves.
 pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
@@ -148,7 +148,9 @@ pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> Stri
         }
         out.push_str("</p>\n");
     }
-    out + &format!("<p class=\"share\"><a href=\"#{id}\">Link to this setting</a></p>\n</div>\n")
+    out + &format!(
+        "<p class=\"share\"><a href=\"#{id}\">Copy the link to this setting</a> <span class=\"copied\" role=\"status\"></span></p>\n</div>\n"
+    )
 }
 
 /// A control with its words.

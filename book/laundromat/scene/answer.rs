@@ -32,8 +32,12 @@ pub(super) fn answer(course: &Course, quietest: Option<(f64, f64)>) -> String {
              the centre of mass at {centre:.1} mm. The floor feels {force:.0} N, where rigid bearings would give it \
              {rigid:.0} N"
         );
-        if let Some((spin, force)) = quietest {
-            words += &format!("; at {spin:.0} rad/s it would be quietest, with {force:.0} N");
+        if let Some((quiet, least)) = quietest {
+            words += &if format!("{least:.0}") == format!("{force:.0}") {
+                "; beyond the resonance no spin is quieter".into()
+            } else {
+                format!("; beyond the resonance {quiet:.0} rad/s would be quietest, with {least:.0} N")
+            };
         }
         words += ". ";
         words += &fate_of_a_kick(course);

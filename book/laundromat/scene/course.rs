@@ -222,6 +222,9 @@ impl Course {
             Drive::WeakMotor(_) if is_radial || on_board > 0.0 => {
                 return Err("With a weak motor the scene knows dampers on the floor alone, which feel the whole velocity.".into());
             }
+            Drive::WeakMotor(_) if spin == 0.0 => {
+                return Err("The spin is that at which the weak motor idles: at 0 rad/s it turns nothing.".into());
+            }
             Drive::WeakMotor(stall_torque) => {
                 let motor = Motor { stall_torque, idle_spin: spin, drum_inertia: DRUM_INERTIA };
                 (0.0, WEAK_LASTS, Some(still.driven(motor)?))

@@ -63,6 +63,8 @@ pub(super) struct Rolled {
     pub(super) circle: f64,
     pub(super) push: f64,
     pub(super) loss: f64,
+    /// When it is kicked, s, if it is: if its states are known step by step, at one of them.
+    pub(super) kicked: Option<f64>,
     pub(super) steady: Option<SteadyRolling>,
     /// What the kick makes of the steady motion, if the lean swings.
     pub(super) wobble: Option<Wobble>,
@@ -100,6 +102,8 @@ impl Rolled {
             (Some(_), false, _) if loss == 0.0 && push == 0.0 => Course::Steady,
             _ => Course::Followed(followed(&wheel, start, loss, kicked.map(|time| (time, push)))),
         };
+        let is_followed = matches!(course, Course::Followed(_));
+        let kicked = kicked.map(|time| if is_followed { (time / STEP).round() * STEP } else { time });
         let mut rolled = Self {
             tongue: tongue(&wheel),
             wheel,
@@ -109,6 +113,7 @@ impl Rolled {
             circle,
             push,
             loss,
+            kicked,
             steady,
             wobble,
             course,
@@ -192,7 +197,7 @@ impl Rolled {
             (Course::Wobbling { kicked }, Some(wobble)) if time >= *kicked => Ok(wobble.at(time - kicked)?),
             (Course::Followed(states), _) => {
                 let last = states.len() - 1;
-                let before = ((time / STEP) as usize).min(last);
+                let before = ((time / STEP + 1e-9) as usize).min(last); // that of a step, whatever is rounded
                 let since = time - before as f64 * STEP;
                 if before == last || since <= 0.0 {
                     return Ok(states[before]);

@@ -2,7 +2,7 @@
 
 use super::struck::Struck;
 use crate::Cause;
-use drawing::{Drawing, Hue, Point, Role, Side, Stroke, at};
+use drawing::{Drawing, Hue, Point, Role, Side, Stroke, at, kit};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use std::sync::LazyLock;
@@ -75,6 +75,13 @@ pub(super) fn draw_sky(
     }
     if inside(pole) {
         drawing.dot(pole, 4.0, Hue::Orange);
+    } else {
+        // Out of the field of view: there it would be.
+        let way = (pole - sky).unit();
+        let rim = sky + way * radius;
+        kit::arrow(drawing, rim - way * 15.0, rim, Hue::Orange);
+        let beside = rim - way * 15.0 + way.quarter_turned() * 13.0;
+        drawing.label_set(beside, Side::Over, 0.0, 14.0, r"$\boldsymbol{\omega}$", Role::Text(Hue::Orange))?;
     }
     if reach > 16.0 {
         let outwards = (pole - sky).unit();
@@ -82,7 +89,7 @@ pub(super) fn draw_sky(
         for (place, name, hue, is_shown) in [
             (pole + outwards * beyond, r"$\boldsymbol{\omega}$", Hue::Orange, inside(pole)),
             (
-                momentum + outwards.quarter_turned() * 12.0,
+                momentum - outwards * 12.0, // towards the middle, where the rim does not cut it
                 r"$\boldsymbol{L}$",
                 Hue::Green,
                 inside(momentum) && reach > 26.0,

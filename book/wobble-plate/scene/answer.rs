@@ -73,7 +73,7 @@ pub(super) fn answer(shaking: &Shaking) -> String {
     }
     let (what, way) = if part < 1.0 { ("light", "with the plate") } else { ("heavy", "opposite to it") };
     format!(
-        "{number} pistons of {each:.2} kg each are too {what}: {most:.1} N·m go round {way} and rock the frame; without pistons it would be \
+        "{number} pistons of {each:.3} kg each are too {what}: {most:.1} N·m go round {way} and rock the frame; without pistons it would be \
          {alone:.1} N·m. They would balance with {needed:.3} kg each, at any speed."
     )
 }

@@ -222,6 +222,40 @@ impl Drawing {
         }
     }
 
+    /// Moves each label that stands on an earlier one up or down, by the shorter way that leads off all of them and stays
+    /// on the page. One that has no such way stays. This is for pictures that move, in which names meet.
+    ///
+    /// ```
+    /// use drawing::{Drawing, Hue, Shape, Side, at};
+    /// let mut drawing = Drawing::new("two-names", 100.0, 100.0);
+    /// drawing.label(at(50.0, 50.0), Side::Over, "one", Hue::Ink)?;
+    /// drawing.label(at(54.0, 54.0), Side::Over, "other", Hue::Ink)?;
+    /// drawing.part_labels();
+    /// let [Shape::Label(one), Shape::Label(other)] = [0, 1].map(|k| &drawing.items()[k].shape) else { panic!() };
+    /// assert!(!one.bounds.overlaps(&other.bounds) && other.bounds.top >= one.bounds.bottom);
+    /// # Ok::<(), drawing::LabelError>(())
+    /// ```
+    pub fn part_labels(&mut self) {
+        let page = self.frame();
+        let mut placed: Vec<Rect> = Vec::new();
+        for item in &mut self.items {
+            let Shape::Label(label) = &mut item.shape else { continue };
+            let own = label.bounds;
+            let mut best = 0.0_f64;
+            for other in placed.iter().filter(|other| own.overlaps(other)) {
+                for step in [other.top - own.bottom - 1.0, other.bottom - own.top + 1.0] {
+                    let moved = own.moved(at(0.0, step));
+                    let is_free = moved.union(&page) == page && !placed.iter().any(|one| moved.overlaps(one));
+                    if is_free && (best == 0.0 || step.abs() < best.abs()) {
+                        best = step;
+                    }
+                }
+            }
+            label.shift(at(0.0, best));
+            placed.push(label.bounds);
+        }
+    }
+
     /// A straight line.
     pub fn line(&mut self, from: Point, to: Point, stroke: Stroke, hue: Hue) {
         self.push(Role::Line(stroke, hue), Shape::Polyline(vec![from, to]));

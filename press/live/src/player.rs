@@ -11,8 +11,11 @@ pub struct Player {
     scene: &'static Scene,
     values: Vec<f64>,
     motion: Box<dyn Motion>,
-    /// The moment that was drawn last.
+    /// The moment that was drawn last, and its time if one was.
     seen: Moment,
+    drawn: f64,
+    /// What the reader has measured, with these settings and before.
+    found: Vec<[f64; 3]>,
 }
 
 impl Player {
@@ -42,7 +45,15 @@ impl Player {
         let motion = (scene.start)(&Settings { controls: scene.controls, values: &values })?;
         let [azimuth, elevation] = scene.view.unwrap_or_default();
         let seen = Moment { time: scene.still, azimuth, elevation, room: Room::Wide };
-        Ok(Self { scene, values, motion, seen })
+        Ok(Self { scene, values, motion, seen, drawn: f64::NAN, found: Vec::new() })
+    }
+
+    /// Takes over what the reader has measured in the same scene with other settings.
+    pub fn keep(&mut self, before: &Self) {
+        if self.scene.name == before.scene.name {
+            self.found.clone_from(&before.found);
+            self.motion.keep(&self.found);
+        }
     }
 
     /// The scene with some settings changed.
@@ -50,7 +61,9 @@ impl Player {
     /// # Errors
     /// As for [`with`](Self::with), and for names that the scene does not have.
     pub fn changed(&self, settings: &[(&str, f64)]) -> Result<Self, Cause> {
-        Self::with(self.scene, changed(self.scene, self.values.clone(), settings)?)
+        let mut player = Self::with(self.scene, changed(self.scene, self.values.clone(), settings)?)?;
+        player.keep(self);
+        Ok(player)
     }
 
     /// The scene.
@@ -73,11 +86,14 @@ impl Player {
     /// # Errors
     /// What the scene says.
     pub fn draw(&mut self, moment: Moment) -> Result<Drawing, Cause> {
-        self.seen = moment;
+        let new = self.motion.found(self.drawn, moment.time).filter(|found| !self.found.contains(found));
+        self.found.extend(new);
+        (self.seen, self.drawn) = (moment, moment.time);
         let [width, height] = moment.room.of(self.scene.size[0], self.scene.size[1]);
         let id = format!("scene-{}{}", self.scene.name, moment.room.of("", "-narrow"));
         let mut drawing = Drawing::new(&id, width, height).framed();
         with_symbols(self.scene.symbols, || self.motion.draw(&moment, &mut drawing))?;
+        drawing.part_labels();
         Ok(drawing)
     }
 

@@ -87,6 +87,14 @@ pub trait Motion {
     /// who cannot see when settings change, so it should not change with every moment.
     fn words(&self, time: f64) -> String;
 
+    /// What a reader has measured who has watched from a time to another: numbers that mean something to this scene.
+    fn found(&self, _from: f64, _to: f64) -> Option<[f64; 3]> {
+        None
+    }
+
+    /// Takes over what was measured with other settings, to be shown beside what is.
+    fn keep(&mut self, _found: &[[f64; 3]]) {}
+
     /// Where a hand can take hold of something, in the picture of a moment, px.
     fn grips(&self, _moment: &Moment) -> Vec<Point> {
         Vec::new()

@@ -193,7 +193,7 @@ fn the_words_say_how_a_kick_fares() {
 #[test]
 fn the_words_name_the_quietest_spin_and_the_extremes() {
     let words = washer(&[("spin", 30.0)]).words(0.0);
-    assert!(words.contains("at 25\u{a0}rad/s it would be quietest, with 74\u{a0}N"), "{words}");
+    assert!(words.contains("resonance 25\u{a0}rad/s would be quietest, with 74\u{a0}N"), "{words}");
     let words = washer(&[("spin", 0.0)]).words(0.0);
     assert!(words.contains("stands still"), "{words}");
     // The swing grows by πb a turn, so it is 12 b wide after 24/ω₀.
@@ -355,4 +355,31 @@ fn a_weak_motor_is_caught_or_gets_through_as_small_steps_have_it() {
         let refused = Player::new(scene).and_then(|player| player.changed(&settings));
         assert!(refused.is_err_and(|why| !why.to_string().is_empty()), "{other:?}");
     }
+}
+
+#[test]
+fn the_quietest_spin_is_not_told_that_another_is_quieter() {
+    let scene = live::scene("laundromat").expect("a scene");
+    let preset = scene.presets.iter().find(|preset| preset.words == "quietest").expect("a preset");
+    let words = washer(preset.settings).words(0.0);
+    assert!(
+        words.contains("beyond the resonance no spin is quieter") && !words.contains("would be"),
+        "{words}"
+    );
+    // Steady, the tub goes round at b Ω²/|ω₀² − Ω² + iΓΩ| and the centre of mass with it: the least force beyond ω₀.
+    let force = |spin: f64| {
+        let (own, damped) = (NATURAL * NATURAL, 0.3 * NATURAL * spin);
+        MASS * OFFSET * spin * spin * own.hypot(damped) / (own - spin * spin).hypot(damped)
+    };
+    let least = (150..=600).map(|tenth| force(0.1 * f64::from(tenth))).fold(f64::INFINITY, f64::min);
+    let words = washer(&[("spin", 50.0)]).words(0.0);
+    assert!(words.contains(&format!("would be quietest, with {least:.0}\u{a0}N")), "{words}");
+}
+
+#[test]
+fn a_motor_that_idles_at_rest_is_refused_in_the_words_of_the_scene() {
+    let scene = live::scene("laundromat").expect("a scene");
+    let start = Player::new(scene).expect("it begins");
+    let said = start.changed(&[("spin", 0.0), ("motor", 2.0)]).err().expect("no motion").to_string();
+    assert!(said.contains("turns nothing") && !said.contains("must be"), "{said}");
 }

@@ -1,6 +1,6 @@
 //! The scene of "The pinned hoop" against Euler's equations, stepped, and the laws of the snap.
 
-use drawing::at;
+use drawing::{Fill, Hue, Point, Role, Shape, at};
 use fastrand::Rng;
 use live::{Moment, Player, Room};
 
@@ -134,4 +134,34 @@ fn a_hand_moves_the_pin_round_the_rim_and_along_the_plot() {
         level.draw(moment).expect("a picture");
         assert_eq!(level.drag(0, level.grips()[0]).expect("a drag"), level.values());
     }
+}
+
+#[test]
+fn the_plot_keeps_what_the_reader_has_waited_for() {
+    let places = |player: &mut Player, time: f64| -> Vec<Point> {
+        let moment = Moment { time, azimuth: -0.9, elevation: 0.3, room: Room::Wide };
+        let drawing = player.draw(moment).expect("a picture");
+        let plot = drawing.axes()[0].frame.grown(1.0);
+        let dots = drawing.items().iter().filter(|item| item.role == Role::Area(Fill::Solid, Hue::Pink));
+        let dots = dots.filter_map(|item| match item.shape {
+            Shape::Circle { centre, .. } if plot.contains(centre) => Some(centre),
+            _ => None,
+        });
+        dots.collect()
+    };
+    let mut player = scene(&[("gap", 10.0)]);
+    let wait = first_tumble(MOMENTS[0], 10.0);
+    assert_eq!(places(&mut player, 0.0).len(), 1, "the pin, which begins to climb");
+    assert_eq!(places(&mut player, 0.9 * wait).len(), 1, "nothing is measured yet");
+    let reached = places(&mut player, 1.1 * wait)[0];
+    // At another angle the place that it has reached stays; without waiting, nothing comes to it.
+    let mut nearer = player.changed(&[("gap", 1.0)]).expect("a motion");
+    assert!(places(&mut nearer, 0.0).contains(&reached));
+    let mut player = nearer.changed(&[("gap", 0.1)]).expect("a motion");
+    assert_eq!(places(&mut player, 300.0).len(), 2);
+    let mut player = player.changed(&[("gap", 0.01)]).expect("a motion");
+    assert_eq!(places(&mut player, 0.0).len(), 2, "a leap through time measures nothing");
+    // A disc waits otherwise.
+    let mut disc = player.changed(&[("shape", 1.0)]).expect("a motion");
+    assert_eq!(places(&mut disc, 0.0).len(), 1);
 }

@@ -2,7 +2,7 @@
 
 extern crate library as mechanics;
 
-use drawing::{Point, Room, at};
+use drawing::{Hue, Point, Role, Room, Shape, at};
 use live::{Moment, Player, Scene};
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::Body;
@@ -139,5 +139,24 @@ fn grips_follow_the_hand() {
         after.draw(moment).expect("a picture");
         let distance = (after.grips()[moved] - hand).length();
         assert!(distance < 1.0, "{end:?}: {distance} px from the hand");
+    }
+}
+
+#[test]
+fn an_axis_of_rotation_beyond_the_sky_is_pointed_to() {
+    for room in [Room::Wide, Room::Narrow] {
+        for impulse in [1.8, 4.0, 5.4, 9.0, 10.0] {
+            let [azimuth, elevation] = scene().view.expect("a view");
+            let mut player = played(&[("impulse", impulse)]);
+            let drawing = player.draw(Moment { time: 5.0, azimuth, elevation, room }).expect("a picture");
+            let (sky, radius) = room.of((at(508.0, 126.0), 98.0), (at(86.0, 462.0), 80.0));
+            let names = drawing.items().iter().filter(|item| match &item.shape {
+                Shape::Label(label) => {
+                    item.role == Role::Text(Hue::Orange) && (label.bounds.centre() - sky).length() < radius
+                }
+                _ => false,
+            });
+            assert_eq!(names.count(), 1, "{impulse} MN·s, {room:?}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 extern crate library as mechanics;
 
-use drawing::{Room, at};
+use drawing::{Fill, Hue, Point, Rect, Role, Room, Shape, at};
 use fastrand::Rng;
 use live::{Moment, Player, Scene};
 use mechanics::euler::{self, Turning};
@@ -68,7 +68,7 @@ fn the_head_turns_as_a_simulated_coin_does() {
 fn what_is_left_over_of_the_rim_is_told_and_vanishes_when_flat() {
     let words = |tilt: f64| set(&[("tilt", tilt)]).words(0.0);
     assert!(words(60_f64.to_radians()).contains("The 180° that are left over"), "{}", words(1.047));
-    assert!(words(0.01).contains("314 millionths of a radian"), "{}", words(0.01)); // π/10⁴
+    assert!(words(0.01).contains("314 µrad"), "{}", words(0.01)); // π/10⁴
     assert!(words(1.5).contains("goes round 1.08 times"));
 }
 
@@ -123,4 +123,48 @@ fn a_hand_takes_the_tilt() {
             }
         }
     }
+}
+
+#[test]
+fn a_hoop_is_drawn_with_a_hole() {
+    // Straight from above and nearly flat: what covers the middle of the coin there is its face.
+    let covers = |which: f64| {
+        let mut player = set(&[("tilt", 0.05), ("coin", which)]);
+        let moment = Moment { time: 1.0, azimuth: -FRAC_PI_2, elevation: FRAC_PI_2, room: Room::Wide };
+        let drawing = player.draw(moment).expect("a picture");
+        let faces = drawing.items().iter().filter(|item| item.role == Role::Area(Fill::Face, Hue::Blue));
+        let middle = Rect::new(4.0, 4.0, 400.0, 432.0).centre();
+        let is_round = |points: &[Point]| {
+            let nearest = points.iter().map(|point| (*point - middle).length()).fold(f64::INFINITY, f64::min);
+            points.len() > 12 && nearest > 60.0
+        };
+        // A ring's face goes round and back on the inside: its middle is not in it.
+        faces
+            .filter(|item| match &item.shape {
+                Shape::Polygon(points) => is_round(points) && winds(points, middle),
+                Shape::Ellipse { centre, .. } | Shape::Circle { centre, .. } => {
+                    (*centre - middle).length() < 60.0
+                }
+                _ => false,
+            })
+            .count()
+    };
+    assert_eq!([covers(0.0), covers(1.0)], [1, 0]);
+}
+
+/// Whether a closed line goes round a point.
+fn winds(points: &[Point], middle: Point) -> bool {
+    let angle = |point: &Point| (point.y - middle.y).atan2(point.x - middle.x);
+    let turned: f64 = (0..points.len())
+        .map(|k| angle(&points[(k + 1) % points.len()]) - angle(&points[k]))
+        .map(|step| step - TAU * (step / TAU).round())
+        .sum();
+    turned.abs() > 3.0
+}
+
+#[test]
+fn great_numbers_are_told_in_words_that_fit_them() {
+    let words = |tilt: f64| set(&[("tilt", tilt)]).words(0.0);
+    assert!(words(1e-5).contains("20.0 billion times"), "{}", words(1e-5)); // 2/α²
+    assert!(words(1e-3).contains("2.00 million times"), "{}", words(1e-3));
 }

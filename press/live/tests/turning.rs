@@ -4,10 +4,10 @@ extern crate library as mechanics;
 
 mod hand;
 
-use drawing::at;
+use drawing::{Fill, Hue, Role, Shape, at};
 use fastrand::Rng;
 use hand::Hand;
-use live::Room;
+use live::{Moment, Player, Room};
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Dop853;
@@ -126,5 +126,33 @@ fn the_tips_follow_the_hand() {
             assert!(off < 1.0, "grip {grip} is {off} px from the hand");
         }
         assert!(hand.value("ratio") < 1.6 && hand.value("across") > 6.5, "{}", hand.words());
+    }
+}
+
+#[test]
+fn where_nothing_wobbles_no_wobbles_are_counted() {
+    let hand = Hand::with("turning", &[("across", 0.0)]);
+    assert!(hand.words().contains("nothing to wobble"));
+    assert!(hand.reading(2.0, WOBBLES).is_nan() && hand.reading(2.0, WOBBLES_A_TURN).is_nan());
+    assert!(hand.reading(2.0, TURNS) > 3.0);
+}
+
+#[test]
+fn the_floor_stays_above_the_plot() {
+    let scene = live::scene("turning").unwrap();
+    let [azimuth, elevation] = scene.view.unwrap();
+    for room in [Room::Wide, Room::Narrow] {
+        let drawing =
+            Player::new(scene).unwrap().draw(Moment { time: 0.0, azimuth, elevation, room }).unwrap();
+        // The plot below it has a line of words above its frame: on a phone that of the plane, otherwise that of time.
+        let below = room.of(1, 0);
+        let title = drawing.axes()[below].frame.top - 22.0;
+        let floors = drawing.items().iter().filter(|item| item.role == Role::Area(Fill::Floor, Hue::Ink));
+        let lowest = floors.flat_map(|item| match &item.shape {
+            Shape::Polygon(corners) => corners.clone(),
+            shape => panic!("a floor of {shape:?}"),
+        });
+        let lowest = lowest.map(|corner| corner.y).fold(0.0, f64::max);
+        assert!(lowest > 200.0 && lowest < title, "{lowest} and {title}, {room:?}");
     }
 }

@@ -2,11 +2,11 @@
 
 extern crate library as mechanics;
 
-use drawing::{Point, Room, at};
+use drawing::{Fill, Hue, Point, Role, Room, Shape, Stroke, at};
 use live::{Moment, Player, Scene};
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 fn scene() -> &'static Scene {
     live::scene("wobble-plate").expect("the scene")
@@ -180,4 +180,62 @@ fn a_plate_of_root_three_radii_shakes_nothing_and_a_longer_one_asks_for_no_pisto
         }
         assert!(played(&[("thickness", 22.0)]).words(0.0).contains("weights on its rim"));
     }
+}
+
+#[test]
+fn the_floor_is_never_cut_off() {
+    for thickness in [0.0, 17.32] {
+        let mut player = played(&[("thickness", thickness)]);
+        for (step, room) in (0..=72).flat_map(|step| [(step, Room::Wide), (step, Room::Narrow)]) {
+            let [azimuth, elevation] = [0.1 * f64::from(step), FRAC_PI_2 * (f64::from(step) / 36.0 - 1.0)];
+            let drawing = player.draw(Moment { time: 0.006, azimuth, elevation, room }).unwrap();
+            let page = drawing.frame();
+            let floors = drawing.items().iter().filter(|item| item.role == Role::Area(Fill::Floor, Hue::Ink));
+            let corners: Vec<_> = floors
+                .flat_map(|item| match &item.shape {
+                    Shape::Polygon(corners) => corners.clone(),
+                    shape => panic!("a floor of {shape:?}"),
+                })
+                .collect();
+            assert!(corners.len() > 3);
+            for corner in corners {
+                assert!(
+                    page.contains(corner),
+                    "{corner:?} from {azimuth}, {elevation}, {room:?}, {thickness} cm"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn pistons_that_are_nearly_right_are_told_from_those_that_are() {
+    let words = played(&[("mass", 1.7)]).words(0.0);
+    let [own, right] = ["0.425\u{a0}kg each are too heavy", "with 0.419\u{a0}kg each"];
+    assert!(words.contains(own) && words.contains(right), "{words}");
+}
+
+#[test]
+fn the_arrow_of_the_momentum_comes_out_of_a_thick_plate() {
+    // Seen from the side of a tall cylinder, nothing of it is drawn over the middle.
+    let mut player = played(&[("thickness", 24.0), ("tilt", 0.0), ("mass", 0.0)]);
+    let moment = |elevation| Moment { time: 0.0, azimuth: 0.0, elevation, room: Room::Wide };
+    let shaft = |player: &mut Player, elevation: f64| {
+        let drawing = player.draw(moment(elevation)).unwrap();
+        let green = drawing.items().iter().enumerate().filter_map(|(place, item)| match &item.shape {
+            Shape::Polyline(points) if item.role == Role::Line(Stroke::Vector, Hue::Green) => {
+                Some((place, points[0].y))
+            }
+            _ => None,
+        });
+        let (place, foot) = green.max_by(|one, other| one.1.total_cmp(&other.1)).expect("an arrow");
+        let is_plate = |role: Role| role == Role::Area(Fill::Side, Hue::Blue);
+        let plate = drawing.items().iter().rposition(|item| is_plate(item.role)).expect("a plate");
+        (foot, place < plate)
+    };
+    let (foot, is_behind) = shaft(&mut player, 0.3);
+    let drawing = player.draw(moment(0.3)).unwrap();
+    let grip = player.grips()[1]; // the high end of the plate's middle plane, at the height of its centre for no tilt
+    assert!(!is_behind && foot < grip.y - 20.0, "{foot} and {grip:?} of {}", drawing.height());
+    assert!(shaft(&mut player, -0.3).1, "from below the plate hides its foot");
 }

@@ -229,6 +229,7 @@ impl Page<'_> {
             "Tab" => (9, ""),
             "End" => (35, ""),
             "Home" => (36, ""),
+            "Escape" => (27, ""),
             "ArrowLeft" => (37, ""),
             "ArrowRight" => (39, ""),
             _ => panic!("nobody knows the key {key}"),

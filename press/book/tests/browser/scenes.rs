@@ -346,6 +346,7 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
     let Some(mut browser) = open("controls") else { return };
     for (scene, page_address, figure) in scenes() {
         let mut page = browser.page(WIDE);
+        page.before_all(EYES);
         wake_still(&mut page, &page_address, &figure);
         agrees(&mut page, scene, &figure);
         let run = Player::new(scene).unwrap().run();
@@ -425,8 +426,33 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                 "",
             );
             agrees(&mut page, scene, &figure);
+            let pressed =
+                "[...{}.querySelectorAll('.presets button')].map((button) => button.ariaPressed === 'true')";
+            let own: Vec<bool> = (0..scene.presets.len()).map(|other| other == index).collect();
+            assert_eq!(page.get(&pressed.replace("{}", &figure)), json!(own), "{}: its preset", scene.name);
+            let description =
+                page.text(&format!("seen({figure}).closest('.drawing').querySelector('desc').textContent"));
+            let said = page.text(&format!("{figure}.querySelector('.says').textContent"));
+            let starts = scene.controls.iter().map(|control| (control.name, control.start));
+            let starts: Vec<_> = starts.collect();
+            let is_start = scene.presets[index].settings.iter().all(|setting| starts.contains(setting));
+            assert_eq!(description == said, !is_start, "{}: {description}", scene.name);
         }
         act(&mut page, Means::Mouse, &format!("{figure}.querySelector('.reset')"), 0.5, "");
+        let description = page.text(&format!("{figure}.querySelector('desc').textContent"));
+        assert_eq!(description, scene.description, "{}", scene.name);
+        // A motion that goes round plays on at its end, and one that stops there would begin again.
+        page.get(&format!("{figure}.querySelector('.time').focus()"));
+        page.key("End");
+        page.settle();
+        assert_eq!(
+            page.text(&format!("{figure}.querySelector('.play').textContent")),
+            "Again",
+            "{}",
+            scene.name
+        );
+        page.get(&format!("{figure}.querySelector('.reset').click()"));
+        page.settle();
         let starts: Vec<f64> = scene.controls.iter().map(|control| control.start).collect();
         assert_eq!(settings(&mut page, scene, &figure).0, starts, "{}", scene.name);
         assert_eq!(
@@ -527,8 +553,29 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
                 // At the beginning: later, an unstable motion shows how its rounding grew.
                 set(&mut page, scene, &[(control.name, value)], 0.0);
                 agrees(&mut page, scene, &figure);
+                let (values, _) = settings(&mut page, scene, &figure);
+                for (other, found) in scene.controls.iter().zip(values) {
+                    let own = if other.name == control.name { value } else { other.start };
+                    assert_eq!(found, own, "{}: {} for {}={value}", scene.name, other.name, control.name);
+                }
             }
-            set(&mut page, scene, &[(control.name, control.start)], scene.still);
+            // Beyond its ends a link finds the nearer one, and a button that was never pressed.
+            let (beyond, least) = match control.kind {
+                Kind::Slider { from, .. } => (from - 7.0, from),
+                Kind::LogSlider { from, .. } => (0.0, from),
+                Kind::Button => (-7.0, -1.0),
+                Kind::Choice(_) | Kind::Switch => continue,
+            };
+            set(&mut page, scene, &[(control.name, beyond)], 0.0);
+            let place = scene.controls.iter().position(|other| other.name == control.name).unwrap();
+            assert_eq!(
+                settings(&mut page, scene, &figure).0[place],
+                least,
+                "{}: {}",
+                scene.name,
+                control.name
+            );
+            agrees(&mut page, scene, &figure);
         }
         // A fresh page opens at the setting that another gave away, and at its scene.
         let first = &scene.controls[0];
@@ -550,20 +597,26 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
         );
         for index in 0..page.number(&format!("{text_links}.length")) as usize {
             let link = format!("{text_links}[{index}]");
-            for _ in 0..2 {
-                page.get(&format!("{figure}.querySelector('.reset').click()"));
+            for before in [".reset", ".presets button:last-child"] {
+                page.get(&format!("{figure}.querySelector('{before}').click()"));
                 page.settle(); // the words below the scene may come to take another line
                 act(&mut page, Means::Mouse, &link, 0.5, "");
                 page.get(&format!("{figure}.querySelector('.play').textContent === 'Pause' && {figure}.querySelector('.play').click()"));
                 page.settle();
                 let (values, _) = settings(&mut page, scene, &figure);
                 let asked = page.text(&format!("new URL({link}.href).hash"));
-                for (name, value) in
-                    asked.split_once('?').unwrap().1.split('&').filter_map(|part| part.split_once('='))
-                {
-                    if let Some(place) = scene.controls.iter().position(|control| control.name == name) {
-                        assert_eq!(values[place], value.parse::<f64>().unwrap(), "{}: {asked}", scene.name);
-                    }
+                let named: Vec<_> = asked
+                    .split_once('?')
+                    .unwrap()
+                    .1
+                    .split('&')
+                    .filter_map(|part| part.split_once('='))
+                    .collect();
+                // What it does not name is at its start, whatever the reader did before.
+                for (control, value) in scene.controls.iter().zip(values) {
+                    let own = named.iter().find(|(name, _)| *name == control.name);
+                    let own = own.map_or(control.start, |(_, value)| value.parse().unwrap());
+                    assert_eq!(value, own, "{}: {asked} after {before}: {}", scene.name, control.name);
                 }
                 agrees(&mut page, scene, &figure);
                 links += 1;
@@ -644,9 +697,13 @@ fn everything_that_can_be_operated_has_a_name_and_an_id_of_its_own() {
         let loud = format!("{figure}.querySelectorAll('output:not([aria-live=off])').length");
         assert_eq!(page.get(&loud), 0, "{}: a clock is read aloud", scene.name);
         let tree = page.tell("Accessibility.getFullAXTree", json!({}));
-        let mut found = 0;
+        let (mut found, mut named) = (0, 0);
         for node in tree["nodes"].as_array().expect("nodes") {
             let role = node["role"]["value"].as_str().unwrap_or_default();
+            named += usize::from(
+                role == "figure"
+                    && node["name"]["value"].as_str().is_some_and(|name| name.starts_with("Scene ")),
+            );
             if node["ignored"] != true
                 && ["slider", "button", "radio", "checkbox", "link", "spinbutton"].contains(&role)
             {
@@ -656,5 +713,189 @@ fn everything_that_can_be_operated_has_a_name_and_an_id_of_its_own() {
             }
         }
         assert!(found >= scene.controls.len() + 4, "{}: only {found}", scene.name);
+        assert_eq!(named, 1, "{}: its caption names it", scene.name);
     }
+}
+
+#[test]
+fn a_scene_plays_whatever_a_busy_browser_tells_it_at_once() {
+    let Some(mut browser) = open("batch") else { return };
+    let (_, page_address, figure) = scenes().swap_remove(0);
+    let mut page = browser.page(WIDE);
+    page.before_all(EYES);
+    // Each time it hears first that nothing is to be seen, and then what is true by now.
+    page.before_all(
+        "window.IntersectionObserver = class extends IntersectionObserver { constructor(act, options) { \
+         const none = { isIntersecting: false, intersectionRatio: 0, intersectionRect: new DOMRect() }; \
+         super((entries, own) => act([none, ...entries], own), options); } }",
+    );
+    wake(&mut page, &page_address, &figure);
+    for _ in 0..2 {
+        let time = page.number(&format!("{figure}.querySelector('.time').valueAsNumber"));
+        page.wait(&format!("{figure}.querySelector('.time').valueAsNumber !== {time}"));
+    }
+    assert_eq!(page.console(), Vec::<String>::new());
+}
+
+#[test]
+fn until_its_module_has_come_a_panel_is_seen_and_cannot_be_operated() {
+    let Some(mut browser) = open("loading") else { return };
+    let (_, page_address, figure) = scenes().swap_remove(0);
+    let mut page = browser.page(WIDE);
+    page.before_all(EYES);
+    page.before_all(
+        "const append = Element.prototype.append; Element.prototype.append = function (node, ...more) { \
+         const act = () => append.call(this, node, ...more); \
+         if (node?.src?.includes('/live-')) window.come = act; else act(); }",
+    );
+    page.go(&page_address);
+    page.get(&format!("{figure}.scrollIntoView({{ behavior: 'instant' }})"));
+    page.wait("window.come");
+    let says = format!("{figure}.querySelector('.says')");
+    let asleep = format!(
+        "[...{figure}.querySelectorAll('.panel :is(input, button, a)')].every((node) => node.closest('[inert]'))"
+    );
+    assert!(page.text(&format!("{says}.textContent")).contains("is loading"));
+    for selector in [".says", ".controls", ".presets"] {
+        let part = format!("{figure}.querySelector('{selector}')");
+        assert_eq!(
+            page.get(&format!("{part}.checkVisibility({{ visibilityProperty: true }})")),
+            true,
+            "{selector}"
+        );
+    }
+    assert_eq!(page.get(&asleep), true);
+    page.get("come()");
+    page.wait(&format!("{figure}.classList.contains('awake')"));
+    page.settle();
+    assert_eq!(page.get(&format!("{figure}.querySelector('[inert]')")), Value::Null);
+    assert!(!page.text(&format!("{says}.textContent")).contains("loading"));
+    assert_eq!(page.get("shifted"), json!([]), "the page jumps");
+}
+
+#[test]
+fn settings_without_an_answer_stand_still_and_say_so() {
+    let Some(mut browser) = open("trouble") else { return };
+    let (scene, page_address, figure) =
+        scenes().into_iter().find(|(scene, ..)| scene.name == "laundromat").expect("the drum");
+    let mut page = browser.page(WIDE);
+    page.before_all(EYES);
+    wake(&mut page, &page_address, &figure);
+    let play = format!("{figure}.querySelector('.play')");
+    page.wait(&format!("{play}.textContent === 'Pause'"));
+    let spin = |page: &mut Page<'_>, key: &str| {
+        page.get(&format!("{figure}.querySelector('[name=spin]').focus()"));
+        page.key(key);
+        page.settle();
+    };
+    page.get(&format!("{figure}.querySelectorAll('[data-name=motor]')[2].click()"));
+    spin(&mut page, "Home");
+    let said = page.text(&format!("{figure}.querySelector('.says').textContent"));
+    assert!(said.contains("turns nothing"), "{said}");
+    assert_eq!(page.text(&format!("{play}.textContent")), "Play");
+    assert_eq!(page.get(&format!("{play}.disabled")), true);
+    page.get("frames(3)");
+    let asked = page.get("asked");
+    page.get("frames(10)");
+    assert_eq!(page.get("asked"), asked, "{} asks for frames though nothing moves", scene.name);
+    // With an answer it goes on.
+    spin(&mut page, "End");
+    page.wait(&format!("{play}.textContent === 'Pause' && !{play}.disabled"));
+    let time = page.number(&format!("{figure}.querySelector('.time').valueAsNumber"));
+    page.wait(&format!("{figure}.querySelector('.time').valueAsNumber !== {time}"));
+    // While it plays a reader can ask for the time; and escape stops it.
+    page.get("document.activeElement.blur()");
+    let told = page.text(&format!("{figure}.querySelector('.time').ariaValueText"));
+    page.wait(&format!("{figure}.querySelector('.time').ariaValueText !== '{told}'"));
+    page.get(&format!("{play}.focus()"));
+    page.key("Escape");
+    page.wait(&format!("{play}.textContent === 'Play'"));
+    assert_eq!(page.console(), Vec::<String>::new());
+}
+
+#[test]
+fn round_values_of_a_slider_over_powers_of_ten_are_met_by_its_keys() {
+    let Some(mut browser) = open("decades") else { return };
+    for (scene, page_address, figure) in scenes() {
+        for (place, control) in scene.controls.iter().enumerate() {
+            let Kind::LogSlider { from, to, .. } = control.kind else { continue };
+            let mut page = browser.page(WIDE);
+            wake_still(&mut page, &page_address, &figure);
+            let tenth = 10_f64.powf((0.5 * (from.log10() + to.log10())).round());
+            for (start, key, end) in [
+                (1.1 * tenth, "ArrowLeft", tenth),
+                (tenth, "ArrowRight", 1.1 * tenth),
+                (0.99 * tenth, "ArrowRight", tenth),
+                (tenth, "ArrowLeft", 0.99 * tenth),
+            ] {
+                set(&mut page, scene, &[(control.name, start)], 0.0);
+                page.get(&format!("{figure}.querySelector('.controls [name={}]').focus()", control.name));
+                page.key(key);
+                page.settle();
+                let found = settings(&mut page, scene, &figure).0[place];
+                assert!((found / end - 1.0).abs() < 1e-12, "{}: {key} from {start} to {found}", control.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_link_is_copied_where_the_reader_stands_and_a_text_link_moves_no_picture_that_is_in_sight() {
+    let Some(mut browser) = open("copy") else { return };
+    let (scene, page_address, figure) =
+        scenes().into_iter().find(|(scene, ..)| scene.name == "laundromat").expect("the drum");
+    let mut page = browser.page(WIDE);
+    page.before_all(EYES);
+    page.before_all(
+        "Object.defineProperty(navigator, 'clipboard', { value: { writeText: async (text) => { window.held = text; } } })",
+    );
+    wake(&mut page, &page_address, &figure);
+    page.get(&format!("{figure}.querySelector('.presets button').click()"));
+    page.settle(); // the words may take another line
+    let share = format!("{figure}.querySelector('.share a')");
+    let at = place(&mut page, &share, 0.5);
+    let scroll = page.number("scrollY");
+    page.drag(at, at);
+    page.wait(&format!("{figure}.querySelector('.copied').textContent === 'copied'"));
+    assert_eq!(page.get("held === location.href && location.hash.includes('spin=5&t=')"), true);
+    assert_eq!(page.number("scrollY"), scroll);
+    assert_eq!(page.text(&format!("{figure}.querySelector('.play').textContent")), "Pause", "it plays on");
+    // A link of the text while the whole picture is in sight.
+    page.get(&format!(
+        "{figure}.querySelector('.drawing').scrollIntoView({{ block: 'end', behavior: 'instant' }})"
+    ));
+    page.settle();
+    let scroll = page.number("scrollY");
+    let link = format!("document.querySelector('main a[data-set][href*=\"#scene-{}?\"]')", scene.name);
+    page.get(&format!("{link}.click()"));
+    page.settle();
+    assert_eq!(page.number("scrollY"), scroll);
+    // From far down it leads to the picture, and one step back leads back.
+    page.get("scrollTo({ top: document.body.scrollHeight, behavior: 'instant' })");
+    page.settle();
+    let below = page.number("scrollY");
+    page.get(&format!(
+        "{{ const link = [...document.querySelectorAll('main a[data-set]')].at(-1); link.click(); }}"
+    ));
+    page.wait(&format!("scrollY < {below} - 500"));
+    page.settle();
+    page.get("history.back()");
+    page.wait(&format!("Math.abs(scrollY - {below}) < 5"));
+    assert_eq!(page.console(), Vec::<String>::new());
+}
+
+#[test]
+fn whoever_asks_for_calm_sees_what_a_preset_is_about() {
+    let Some(mut browser) = open("calm") else { return };
+    let (scene, page_address, figure) =
+        scenes().into_iter().find(|(scene, ..)| scene.name == "laundromat").expect("the drum");
+    let mut page = browser.page(WIDE);
+    wake_still(&mut page, &page_address, &figure);
+    let place = scene.presets.iter().position(|preset| preset.words.contains("from rest")).expect("a preset");
+    page.get(&format!("{figure}.querySelectorAll('.presets button')[{place}].click()"));
+    page.settle();
+    let [now, end] = ["valueAsNumber", "max"]
+        .map(|what| page.number(&format!("Number({figure}.querySelector('.time').{what})")));
+    assert!((now / end - 0.5).abs() < 1e-9, "at {now} of {end} s it is nearly at rest");
+    agrees(&mut page, scene, &figure);
 }

@@ -193,7 +193,7 @@ impl Label {
         self
     }
 
-    fn shift(&mut self, step: Point) {
+    pub(crate) fn shift(&mut self, step: Point) {
         self.bounds = self.bounds.moved(step);
         for piece in &mut self.pieces {
             match piece {

@@ -46,8 +46,14 @@ pub extern "C" fn start(scene: usize, count: usize) -> isize {
     answer(|| {
         let entry = snippets::scenes().iter().find(|entry| entry.place == scene);
         let scene = entry.unwrap_or_else(|| panic!("this module has no scene {scene}")).scene;
-        let player = if count == 0 { Player::new(scene)? } else { Player::with(scene, values(count))? };
-        PLAYER.with(|own| *own.borrow_mut() = Some(player));
+        let mut player = if count == 0 { Player::new(scene)? } else { Player::with(scene, values(count))? };
+        PLAYER.with(|own| {
+            let mut own = own.borrow_mut();
+            if let Some(before) = &*own {
+                player.keep(before);
+            }
+            *own = Some(player);
+        });
         Ok(String::new())
     })
 }
