@@ -17,6 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let root = package.ancestors().nth(2).ok_or("the workspace is two folders up")?;
     let [summary, manifest, readme] =
         ["book/SUMMARY.md", "Cargo.toml", "README.md"].map(|path| root.join(path));
+    println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // what is written names pages by their place
     for read in [
         Path::new("build.rs"),
         Path::new("../src/library.rs"),

@@ -16,13 +16,18 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Read as _, Write as _};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-use std::sync::OnceLock;
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::{LazyLock, OnceLock};
 use std::time::Duration;
-use std::{fs, thread};
+use std::{env, fs, thread};
 
+/// The workspace, where it lies now.
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the package lies two folders down")
+    static ROOT: LazyLock<PathBuf> = LazyLock::new(|| {
+        let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("Cargo sets it"));
+        package.ancestors().nth(2).expect("the package lies two folders down").to_owned()
+    });
+    &ROOT
 }
 
 /// The figures as the build script has drawn them, and the scenes.
@@ -383,7 +388,7 @@ fn all(folder: &Path, below: &str, found: &mut BTreeMap<String, Vec<u8>>) {
 fn plain_mdbook_prints_the_same_site() {
     let version = Command::new("mdbook").arg("--version").output();
     if !version.is_ok_and(|said| String::from_utf8_lossy(&said.stdout).contains("v0.5.")) {
-        assert!(std::env::var_os("CI").is_none(), "`.ci/run` puts mdBook 0.5 on PATH");
+        assert!(env::var_os("CI").is_none(), "`.ci/run` puts mdBook 0.5 on PATH");
         eprintln!("skipped: there is no mdBook 0.5 on PATH");
         return;
     }

@@ -26,7 +26,8 @@ fn run(folder: &Path, program: &Path, arguments: &[&str]) -> String {
 
 #[test]
 fn another_book_is_printed_with_all_that_the_press_can_do() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders up");
+    let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("Cargo sets it"));
+    let root = package.ancestors().nth(2).expect("two folders up");
     let folder = root.join("target/tests/example");
     let _ = fs::remove_dir_all(&folder);
     let new = ["new".to_owned(), folder.to_string_lossy().into_owned()];

@@ -24,6 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rerun-if-changed={source}");
     }
     println!("cargo::rerun-if-env-changed=BOOK_CHAPTER");
+    println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // Cargo looks after files by their place
     let chapter = env::var("BOOK_CHAPTER").ok();
     let (mut functions, mut list, mut count, mut broken) = (String::new(), String::new(), 0, Vec::new());
     let name = library::name(&read("Cargo.toml")?).ok_or("Cargo.toml names no package")?;
