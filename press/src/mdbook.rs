@@ -38,14 +38,18 @@ impl For {
         }
     }
 
-    /// For whom mdBook builds with these settings. `mdbook serve` leaves a sign of its own.
+    /// For whom mdBook builds with these settings.
     pub(crate) fn of(config: &Config) -> Self {
         let named: Option<String> = config.get(SETTING).ok().flatten();
         let all = [Self::Author, Self::Hasty, Self::Paper];
         let found = all.into_iter().find(|one| named.as_deref() == Some(one.name()));
-        let is_served = config.contains_key("output.html.live-reload-endpoint");
-        found.unwrap_or(if is_served { Self::Author } else { Self::Readers })
+        found.unwrap_or(if is_followed_by_mdbook(config) { Self::Author } else { Self::Readers })
     }
+}
+
+/// Whether `mdbook serve` follows edits of the book.
+pub(crate) fn is_followed_by_mdbook(config: &Config) -> bool {
+    config.contains_key("output.html.live-reload-endpoint")
 }
 
 /// Builds the site in `root`, in the folder `html` below `destination` if it is not where book.toml says.

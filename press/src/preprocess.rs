@@ -2,7 +2,7 @@
 
 use crate::book::from_mdbook;
 use crate::fault::Faults;
-use crate::mdbook::For;
+use crate::mdbook::{self, For};
 use crate::module::{self, Module};
 use crate::rendered::Rendered;
 use crate::{check, outcome, snippets, solutions};
@@ -78,7 +78,12 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
         texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
     } else {
         match modules {
-            Module::Missing(Some(why)) => eprintln!("{why}"),
+            // `cargo book serve` says it by itself, and once.
+            Module::Missing(Some(why))
+                if for_whom == For::Readers || mdbook::is_followed_by_mdbook(&context.config) =>
+            {
+                eprintln!("{why}");
+            }
             Module::Stale if !drawn.is_still => {
                 module::build(&context.root, for_whom).map_err(Failed::Other)?;
             }

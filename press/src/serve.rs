@@ -14,7 +14,7 @@ use http::Site;
 use std::net::{TcpListener, ToSocketAddrs};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::Arc;
+use std::sync::{Arc, Once};
 use std::thread::JoinHandle;
 use std::{fs, io, thread};
 use watch::{PAUSE, Watcher};
@@ -118,7 +118,14 @@ fn has_built_rest(
 ) -> bool {
     let start = || {
         let root = made.root.to_owned();
-        thread::spawn(move || module::build_one(&root, For::Author))
+        thread::spawn(move || {
+            let built = module::build_one(&root, For::Author);
+            if let Ok(Module::Missing(Some(why))) = &built {
+                static SAID: Once = Once::new();
+                SAID.call_once(|| eprintln!("{why}"));
+            }
+            built
+        })
     };
     loop {
         while !compiler.get_or_insert_with(start).is_finished() {
