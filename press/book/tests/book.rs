@@ -310,13 +310,23 @@ fn a_fault_of_the_finished_site_leaves_none() {
     assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["press".to_owned()]));
 }
 
+/// `cargo book serve`, which ends with its test.
+struct Server(Child);
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
 /// What the server at an address says to a browser that asks for a page, once it is there.
 fn page(address: (&str, u16), path: &str) -> String {
     for _ in 0..600 {
         if let Ok(mut stream) = TcpStream::connect(address) {
             let mut said = String::new();
             stream.set_read_timeout(Some(Duration::from_secs(120))).unwrap();
-            write!(stream, "GET {path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n").unwrap();
+            write!(stream, "GET {path} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").unwrap();
             stream.read_to_string(&mut said).unwrap();
             return said;
         }
@@ -342,33 +352,91 @@ fn who_is_served_a_book_with_a_fault_reads_it_at_every_address_and_then_the_page
     // A port that is free now.
     let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
     let address = ("127.0.0.1", port);
-    let mut server = Command::new(env!("CARGO_BIN_EXE_book"))
+    let server = Command::new(env!("CARGO_BIN_EXE_book"))
         .args(["serve", "-n", address.0, "-p", &port.to_string()])
         .current_dir(&folder)
         .stdin(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
+        .map(Server)
         .unwrap();
     let bad = page(address, "/a.html");
-    let news = thread::spawn(move || page(address, "/__news"));
-    thread::sleep(Duration::from_millis(500));
+    let news = page(address, "/__news");
     fs::write(folder.join("book/a.md"), GOOD).unwrap();
-    let heard = news.join();
+    until(|| page(address, "/__news") != news);
     let good = page(address, "/a.html");
     // The page of all pages comes with the rest, and stays as it is while a sentence changes.
     let made = folder.join("target/book");
     until(|| made.join("kept/print.html").is_file());
+    browser::open_tabs(&format!("http://{}:{port}/a.html", address.0), 8);
     fs::write(folder.join("book/a.md"), GOOD.replace("So ", "Thus ")).unwrap();
     until(|| page(address, "/a.html").contains("Thus "));
     let all = page(address, "/print.html");
-    server.kill().unwrap();
-    server.wait().unwrap();
+    drop(server);
     assert!(all.starts_with("HTTP/1.1 200") && all.contains("So ") && !all.contains("Thus "));
     assert!(!made.join("html/print.html").exists() && !made.join("next/html").exists());
     assert!(bad.contains("book/a.md:3: `&lt;b&gt;` is not closed") && bad.contains("eq:nothing"), "{bad}");
     assert!(bad.starts_with("HTTP/1.1 404") && bad.contains("http-equiv=\"refresh\""), "it asks again");
-    assert!(heard.unwrap().ends_with("data: new\n\n"));
     assert!(good.starts_with("HTTP/1.1 200") && good.contains("figures.html"), "{good}");
+}
+
+/// `cargo book` in a folder with scenes, where the compiler has no target for browsers, and a rustup that fails.
+#[cfg(unix)]
+fn without_target(folder: &Path, arguments: &[&str]) -> Command {
+    let programs = folder.join("programs");
+    fs::create_dir_all(&programs).unwrap();
+    fs::create_dir_all(folder.join("press/live/module")).unwrap();
+    // By another process: what this one writes cannot be run while some thread starts a third.
+    let write =
+        "echo '#!/bin/sh' | tee rustup > rustc; echo 'echo $* >> asked; exit 1' >> rustup; chmod 755 rust*";
+    assert!(Command::new("sh").args(["-c", write]).current_dir(&programs).status().unwrap().success());
+    let path = env::var_os("PATH").unwrap();
+    let path = env::join_paths([programs].into_iter().chain(env::split_paths(&path))).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_book"));
+    command.args(arguments).current_dir(folder).env("PATH", path).stdin(Stdio::null());
+    command.env("MDBOOK_PREPROCESSOR__PRESS__COMMAND", env!("CARGO_BIN_EXE_book"));
+    for name in ["BOOK_LIVE", "BOOK_WASM_RUSTC", "RUSTC"] {
+        command.env_remove(name);
+    }
+    command
+}
+
+#[cfg(unix)]
+#[test]
+fn rustup_is_asked_once_for_what_scenes_need_and_where_it_fails_they_stand_still() {
+    let folder = small_book("no-target", GOOD);
+    let asked = || fs::read_to_string(folder.join("asked")).unwrap_or_default();
+    let still = "the scenes of the pages stand still, because the compiler lacks the target";
+    let once = "target add wasm32-unknown-unknown\n";
+    let built = without_target(&folder, &["build"]).output().unwrap();
+    assert!(built.status.success() && said(&built).contains(still), "{}", said(&built));
+    assert_eq!(asked(), once);
+    let built = without_target(&folder, &["build"]).env("BOOK_LIVE", "static").output().unwrap();
+    assert!(built.status.success() && !said(&built).contains(still) && asked() == once, "nobody is asked");
+    let built = without_target(&folder, &["build"]).env("BOOK_LIVE", "require").output().unwrap();
+    assert!(!built.status.success() && said(&built).contains(still), "{}", said(&built));
+
+    fs::remove_file(folder.join("asked")).unwrap();
+    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    let address = ("127.0.0.1", port);
+    let server = without_target(&folder, &["serve", "-n", address.0, "-p", &port.to_string()])
+        .stderr(fs::File::create(folder.join("said")).unwrap())
+        .spawn()
+        .map(Server)
+        .unwrap();
+    page(address, "/a.html");
+    let is_complete = || fs::read_to_string(folder.join("said")).unwrap().matches("Everything").count();
+    until(|| is_complete() == 1);
+    for word in ["Thus ", "Hence "] {
+        fs::write(folder.join("book/a.md"), GOOD.replace("So ", word)).unwrap();
+        until(|| page(address, "/a.html").contains(word));
+    }
+    fs::write(folder.join("Cargo.toml"), "").unwrap(); // what belongs to a library is made anew
+    fs::write(folder.join("book/a.md"), GOOD).unwrap();
+    until(|| page(address, "/a.html").contains("So "));
+    drop(server);
+    let said = fs::read_to_string(folder.join("said")).unwrap();
+    assert!(said.matches(still).count() == 1 && asked() == once, "{}\n{said}", asked());
 }
 
 /// All files of a built site.
