@@ -4,6 +4,8 @@
 mod access;
 #[path = "driver.rs"]
 mod driver;
+#[path = "firefox.rs"]
+mod firefox;
 #[path = "numbers.rs"]
 mod numbers;
 #[path = "paper.rs"]
