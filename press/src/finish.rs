@@ -44,7 +44,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
         Ok(faults) if faults.is_empty() => outcome::bring_back(&unfinished, &site).map_err(cannot),
         other => {
             let failed = other.map_or_else(cannot, Failed::Faults);
-            outcome::withdraw(&site, &context.config, &failed).map_err(cannot)?;
+            outcome::fail(&site, &context.config, &failed).map_err(cannot)?;
             Err(failed)
         }
     }

@@ -52,8 +52,8 @@ pub(crate) fn is_followed_by_mdbook(config: &Config) -> bool {
     config.contains_key("output.html.live-reload-endpoint")
 }
 
-/// Builds the site in `root`, in the folder `html` below `destination` if it is not where book.toml says.
-pub(crate) fn build(root: &Path, destination: Option<&str>, for_whom: For) -> Result<(), String> {
+/// Builds the site in `root`, in the folder `html` below `destination`.
+pub(crate) fn build(root: &Path, destination: &Path, for_whom: For) -> Result<(), String> {
     build_by(None, root, destination, for_whom)
 }
 
@@ -61,13 +61,11 @@ pub(crate) fn build(root: &Path, destination: Option<&str>, for_whom: For) -> Re
 pub(crate) fn build_by(
     press: Option<&str>,
     root: &Path,
-    destination: Option<&str>,
+    destination: &Path,
     for_whom: For,
 ) -> Result<(), String> {
     let built = settings(root).and_then(|mut settings| {
-        if let Some(folder) = destination {
-            settings.build.build_dir = root.join(folder);
-        }
+        settings.build.build_dir = root.join(destination);
         if let Some(press) = press {
             settings.set("preprocessor.press.command", press)?;
         }
@@ -87,6 +85,20 @@ pub(crate) fn made_of(root: &Path) -> Result<Vec<PathBuf>, String> {
     parts.extend(settings.build.extra_watch_dirs);
     parts.extend(["book.toml", "Cargo.toml", "Cargo.lock"].map(PathBuf::from));
     Ok(parts.into_iter().map(|part| root.join(part)).collect())
+}
+
+/// Where the site goes, in a folder `html`: below `asked`, or below the folder that book.toml names.
+pub(crate) fn destination(root: &Path, asked: Option<&str>) -> Result<PathBuf, String> {
+    let settings = settings(root).map_err(|error| format!("error: {error:#}"))?;
+    let named = asked.map_or(settings.build.build_dir, PathBuf::from);
+    let (folder, pages) = (root.join(&named), root.join(settings.book.src));
+    if folder.components().collect::<PathBuf>().starts_with(&pages) {
+        return Err(format!(
+            "error: the site cannot go into {}, because the pages lie there",
+            named.display()
+        ));
+    }
+    Ok(folder)
 }
 
 /// Tests the snippets of all pages.

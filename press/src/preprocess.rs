@@ -53,8 +53,8 @@ pub fn run(input: impl Read, mut output: impl Write, drawn: Rendered) -> Result<
         && context.renderer == "html"
     {
         let site = context.root.join(&context.config.build.build_dir).join("html");
-        outcome::withdraw(&site, &context.config, failed).map_err(|error| {
-            Failed::Other(format!("{failed}\nerror: {} cannot be taken away: {error}", site.display()))
+        outcome::fail(&site, &context.config, failed).map_err(|error| {
+            Failed::Other(format!("{} cannot be taken away: {error}\n{failed}", site.display()))
         })?;
     }
     answer?;

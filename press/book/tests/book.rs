@@ -295,7 +295,7 @@ fn a_small_book_builds_and_after_a_fault_leaves_no_site() {
     assert!(press::check::check(&folder, drawn()).unwrap_err().to_string().starts_with(fault));
     let built = book(&folder, &["build"]);
     assert!(!built.status.success() && said(&built).contains(fault), "{}", said(&built));
-    assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["press".to_owned()]));
+    assert_eq!(names(&folder.join("target/book")), BTreeSet::new());
 }
 
 #[test]
@@ -307,7 +307,74 @@ fn a_fault_of_the_finished_site_leaves_none() {
     let built = book(&folder, &["build"]);
     let fault = "error: book/a.md: <script> loads https://example.org/x.js from a network";
     assert!(!built.status.success() && said(&built).contains(fault), "{}", said(&built));
-    assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["press".to_owned()]));
+    assert_eq!(names(&folder.join("target/book")), BTreeSet::new());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_site_is_whole_or_absent_whenever_its_build_is_killed() {
+    use std::os::unix::process::CommandExt as _;
+    let folder = small_book("killed", GOOD);
+    let site = folder.join("target/book/html");
+    assert!(book(&folder, &["build"]).status.success());
+    let whole = files_of(&site);
+    let mut absent = 0;
+    for part in 0..12 {
+        fs::remove_dir_all(folder.join("target/book")).unwrap();
+        let mut build = Command::new(env!("CARGO_BIN_EXE_book"))
+            .arg("build")
+            .current_dir(&folder)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .process_group(0)
+            .spawn()
+            .unwrap();
+        // With all that it has started, when so many files are there, or when it is done.
+        let made = || count(&folder.join("target/book"));
+        while build.try_wait().unwrap().is_none() && made() <= whole.len() * part / 10 {}
+        let group = format!("-{}", build.id());
+        let _ = Command::new("kill").args(["-KILL", "--", &group]).stderr(Stdio::null()).status();
+        build.wait().unwrap();
+        absent += usize::from(!site.exists());
+        assert!(!site.exists() || files_of(&site) == whole, "part {part}: {} files", files_of(&site).len());
+    }
+    assert!(absent > 4, "only {absent} of the builds were killed in the middle");
+    assert!(book(&folder, &["build"]).status.success() && files_of(&site) == whole);
+    assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["html".to_owned()]));
+}
+
+/// How many files lie in a folder whose content comes and goes.
+fn count(folder: &Path) -> usize {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    entries.map(|path| if path.is_dir() { count(&path) } else { 1 }).sum()
+}
+
+/// The files of a site, each with its length.
+fn files_of(site: &Path) -> BTreeMap<String, usize> {
+    let mut found = BTreeMap::new();
+    all(site, "", &mut found);
+    found.into_iter().map(|(name, bytes)| (name, bytes.len())).collect()
+}
+
+#[test]
+fn the_site_goes_where_book_toml_says_but_not_among_the_pages() {
+    let folder = small_book("build-dir", GOOD);
+    let config = fs::read_to_string(folder.join("book.toml")).unwrap();
+    let to = |place: &str| {
+        let config = config.replace("build-dir = \"target/book\"", &format!("build-dir = \"{place}\""));
+        fs::write(folder.join("book.toml"), config).unwrap();
+        book(&folder, &["build"])
+    };
+    let built = to("out");
+    let told = format!("The site is in {}", folder.join("out/html").display());
+    assert!(built.status.success() && said(&built).contains(&told), "{}", said(&built));
+    assert!(folder.join("out/html/a.html").is_file() && !folder.join("target/book").exists());
+    for place in ["book", "book/out", "./book"] {
+        let built = to(place);
+        let told = format!("the site cannot go into {place}, because the pages lie there");
+        assert!(!built.status.success() && said(&built).contains(&told), "{}", said(&built));
+    }
 }
 
 /// `cargo book serve`, which ends with its test.
