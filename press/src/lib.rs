@@ -103,6 +103,7 @@ mod faces;
 mod head;
 mod labels;
 mod library;
+mod licence;
 mod lost;
 mod maths;
 mod mdbook;

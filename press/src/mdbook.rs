@@ -109,7 +109,7 @@ pub(crate) fn test(root: &Path) -> Result<(), String> {
 }
 
 /// What book.toml and the environment say.
-fn settings(root: &Path) -> Result<Config, Error> {
+pub(crate) fn settings(root: &Path) -> Result<Config, Error> {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let _ = tracing::subscriber::set_global_default(Warnings);

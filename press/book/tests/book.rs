@@ -125,7 +125,10 @@ fn the_site_holds_the_fonts_that_it_asks_for_and_their_licences() {
     {
         assert!(licences.contains(family), "{family}");
     }
-    assert!(site().join("LICENSE-CC-BY-4.0").is_file());
+    assert!(site().join("LICENSE-CC-BY-4.0.txt").is_file(), "the ending says that it can be read");
+    let page = fs::read_to_string(site().join("coin-toss/index.html")).unwrap();
+    let link = "<a rel=\"license\" href=\"../LICENSE-CC-BY-4.0.txt\">Text and figures: CC BY 4.0</a>";
+    assert!(page.contains(link), "book.toml says so");
 
     assert!(weight_of_fonts() < 120 * 1024, "{} bytes of fonts", weight_of_fonts());
 }
