@@ -6,16 +6,17 @@ mod house;
 
 use house::{EXCEPTION, ROOMS, Source, named, sources};
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::{env, fs};
 
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+/// The workspace, where it lies now.
+fn root() -> PathBuf {
+    env::var_os("CARGO_MANIFEST_DIR").expect("Cargo sets it").into()
 }
 
 fn library() -> Vec<Source> {
-    house::library(root()).expect("it can be read")
+    house::library(&root()).expect("it can be read")
 }
 
 #[test]
@@ -63,8 +64,8 @@ fn the_scan_sees_what_is_imported() {
 
 #[test]
 fn crates_that_users_compile_know_nothing_of_the_book() {
-    let crates = house::crates(root()).expect("they can be read");
-    assert_eq!(crates.len(), house::manifests(root()).expect("they can be read").len());
+    let crates = house::crates(&root()).expect("they can be read");
+    assert_eq!(crates.len(), house::manifests(&root()).expect("they can be read").len());
     let of = |name: &str| crates.iter().find(|one| one.name == name).expect("it is there");
     let names = |of: &BTreeSet<String>| of.iter().cloned().collect::<Vec<_>>().join(" ");
     for (name, uses, builds_with) in [
@@ -196,6 +197,24 @@ fn comments_fit_a_screen() {
     assert!(long.is_empty(), "more than 120 characters: {}", long.join(" "));
 }
 
+/// Cargo compiles nothing again where a checkout has moved together with its `target`.
+#[test]
+fn no_program_remembers_where_it_was_compiled() {
+    let root = root();
+    let mut read = 0;
+    for folder in ["src", "tests", "benches", "press", "book"] {
+        for path in sources(&root.join(folder)).unwrap() {
+            let text = fs::read_to_string(&path).unwrap();
+            for place in ["MANIFEST_DIR", "TARGET_TMPDIR"] {
+                let asked = format!("env!(\"CARGO_{place}\")");
+                assert!(!text.contains(&asked), "{}: {asked}", path.display());
+            }
+            read += 1;
+        }
+    }
+    assert!(read > 100, "only {read} files");
+}
+
 #[test]
 fn the_version_and_its_day_are_the_same_wherever_they_stand() {
     let read = |file: &str| fs::read_to_string(root().join(file)).unwrap();
@@ -237,7 +256,7 @@ fn what_is_built_may_be_used_and_comes_from_one_place() {
     }
 
     let said = |program: &str, arguments: &[&str]| {
-        let out = Command::new(program).args(arguments).current_dir(root).output().ok()?;
+        let out = Command::new(program).args(arguments).current_dir(&root).output().ok()?;
         out.status.success().then(|| String::from_utf8(out.stdout).unwrap())
     };
     let version = said("rustc", &["-vV"]).unwrap();

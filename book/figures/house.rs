@@ -4,7 +4,8 @@ use crate::{Outcome, house};
 use drawing::kit::head;
 use drawing::{Drawing, Fill, Hue, Point, Role, Side, Stroke, at};
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::env;
+use std::path::PathBuf;
 
 /// One box: its name, its lines of code where they are shown, and what it uses.
 struct Block<'a> {
@@ -31,7 +32,7 @@ const LANE: f64 = 18.0;
 
 /// The rooms of the library and the crates of the workspace, each above what it imports.
 pub(crate) fn house(id: &str) -> Outcome {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?).join("../..");
     let library = house::library(&root)?;
     let found = house::rooms(&library);
     let mut rooms = Vec::new();

@@ -11,6 +11,7 @@ use std::{env, fs, process};
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // the program knows its figures by their place
     if let Err(error) = render() {
         eprintln!("error: {error}");
         process::exit(1);

@@ -18,6 +18,7 @@ use std::{env, fs};
 fn main() -> Result<(), Box<dyn Error>> {
     let root = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("../..").canonicalize()?;
     let [summary, manifest] = ["book/SUMMARY.md", "Cargo.toml"].map(|path| root.join(path));
+    println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // what is written names files by their place
     for read in [&summary, &manifest] {
         println!("cargo::rerun-if-changed={}", read.display());
     }

@@ -19,6 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let root = package.ancestors().nth(2).ok_or("the workspace is two folders up")?;
     let [summary, manifest, readme] =
         ["book/SUMMARY.md", "Cargo.toml", "README.md"].map(|path| root.join(path));
+    println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // what is written names pages by their place
     let sources = ["build.rs", "../src/library.rs", "../src/pages.rs", "../src/printed.rs"].map(Path::new);
     for read in sources.into_iter().chain([&*summary, &*manifest]) {
         println!("cargo::rerun-if-changed={}", read.display());

@@ -106,28 +106,34 @@ fn build(root: &Path, rest: &[String]) -> Result<(), String> {
             wrong => return Err(format!("error: `cargo book build` takes no argument `{wrong}`\n\n{HELP}")),
         }
     }
-    let site = root.join(folder.unwrap_or("target/book")).join("html");
-    let outcome = from_disk(root)
+    let folder = mdbook::destination(root, folder)?;
+    let browser = with_paper.then(paper::browser).transpose()?;
+    // It is made beside its place, to which it comes at once when it is whole.
+    let (site, beside) = (folder.join("html"), folder.join("unfinished"));
+    let cannot = |error: io::Error| format!("error: {}: {error}", folder.display());
+    outcome::withdraw(&site).and_then(|()| outcome::remove(&beside)).map_err(cannot)?;
+    let fresh = beside.join("html");
+    let built = from_disk(root)
         .map_err(|faults| faults.to_string())
-        .and_then(|_| mdbook::build(root, folder, For::Readers))
-        .and_then(|()| if with_paper { add_paper(root, &site) } else { Ok(()) });
-    if outcome.is_err() {
-        outcome::remove(&site).map_err(|error| format!("error: {}: {error}", site.display()))?;
-    } else {
+        .and_then(|_| mdbook::build(root, &beside, For::Readers))
+        .and_then(|()| browser.map_or(Ok(()), |browser| add_paper(root, &browser, &fresh)))
+        .and_then(|()| fs::rename(&fresh, &site).map_err(cannot));
+    outcome::remove(&beside).map_err(cannot)?;
+    if built.is_ok() {
         say(&format!("The site is in {}", site.display()));
     }
-    outcome
+    built
 }
 
 /// Puts the book on paper and for readers of EPUBs into its site, and leads to both from the foot of every page.
-fn add_paper(root: &Path, site: &Path) -> Result<(), String> {
+fn add_paper(root: &Path, browser: &Path, site: &Path) -> Result<(), String> {
     let cannot = |error: io::Error| format!("error: {}: {error}", site.display());
-    let browser = paper::browser()?;
     build_for_paper(root)?;
     let pages = root.join(PAPER).join("html");
     let book = Paper::read(root, &pages, None, true).map_err(cannot)?;
     let [pdf, epub] = ["pdf", "epub"].map(|kind| format!("{}.{kind}", book.file_name()));
-    print(root, &browser, &book, &site.join(&pdf))?;
+    print(root, browser, &book, &site.join(&pdf))?;
+    eprintln!("Writing the EPUB");
     book.write_epub(&pages, &site.join(&epub)).map_err(cannot)?;
     head::add_downloads(site, &[("PDF", &pdf), ("EPUB", &epub)]).map_err(cannot)
 }
@@ -190,7 +196,7 @@ fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
     };
     let target = match &order.file {
         Some(file) => env::current_dir().map_err(cannot)?.join(file),
-        None => root.join(format!("target/book/{name}.pdf")),
+        None => mdbook::destination(root, None)?.join(format!("{name}.pdf")),
     };
     print(root, &browser, &paper, &target)?;
     let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
@@ -205,7 +211,10 @@ fn print(root: &Path, browser: &Path, paper: &Paper, target: &Path) -> Result<()
         ["paper.html", "paper.pdf", "chromium"].map(|name| root.join(PAPER).join(name));
     // The first print says on which page everything stands, the second one prints it.
     let mut numbers = BTreeMap::new();
-    for file in [&*first, target] {
+    for (file, for_what) in
+        [(&*first, "to see on which page everything stands"), (target, "with the numbers of the pages")]
+    {
+        eprintln!("Chromium makes a PDF, {for_what}: the whole book takes it a minute or two");
         fs::write(&page, paper.html("html/", &numbers)).map_err(cannot)?;
         paper::print(browser, &page, file, &profile)?;
         numbers = paper::numbers(&fs::read(file).map_err(cannot)?);
@@ -230,7 +239,7 @@ fn epub(root: &Path, rest: &[String]) -> Result<(), String> {
     let paper = Paper::read(root, &site, None, true).map_err(cannot)?;
     let target = match file {
         Some(file) => env::current_dir().map_err(cannot)?.join(file),
-        None => root.join(format!("target/book/{}.epub", paper.file_name())),
+        None => mdbook::destination(root, None)?.join(format!("{}.epub", paper.file_name())),
     };
     paper.write_epub(&site, &target).map_err(cannot)?;
     let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
@@ -240,7 +249,8 @@ fn epub(root: &Path, rest: &[String]) -> Result<(), String> {
 
 fn build_for_paper(root: &Path) -> Result<(), String> {
     from_disk(root).map_err(|faults| faults.to_string())?;
-    mdbook::build(root, Some(PAPER), For::Paper)
+    eprintln!("Printing the pages once more, for paper");
+    mdbook::build(root, Path::new(PAPER), For::Paper)
 }
 
 #[cfg(test)]
@@ -266,8 +276,8 @@ mod tests {
 
     #[test]
     fn a_chapter_that_is_none_is_named_before_anything_is_built() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
-        let said = run(root, &["pdf".to_owned(), "coin".to_owned()], &Rendered::default()).unwrap_err();
+        let said =
+            run(Path::new(".."), &["pdf".to_owned(), "coin".to_owned()], &Rendered::default()).unwrap_err();
         assert!(
             said.starts_with("error: there is no chapter `coin`") && said.contains("\n   4  coin-toss "),
             "{said}"

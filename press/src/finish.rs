@@ -3,8 +3,10 @@
 use crate::edition::edition;
 use crate::fault::{Faults, Lines};
 use crate::head::{self, Said};
+use crate::licence::Licence;
 use crate::mdbook::For;
 use crate::preprocess::Failed;
+use crate::render::escaped;
 use crate::rendered::Rendered;
 use crate::{api, lost, module, outcome, places, search, site, solutions};
 use mdbook_renderer::RenderContext;
@@ -14,8 +16,6 @@ use std::io::Read;
 use std::path::Path;
 use std::{fs, io, thread};
 
-/// Files of the project that belong into the site.
-const LICENCES: [&str; 1] = ["LICENSE-CC-BY-4.0"];
 /// The picture of the book that previews of links show: its file in the theme's folder, and in the site.
 const PREVIEW: &str = "preview.png";
 /// The page of all pages.
@@ -44,7 +44,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
         Ok(faults) if faults.is_empty() => outcome::bring_back(&unfinished, &site).map_err(cannot),
         other => {
             let failed = other.map_or_else(cannot, Failed::Faults);
-            outcome::withdraw(&site, &context.config, &failed).map_err(cannot)?;
+            outcome::fail(&site, &context.config, &failed).map_err(cannot)?;
             Err(failed)
         }
     }
@@ -54,7 +54,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
 fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
     remove_sources_of_theme(site, &context.config)?;
     remove_programs(site)?;
-    add(site, &context.root, drawn)?;
+    drawn.write_all(&site.join("figures"))?;
     let is_hasty = For::of(&context.config) == For::Hasty;
     if is_hasty {
         outcome::remove(&site.join(PRINT))?;
@@ -101,12 +101,18 @@ fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<BTreeMap<S
     if let Some(picture) = &picture {
         fs::copy(picture, site.join(PREVIEW))?;
     }
-    let address = html.site_url.as_deref().unwrap_or("/");
+    let address = address(html.site_url.as_deref().unwrap_or("/"))?;
+    let known = Some(&*address).filter(|address| address.starts_with("http"));
+    let licence = Licence::read(&context.config).map_err(io::Error::other)?;
+    if let Some(licence) = &licence {
+        licence.add(site, &context.root)?;
+    }
     let said = Said {
         book: &title,
         edition: &edition(&context.root),
-        address: Some(address).filter(|address| address.starts_with("http")),
+        address: known,
         picture: picture.is_some().then_some(PREVIEW),
+        licence: licence.as_ref(),
     };
     let mut pages = BTreeMap::new();
     let copies = ["index.html", PRINT].map(str::to_owned);
@@ -117,8 +123,11 @@ fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<BTreeMap<S
             pages.insert(page, html);
         }
     }
+    if let Some(address) = known {
+        fs::write(site.join("sitemap.xml"), sitemap(address, pages.keys()))?;
+    }
     let language = context.config.book.language.as_deref().unwrap_or("en");
-    fs::write(site.join("404.html"), lost::page(&title, language, address, context.book.iter()))?;
+    fs::write(site.join("404.html"), lost::page(&title, language, &address, context.book.iter()))?;
     Ok(pages)
 }
 
@@ -148,13 +157,25 @@ fn remove_programs(folder: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Adds figures and licences.
-fn add(site_folder: &Path, root: &Path, drawn: &Rendered) -> io::Result<()> {
-    drawn.write_all(&site_folder.join("figures"))?;
-    for licence in LICENCES.iter().filter(|licence| root.join(licence).is_file()) {
-        fs::copy(root.join(licence), site_folder.join(licence))?;
+/// The address of the site, with a slash at its end.
+fn address(site_url: &str) -> io::Result<String> {
+    if !["https://", "http://", "/"].iter().any(|start| site_url.starts_with(start)) {
+        return Err(io::Error::other(format!(
+            "output.html.site-url of book.toml is an address, https://example.org/notes/, or a path from the root of a server, \
+             /notes/, and not `{site_url}`"
+        )));
     }
-    Ok(())
+    Ok(format!("{}/", site_url.trim_end_matches('/')))
+}
+
+/// The list of all pages for search engines. What is there twice is in it once.
+fn sitemap<'a>(address: &str, pages: impl Iterator<Item = &'a String>) -> String {
+    let own = pages.filter(|page| !matches!(page.as_str(), "index.html" | PRINT));
+    let lines = own.map(|page| format!("<url><loc>{}</loc></url>\n", escaped(&format!("{address}{page}"))));
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<urlset xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n{}</urlset>\n",
+        lines.collect::<String>()
+    )
 }
 
 /// The Markdown file and the line that a fault of a built page comes from, as far as they can be told.
@@ -168,5 +189,33 @@ fn locate(root: &Path, source: &str, page: &str, clue: &str) -> (String, usize) 
         }
         Ok(_) => (markdown, 0),
         Err(_) => (page.to_owned(), 0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_address_of_a_site_ends_with_a_slash() {
+        for (given, whole) in [
+            ("https://example.org/notes", "https://example.org/notes/"),
+            ("https://example.org/notes/", "https://example.org/notes/"),
+            ("/", "/"),
+            ("/notes", "/notes/"),
+        ] {
+            assert_eq!(address(given).unwrap(), whole);
+        }
+        assert!(
+            address("javascript:alert(1)").unwrap_err().to_string().contains("and not `javascript:alert(1)`")
+        );
+    }
+
+    #[test]
+    fn a_search_engine_hears_of_each_page_once() {
+        let pages = ["a/index.html", "b.html", "index.html", PRINT].map(str::to_owned);
+        let list = sitemap("https://example.org/a&b/", pages.iter());
+        assert!(list.contains("<loc>https://example.org/a&amp;b/a/index.html</loc>"), "{list}");
+        assert_eq!(list.matches("<loc>").count(), 2);
     }
 }

@@ -1,6 +1,7 @@
 //! What a page says of itself to those who have not opened it (search engines, previews of links), and which edition
 //! it belongs to.
 
+use crate::licence::Licence;
 use crate::render::escaped;
 use html5gum::{Token, Tokenizer};
 use std::path::Path;
@@ -14,6 +15,8 @@ pub(crate) struct Said<'a> {
     pub(crate) edition: &'a str,
     /// The address of the site, with a slash at its end, if it is known.
     pub(crate) address: Option<&'a str>,
+    /// What one may do with it, if it says so.
+    pub(crate) licence: Option<&'a Licence>,
     /// The picture of the site, below its root, if it has one.
     pub(crate) picture: Option<&'a str>,
 }
@@ -21,6 +24,9 @@ pub(crate) struct Said<'a> {
 /// Where the page's template takes a description, and where the edition.
 const DESCRIPTION: &str = "<meta name=\"description\" content=\"";
 const EDITION: &str = "<span class=\"edition\"></span>";
+/// Where the licence stands: at the foot, and in words on the title page.
+const LICENCE: &str = "<span class=\"licence\"></span>";
+const RIGHTS: &str = "<span class=\"rights\"></span>";
 /// Where links to the whole book in other forms go.
 const DOWNLOADS: &str = "<span class=\"downloads\"></span>";
 /// The most that a description says, characters.
@@ -55,7 +61,14 @@ pub(crate) fn completed(html: &str, path: &str, said: &Said<'_>) -> String {
         html.replace_range(begin..end + 3, &head);
     }
     let edition = if said.edition.is_empty() { String::new() } else { format!(" {}", escaped(said.edition)) };
-    html.replace(EDITION, &edition)
+    let words = said.licence.map_or(String::new(), |licence| escaped(&licence.words));
+    let address = said.licence.and_then(|licence| licence.address(&"../".repeat(path.matches('/').count())));
+    let link = match address {
+        Some(address) => format!(" · <a rel=\"license\" href=\"{}\">{words}</a>", escaped(&address)),
+        None if words.is_empty() => String::new(),
+        None => format!(" · {words}"),
+    };
+    html.replace(EDITION, &edition).replace(LICENCE, &link).replace(RIGHTS, &words)
 }
 
 /// Leads from the foot of every page of a finished site to files in its root, each with what it is called.
@@ -120,7 +133,13 @@ mod tests {
 
     #[test]
     fn a_page_says_what_it_is_about_and_where_it_is() {
-        let said = Said { book: "Tops", edition: "1.0, abc", address: None, picture: Some("preview.png") };
+        let said = Said {
+            book: "Tops",
+            edition: "1.0, abc",
+            address: None,
+            picture: Some("preview.png"),
+            licence: None,
+        };
         let page = completed(PAGE, "tops/index.html", &said);
         assert!(
             page.contains(
@@ -143,6 +162,21 @@ mod tests {
     }
 
     #[test]
+    fn a_page_claims_the_licence_that_book_toml_names_and_no_other() {
+        let said = |table: &str, path: &str| {
+            let config = format!("[preprocessor.press]\n{table}").parse().unwrap();
+            let licence = Licence::read(&config).unwrap();
+            let said =
+                Said { book: "", edition: "", address: None, picture: None, licence: licence.as_ref() };
+            completed(&format!("<p>{RIGHTS}</p>Tops{LICENCE}"), path, &said)
+        };
+        assert_eq!(said("", "a.html"), "<p></p>Tops");
+        assert_eq!(said("licence = \"You & I\"", "a.html"), "<p>You &amp; I</p>Tops · You &amp; I");
+        let link = "Tops · <a rel=\"license\" href=\"../L.txt\">You</a>";
+        assert!(said("licence = \"You\"\nlicence-url = \"L\"", "a/b.html").ends_with(link));
+    }
+
+    #[test]
     fn every_page_leads_to_the_downloads_wherever_it_is() {
         let site = std::env::temp_dir().join(format!("press-downloads-{}", std::process::id()));
         fs::create_dir_all(site.join("tops")).unwrap();
@@ -160,7 +194,7 @@ mod tests {
     #[test]
     fn long_words_end_at_a_word() {
         let long = PAGE.replace("More", "").replace("falls.", &"falls, ".repeat(60));
-        let said = Said { book: "Tops", edition: "", address: None, picture: None };
+        let said = Said { book: "Tops", edition: "", address: None, picture: None, licence: None };
         let page = completed(&long, "tops.html", &said);
         let words = between(&page, DESCRIPTION, "\">").unwrap();
         assert!(words.ends_with("falls …") && words.len() < LONGEST + 30, "{words}");

@@ -106,6 +106,7 @@ mod faces;
 mod head;
 mod labels;
 mod library;
+mod licence;
 mod lost;
 mod maths;
 mod mdbook;

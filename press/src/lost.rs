@@ -1,5 +1,6 @@
 //! The page for addresses at which there is none.
 
+use crate::render::escaped;
 use mdbook_renderer::book::BookItem;
 use std::fmt::Write as _;
 
@@ -22,15 +23,15 @@ pub(crate) fn page<'a>(
             let _ = writeln!(
                 links,
                 "<li><a href=\"{}\">{number}{}</a></li>",
-                crate::book::slashed(&path),
-                chapter.name
+                escaped(&crate::book::slashed(&path)),
+                escaped(&chapter.name)
             );
         }
     }
     TEMPLATE
-        .replace("TITLE", title)
-        .replace("LANGUAGE", language)
-        .replace("ADDRESS", address)
+        .replace("TITLE", &escaped(title))
+        .replace("LANGUAGE", &escaped(language))
+        .replace("ADDRESS", &escaped(address))
         .replace("LINKS", &links)
 }
 
@@ -82,12 +83,15 @@ mod tests {
         let chapter =
             |name: &str, path: &str| BookItem::Chapter(Chapter::new(name, String::new(), path, Vec::new()));
         let items = [chapter("Tops", "tops/index.md"), BookItem::Separator, chapter("Sources", "sources.md")];
-        let page = page("Spin", "en", "/", items.iter());
+        let page = super::page("Spin", "en", "/", items.iter());
         assert!(
             page.contains("<a href=\"tops/index.html\">Tops</a>")
                 && page.contains("<a href=\"sources.html\">Sources</a>"),
             "{page}"
         );
+        let hostile = super::page("</title><b>", "en", "/", [chapter("<i> & co", "a&b.md")].iter());
+        assert!(!hostile.contains("<b>") && !hostile.contains("<i>"), "{hostile}");
+        assert!(hostile.contains("<title>No such page - &lt;/title&gt;&lt;b&gt;</title>"));
         for word in ["TITLE", "LANGUAGE", "ADDRESS", "LINKS"] {
             assert!(!page.contains(word), "{word}");
         }

@@ -38,18 +38,22 @@ impl For {
         }
     }
 
-    /// For whom mdBook builds with these settings. `mdbook serve` leaves a sign of its own.
+    /// For whom mdBook builds with these settings.
     pub(crate) fn of(config: &Config) -> Self {
         let named: Option<String> = config.get(SETTING).ok().flatten();
         let all = [Self::Author, Self::Hasty, Self::Paper];
         let found = all.into_iter().find(|one| named.as_deref() == Some(one.name()));
-        let is_served = config.contains_key("output.html.live-reload-endpoint");
-        found.unwrap_or(if is_served { Self::Author } else { Self::Readers })
+        found.unwrap_or(if is_followed_by_mdbook(config) { Self::Author } else { Self::Readers })
     }
 }
 
-/// Builds the site in `root`, in the folder `html` below `destination` if it is not where book.toml says.
-pub(crate) fn build(root: &Path, destination: Option<&str>, for_whom: For) -> Result<(), String> {
+/// Whether `mdbook serve` follows edits of the book.
+pub(crate) fn is_followed_by_mdbook(config: &Config) -> bool {
+    config.contains_key("output.html.live-reload-endpoint")
+}
+
+/// Builds the site in `root`, in the folder `html` below `destination`.
+pub(crate) fn build(root: &Path, destination: &Path, for_whom: For) -> Result<(), String> {
     build_by(None, root, destination, for_whom)
 }
 
@@ -57,13 +61,11 @@ pub(crate) fn build(root: &Path, destination: Option<&str>, for_whom: For) -> Re
 pub(crate) fn build_by(
     press: Option<&str>,
     root: &Path,
-    destination: Option<&str>,
+    destination: &Path,
     for_whom: For,
 ) -> Result<(), String> {
     let built = settings(root).and_then(|mut settings| {
-        if let Some(folder) = destination {
-            settings.build.build_dir = root.join(folder);
-        }
+        settings.build.build_dir = root.join(destination);
         if let Some(press) = press {
             settings.set("preprocessor.press.command", press)?;
         }
@@ -85,6 +87,20 @@ pub(crate) fn made_of(root: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(parts.into_iter().map(|part| root.join(part)).collect())
 }
 
+/// Where the site goes, in a folder `html`: below `asked`, or below the folder that book.toml names.
+pub(crate) fn destination(root: &Path, asked: Option<&str>) -> Result<PathBuf, String> {
+    let settings = settings(root).map_err(|error| format!("error: {error:#}"))?;
+    let named = asked.map_or(settings.build.build_dir, PathBuf::from);
+    let (folder, pages) = (root.join(&named), root.join(settings.book.src));
+    if folder.components().collect::<PathBuf>().starts_with(&pages) {
+        return Err(format!(
+            "error: the site cannot go into {}, because the pages lie there",
+            named.display()
+        ));
+    }
+    Ok(folder)
+}
+
 /// Tests the snippets of all pages.
 pub(crate) fn test(root: &Path) -> Result<(), String> {
     let tested =
@@ -93,7 +109,7 @@ pub(crate) fn test(root: &Path) -> Result<(), String> {
 }
 
 /// What book.toml and the environment say.
-fn settings(root: &Path) -> Result<Config, Error> {
+pub(crate) fn settings(root: &Path) -> Result<Config, Error> {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let _ = tracing::subscriber::set_global_default(Warnings);

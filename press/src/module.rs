@@ -7,16 +7,18 @@
 //! once for each chapter.
 //!
 //! `BOOK_LIVE=static` prints stills, `BOOK_LIVE=require` makes a missing compiler an error, and `auto` (or
-//! nothing) builds the module if it can. `BOOK_WASM_RUSTC` names a compiler other than `rustc`.
+//! nothing) builds the module if it can. `BOOK_WASM_RUSTC` names a compiler other than `rustc`, which may lack the
+//! target: then rustup is asked for it.
 
 use crate::answers;
 use crate::mdbook::For;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
-use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::{env, fs};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
+use std::{env, fs, io, thread};
 
 /// The script of a chapter, in the site's root.
 pub(crate) fn file(chapter: &str) -> String {
@@ -27,6 +29,8 @@ pub(crate) fn file(chapter: &str) -> String {
 const FOLDER: &str = "target/live";
 const TARGET: &str = "wasm32-unknown-unknown";
 const CRATE: &str = "press/live/module";
+/// How long rustup is waited for, which fetches 20 MB.
+const PATIENCE: Duration = Duration::from_secs(300);
 
 /// What there is for a book.
 #[derive(Debug)]
@@ -51,7 +55,7 @@ pub(crate) fn add(site: &Path, root: &Path, pages: &BTreeMap<String, String>) ->
     Ok(())
 }
 
-/// What there is now.
+/// What there is now. Whoever publishes the site waits until rustup has been asked for what the compiler lacks.
 ///
 /// # Errors
 /// If modules are required and there is no compiler for them.
@@ -87,9 +91,12 @@ fn modules(root: &Path, for_whom: For, most: usize) -> Result<Module, String> {
     if !root.join(CRATE).is_dir() {
         return Ok(Module::Missing(None)); // a book without the library
     }
-    let compiler = match compiler() {
+    let may_ask = most > 0 || for_whom == For::Readers;
+    let compiler = match compiler(may_ask) {
         Ok(compiler) => compiler,
-        Err(message) if wish == "require" || env::var_os("BOOK_WASM_RUSTC").is_some() => return Err(message),
+        Err(message) if env::var_os("BOOK_WASM_RUSTC").is_some() => return Err(message),
+        Err(_) if wish == "require" && !may_ask => return Ok(Module::Stale),
+        Err(message) if wish == "require" => return Err(message),
         Err(message) => return Ok(Module::Missing(Some(message))),
     };
     let cannot = |error: io::Error| format!("the module of the pages cannot be made: {error}");
@@ -142,26 +149,69 @@ fn live_text(folder: &Path) -> io::Result<String> {
     Ok(text)
 }
 
-/// A compiler that has the core library for WebAssembly.
-fn compiler() -> Result<PathBuf, String> {
-    let named = env::var_os("BOOK_WASM_RUSTC");
-    let own = named.clone().or_else(|| env::var_os("RUSTC")).unwrap_or_else(|| "rustc".into());
-    let said = Command::new(&own)
+/// A compiler that has the core library for WebAssembly. If the usual one lacks it, rustup is asked for it, once in a
+/// run of the press, where one `may_ask`.
+fn compiler(may_ask: bool) -> Result<PathBuf, String> {
+    if let Some(named) = env::var_os("BOOK_WASM_RUSTC").map(PathBuf::from) {
+        let lacks = || format!("BOOK_WASM_RUSTC is {}, which has no {TARGET}", named.display());
+        return if has_target(&named) { Ok(named) } else { Err(lacks()) };
+    }
+    let own = env::var_os("RUSTC").map_or_else(|| "rustc".into(), PathBuf::from);
+    if has_target(&own) {
+        return Ok(own);
+    }
+    static ASKED: OnceLock<Result<(), String>> = OnceLock::new();
+    let why = match may_ask.then(|| ASKED.get_or_init(|| ask(Path::new("rustup"), PATIENCE))) {
+        Some(Ok(())) if has_target(&own) => return Ok(own),
+        Some(Ok(())) => format!("rustup has it now, but {} is not rustup's", own.display()),
+        Some(Err(why)) => why.clone(),
+        None => format!("`rustup target add {TARGET}` fetches it"),
+    };
+    Err(format!("the scenes of the pages stand still, because the compiler lacks the target {TARGET}: {why}"))
+}
+
+/// Whether a compiler has the core library for WebAssembly.
+fn has_target(compiler: &Path) -> bool {
+    let said = Command::new(compiler)
         .args(["--print", "target-libdir", "--target", TARGET])
         .stdin(Stdio::null())
         .stderr(Stdio::null())
         .output();
     let folder = said.ok().map(|said| PathBuf::from(String::from_utf8_lossy(&said.stdout).trim()));
-    let files = folder.and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten();
-    if files.into_iter().any(|file| file.file_name().to_string_lossy().starts_with("libcore-")) {
-        return Ok(own.into());
-    }
-    Err(match named {
-        Some(named) => format!("BOOK_WASM_RUSTC is {}, which has no {TARGET}", named.display()),
-        None => {
-            format!("the scenes of the pages stand still: `rustup target add {TARGET}` brings them to life")
+    let mut files = folder.and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten();
+    files.any(|file| file.file_name().to_string_lossy().starts_with("libcore-"))
+}
+
+/// Asks rustup for the target, and waits for it no longer than `patience`; why there is none.
+fn ask(rustup: &Path, patience: Duration) -> Result<(), String> {
+    let mut asked = Command::new(rustup)
+        .args(["target", "add", TARGET])
+        .stdin(Stdio::null())
+        .stdout(Stdio::null()) // which belongs to mdBook's protocol; rustup writes what it does to the other
+        .spawn()
+        .map_err(|error| format!("rustup, which could fetch it, cannot be run ({error})"))?;
+    eprintln!(
+        "Scenes that move need a part of the compiler: asking rustup for {TARGET} (with BOOK_LIVE=static nothing is asked)"
+    );
+    let begin = Instant::now();
+    loop {
+        match asked.try_wait() {
+            Ok(Some(status)) if status.success() => return Ok(()),
+            Ok(Some(status)) => {
+                return Err(format!("`rustup target add {TARGET}` has failed ({status})"));
+            }
+            Ok(None) if begin.elapsed() < patience => thread::sleep(Duration::from_millis(50)),
+            waited => {
+                let _ = asked.kill();
+                let _ = asked.wait();
+                let why = waited.map_or_else(
+                    |error| error.to_string(),
+                    |_| format!("nothing after {} s", patience.as_secs_f64()),
+                );
+                return Err(format!("`rustup target add {TARGET}` was stopped ({why})"));
+            }
         }
-    })
+    }
 }
 
 /// A hasher that has seen what all modules are made of.
@@ -301,6 +351,37 @@ mod tests {
             assert_eq!(base64(bytes.as_bytes()), written);
         }
         assert_eq!(base64(&[0xfb, 0xff, 0xbf]), "+/+/");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn rustup_is_asked_for_the_target_and_given_up_when_it_fails_or_hangs() {
+        let folder = env::temp_dir().join(format!("press-rustup-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let program = |name: &str, text: &str| {
+            let file = folder.join(name);
+            // By another process: what this one writes cannot be run while some thread starts a third.
+            let write = "printf '#!/bin/sh\\n%s\\n' \"$1\" > \"$0\" && chmod 755 \"$0\"";
+            let written = Command::new("sh").args(["-c", write]).arg(&file).arg(text).status();
+            assert!(written.unwrap().success());
+            file
+        };
+        let rustc = program("rustc", &format!("echo '{}'", folder.join("lib").display()));
+        assert!(!has_target(&rustc));
+        let fetches = format!(
+            "[ \"$*\" = 'target add {TARGET}' ] && mkdir {0} && touch {0}/libcore-1.rlib",
+            folder.join("lib").display()
+        );
+        assert_eq!(ask(&program("good", &fetches), PATIENCE), Ok(()));
+        assert!(has_target(&rustc));
+
+        let said = |rustup: &Path| ask(rustup, Duration::from_millis(300)).unwrap_err();
+        assert!(said(&program("bad", "exit 3")).contains("has failed (exit status: 3)"));
+        let begin = Instant::now();
+        assert!(said(&program("slow", "exec sleep 60")).contains("was stopped (nothing after 0.3 s)"));
+        assert!(begin.elapsed() < Duration::from_secs(20));
+        assert!(said(&folder.join("none")).contains("cannot be run"));
+        fs::remove_dir_all(folder).unwrap();
     }
 
     #[test]

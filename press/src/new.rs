@@ -12,10 +12,18 @@ const PICTURE: &str = "preview.png";
 /// Writes a new book into `folder`, with the press of the one in `root`.
 ///
 /// # Errors
-/// If the folder holds something, or something cannot be copied.
+/// If the folder holds something or lies among what is copied, or something cannot be copied.
 pub(crate) fn book(root: &Path, folder: &Path) -> io::Result<()> {
     if folder.exists() && fs::read_dir(folder)?.next().is_some() {
         return Err(io::Error::new(ErrorKind::AlreadyExists, "the folder is not empty"));
+    }
+    fs::create_dir_all(folder)?;
+    for part in ["press", "book"] {
+        if folder.canonicalize()?.starts_with(root.join(part).canonicalize()?) {
+            fs::remove_dir(folder)?;
+            let why = format!("the folder lies in `{part}`, which is copied: take one beside this book");
+            return Err(io::Error::new(ErrorKind::InvalidInput, why));
+        }
     }
     copy(&root.join("press/example"), folder)?;
     copy(&root.join("press"), &folder.join("press"))?;

@@ -1,5 +1,7 @@
-//! What a build leaves behind: the folder `html` is there when the site in it is whole, and only then, so that a script
-//! which does not look at the exit code has nothing to publish.
+//! What a build leaves behind: the folder `html` holds a whole site or does not exist, whatever ends the build, so that a
+//! script which does not look at the exit code has nothing to publish. The site of before goes first, and the new one comes
+//! at once. Two things are not in our hands: what does not compile never runs, and leaves the whole site of before; and
+//! plain `mdbook build` renders in that very folder.
 
 use crate::mdbook::For;
 use crate::preprocess::Failed;
@@ -20,11 +22,21 @@ pub(crate) fn bring_back(unfinished: &Path, site: &Path) -> io::Result<()> {
     fs::rename(unfinished, site)
 }
 
+/// Takes a site away at once, then removes it.
+pub(crate) fn withdraw(site: &Path) -> io::Result<()> {
+    let old = site.with_file_name("html-old");
+    remove(&old)?;
+    if site.exists() {
+        fs::rename(site, &old)?;
+    }
+    remove(&old)
+}
+
 /// Takes the site away after a build that failed. Who looks at it while it is served sees the reason
 /// instead, at every address, until the next build.
-pub(crate) fn withdraw(site: &Path, config: &Config, failed: &Failed) -> io::Result<()> {
+pub(crate) fn fail(site: &Path, config: &Config, failed: &Failed) -> io::Result<()> {
     remove(&site.with_file_name("html-unfinished"))?;
-    remove(site)?;
+    withdraw(site)?;
     match For::of(config) {
         For::Author | For::Hasty => say(site, &failed.to_string()),
         For::Readers | For::Paper => Ok(()),

@@ -16,6 +16,8 @@ use crate::book::{self, Page};
 use crate::edition;
 use crate::fault::Faults;
 use crate::head::plain;
+use crate::licence::Licence;
+use crate::mdbook;
 use crate::render::escaped;
 use crate::{solutions, summary};
 use mdbook_summary::SummaryItem;
@@ -221,20 +223,22 @@ impl Paper {
 
     fn title_page(&self) -> String {
         format!(
-            "<section class=\"title-page\">\n<p class=\"title\">{}</p>\n<p>{}</p>\n<p class=\"licence\">{}<br>\n{LICENCE}</p>\n\
+            "<section class=\"title-page\">\n<p class=\"title\">{}</p>\n<p>{}</p>\n<p class=\"licence\">{}<br>\n{}</p>\n\
              </section>\n",
             self.settings.title,
             self.settings.description,
             self.edition_in_words(),
+            self.settings.licence,
         )
     }
 
     /// What stands at the head of a handout.
     fn letterhead(&self) -> String {
         format!(
-            "<p class=\"letterhead\">From <em>{}</em>, {}. {LICENCE}</p>\n",
+            "<p class=\"letterhead\">From <em>{}</em>, {}. {}</p>\n",
             self.settings.title,
-            self.edition_in_words()
+            self.edition_in_words(),
+            self.settings.licence,
         )
     }
 
@@ -285,8 +289,6 @@ impl Paper {
 /// The id of the title above all solutions.
 const APPENDIX: &str = "appendix-solutions";
 
-const LICENCE: &str = "Text and figures may be used under the Creative Commons Attribution 4.0 licence.";
-
 /// mdBook's script colours the code; on the pages of the site another one asks it to.
 const HIGHLIGHT: &str = "<script>for (const code of document.querySelectorAll('pre > code')) hljs.highlightBlock(code);</script>\n";
 
@@ -318,24 +320,21 @@ struct Settings {
     description: String,
     authors: String,
     language: String,
+    /// May be empty.
+    licence: String,
 }
 
 impl Settings {
     fn read(root: &Path) -> io::Result<Self> {
-        let text = fs::read_to_string(root.join("book.toml"))?;
-        let table = text.parse::<toml::Table>().map_err(io::Error::other)?;
-        let book = table.get("book");
-        let word = |key: &str, other: &str| {
-            let value = book.and_then(|book| book.get(key)?.as_str());
-            escaped(value.unwrap_or(other))
-        };
-        let authors = book.and_then(|book| book.get("authors")?.as_array()).into_iter().flatten();
-        let authors: Vec<&str> = authors.filter_map(toml::Value::as_str).collect();
+        let config = mdbook::settings(root).map_err(|error| io::Error::other(format!("{error:#}")))?;
+        let licence = Licence::read(&config).map_err(io::Error::other)?;
+        let word = |value: Option<String>| escaped(&value.unwrap_or_default());
         Ok(Self {
-            title: word("title", ""),
-            description: word("description", ""),
-            authors: escaped(&authors.join(", ")),
-            language: word("language", "en"),
+            title: word(config.book.title),
+            description: word(config.book.description),
+            authors: escaped(&config.book.authors.join(", ")),
+            language: escaped(config.book.language.as_deref().unwrap_or("en")),
+            licence: word(licence.map(|licence| licence.words)),
         })
     }
 }

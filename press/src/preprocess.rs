@@ -2,7 +2,7 @@
 
 use crate::book::from_mdbook;
 use crate::fault::Faults;
-use crate::mdbook::For;
+use crate::mdbook::{self, For};
 use crate::module::{self, Module};
 use crate::rendered::Rendered;
 use crate::{check, outcome, snippets, solutions};
@@ -53,8 +53,8 @@ pub fn run(input: impl Read, mut output: impl Write, drawn: Rendered) -> Result<
         && context.renderer == "html"
     {
         let site = context.root.join(&context.config.build.build_dir).join("html");
-        outcome::withdraw(&site, &context.config, failed).map_err(|error| {
-            Failed::Other(format!("{failed}\nerror: {} cannot be taken away: {error}", site.display()))
+        outcome::fail(&site, &context.config, failed).map_err(|error| {
+            Failed::Other(format!("{} cannot be taken away: {error}\n{failed}", site.display()))
         })?;
     }
     answer?;
@@ -78,7 +78,12 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
         texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
     } else {
         match modules {
-            Module::Missing(Some(why)) => eprintln!("{why}"),
+            // `cargo book serve` says it by itself, and once.
+            Module::Missing(Some(why))
+                if for_whom == For::Readers || mdbook::is_followed_by_mdbook(&context.config) =>
+            {
+                eprintln!("{why}");
+            }
             Module::Stale if !drawn.is_still => {
                 module::build(&context.root, for_whom).map_err(Failed::Other)?;
             }

@@ -14,7 +14,7 @@ use http::Site;
 use std::net::{TcpListener, ToSocketAddrs};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::sync::Arc;
+use std::sync::{Arc, Once};
 use std::thread::JoinHandle;
 use std::{fs, io, thread};
 use watch::{PAUSE, Watcher};
@@ -24,14 +24,13 @@ use watch::{PAUSE, Watcher};
 struct Order {
     host: String,
     port: u16,
-    folder: String,
+    folder: Option<String>,
     open: bool,
 }
 
 impl Order {
     fn read(arguments: &[String]) -> Result<Self, String> {
-        let mut order =
-            Self { host: "localhost".to_owned(), port: 3000, folder: "target/book".to_owned(), open: false };
+        let mut order = Self { host: "localhost".to_owned(), port: 3000, folder: None, open: false };
         let mut rest = arguments.iter();
         while let Some(argument) = rest.next() {
             let (name, within) = match argument.split_once('=') {
@@ -44,7 +43,7 @@ impl Order {
             match name {
                 "-o" | "--open" => order.open = true,
                 "-n" | "--hostname" => order.host = value()?,
-                "-d" | "--dest-dir" => order.folder = value()?,
+                "-d" | "--dest-dir" => order.folder = Some(value()?),
                 "-p" | "--port" => {
                     let port = value()?;
                     order.port = port.parse().map_err(|_| format!("error: `{port}` is no port"))?;
@@ -64,7 +63,7 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
     let order = Order::read(arguments)?;
     // Before anything is built, which takes a while.
     let listeners = listeners(&order)?;
-    let made = Made::new(root, &order.folder);
+    let made = Made { root, folder: mdbook::destination(root, order.folder.as_deref())? };
     let site = Arc::new(Site::new(vec![made.folder.join("html"), made.folder.join("kept")]));
     for listener in listeners {
         let site = Arc::clone(&site);
@@ -118,7 +117,14 @@ fn has_built_rest(
 ) -> bool {
     let start = || {
         let root = made.root.to_owned();
-        thread::spawn(move || module::build_one(&root, For::Author))
+        thread::spawn(move || {
+            let built = module::build_one(&root, For::Author);
+            if let Ok(Module::Missing(Some(why))) = &built {
+                static SAID: Once = Once::new();
+                SAID.call_once(|| eprintln!("{why}"));
+            }
+            built
+        })
     };
     loop {
         while !compiler.get_or_insert_with(start).is_finished() {
@@ -158,16 +164,11 @@ const ELSEWHERE: &str = "If the library, a figure or a scene does not compile, t
 struct Made<'a> {
     root: &'a Path,
     folder: PathBuf,
-    next: String,
 }
 
-impl<'a> Made<'a> {
-    fn new(root: &'a Path, folder: &str) -> Self {
-        Self { root, folder: root.join(folder), next: format!("{folder}/next") }
-    }
-
+impl Made<'_> {
     fn build(&self, press: Option<&str>, for_whom: For) -> Result<(), String> {
-        let built = mdbook::build_by(press, self.root, Some(&self.next), for_whom);
+        let built = mdbook::build_by(press, self.root, &self.folder.join("next"), for_whom);
         let [html, next, old] = ["html", "next/html", "old"].map(|name| self.folder.join(name));
         let kept = self.folder.join("kept");
         let put = || {
@@ -263,7 +264,10 @@ mod tests {
         let usual = order("").unwrap();
         assert_eq!((usual.host.as_str(), usual.port, usual.open), ("localhost", 3000, false));
         let other = order("-o -p 3001 --hostname=0.0.0.0 -d a/b").unwrap();
-        assert_eq!((other.host.as_str(), other.port, other.folder.as_str()), ("0.0.0.0", 3001, "a/b"));
+        assert_eq!(
+            (other.host.as_str(), other.port, other.folder.as_deref()),
+            ("0.0.0.0", 3001, Some("a/b"))
+        );
         assert!(other.open);
         for (wrong, said) in [("-p", "-p names nothing"), ("-p x", "`x` is no port"), ("a", "argument `a`")] {
             assert!(order(wrong).unwrap_err().contains(said), "{wrong}");

@@ -44,7 +44,7 @@ struct Book {
 impl Book {
     /// A book of one numbered chapter with two pages, `a.md` and `b.md`, and a suffix page `c.md`.
     fn new(name: &str, a: &str, b: &str, c: &str) -> Self {
-        let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("faults-{name}"));
+        let root = std::env::temp_dir().join(format!("press-faults-{}-{name}", std::process::id()));
         let _ = fs::remove_dir_all(&root);
         fs::create_dir_all(root.join("book")).unwrap();
         fs::write(root.join("book.toml"), "[book]\ntitle = \"T\"\nsrc = \"book\"\n").unwrap();

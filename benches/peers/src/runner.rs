@@ -66,7 +66,7 @@ pub fn run(arguments: &[String]) -> Result<(), Cause> {
         println!("{HELP}");
         return Ok(());
     };
-    let root = fs::canonicalize(Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."))?;
+    let root = fs::canonicalize(PathBuf::from(env::var("CARGO_MANIFEST_DIR")?).join("../.."))?;
     let folder = root.join("book/speed-and-accuracy");
     if options.no_contest {
         return finish(&root, &folder);

@@ -48,11 +48,11 @@ fn answer(drawn: Rendered) -> Result<(), String> {
     preprocess::run(request.as_slice(), io::stdout().lock(), drawn).map_err(|failed| failed.to_string())
 }
 
-/// The project's root: the nearest folder upwards with a book.toml, else the one in which the press was built.
+/// The project's root: the nearest folder upwards with a book.toml, else the one that Cargo runs the press of.
 fn root() -> PathBuf {
-    let built = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap_or(Path::new("."));
-    let here = env::current_dir().ok();
-    let found =
-        here.as_deref().and_then(|here| here.ancestors().find(|folder| folder.join("book.toml").is_file()));
-    fs::canonicalize(found.unwrap_or(built)).unwrap_or_else(|_| built.to_path_buf())
+    let here = env::current_dir().unwrap_or_default();
+    let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
+    let found = here.ancestors().find(|folder| folder.join("book.toml").is_file());
+    let root = found.or_else(|| package.ancestors().nth(2)).unwrap_or(&here);
+    fs::canonicalize(root).unwrap_or_else(|_| root.to_owned())
 }

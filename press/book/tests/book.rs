@@ -16,13 +16,18 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Read as _, Write as _};
 use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
-use std::sync::OnceLock;
+use std::process::{Child, Command, Output, Stdio};
+use std::sync::{LazyLock, OnceLock};
 use std::time::Duration;
-use std::{fs, thread};
+use std::{env, fs, thread};
 
+/// The workspace, where it lies now.
 fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the package lies two folders down")
+    static ROOT: LazyLock<PathBuf> = LazyLock::new(|| {
+        let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("Cargo sets it"));
+        package.ancestors().nth(2).expect("the package lies two folders down").to_owned()
+    });
+    &ROOT
 }
 
 /// The figures as the build script has drawn them, and the scenes.
@@ -180,7 +185,10 @@ fn the_site_holds_the_fonts_that_it_asks_for_and_their_licences() {
     {
         assert!(licences.contains(family), "{family}");
     }
-    assert!(site().join("LICENSE-CC-BY-4.0").is_file());
+    assert!(site().join("LICENSE-CC-BY-4.0.txt").is_file(), "the ending says that it can be read");
+    let page = fs::read_to_string(site().join("coin-toss/index.html")).unwrap();
+    let link = "<a rel=\"license\" href=\"../LICENSE-CC-BY-4.0.txt\">Text and figures: CC BY 4.0</a>";
+    assert!(page.contains(link), "book.toml says so");
 
     assert!(weight_of_fonts() < 120 * 1024, "{} bytes of fonts", weight_of_fonts());
 }
@@ -350,7 +358,7 @@ fn a_small_book_builds_and_after_a_fault_leaves_no_site() {
     assert!(press::check::check(&folder, drawn()).unwrap_err().to_string().starts_with(fault));
     let built = book(&folder, &["build"]);
     assert!(!built.status.success() && said(&built).contains(fault), "{}", said(&built));
-    assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["press".to_owned()]));
+    assert_eq!(names(&folder.join("target/book")), BTreeSet::new());
 }
 
 #[test]
@@ -362,7 +370,84 @@ fn a_fault_of_the_finished_site_leaves_none() {
     let built = book(&folder, &["build"]);
     let fault = "error: book/a.md: <script> loads https://example.org/x.js from a network";
     assert!(!built.status.success() && said(&built).contains(fault), "{}", said(&built));
-    assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["press".to_owned()]));
+    assert_eq!(names(&folder.join("target/book")), BTreeSet::new());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_site_is_whole_or_absent_whenever_its_build_is_killed() {
+    use std::os::unix::process::CommandExt as _;
+    let folder = small_book("killed", GOOD);
+    let site = folder.join("target/book/html");
+    assert!(book(&folder, &["build"]).status.success());
+    let whole = files_of(&site);
+    let mut absent = 0;
+    for part in 0..12 {
+        fs::remove_dir_all(folder.join("target/book")).unwrap();
+        let mut build = Command::new(env!("CARGO_BIN_EXE_book"))
+            .arg("build")
+            .current_dir(&folder)
+            .stdin(Stdio::null())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .process_group(0)
+            .spawn()
+            .unwrap();
+        // With all that it has started, when so many files are there, or when it is done.
+        let made = || count(&folder.join("target/book"));
+        while build.try_wait().unwrap().is_none() && made() <= whole.len() * part / 10 {}
+        let group = format!("-{}", build.id());
+        let _ = Command::new("kill").args(["-KILL", "--", &group]).stderr(Stdio::null()).status();
+        build.wait().unwrap();
+        absent += usize::from(!site.exists());
+        assert!(!site.exists() || files_of(&site) == whole, "part {part}: {} files", files_of(&site).len());
+    }
+    assert!(absent > 4, "only {absent} of the builds were killed in the middle");
+    assert!(book(&folder, &["build"]).status.success() && files_of(&site) == whole);
+    assert_eq!(names(&folder.join("target/book")), BTreeSet::from(["html".to_owned()]));
+}
+
+/// How many files lie in a folder whose content comes and goes.
+fn count(folder: &Path) -> usize {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
+    entries.map(|path| if path.is_dir() { count(&path) } else { 1 }).sum()
+}
+
+/// The files of a site, each with its length.
+fn files_of(site: &Path) -> BTreeMap<String, usize> {
+    let mut found = BTreeMap::new();
+    all(site, "", &mut found);
+    found.into_iter().map(|(name, bytes)| (name, bytes.len())).collect()
+}
+
+#[test]
+fn the_site_goes_where_book_toml_says_but_not_among_the_pages() {
+    let folder = small_book("build-dir", GOOD);
+    let config = fs::read_to_string(folder.join("book.toml")).unwrap();
+    let to = |place: &str| {
+        let config = config.replace("build-dir = \"target/book\"", &format!("build-dir = \"{place}\""));
+        fs::write(folder.join("book.toml"), config).unwrap();
+        book(&folder, &["build"])
+    };
+    let built = to("out");
+    let told = format!("The site is in {}", folder.join("out/html").display());
+    assert!(built.status.success() && said(&built).contains(&told), "{}", said(&built));
+    assert!(folder.join("out/html/a.html").is_file() && !folder.join("target/book").exists());
+    for place in ["book", "book/out", "./book"] {
+        let built = to(place);
+        let told = format!("the site cannot go into {place}, because the pages lie there");
+        assert!(!built.status.success() && said(&built).contains(&told), "{}", said(&built));
+    }
+}
+
+/// `cargo book serve`, which ends with its test.
+struct Server(Child);
+
+impl Drop for Server {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
 }
 
 /// What the server at an address says to a browser that asks for a page, once it is there.
@@ -371,7 +456,7 @@ fn page(address: (&str, u16), path: &str) -> String {
         if let Ok(mut stream) = TcpStream::connect(address) {
             let mut said = String::new();
             stream.set_read_timeout(Some(Duration::from_secs(120))).unwrap();
-            write!(stream, "GET {path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n").unwrap();
+            write!(stream, "GET {path} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n").unwrap();
             stream.read_to_string(&mut said).unwrap();
             return said;
         }
@@ -397,33 +482,91 @@ fn who_is_served_a_book_with_a_fault_reads_it_at_every_address_and_then_the_page
     // A port that is free now.
     let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
     let address = ("127.0.0.1", port);
-    let mut server = Command::new(env!("CARGO_BIN_EXE_book"))
+    let server = Command::new(env!("CARGO_BIN_EXE_book"))
         .args(["serve", "-n", address.0, "-p", &port.to_string()])
         .current_dir(&folder)
         .stdin(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
+        .map(Server)
         .unwrap();
     let bad = page(address, "/a.html");
-    let news = thread::spawn(move || page(address, "/__news"));
-    thread::sleep(Duration::from_millis(500));
+    let news = page(address, "/__news");
     fs::write(folder.join("book/a.md"), GOOD).unwrap();
-    let heard = news.join();
+    until(|| page(address, "/__news") != news);
     let good = page(address, "/a.html");
     // The page of all pages comes with the rest, and stays as it is while a sentence changes.
     let made = folder.join("target/book");
     until(|| made.join("kept/print.html").is_file());
+    browser::open_tabs(&format!("http://{}:{port}/a.html", address.0), 8);
     fs::write(folder.join("book/a.md"), GOOD.replace("So ", "Thus ")).unwrap();
     until(|| page(address, "/a.html").contains("Thus "));
     let all = page(address, "/print.html");
-    server.kill().unwrap();
-    server.wait().unwrap();
+    drop(server);
     assert!(all.starts_with("HTTP/1.1 200") && all.contains("So ") && !all.contains("Thus "));
     assert!(!made.join("html/print.html").exists() && !made.join("next/html").exists());
     assert!(bad.contains("book/a.md:3: `&lt;b&gt;` is not closed") && bad.contains("eq:nothing"), "{bad}");
     assert!(bad.starts_with("HTTP/1.1 404") && bad.contains("http-equiv=\"refresh\""), "it asks again");
-    assert!(heard.unwrap().ends_with("data: new\n\n"));
     assert!(good.starts_with("HTTP/1.1 200") && good.contains("figures.html"), "{good}");
+}
+
+/// `cargo book` in a folder with scenes, where the compiler has no target for browsers, and a rustup that fails.
+#[cfg(unix)]
+fn without_target(folder: &Path, arguments: &[&str]) -> Command {
+    let programs = folder.join("programs");
+    fs::create_dir_all(&programs).unwrap();
+    fs::create_dir_all(folder.join("press/live/module")).unwrap();
+    // By another process: what this one writes cannot be run while some thread starts a third.
+    let write =
+        "echo '#!/bin/sh' | tee rustup > rustc; echo 'echo $* >> asked; exit 1' >> rustup; chmod 755 rust*";
+    assert!(Command::new("sh").args(["-c", write]).current_dir(&programs).status().unwrap().success());
+    let path = env::var_os("PATH").unwrap();
+    let path = env::join_paths([programs].into_iter().chain(env::split_paths(&path))).unwrap();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_book"));
+    command.args(arguments).current_dir(folder).env("PATH", path).stdin(Stdio::null());
+    command.env("MDBOOK_PREPROCESSOR__PRESS__COMMAND", env!("CARGO_BIN_EXE_book"));
+    for name in ["BOOK_LIVE", "BOOK_WASM_RUSTC", "RUSTC"] {
+        command.env_remove(name);
+    }
+    command
+}
+
+#[cfg(unix)]
+#[test]
+fn rustup_is_asked_once_for_what_scenes_need_and_where_it_fails_they_stand_still() {
+    let folder = small_book("no-target", GOOD);
+    let asked = || fs::read_to_string(folder.join("asked")).unwrap_or_default();
+    let still = "the scenes of the pages stand still, because the compiler lacks the target";
+    let once = "target add wasm32-unknown-unknown\n";
+    let built = without_target(&folder, &["build"]).output().unwrap();
+    assert!(built.status.success() && said(&built).contains(still), "{}", said(&built));
+    assert_eq!(asked(), once);
+    let built = without_target(&folder, &["build"]).env("BOOK_LIVE", "static").output().unwrap();
+    assert!(built.status.success() && !said(&built).contains(still) && asked() == once, "nobody is asked");
+    let built = without_target(&folder, &["build"]).env("BOOK_LIVE", "require").output().unwrap();
+    assert!(!built.status.success() && said(&built).contains(still), "{}", said(&built));
+
+    fs::remove_file(folder.join("asked")).unwrap();
+    let port = TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port();
+    let address = ("127.0.0.1", port);
+    let server = without_target(&folder, &["serve", "-n", address.0, "-p", &port.to_string()])
+        .stderr(fs::File::create(folder.join("said")).unwrap())
+        .spawn()
+        .map(Server)
+        .unwrap();
+    page(address, "/a.html");
+    let is_complete = || fs::read_to_string(folder.join("said")).unwrap().matches("Everything").count();
+    until(|| is_complete() == 1);
+    for word in ["Thus ", "Hence "] {
+        fs::write(folder.join("book/a.md"), GOOD.replace("So ", word)).unwrap();
+        until(|| page(address, "/a.html").contains(word));
+    }
+    fs::write(folder.join("Cargo.toml"), "").unwrap(); // what belongs to a library is made anew
+    fs::write(folder.join("book/a.md"), GOOD).unwrap();
+    until(|| page(address, "/a.html").contains("So "));
+    drop(server);
+    let said = fs::read_to_string(folder.join("said")).unwrap();
+    assert!(said.matches(still).count() == 1 && asked() == once, "{}\n{said}", asked());
 }
 
 /// All files of a built site.
@@ -443,7 +586,7 @@ fn all(folder: &Path, below: &str, found: &mut BTreeMap<String, Vec<u8>>) {
 fn plain_mdbook_prints_the_same_site() {
     let version = Command::new("mdbook").arg("--version").output();
     if !version.is_ok_and(|said| String::from_utf8_lossy(&said.stdout).contains("v0.5.")) {
-        assert!(std::env::var_os("CI").is_none(), "`.ci/run` puts mdBook 0.5 on PATH");
+        assert!(env::var_os("CI").is_none(), "`.ci/run` puts mdBook 0.5 on PATH");
         eprintln!("skipped: there is no mdBook 0.5 on PATH");
         return;
     }

@@ -26,13 +26,18 @@ fn run(folder: &Path, program: &Path, arguments: &[&str]) -> String {
 
 #[test]
 fn another_book_is_printed_with_all_that_the_press_can_do() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders up");
+    let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("Cargo sets it"));
+    let root = package.ancestors().nth(2).expect("two folders up");
     let folder = root.join("target/tests/example");
     let _ = fs::remove_dir_all(&folder);
     let new = ["new".to_owned(), folder.to_string_lossy().into_owned()];
     press::command::run(root, &new, &Rendered::default()).expect("a new book");
     let again = press::command::run(root, &new, &Rendered::default());
     assert!(again.is_err_and(|said| said.contains("the folder is not empty")));
+    let within = root.join("press/x");
+    let inside = ["new".to_owned(), within.to_string_lossy().into_owned()];
+    let inside = press::command::run(root, &inside, &Rendered::default());
+    assert!(inside.is_err_and(|said| said.contains("the folder lies in `press`")) && !within.exists());
 
     let cargo = PathBuf::from(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     run(&folder, &cargo, &["book", "build"]);
@@ -64,6 +69,10 @@ fn another_book_is_printed_with_all_that_the_press_can_do() {
     assert!(site.join("api/pendulum/struct.Pendulum.html").is_file());
     for (name, html) in ["index.html", "about.html", "pendulum/index.html"].map(|name| (name, page(name))) {
         assert!(!html.contains("mechanics") && !html.contains("Things That Spin"), "{name}");
+        assert!(
+            !html.contains("CC BY") && !html.contains("rel=\"license\""),
+            "{name}: its book.toml names no licence"
+        );
     }
 
     // The number that the page prints is held by a test.

@@ -53,7 +53,7 @@ fn stamps_with(root: &Path, changes: &[(&str, &str)]) -> [String; 2] {
 
 #[test]
 fn a_stamp_changes_with_what_its_figures_are_drawn_from_and_with_nothing_else() {
-    let root = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stamps");
+    let root = std::env::temp_dir().join(format!("press-stamps-{}", std::process::id()));
     let before = stamps_with(&root, &[]);
     for (changes, expected) in [
         // Pages, tests and live scenes draw no figures.
@@ -100,4 +100,5 @@ fn a_stamp_changes_with_what_its_figures_are_drawn_from_and_with_nothing_else() 
     let [before, after] = [None, Some(("src/scenes/two_coins/mod.rs", "new"))]
         .map(|change| stamps_with(&root, &[Some(named), change].into_iter().flatten().collect::<Vec<_>>()));
     assert!(after[0] != before[0] && after[1] == before[1]);
+    fs::remove_dir_all(root).expect("it is there");
 }

@@ -27,6 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-env-changed=BOOK_CHAPTER");
+    println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // Cargo looks after files by their place
     let chapter = env::var("BOOK_CHAPTER").ok();
     let out = PathBuf::from(env::var("OUT_DIR")?);
     let (mut functions, mut list, mut count) = (String::new(), String::new(), 0);

@@ -5,6 +5,7 @@ mod brackets;
 mod letters;
 mod pieces;
 mod tree;
+mod words;
 
 use crate::book::Page;
 use crate::faces;
@@ -83,6 +84,7 @@ impl Maths {
         accents::make_room(&mut formula, &self.font);
         self.letters.colour(&mut formula, folder);
         accents::keep_exponents_low(&mut formula, &self.font);
+        words::be_small(&mut formula);
         let pieces = if display == MathDisplay::Block { pieces::cut(formula) } else { vec![formula] };
         let mut out = String::with_capacity(tex.len() * 8);
         pieces.iter().for_each(|piece| piece.write(&mut out));

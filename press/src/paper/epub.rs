@@ -1,8 +1,8 @@
 //! The book as an EPUB: the same sheets, each a file of XHTML.
 
+use super::Paper;
 use super::archive::Archive;
 use super::sheet::Kind;
-use super::{LICENCE, Paper};
 use crate::head::plain;
 use crate::render::escaped;
 use html5gum::{StartTag, Token, Tokenizer};
@@ -56,10 +56,11 @@ impl Paper {
         let mut items = String::new();
         let mut spine = String::new();
         let title = format!(
-            "<section class=\"title-page\">\n<h1>{}</h1>\n<p>{}</p>\n<p>{}</p>\n<p>{LICENCE}</p>\n</section>\n",
+            "<section class=\"title-page\">\n<h1>{}</h1>\n<p>{}</p>\n<p>{}</p>\n<p>{}</p>\n</section>\n",
             self.settings.title,
             self.settings.description,
             self.edition_in_words(),
+            self.settings.licence,
         );
         let title = self.document(&plain(&self.settings.title), &title);
         archive.pack("book/title.xhtml", title.as_bytes());
@@ -143,7 +144,7 @@ impl Paper {
              unique-identifier=\"id\" xml:lang=\"{language}\">\n<metadata xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n\
              <dc:identifier id=\"id\">urn:book:{}:{}</dc:identifier>\n<dc:title>{}</dc:title>\n\
              <dc:language>{language}</dc:language>\n<dc:creator>{}</dc:creator>\n<dc:description>{}</dc:description>\n\
-             <dc:rights>{LICENCE}</dc:rights>\n<dc:date>{day}</dc:date>\n\
+             {rights}<dc:date>{day}</dc:date>\n\
              <meta property=\"dcterms:modified\">{day}T00:00:00Z</meta>\n</metadata>\n<manifest>\n\
              <item id=\"title\" href=\"title.xhtml\" media-type=\"application/xhtml+xml\"/>\n\
              <item id=\"contents\" href=\"contents.xhtml\" media-type=\"application/xhtml+xml\" properties=\"nav\"/>\n\
@@ -155,6 +156,10 @@ impl Paper {
             self.settings.authors,
             self.settings.description,
             language = self.settings.language,
+            rights = match self.settings.licence.as_str() {
+                "" => String::new(),
+                licence => format!("<dc:rights>{licence}</dc:rights>\n"),
+            },
         )
     }
 }

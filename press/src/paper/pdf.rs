@@ -64,10 +64,40 @@ pub fn print(browser: &Path, page: &Path, target: &Path, profile: &Path) -> Resu
         .stdin(Stdio::null())
         .output()
         .map_err(|error| format!("error: Chromium cannot be run: {error}"))?;
-    if fs::metadata(target).is_ok_and(|file| file.len() > 0) {
-        Ok(())
-    } else {
-        Err(format!("error: Chromium printed nothing:\n{}", String::from_utf8_lossy(&output.stderr)))
+    let mut pdf = fs::read(target).unwrap_or_default();
+    if pdf.is_empty() {
+        return Err(format!("error: Chromium printed nothing:\n{}", String::from_utf8_lossy(&output.stderr)));
+    }
+    mend_outline(&mut pdf);
+    fs::write(target, pdf).map_err(|error| cannot(target, &error))
+}
+
+/// Chromium writes the words of a heading twice into the outline where it had to push it to the top of a page. They are cut
+/// to their half, in a PDF whose table of places stays true because nothing moves.
+fn mend_outline(pdf: &mut [u8]) {
+    const KEY: &[u8] = b"/Title ";
+    let mut at = 0;
+    while let Some(found) = pdf[at..].windows(KEY.len()).position(|window| window == KEY) {
+        at += found + KEY.len();
+        // A text in parentheses, or in hexadecimal digits behind a mark of their order.
+        let (start, end) = match pdf.get(at) {
+            Some(b'(') => (at + 1, b')'),
+            Some(b'<') if pdf[at + 1..].starts_with(b"FEFF") => (at + 5, b'>'),
+            _ => continue,
+        };
+        let mut stop = start;
+        while pdf.get(stop).is_some_and(|byte| *byte != end) {
+            stop += if pdf[stop] == b'\\' { 2 } else { 1 };
+        }
+        if stop >= pdf.len() {
+            return;
+        }
+        let half = (stop - start) / 2;
+        if half > 0 && pdf[start..start + half] == pdf[start + half..stop] {
+            pdf[start + half..=stop].fill(b' ');
+            pdf[start + half] = end;
+        }
+        at = stop;
     }
 }
 
@@ -136,6 +166,20 @@ mod tests {
         let expected = BTreeMap::from([("a-b".to_owned(), 2), ("c d".to_owned(), 1)]);
         assert_eq!(numbers(pdf.as_bytes()), expected);
         assert_eq!(numbers(b"%PDF-1.7 of another kind"), BTreeMap::new());
+    }
+
+    #[test]
+    fn an_entry_of_the_outline_says_its_words_once() {
+        for (printed, mended) in [
+            ("<</Title (PrefacePreface)\n>>", "<</Title (Preface)       \n>>"),
+            ("/Title (a\\)a\\)) /Title (aba)", "/Title (a\\))    /Title (aba)"),
+            ("/Title <FEFF00C900C9> /Title <FEFF00C9>", "/Title <FEFF00C9>     /Title <FEFF00C9>"),
+            ("/Title () /Title (open", "/Title () /Title (open"),
+        ] {
+            let mut pdf = printed.as_bytes().to_vec();
+            mend_outline(&mut pdf);
+            assert_eq!(String::from_utf8(pdf).unwrap(), mended);
+        }
     }
 
     #[test]

@@ -4,16 +4,14 @@
 use httparse::{EMPTY_HEADER, Request, Status};
 use percent_encoding::percent_decode_str;
 use std::io::{self, Read, Write};
-use std::net::{TcpListener, TcpStream};
+use std::net::{IpAddr, TcpListener, TcpStream};
 use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use std::{fs, thread};
 
-/// Where a page asks whether there is a newer one.
+/// Where a page asks which build is the newest.
 const NEWS: &str = "/__news";
-/// What makes it ask.
-const SCRIPT: &str = "<script>new EventSource(\"/__news\").onmessage = () => location.reload();</script>\n";
 
 /// How long something is waited for that is just being made.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -31,14 +29,15 @@ pub(super) struct Site {
 #[derive(Clone, Copy)]
 struct State {
     is_being_built: bool,
-    /// How often it was built.
+    /// Larger by one after each build. It begins with the time, because pages of an earlier run may still be open.
     count: u64,
 }
 
 impl Site {
     /// A site that is not built yet.
     pub(super) fn new(folders: Vec<PathBuf>) -> Self {
-        Self { folders, state: Mutex::new(State { is_being_built: true, count: 0 }), changed: Condvar::new() }
+        let count = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |time| time.as_secs());
+        Self { folders, state: Mutex::new(State { is_being_built: true, count }), changed: Condvar::new() }
     }
 
     /// Where a path lies, or would.
@@ -80,19 +79,25 @@ pub(super) fn answer(listener: &TcpListener, site: &Arc<Site>) {
 
 fn one(stream: &TcpStream, site: &Site) -> io::Result<()> {
     stream.set_read_timeout(Some(PATIENCE))?;
-    let Some((method, address)) = request(stream)? else {
+    let Some(Asked { method, address, host }) = request(stream)? else {
         return send(stream, "400 Bad Request", TEXT, b"this is no request", true);
     };
+    if stream.local_addr()?.ip().is_loopback() && !is_own(&host) {
+        return send(stream, "403 Forbidden", TEXT, b"this is served to localhost alone", true);
+    }
     if !matches!(&*method, "GET" | "HEAD") {
         return send(stream, "405 Method Not Allowed", TEXT, b"only for reading", true);
     }
     let path = address.split(['?', '#']).next().unwrap_or_default();
     if path == NEWS {
-        return news(stream, site);
+        let count = site.wait(Duration::ZERO, |_| true).count.to_string();
+        return send(stream, "200 OK", TEXT, count.as_bytes(), method != "HEAD");
     }
     let Some(below) = below(path) else {
         return send(stream, "400 Bad Request", TEXT, b"no such address", true);
     };
+    // Before the page is read, which may then be newer than its count and is loaded once more, but never older.
+    let count = site.wait(Duration::ZERO, |_| true).count;
     let read = || {
         let file = site.place(&below);
         let file = if file.is_dir() && path.ends_with('/') { file.join("index.html") } else { file };
@@ -103,7 +108,7 @@ fn one(stream: &TcpStream, site: &Site) -> io::Result<()> {
         read()
     });
     let (status, head, body) = match found {
-        Ok((HTML, page)) => ("200 OK", HTML.to_owned(), with_script(page)),
+        Ok((HTML, page)) => ("200 OK", HTML.to_owned(), with_script(page, count)),
         Ok((kind, bytes)) => ("200 OK", kind.to_owned(), bytes),
         Err(_) if site.place(&below).is_dir() => {
             ("302 Found", format!("{TEXT}\r\nLocation: {path}/"), Vec::new())
@@ -111,14 +116,21 @@ fn one(stream: &TcpStream, site: &Site) -> io::Result<()> {
         Err(_) => {
             let page = fs::read(site.place(Path::new("404.html")));
             let page = page.unwrap_or_else(|_| b"There is no such page.".to_vec());
-            ("404 Not Found", HTML.to_owned(), with_script(page))
+            ("404 Not Found", HTML.to_owned(), with_script(page, count))
         }
     };
     send(stream, status, &head, &body, method != "HEAD")
 }
 
-/// The method and the address of a request; `None` if it is none.
-fn request(mut stream: impl Read) -> io::Result<Option<(String, String)>> {
+struct Asked {
+    method: String,
+    address: String,
+    /// What the browser calls this server.
+    host: String,
+}
+
+/// Reads a request; `None` if it is none.
+fn request(mut stream: impl Read) -> io::Result<Option<Asked>> {
     let mut head = Vec::new();
     let mut part = [0; 4096];
     while head.len() < LONGEST {
@@ -128,7 +140,13 @@ fn request(mut stream: impl Read) -> io::Result<Option<(String, String)>> {
         let mut request = Request::new(&mut headers);
         match request.parse(&head) {
             Ok(Status::Complete(_)) => {
-                return Ok(request.method.map(str::to_owned).zip(request.path.map(str::to_owned)));
+                let mut hosts = request.headers.iter().filter(|one| one.name.eq_ignore_ascii_case("host"));
+                let host = hosts.next().map_or(&[][..], |one| one.value);
+                return Ok(request.method.zip(request.path).map(|(method, address)| Asked {
+                    method: method.to_owned(),
+                    address: address.to_owned(),
+                    host: String::from_utf8_lossy(host).into_owned(),
+                }));
             }
             Ok(Status::Partial) if count > 0 => {}
             _ => return Ok(None),
@@ -137,17 +155,13 @@ fn request(mut stream: impl Read) -> io::Result<Option<(String, String)>> {
     Ok(None)
 }
 
-/// Tells when there is something new; asks now and then whether anybody still listens.
-fn news(mut stream: &TcpStream, site: &Site) -> io::Result<()> {
-    let count = site.wait(Duration::ZERO, |_| true).count;
-    let mut tell = |words: &str| stream.write_all(words.as_bytes());
-    tell(
-        "HTTP/1.1 200 OK\r\nContent-Type: text/event-stream\r\nCache-Control: no-store\r\nConnection: close\r\n\r\n",
-    )?;
-    while site.wait(Duration::from_secs(15), |state| state.count > count).count == count {
-        tell(": nothing new\n\n")?;
-    }
-    tell("data: new\n\n")
+/// Whether a name is one that browsers on this machine use. Any other may be led here by whoever owns it, whose page
+/// could then read what is served.
+fn is_own(host: &str) -> bool {
+    let port = host.rsplit_once(':').filter(|(_, port)| port.parse::<u16>().is_ok());
+    let name = port.filter(|_| !host.ends_with(']')).map_or(host, |(name, _)| name);
+    let address = name.trim_start_matches('[').trim_end_matches(']').parse::<IpAddr>();
+    name.is_empty() || name.eq_ignore_ascii_case("localhost") || address.is_ok_and(|one| one.is_loopback())
 }
 
 fn send(mut stream: &TcpStream, status: &str, kind: &str, body: &[u8], with_body: bool) -> io::Result<()> {
@@ -159,10 +173,16 @@ fn send(mut stream: &TcpStream, status: &str, kind: &str, body: &[u8], with_body
     if with_body { stream.write_all(body) } else { Ok(()) }
 }
 
-/// A page with what loads it again.
-fn with_script(mut page: Vec<u8>) -> Vec<u8> {
+/// A page with what loads it again after the next build, once somebody looks at it. It asks now and then: a browser has
+/// six connections to a server, and if each open page kept one, none would be left for the seventh.
+fn with_script(mut page: Vec<u8>, count: u64) -> Vec<u8> {
+    let script = format!(
+        "<script>(async () => {{ for (;;) {{ await new Promise((go) => setTimeout(go, 300)); \
+         if (!document.hidden && await fetch(\"{NEWS}\").then((it) => it.text(), () => \"{count}\") !== \"{count}\") \
+         return location.reload(); }} }})();</script>\n"
+    );
     let end = page.windows(7).rposition(|window| window == b"</body>").unwrap_or(page.len());
-    page.splice(end..end, SCRIPT.bytes());
+    page.splice(end..end, script.into_bytes());
     page
 }
 
@@ -200,7 +220,9 @@ mod tests {
     fn asked(address: std::net::SocketAddr, request: &str) -> String {
         let mut stream = TcpStream::connect(address).unwrap();
         stream
-            .write_all(format!("{request} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n").as_bytes())
+            .write_all(
+                format!("{request} HTTP/1.1\r\nHost: localhost:3000\r\nConnection: close\r\n\r\n").as_bytes(),
+            )
             .unwrap();
         let mut said = String::new();
         stream.read_to_string(&mut said).unwrap();
@@ -226,7 +248,8 @@ mod tests {
 
         let home = asked(address, "GET /?x=1");
         assert!(home.starts_with("HTTP/1.1 200 OK") && home.contains("text/html"), "{home}");
-        assert!(home.ends_with(&format!("<body>Home{SCRIPT}</body>")), "{home}");
+        let count = |page: &str| page.rsplit("!== \"").next().unwrap().split('"').next().unwrap().to_owned();
+        assert!(home.contains("<body>Home<script>") && home.ends_with("</script>\n</body>"), "{home}");
         assert!(asked(address, "GET /a.css").ends_with("\r\n\r\np {}"));
         assert!(asked(address, "HEAD /a.css").ends_with("\r\n\r\n"));
         assert!(asked(address, "GET /a%20b").contains("Location: /a%20b/"));
@@ -249,9 +272,23 @@ mod tests {
         all.into_iter().for_each(|one| assert!(one.join().unwrap().ends_with("p {}")));
         drop(idle);
 
+        let named = |host: &str| {
+            let mut stream = TcpStream::connect(address).unwrap();
+            write!(stream, "GET /a.css HTTP/1.1\r\nhost: {host}\r\n\r\n").unwrap();
+            let mut said = String::new();
+            stream.read_to_string(&mut said).unwrap();
+            said
+        };
+        for own in ["localhost", "LOCALHOST:80", "127.0.0.1:3000", "[::1]:3000", "[::1]"] {
+            assert!(named(own).starts_with("HTTP/1.1 200"), "{own}");
+        }
+        for other in ["example.org", "localhost.example.org:3000", "192.0.2.1"] {
+            assert!(named(other).starts_with("HTTP/1.1 403"), "{other}");
+        }
+
         // A page that is being made is waited for, and who has one hears of the next.
-        let reader = thread::spawn(move || asked(address, "GET /__news"));
-        thread::sleep(Duration::from_millis(100));
+        let news = || asked(address, "GET /__news").rsplit("\r\n\r\n").next().unwrap().to_owned();
+        assert_eq!(news(), count(&home));
         let late = site.while_built(|| {
             let late = thread::spawn(move || asked(address, "GET /late.html"));
             thread::sleep(Duration::from_millis(100));
@@ -259,7 +296,8 @@ mod tests {
             late
         });
         assert!(late.join().unwrap().contains("Late"));
-        assert!(reader.join().unwrap().ends_with("data: new\n\n"));
+        assert_ne!(news(), count(&home));
+        assert_eq!(news(), count(&asked(address, "GET /")));
         fs::remove_dir_all(folder).unwrap();
     }
 }

@@ -134,6 +134,8 @@ fn a_handout_is_a_pdf_with_outline_and_links_and_its_places_are_read() {
             "{:?}",
             pdf.outline
         );
+        let mut titles = pdf.outline.iter().map(|(_, words)| words.split_at_checked(words.len() / 2));
+        assert!(!titles.any(|halves| halves.is_some_and(|(one, other)| one == other)), "{:?}", pdf.outline);
         assert!(pdf.outline.len() > 20 && pdf.pages.len() > 10, "{:?}", pdf.outline);
         for name in &pdf.links {
             assert!(pdf.places.contains_key(name), "{name}");

@@ -4,6 +4,8 @@
 mod access;
 #[path = "driver.rs"]
 mod driver;
+#[path = "firefox.rs"]
+mod firefox;
 #[path = "numbers.rs"]
 mod numbers;
 #[path = "paper.rs"]
@@ -20,6 +22,13 @@ use std::sync::OnceLock;
 
 const WIDE: [u32; 2] = [1280, 900];
 const PHONE: [u32; 2] = [360, 800];
+
+/// Opens a page in so many tabs, which all stay open. A browser has six connections to a server.
+pub(crate) fn open_tabs(address: &str, count: usize) {
+    if let Some(mut browser) = Browser::open("tabs") {
+        (0..count).for_each(|_| browser.page(WIDE).go(address));
+    }
+}
 
 /// What the tests ask of a page, before its own scripts run.
 const EYES: &str = r#"

@@ -3,8 +3,8 @@
 use super::every_figure;
 use drawing::{Label, Piece, Shape};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
 
 /// The text of every page below a folder, with its path from there.
 fn pages(folder: &Path, below: &str, found: &mut Vec<(String, String)>) {
@@ -23,11 +23,15 @@ fn folder_of(page: &str) -> &str {
     page.split('/').next().unwrap_or_default()
 }
 
+/// The workspace, where it lies now.
+fn root() -> PathBuf {
+    PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("Cargo sets it")).join("../..")
+}
+
 /// Chapter → the chapters that the line `You need …` of its first page leads to.
 fn needs() -> BTreeMap<String, BTreeSet<String>> {
     let mut found = Vec::new();
-    let book = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the workspace").join("book");
-    pages(&book, "", &mut found);
+    pages(&root().join("book"), "", &mut found);
     let home = |label: &str| {
         let defined = [format!("{{#{label}}}"), format!("{{#{label} ")];
         found.iter().find(|(_, text)| defined.iter().any(|label| text.contains(label))).map(|(page, _)| page)
@@ -86,8 +90,7 @@ fn words(label: &Label) -> String {
 
 /// The folders of the chapters with their titles, in the order of the book.
 fn chapters() -> Vec<(String, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("the workspace");
-    let summary = fs::read_to_string(root.join("book/SUMMARY.md")).expect("the summary");
+    let summary = fs::read_to_string(root().join("book/SUMMARY.md")).expect("the summary");
     let line = |line: &str| {
         let (title, folder) = line.strip_prefix("- [")?.strip_suffix("/index.md)")?.split_once("](")?;
         Some((folder.to_owned(), title.to_lowercase()))

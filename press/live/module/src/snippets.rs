@@ -6,7 +6,7 @@
 #[allow(unreachable_pub, reason = "the crate `snippets` gives it to its tests")]
 mod printable;
 #[macro_use]
-#[allow(unused_macros, reason = "a snippet may use any of them")]
+#[allow(dead_code, unused_macros, reason = "a snippet may use any of them")]
 mod record;
 
 /// A snippet of a page.
