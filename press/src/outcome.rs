@@ -1,7 +1,7 @@
-//! What a build leaves behind: the folder `html` holds a whole site or does not exist, whatever ends the build, so that a
-//! script which does not look at the exit code has nothing to publish. The site of before goes first, and the new one comes
-//! at once. Two things are not in our hands: what does not compile never runs, and leaves the whole site of before; and
-//! plain `mdbook build` renders in that very folder.
+//! What a build leaves behind: the folder `html` holds a whole site or does not exist, whatever ends the build, so that
+//! a script which does not look at the exit code has nothing to publish. The site of before goes first, and the new one
+//! comes at once. Two things are not in our hands. What does not compile never runs, and leaves the whole site
+//! of before. And plain `mdbook build` renders in that very folder.
 
 use crate::mdbook::For;
 use crate::preprocess::Failed;

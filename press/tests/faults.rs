@@ -5,7 +5,7 @@
 use press::check::check;
 use press::rendered::{Control, Figure, Input, Rendered, Scene};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The only figure, the only table and the only scene that these books can show.
 fn drawn() -> Rendered {

@@ -14,8 +14,8 @@ const SMALLER: [(&str, usize); 8] = [
     ("munderover", 1),
 ];
 
-/// A word that is an index stands in a row. The style sheet gives words the face of the text, and Firefox prints what has a
-/// face of its own at full size where it should make it smaller; the row it makes smaller, with all that is inside.
+/// A word that is an index stands in a row. The style sheet gives words the face of the text, and Firefox prints what
+/// has a face of its own at full size where it should make it smaller. It makes the row smaller, with all inside.
 pub(super) fn be_small(formula: &mut Element) {
     formula.visit(&mut |element| {
         let Some((_, first)) = SMALLER.iter().find(|(name, _)| element.is(name)) else { return };

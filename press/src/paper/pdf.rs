@@ -72,8 +72,8 @@ pub fn print(browser: &Path, page: &Path, target: &Path, profile: &Path) -> Resu
     fs::write(target, pdf).map_err(|error| cannot(target, &error))
 }
 
-/// Chromium writes the words of a heading twice into the outline where it had to push it to the top of a page. They are cut
-/// to their half, in a PDF whose table of places stays true because nothing moves.
+/// Chromium writes the words of a heading twice into the outline where it had to push it to the top of a page. They are
+/// cut to their half. Spaces take the place of the rest, because the PDF says at which byte each of its parts begins.
 fn mend_outline(pdf: &mut [u8]) {
     const KEY: &[u8] = b"/Title ";
     let mut at = 0;

@@ -1,5 +1,5 @@
-//! The pages in Firefox, which sets formulas otherwise than Chromium. It is driven by its own protocol, Marionette: JSON
-//! over a socket, each message behind its length.
+//! The pages in Firefox, which sets formulas otherwise than Chromium. It is driven by its own protocol, Marionette:
+//! JSON over a socket, each message behind its length.
 
 use super::site;
 use serde_json::{Value, json};
