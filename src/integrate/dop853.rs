@@ -219,6 +219,7 @@ impl Dop853 {
                     time: t,
                     state: y.to_vec(),
                     evaluations: work.evaluations,
+                    counted: "evaluations",
                 });
             }
             if 0.1 * h.abs() <= t.abs() * f64::EPSILON || h.abs() < f64::MIN_POSITIVE {

@@ -1,6 +1,6 @@
 //! The machine with friction on board: a damper that turns with the drum, beside the one that stands on the floor.
 
-use super::machine::Machine;
+use super::machine::{Machine, require_damping_rate};
 use super::shaft::{Shaft, out_of_range};
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::Complex;
@@ -46,8 +46,8 @@ impl Machine {
     /// zero.
     pub fn rotor(&self, damping_on_board: f64) -> Result<Rotor, InvalidQuantity> {
         InvalidQuantity::check_not_negative("damping on board", damping_on_board, "kg/s")?;
+        require_damping_rate("damping on board", damping_on_board, self.total_mass())?;
         let on_board = damping_on_board / self.total_mass();
-        InvalidQuantity::check_not_negative("damping rate on board Γᵢ", on_board, "1/s")?;
         let natural = self.natural_frequency();
         let half_damping = 0.5 * (self.damping_rate() + on_board);
         let stiffness = Complex::new(natural * natural, -on_board * self.spin());
