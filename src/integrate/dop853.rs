@@ -110,6 +110,11 @@ impl Dop853 {
         Self { max_evaluations, ..self }
     }
 
+    /// The limit on the evaluations of the rates.
+    pub(crate) fn max_evaluations(&self) -> usize {
+        self.max_evaluations
+    }
+
     /// The state at time `end`, from `state` at time `start`; `end` may be the earlier of the two.
     ///
     /// # Errors

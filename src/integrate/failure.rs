@@ -66,6 +66,16 @@ pub enum Failure {
     },
 }
 
+impl Failure {
+    /// The same after so many evaluations that were made before.
+    pub(crate) fn after(mut self, before: usize) -> Self {
+        if let Self::TooMuchWork { evaluations, .. } = &mut self {
+            *evaluations += before;
+        }
+        self
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
