@@ -73,9 +73,9 @@ fn the_way_is_gone_from_any_time_to_any_other() {
         assert!(reached.time == end && (reached.state[0] - end).abs() < 1e-14, "{start} to {end}");
         let sides = usize::from(start > 0.0) + 2 * usize::from(end > 0.0);
         if end < start {
-            back[sides] += 1
+            back[sides] += 1;
         } else {
-            ahead[sides] += 1
+            ahead[sides] += 1;
         }
         // Of ẏ = y² from −1/start it is −1/time.
         if start * end > 0.0 {

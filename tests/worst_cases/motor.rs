@@ -23,8 +23,8 @@ struct Own {
 
 impl Own {
     /// What a disturbance does, by Newton's law for the centre of mass in axes that turn with the drum: its place c and
-    /// rate ċ there, and the spin. c̈ + 2iφ̇ċ + iφ̈c − φ̇²c = −z − Γ(ċ + iφ̇z) with z = c − 1, and about the centre of mass
-    /// I φ̈ = τ + Im(z + Γ(ċ + iφ̇z)).
+    /// rate ċ there, and the spin. c̈ + 2iφ̇ċ + iφ̈c − φ̇²c = −z − Γ(ċ + iφ̇z) with z = c − 1, and about the centre of
+    /// mass I φ̈ = τ + Im(z + Γ(ċ + iφ̇z)).
     fn matrix(&self) -> Matrix {
         let Self { load, damping, inertia, idle, spin } = *self;
         let [zero, one, g, u] = [0.0, 1.0, damping, spin].map(long);
@@ -90,7 +90,8 @@ fn polynomial(matrix: &Matrix) -> [Long; 6] {
     coefficients
 }
 
-/// Whether all roots lie to the left of `x`: the first column of Routh's array of the polynomial in the variable less x.
+/// Whether all roots lie to the left of `x`: the first column of Routh's array of the polynomial in the variable less
+/// x.
 fn all_left_of(polynomial: &[Long; 6], x: Long) -> bool {
     let mut shifted = *polynomial;
     for last in (1..6).rev() {
@@ -184,7 +185,7 @@ fn judged(own: Own, units: [f64; 3]) -> Option<Case> {
 
 #[test]
 fn a_growth_rate_is_what_a_change_of_the_last_places_leaves_of_it() {
-    let worst = search("growth rate", 500, |draw| {
+    let worst = search("growth rate", 300, |draw| {
         let spin = if draw.below(2) == 0 { draw.beside(1.0) } else { draw.decades(1e-2, 1e2) };
         let own = Own {
             load: if draw.below(2) == 0 { draw.decades(1e-6, 0.5) } else { 1.0 - draw.decades(1e-3, 0.5) },
@@ -272,7 +273,7 @@ fn a_growth_rate_knows_no_units() {
 
 #[test]
 fn no_growth_rate_is_no_number_and_none_is_searched_for_ever() {
-    let worst = search("hostile growth rate", 4000, |draw| {
+    let worst = search("hostile growth rate", 2000, |draw| {
         let mut any = || draw.decades(1e-50, 1e50);
         let parameters = Parameters {
             drum_mass: any(),

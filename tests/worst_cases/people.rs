@@ -1,4 +1,5 @@
-//! What many tossers count, against plain sums over the twist in a variable of their own, all on the scale of logarithms.
+//! What many tossers count, against plain sums over the twist in a variable of their own, all on the scale of
+//! logarithms.
 
 use crate::search::{Case, search, worse};
 use mechanics::inertia::PrincipalMoments;
@@ -66,7 +67,7 @@ fn judge(threshold: f64, mean: f64, spread: f64, counted: Counted) -> f64 {
 
 #[test]
 fn the_likelihood_of_any_count_is_good_to_its_promise() {
-    let worst = search("people", 150, |draw| {
+    let worst = search("people", 100, |draw| {
         let threshold = if draw.below(2) == 0 { 0.5 } else { draw.decades(0.5, 2.0) };
         let spread = draw.decades(1e-3, 1.0 / 3.0);
         let mean = match draw.below(3) {
@@ -134,7 +135,7 @@ fn likelihoods_meet_the_digits_of_a_quadrature_where_they_once_did_not() {
 #[test]
 fn no_count_is_impossible_and_none_is_infinitely_unlikely() {
     let extremes = [0, 1, 1000, u32::MAX];
-    for mean in [0.0, 0.1, 0.5, -5.0, 1e50] {
+    for mean in [0.0, 0.1, -5.0, 1e50] {
         for spread in [1e-50, 1e-12, 1e-3, 1.0, 1e50] {
             let people = tossers(0.5, mean, spread);
             let p = people.same_face_probability();

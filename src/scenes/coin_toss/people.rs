@@ -104,9 +104,10 @@ impl Tossers {
 
     /// The logarithm of the mean over the people of p^k (1 − p)^(n − k).
     ///
-    /// The integral over the twist, to either side, is one over the angle v of s = (I₁/I₃) sin v, in which `eq:same-face`
-    /// has no corner: cot²ψ = sin²v. Halve panels until the integrand hardly varies in each. Both factors of it have one
-    /// peak, so that their values at the ends of a panel, and at the peaks within, bound it there: no peak is missed.
+    /// The integral over the twist, to either side, is one over the angle v of s = (I₁/I₃) sin v, in which
+    /// `eq:same-face` has no corner: cot²ψ = sin²v. Halve panels until the integrand hardly varies in each. Both
+    /// factors of it have one peak, so that their values at the ends of a panel, and at the peaks within, bound it
+    /// there: no peak is missed.
     fn ln_mean(&self, counted: &Counted) -> f64 {
         let Self { threshold, mean, spread } = *self;
         let mut sum = LnSum::ZERO;

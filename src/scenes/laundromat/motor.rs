@@ -140,7 +140,8 @@ impl Driven {
     ///
     /// None is missed if Γ is more than 1e-14 ω₀: between 0, the folds and the idle spin the stall torque that a spin
     /// takes only rises or only falls. With less damping the resonance is so narrow that its peak lies between two
-    /// neighbouring numbers, and two of three are missed if the stall torque is above what [`Driven::folds`] finds there.
+    /// neighbouring numbers, and two of three are missed if the stall torque is above what [`Driven::folds`] finds
+    /// there.
     pub fn steady_spins(&self) -> Vec<f64> {
         let folds = self.folds().map(|folds| [folds.up.spin, folds.down.spin]);
         let mut ends = vec![0.0];
@@ -151,8 +152,8 @@ impl Driven {
     }
 
     /// The two folds, or `None` if there is one steady spin for any stall torque. The stall torque of this motor plays
-    /// no part. If Γ is 1e-14 ω₀ or less, the stall torque of the upper one comes out too small: no number is so near to
-    /// its spin.
+    /// no part. If Γ is 1e-14 ω₀ or less, the stall torque of the upper one comes out too small: no number is so near
+    /// to its spin.
     pub fn folds(&self) -> Option<Folds> {
         // eq:motor-folds, in units of ω₀.
         let natural = self.machine.natural_frequency();
@@ -223,10 +224,10 @@ impl Driven {
     /// them die out.
     ///
     /// If Γ is at least 1e-5 ω₀, its error is what a change of the machine's numbers, and of the entries of
-    /// [`Driven::stability_matrix`] in units in which rows and columns are alike in size, by 250 units in the last place
-    /// (`f64::EPSILON`, of the largest root) makes. That is 1e-13 of the largest root or less, but only half of the
-    /// digits are left where two roots meet, as at critical damping. With less damping 1e-6 of the largest root stands
-    /// in place of what the entries make. A rate nearer to zero than that may have the wrong sign.
+    /// [`Driven::stability_matrix`] in units in which rows and columns are alike in size, by 250 units in the last
+    /// place (`f64::EPSILON`, of the largest root) makes. That is 1e-13 of the largest root or less, but only half of
+    /// the digits are left where two roots meet, as at critical damping. With less damping 1e-6 of the largest root
+    /// stands in place of what the entries make. A rate nearer to zero than that may have the wrong sign.
     ///
     /// # Errors
     /// As [`Driven::required_stall_torque`], or if the rates of a disturbance are too large to be computed with.
