@@ -76,11 +76,11 @@ impl Own {
 fn polynomial(matrix: &Matrix) -> [Long; 6] {
     let mut coefficients = [long(1.0); 6];
     let mut product = *matrix;
-    for k in 1..=5 {
+    for (k, coefficient) in coefficients.iter_mut().enumerate().skip(1) {
         let trace: Long = (0..5).map(|i| product[i][i]).sum();
-        coefficients[k] = -(trace / k as f64);
+        *coefficient = -(trace / k as f64);
         for (i, row) in product.iter_mut().enumerate() {
-            row[i] = row[i] + coefficients[k];
+            row[i] = row[i] + *coefficient;
         }
         let before = product;
         product = std::array::from_fn(|i| {
