@@ -30,6 +30,9 @@
 //! one. [`integrate`] holds the stepping methods and [`measure`] the one definition of error that tests, benchmarks and
 //! book share.
 //!
+//! Results are the same to the last bit from run to run, but not from processor to processor: sines and exponentials
+//! come from the platform, which may round them differently.
+//!
 //! SI units and radians throughout. Labels such as `eq:steady-radius` in comments are those of the book's equations.
 
 pub mod integrate;

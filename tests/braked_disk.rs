@@ -1,7 +1,7 @@
 //! A disk that loses energy by any law, with nothing assumed to be slow: against equations of motion written out here,
 //! what is left of them at small tilts, and a bound on what the table carries.
 
-use mechanics::integrate::Dop853;
+use mechanics::integrate::{Dop853, Failure};
 use mechanics::nalgebra::Vector3;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::spinning_coin::{BrakedDisk, Loss, SpinDown, SpinningCoin};
@@ -384,4 +384,21 @@ fn what_does_not_sink_is_refused() {
     // Where all turning has died out it creeps, in ever stiffer equations.
     let few = solver().with_max_evaluations(100_000);
     assert!(matches!(disk.sink(start, &[1e-7], &few), Err(Error::Integration(_))));
+    // The limit is one for the whole list, wherever in it the work is done.
+    let tilt = start.tilt;
+    let work = |tilts: &[f64], most: usize| {
+        let solver = solver().with_max_evaluations(most);
+        match disk.sink(start, tilts, &solver) {
+            Err(Error::Integration(Failure::TooMuchWork { evaluations, counted: "evaluations", .. })) => {
+                Some(evaluations)
+            }
+            Ok(_) => None,
+            Err(other) => panic!("{other}"),
+        }
+    };
+    let list: Vec<f64> = (1..=20).map(|n| tilt * (1.0 - 0.02 * f64::from(n))).collect();
+    let enough = (10..).map(|power| 1 << power).find(|&most| work(&list, most).is_none()).unwrap();
+    let stopped = work(&list, enough / 4).unwrap();
+    assert!((enough / 4..enough / 4 + 100).contains(&stopped), "{stopped} of {}", enough / 4);
+    assert!(work(&list[..1], enough / 4).is_none());
 }

@@ -372,6 +372,20 @@ fn a_start_from_rest_escapes_below_the_fold_the_more_so_the_lighter_the_rotor() 
 }
 
 #[test]
+fn the_upper_fold_keeps_its_torque_down_to_a_damping_of_which_the_documentation_speaks() {
+    // At the peak of a narrow resonance the torque is γb²ω₀³/Γ² over 1 − ω₀/Ω_idle.
+    let motor = Motor { stall_torque: 1.0, idle_spin: 3.0, drum_inertia: 1.0 };
+    let off = |damping: f64| {
+        let found = driven(Parameters { damping, ..UNITS }, motor).folds().expect("two").up;
+        let peak = 0.1_f64.powi(2) / damping / (1.0 - 1.0 / 3.0);
+        (found.stall_torque / peak - 1.0).abs()
+    };
+    for damping in [1e-6, 1e-9, 1e-12, 3e-14] {
+        assert!(off(damping) < 1e-3, "{damping}: {}", off(damping));
+    }
+}
+
+#[test]
 fn what_cannot_be_is_refused() {
     let machine = Machine::new(WASHER).expect("a machine");
     let motor = Motor { stall_torque: 3.0, idle_spin: 40.0, drum_inertia: 0.5 };
@@ -387,6 +401,8 @@ fn what_cannot_be_is_refused() {
     for spin in [0.0, 40.0, 50.0, -1.0, f64::NAN] {
         assert!(drive.required_stall_torque(spin).is_err() && drive.growth_rate(spin).is_err());
     }
+    let message = drive.growth_rate(f64::NAN).expect_err("refused").to_string();
+    assert_eq!(message, "spin NaN rad/s is not a finite number");
     // With a strong damper there is one speed for each torque.
     let calm = machine.with_damping(300.0).expect("a machine").driven(motor).expect("a motor");
     assert!(calm.folds().is_none() && calm.steady_spins().len() == 1);

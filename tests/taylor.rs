@@ -25,6 +25,15 @@ impl Expand<1> for Runaway {
     }
 }
 
+/// A state whose rates are no numbers.
+struct Nowhere;
+
+impl Expand<1> for Nowhere {
+    fn expand(&self, series: &mut Series<1>) {
+        series[1..].fill([f64::NAN]);
+    }
+}
+
 #[test]
 fn thousands_of_steps_lose_nothing_of_a_late_time() {
     // A millionth second, of which a tenth cannot be told from its neighbours by 1e-10, and ten thousand
@@ -53,6 +62,33 @@ fn thousands_of_steps_lose_nothing_of_a_late_time() {
 }
 
 #[test]
+fn the_way_is_gone_from_any_time_to_any_other() {
+    let mut random = fastrand::Rng::with_seed(1);
+    let mut time = || 10.0 * random.f64() - 5.0;
+    let (mut back, mut ahead) = ([0; 4], [0; 4]);
+    for _ in 0..400 {
+        let (start, end) = (time(), time());
+        let reached =
+            Taylor::new(1e-16).unwrap().with_max_step(0.7).solve(&Clock, start, [start], end).unwrap();
+        assert!(reached.time == end && (reached.state[0] - end).abs() < 1e-14, "{start} to {end}");
+        let sides = usize::from(start > 0.0) + 2 * usize::from(end > 0.0);
+        if end < start {
+            back[sides] += 1;
+        } else {
+            ahead[sides] += 1;
+        }
+        // Of ẏ = y² from −1/start it is −1/time.
+        if start * end > 0.0 {
+            let found = Taylor::new(1e-16).unwrap().solve(&Runaway, start, [-1.0 / start], end).unwrap();
+            assert!((found.state[0] * end + 1.0).abs() < 1e-11, "{start} to {end}: {}", found.state[0]);
+        }
+    }
+    // Within either sign of the time both ways were gone, and across zero the only one there is.
+    let least = [back[0], back[3], ahead[0], ahead[3], back[1], ahead[2]].into_iter().min();
+    assert!(least > Some(20), "{back:?} {ahead:?}");
+}
+
+#[test]
 fn running_into_a_singularity_stops_at_once() {
     let solver = Taylor::new(1e-16).unwrap().with_max_expansions(10_000);
     let failure = solver.solve(&Runaway, 0.0, [1.0], 2.0).unwrap_err();
@@ -66,6 +102,12 @@ fn a_limit_of_series_and_tolerances_without_sense_say_so() {
     let failure = short.solve(&Clock, 0.0, [0.0], 9.0).unwrap_err();
     let Failure::TooMuchWork { time, evaluations: 7, .. } = failure else { panic!("{failure}") };
     assert!((time - 0.7).abs() < 1e-15);
+    assert!(failure.to_string().starts_with("the limit of series was reached after 7 of them"), "{failure}");
+    // Small times have an exponent, and where there are no rates no step is named.
+    let soon = short.with_max_step(1e-70).solve(&Clock, 0.0, [0.0], 9.0).unwrap_err().to_string();
+    assert!(soon.contains("after 7 of them at time 7e-70, state"), "{soon}");
+    let nowhere = short.solve(&Nowhere, 0.0, [1e30], 2.0).unwrap_err().to_string();
+    assert_eq!(nowhere, "the rates are not finite at time 0, state [1e30]");
     for (tolerance, message) in [
         (0.0, "tolerance 0 is not positive; it must be more than zero"),
         (-1.0, "tolerance -1 is not positive; it must be more than zero"),

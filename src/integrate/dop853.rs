@@ -110,6 +110,11 @@ impl Dop853 {
         Self { max_evaluations, ..self }
     }
 
+    /// The limit on the evaluations of the rates.
+    pub(crate) fn max_evaluations(&self) -> usize {
+        self.max_evaluations
+    }
+
     /// The state at time `end`, from `state` at time `start`; `end` may be the earlier of the two.
     ///
     /// # Errors
@@ -219,6 +224,7 @@ impl Dop853 {
                     time: t,
                     state: y.to_vec(),
                     evaluations: work.evaluations,
+                    counted: "evaluations",
                 });
             }
             if 0.1 * h.abs() <= t.abs() * f64::EPSILON || h.abs() < f64::MIN_POSITIVE {

@@ -1,5 +1,6 @@
 //! Why an integration could not be carried out, with the time and the state at which it stopped.
 
+use crate::quantity::Shown;
 use std::{error::Error, fmt};
 
 /// An integration that did not reach its end.
@@ -52,22 +53,34 @@ pub enum Failure {
         /// The step that would have been needed.
         step: f64,
     },
-    /// The allowed number of evaluations is used up.
+    /// The allowed number of evaluations, or of series, is used up.
     TooMuchWork {
         /// The last time that was reached.
         time: f64,
         /// The state there.
         state: Vec<f64>,
-        /// The evaluations that were made.
+        /// The evaluations, or series, that were made.
         evaluations: usize,
+        /// What was counted: evaluations or series.
+        counted: &'static str,
     },
+}
+
+impl Failure {
+    /// The same after so many evaluations that were made before.
+    pub(crate) fn after(mut self, before: usize) -> Self {
+        if let Self::TooMuchWork { evaluations, .. } = &mut self {
+            *evaluations += before;
+        }
+        self
+    }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Interval { start, end } => {
-                write!(out, "the interval from {start} to {end} must have finite ends")
+                write!(out, "the interval from {} to {} must have finite ends", Shown(*start), Shown(*end))
             }
             Self::InitialState { state } => {
                 write!(out, "the initial state {state:?} must be finite")
@@ -75,22 +88,29 @@ impl fmt::Display for Failure {
             Self::NoSteps => write!(out, "0 steps: a fixed-step method needs at least one"),
             Self::SampleTime { index, time } => write!(
                 out,
-                "sample time {time} (number {index}) must lie in the interval and not before its predecessor"
+                "sample time {} (number {index}) must lie in the interval and not before its predecessor",
+                Shown(*time)
             ),
             Self::NotFinite { time, state, step } => write!(
                 out,
-                "the rates are not finite within a step of {step} from time {time}, state {state:?}"
+                "the rates are not finite {} time {}, state {state:?}",
+                if step.is_nan() { "at".into() } else { format!("within a step of {} from", Shown(*step)) },
+                Shown(*time)
             ),
             Self::EventNotANumber { time, state } => {
+                let time = Shown(*time);
                 write!(out, "the event is not a number within the step from time {time}, state {state:?}")
             }
             Self::StepUnderflow { time, state, step } => write!(
                 out,
-                "at time {time}, state {state:?} the tolerance asks for a step of {step}, too small to change the time"
+                "at time {}, state {state:?} the tolerance asks for a step of {}, too small to change the time",
+                Shown(*time),
+                Shown(*step)
             ),
-            Self::TooMuchWork { time, state, evaluations } => write!(
+            Self::TooMuchWork { time, state, evaluations, counted } => write!(
                 out,
-                "the limit of evaluations was reached after {evaluations} of them at time {time}, state {state:?}"
+                "the limit of {counted} was reached after {evaluations} of them at time {}, state {state:?}",
+                Shown(*time)
             ),
         }
     }

@@ -141,8 +141,12 @@ impl Taylor {
         series[0] = state;
         while time != end {
             if work.evaluations >= self.max_expansions {
-                let evaluations = work.evaluations;
-                return Err(Failure::TooMuchWork { time, state: series[0].to_vec(), evaluations });
+                return Err(Failure::TooMuchWork {
+                    time,
+                    state: series[0].to_vec(),
+                    evaluations: work.evaluations,
+                    counted: "series",
+                });
             }
             system.expand(&mut series);
             work.evaluations += 1;

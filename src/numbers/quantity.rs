@@ -65,11 +65,16 @@ pub enum Rule {
 }
 
 impl InvalidQuantity {
+    /// Whether a number is zero, or of a size that can be computed with.
+    pub(crate) fn is_computable(value: f64) -> bool {
+        value == 0.0 || RANGE.contains(&value.abs())
+    }
+
     /// Checks that a number is finite and, if it is not zero, of a size that can be computed with.
     pub(crate) fn check(quantity: &'static str, value: f64, unit: &'static str) -> Result<f64, Self> {
         let rule = if !value.is_finite() {
             Rule::Finite
-        } else if value != 0.0 && !RANGE.contains(&value.abs()) {
+        } else if !Self::is_computable(value) {
             Rule::InRange
         } else {
             return Ok(value);

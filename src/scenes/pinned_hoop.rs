@@ -58,7 +58,8 @@ pub enum Pin {
     },
 }
 
-/// A spinning body that is pinned. What it says of the snap is good to 1.4e-15 of itself.
+/// A spinning body that is pinned. What it says of the snap is good to 1.4e-15 of itself, and the velocities of B and
+/// of the point opposite, which vanish where the two components of the rotation balance, of the sum of what these give.
 ///
 /// ```
 /// use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};

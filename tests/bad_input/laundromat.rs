@@ -104,15 +104,7 @@ fn derived_quantities_must_stay_in_range() {
     let cases = [
         (Parameters { drum_mass: 1e60, ..WASHER }, "drum mass 1e60 kg"),
         (Parameters { load_mass: 1e-310, ..WASHER }, "load mass 1e-310 kg"),
-        (Parameters { stiffness: 1e300, ..WASHER }, "natural frequency ω₀"),
-        (Parameters { stiffness: 1e-300, ..WASHER }, "natural frequency ω₀"),
         (Parameters { load_radius: 1e90, ..WASHER }, "load radius 1e90 m"),
-        (Parameters { load_radius: 1e-45, load_mass: 1e-10, ..WASHER }, "offset b of the centre of mass"),
-        (Parameters { damping: 1e200, ..WASHER }, "damping rate Γ"),
-        (Parameters { damping: 1e-200, ..WASHER }, "damping rate Γ"),
-        (Parameters { stiffness: 4e120, ..four }, "natural frequency ω₀ 1e60 rad/s"),
-        (Parameters { load_radius: 2e-50, ..four }, "offset b of the centre of mass 5e-51 m"),
-        (Parameters { damping: 4e60, ..four }, "damping rate Γ 1e60 1/s"),
         (Parameters { spin: 1e60, ..WASHER }, "spin 1e60 rad/s"),
         (Parameters { spin: -1e-60, ..WASHER }, "spin -1e-60 rad/s"),
     ];
@@ -122,15 +114,27 @@ fn derived_quantities_must_stay_in_range() {
         assert!(message.starts_with(start), "{message}");
         assert!(message.contains("is outside the range from 1e-50 to 1e50"), "{message}");
     }
-    // What overflows or underflows on the way is refused as what it has become.
-    let light = Parameters { drum_mass: 1e-40, load_mass: 0.0, stiffness: 1e300, ..WASHER };
-    assert_eq!(refusal(light).1, "natural frequency ω₀ inf rad/s is not a finite number");
-    for heavy in [
-        Parameters { drum_mass: 1e50, load_mass: 0.0, stiffness: 5e-324, ..WASHER },
-        Parameters { drum_mass: 1e50, load_mass: 0.0, stiffness: 1e50, damping: 5e-324, ..WASHER },
+    // Of some it is the ratio to others that must stay in range: the message names what was given.
+    let light = Parameters { drum_mass: 1e-40, load_mass: 0.0, ..WASHER };
+    let heavy = Parameters { drum_mass: 1e50, load_mass: 0.0, stiffness: 1e50, ..WASHER };
+    for (parameters, start, what) in [
+        (Parameters { stiffness: 1e300, ..WASHER }, "stiffness 1e300 N/m: ", "natural frequency ω₀"),
+        (Parameters { stiffness: 1e-300, ..WASHER }, "stiffness 1e-300 N/m: ", "natural frequency ω₀"),
+        (Parameters { stiffness: 1e308, ..light }, "stiffness 1e308 N/m: ", "natural frequency ω₀"),
+        (Parameters { stiffness: 5e-324, ..heavy }, "stiffness 5e-324 N/m: ", "natural frequency ω₀"),
+        (Parameters { load_radius: 1e-45, load_mass: 1e-10, ..WASHER }, "load radius 1e-45 m: ", "offset b"),
+        (Parameters { load_radius: 2e-50, ..four }, "load radius 2e-50 m: ", "offset b"),
+        (Parameters { damping: 1e200, ..WASHER }, "damping 1e200 kg/s: ", "damping rate"),
+        (Parameters { damping: 1e-200, ..WASHER }, "damping 1e-200 kg/s: ", "damping rate"),
+        (Parameters { damping: 5e-324, ..heavy }, "damping 5e-324 kg/s: ", "damping rate"),
+        (Parameters { damping: 1e300, ..light }, "damping 1e300 kg/s: ", "damping rate"),
     ] {
-        assert_eq!((refusal(heavy).0.value, refusal(heavy).0.rule), (0.0, Rule::Positive));
+        let message = refusal(parameters).1;
+        assert!(message.starts_with(start) && message.contains(what), "{message}");
+        assert!(message.contains("outside 1e-50 to 1e50"), "{message}");
     }
+    let on_board = Machine::new(light).and_then(|machine| machine.rotor(1e49)).unwrap_err().to_string();
+    assert!(on_board.starts_with("damping on board 1e49 kg/s: "), "{on_board}");
 }
 
 #[test]

@@ -111,6 +111,18 @@ fn at_the_threshold_the_whirl_goes_round_at_the_natural_frequency_whatever_the_d
 }
 
 #[test]
+fn friction_on_board_has_a_threshold_however_weak_it_is() {
+    let mut random = fastrand::Rng::with_seed(5);
+    for machine in machines(6, 300) {
+        let (w0, _, rate, _) = letters(&machine);
+        let on_board = 10_f64.powf(-45.0 * random.f64());
+        let rotor = machine.rotor(on_board * machine.total_mass()).expect("a rotor");
+        let threshold = rotor.whirl_spin().expect("friction on board");
+        assert_relative_eq!(threshold, w0 + w0 * rate / on_board, max_relative = 1e-14);
+    }
+}
+
+#[test]
 fn weak_friction_on_board_is_twice_a_weak_damper_on_the_radius() {
     for ratio in [0.3, 0.7, 1.2, 2.0, 5.0] {
         let (machine, weak) = (washer().with_spin(10.0 * ratio).unwrap(), 0.03); // Γ = 0.001

@@ -74,10 +74,13 @@ fn a_pinned_body_keeps_what_it_keeps_to_a_few_units() {
         let spin = draw.one_of(&[-1.0, 1.0]) * draw.decades(1e-9, 1e9);
         // By the angle anywhere; by the point next to the right angle and to the poles, on either side.
         let (pin, sin, cos, way) = if draw.below(2) == 0 {
-            let angle = if draw.below(2) == 0 {
-                draw.beside(std::f64::consts::FRAC_PI_2)
-            } else {
-                draw.between(0.0, std::f64::consts::PI)
+            // Next to a right angle, next to where B or the point opposite stays at rest, and anywhere.
+            let still = f64::atan2(kappa[1], kappa[0]);
+            let angle = match draw.below(4) {
+                0 => draw.beside(std::f64::consts::FRAC_PI_2),
+                1 => draw.beside(still).min(std::f64::consts::PI),
+                2 => (std::f64::consts::PI - draw.beside(still)).max(0.0),
+                _ => draw.between(0.0, std::f64::consts::PI),
             };
             let (sin, cos) = long(angle).sin_cos();
             (Pin::Angle(angle), sin, cos, "by the angle")
@@ -102,7 +105,13 @@ fn a_pinned_body_keeps_what_it_keeps_to_a_few_units() {
         };
         let (alpha, phi) = (pinning.axis_angle(), pinning.axis_shift());
         let velocity = pinning.centre_velocity().z;
+        // Of two parts, of which the sum of the sizes counts.
+        let [part_1, part_2] = [kappa * before_1 * radius, before_2 * radius];
+        let of_parts =
+            |truth: Long, found: f64| ((truth - found) / (part_1.abs() + part_2.abs())).abs().rounded();
         let errors = [
+            of_parts(part_1 + part_2, pinning.velocity_of_b()),
+            of_parts(part_1 - part_2, pinning.velocity_opposite_b()),
             relative(kappa * before_1, after.x),
             relative(before_2, after.y),
             relative(lost, pinning.energy_lost()),

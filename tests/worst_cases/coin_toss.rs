@@ -3,7 +3,7 @@
 
 use crate::long::{Long, PI, long};
 use crate::search::{Case, Draw, search, worse};
-use mechanics::inertia::PrincipalMoments;
+use mechanics::inertia::{Cylinder, PrincipalMoments};
 use mechanics::scenes::coin_toss::{
     Face, Flight, FlightParameters, Toss, TossParameters, angle_for_probability, ratio_for_probability,
 };
@@ -89,6 +89,47 @@ fn the_height_of_the_normal_is_good_to_a_few_units_for_a_hundred_million_million
         })
     });
     worst.keeps_its_promise(&["any"]);
+}
+
+#[test]
+fn shares_of_landings_keep_the_digits_that_the_distance_to_a_border_leaves() {
+    let worst = search("landings", 4000, |draw| {
+        let (toss, [a, c, tumble, spin]) = coin(draw)?;
+        let (across, along) = (a * tumble, c * spin);
+        let (lowest, square) = ((along - across) * (along + across), across * across + along * along);
+        let lowest = lowest / square;
+        // Any edge, or one whose border is next to the lowest height.
+        let height = match draw.below(2) {
+            0 => draw.signed(1e-9, 1e3).abs(),
+            _ => {
+                let sine = draw.beside(lowest.abs().rounded());
+                2.0 * sine / ((1.0 - sine) * (1.0 + sine)).max(1e-9).sqrt()
+            }
+        };
+        let found = toss.landings(Cylinder { radius: 1.0, height }).ok()?;
+        let ratio = long(height) * 0.5;
+        let diagonal = (ratio * ratio + 1.0).sqrt();
+        let (sine, rest) = (ratio / diagonal, long(1.0) / (diagonal * (diagonal + ratio)));
+        let root = |square: Long| if square > long(0.0) { square.sqrt() } else { long(0.0) };
+        // How far a share is from the angle with this tangent, over a right angle.
+        let off = |share: f64, opposite: Long, adjacent: Long| {
+            let (sin, cos) = (PI * 0.5 * share).sin_cos();
+            (sin * adjacent - cos * opposite)
+                / (opposite * opposite + adjacent * adjacent).sqrt()
+                / (PI * 0.5)
+        };
+        let same = off(found.same, rest.sqrt(), root(sine - lowest));
+        let other = off(found.other, root(-sine - lowest), (sine + 1.0).sqrt());
+        let edge = long(found.same) + found.edge + found.other - 1.0 - same - other;
+        let error = [same, edge, other].map(|error| error.abs().rounded()).into_iter().fold(0.0, worse);
+        let [near, far] = [sine - lowest, sine + lowest].map(|gap| gap.abs().rounded());
+        let gap = near.min(far).max(0.1 * EPS);
+        let promise = (2e-16 / (rest.rounded() * gap).sqrt()).max(2e-15);
+        let way = if gap < 1e-3 { "next to a border" } else { "anywhere" };
+        let said = format!("{toss:?}, height {height:?}: {found:?}, off {error:e}, promised {promise:e}");
+        Some(Case { ratio: error / promise, way, said })
+    });
+    worst.keeps_its_promise(&["anywhere", "next to a border"]);
 }
 
 #[test]

@@ -20,6 +20,8 @@ mod film;
 mod free_tops;
 mod linear;
 mod long;
+mod motor;
+mod people;
 mod ramp;
 mod rolling;
 mod search;

@@ -278,6 +278,14 @@ fn the_attitude_of_a_coin_takes_whole_turns_off_exactly() {
             DiskParameters { mass: 1.0, radius: 0.03, moments: MomentFactors::DISK, gravity: 9.81 };
         let coin = SpinningCoin::new(parameters, tilt).ok()?;
         let turns = draw.signed(1e-3, 1e12);
+        let lost = coin.attitude(turns * 1e290);
+        if !(lost.coords.norm() - 1.0).abs().lt(&1e-14) {
+            return Some(Case {
+                ratio: f64::INFINITY,
+                way: "any",
+                said: format!("{lost} after {turns:?}e290"),
+            });
+        }
         let half = |angle: Long| (angle * 0.5).sin_cos();
         let turn = PI * 2.0 * turns;
         let ((s1, c1), (s2, c2)) = (half(turn), half(long(tilt)));

@@ -2,7 +2,7 @@
 //! balanced engine.
 
 use crate::long::{Long, PI, long};
-use crate::search::{Case, search};
+use crate::search::{Case, search, worse};
 use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::SpinningCoin;
@@ -71,10 +71,20 @@ fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() 
             i1 * q * q * tan * tan,
         ]
         .map(|term| term / (i1 + 1.0));
-        let (sum, size) = (terms.into_iter().sum::<Long>(), terms.into_iter().map(Long::abs).sum::<Long>());
-        let wobble_error = ((sum - steady.wobble_square()).abs() / size).rounded() / (1.0 + lost);
+        let sum: Long = terms.into_iter().sum();
+        // The largest term of the formula.
+        let size = [
+            c * c + i1 * s * s * 3.0,
+            ratio * (i3 * 3.0 + 1.0) * s,
+            ratio * (i3 + 1.0) * c * c / s,
+            (i3 + 1.0) * i3 / i1 * ratio * ratio,
+        ]
+        .map(|term| (square * term / (i1 + 1.0)).abs().rounded())
+        .into_iter()
+        .fold(0.0, f64::max);
+        let wobble_error = (sum - steady.wobble_square()).abs().rounded() / size / (1.0 + lost);
         Some(Case {
-            ratio: turn_error.max(spin_error).max(wobble_error) / FEW,
+            ratio: worse(worse(turn_error, spin_error), 0.5 * wobble_error) / FEW, // and twice as much of the wobble
             way,
             said: format!(
                 "{moments:?}, a {radius:?}, g {gravity:?}, lean {lean:?}, b {b:?}: {turn_error:e} {spin_error:e} {wobble_error:e}, {lost}"

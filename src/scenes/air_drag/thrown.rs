@@ -54,7 +54,8 @@ impl DraggedTop {
 
 impl ThrownTop {
     /// Attitude and angular velocity at `time`, s, zero or later. The attitude is as exact as the solver's tolerance
-    /// makes it, and the whole way to that time is integrated.
+    /// makes it, and the whole way to that time is integrated: at most as many evaluations as the solver allows, ten
+    /// million unless it is told otherwise, which are a second or two.
     ///
     /// # Errors
     /// [`Error`] for a time that [`DraggedTop::at`] refuses, and if the integration fails.

@@ -19,8 +19,9 @@ pub struct Landings {
 impl Toss {
     /// How often a coin of this shape lands on each side, if the moment of the landing is as good as random and the
     /// coin stays on the side that then lies under its centre (`eq:edge-any`). The shape says what lies there; how the
-    /// coin turns follows from the moments of the toss. Each to 2e-15; but next to a toss whose normal just reaches one
-    /// of the borders the share beyond it hangs on the root of what is missing, and has half the digits.
+    /// coin turns follows from the moments of the toss. Each to 2e-15, or to 2e-16/√((1 − sin β)d) if that is more,
+    /// where d is how far the lowest height of the normal is from the nearer of the borders sin β and −sin β: a share
+    /// beyond a border hangs on the root of d, and has half the digits where the normal just reaches it.
     ///
     /// ```
     /// use mechanics::inertia::{Body, Cylinder};

@@ -1,9 +1,11 @@
 //! Many people with a coin: the part of tosses that show the same face, when no hand twists like another.
 
 use super::steady_face_ratio;
+use crate::faddeeva::faddeeva;
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
-use std::f64::consts::{FRAC_1_PI, TAU};
+use nalgebra::Complex;
+use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
 
 /// People who toss a coin, each with a ratio of twist to tumble, s = ω₃/ω₁, of his own: over the people it is spread
 /// like a Gaussian.
@@ -18,10 +20,11 @@ use std::f64::consts::{FRAC_1_PI, TAU};
 /// assert!((bias / (4e-4 / std::f64::consts::PI) - 1.0).abs() < 1e-4);
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tossers {
-    nodes: Vec<Node>,
-    certain: f64, // the part of the people whose coin never shows its other face
+    threshold: f64, // I₁/I₃: with more twist the coin never shows its other face
+    mean: f64,
+    spread: f64,
 }
 
 /// A coin, and how twist over tumble is spread over those who toss it.
@@ -51,23 +54,28 @@ impl Counted {
     }
 }
 
-/// A part of the people, and what their coins do.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Node {
-    part: f64,
-    probability: f64,
-    ln_same: f64,
-    ln_other: f64,
-}
+/// The nodes of Gauss's rule of twelve points from −1 to 1 and their weights; so many lie to the other side of zero.
+const GAUSS: [(f64, f64); 6] = [
+    (0.125_233_408_511_468_9, 0.249_147_045_813_402_77),
+    (0.367_831_498_998_180_2, 0.233_492_536_538_354_8),
+    (0.587_317_954_286_617_5, 0.203_167_426_723_065_92),
+    (0.769_902_674_194_304_7, 0.160_078_328_543_346_22),
+    (0.904_117_256_370_474_9, 0.106_939_325_995_318_43),
+    (0.981_560_634_246_719_2, 0.047_175_336_386_511_83),
+];
 
-/// Into how many steps the spread of the twist is divided, an even number.
-const STEPS: u32 = 2000;
+/// By how much the logarithm of the integrand may vary within a panel, at most, for that rule.
+const VARIATION: f64 = 2.0;
 
-/// How many standard deviations of it are looked at, to either side.
-const REACH: f64 = 9.0;
+/// A panel counts for nothing if the logarithm of what it may add is so much less than that of all others.
+const NEGLIGIBLE: f64 = 32.0;
+
+/// No panel is narrower, as an angle, and no spread, as a part of I₁/I₃.
+const NARROWEST: f64 = 1e-13;
+const NARROWEST_SPREAD: f64 = 1e-9;
 
 impl Tossers {
-    /// The people.
+    /// The people. A spread below 1e-9 I₁/I₃ counts as so much: all people are alike then.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the coin has no axis of symmetry along 3, or a number breaks its rule.
@@ -76,55 +84,124 @@ impl Tossers {
         let threshold = steady_face_ratio(moments)?;
         InvalidQuantity::check("mean of twist over tumble", mean, "")?;
         InvalidQuantity::check_positive("spread of twist over tumble", spread, "")?;
-        // Simpson's rule in the angle v of s = (I₁/I₃) sin v, in which eq:same-face has no corner: cot²ψ = sin²v.
-        let end = |sign: f64| ((mean + sign * REACH * spread) / threshold).clamp(-1.0, 1.0).asin();
-        let (from, to) = (end(-1.0), end(1.0));
-        let step = (to - from) / f64::from(STEPS);
-        let node = |n: u32| {
-            let (sin, cos) = (from + f64::from(n) * step).sin_cos();
-            let weight = match n {
-                0 | STEPS => 1.0,
-                _ if n.is_multiple_of(2) => 2.0,
-                _ => 4.0,
-            };
-            let deviation = (threshold * sin - mean) / spread;
-            let density = (-0.5 * deviation * deviation).exp() / (spread * TAU.sqrt());
-            let bias = FRAC_1_PI * (sin * sin).asin();
-            Node {
-                part: weight * step / 3.0 * density * threshold * cos, // ds = (I₁/I₃) cos v dv
-                probability: 0.5 + bias,
-                ln_same: (0.5 + bias).ln(),
-                ln_other: (0.5 - bias).ln(),
-            }
-        };
-        let nodes: Vec<Node> = (0..=STEPS).map(node).collect();
-        let flipping: f64 = nodes.iter().map(|node| node.part).sum();
-        Ok(Self { nodes, certain: (1.0 - flipping).max(0.0) })
+        Ok(Self { threshold, mean, spread: spread.max(NARROWEST_SPREAD * threshold) })
     }
 
     /// The probability that somebody's toss shows the same face, the mean of `eq:same-face` over the people
     /// (`eq:people-mean`); to 1e-8 if the spread is from a thousandth to a third.
     pub fn same_face_probability(&self) -> f64 {
-        self.certain + self.nodes.iter().map(|node| node.part * node.probability).sum::<f64>()
+        self.ln_mean(&Counted { same: 1, other: 0 }).exp()
     }
 
     /// The natural logarithm of the likelihood of what was counted, a number of tosses for each of some people,
     /// compared with what it would be if each had exactly the probability that he shows (`eq:people-likelihood`).
-    /// Never above zero but by rounding; to 1e-6 for up to a hundred thousand tosses a person, if the spread is a
-    /// hundredth or more.
+    /// Never above zero but by rounding, and never infinite; to 1e-8 a person for up to a hundred thousand tosses of
+    /// his, if the spread is from a thousandth to a third and the mean at most one in size.
     pub fn log_likelihood(&self, counts: &[Counted]) -> f64 {
-        counts.iter().map(|counted| self.likelihood(counted).ln()).sum()
+        let of = |counted: &Counted| self.ln_mean(counted) - counted.ln_likelihood(counted.other_share());
+        counts.iter().map(of).fold(0.0, |sum, person| sum + person)
     }
 
-    /// The mean over the people of p^k (1 − p)^(n − k), in units of its largest.
-    fn likelihood(&self, counted: &Counted) -> f64 {
-        let (same, other, all) = (f64::from(counted.same), f64::from(counted.other), counted.tosses());
-        // 0 ln 0 is 0.
-        let times_ln = |count: f64, ln: f64| if count == 0.0 { 0.0 } else { count * ln };
-        let largest = times_ln(same, (same / all).ln()) + times_ln(other, (other / all).ln());
-        let of =
-            |node: &Node| (times_ln(same, node.ln_same) + times_ln(other, node.ln_other) - largest).exp();
-        let certain = if other == 0.0 { self.certain } else { 0.0 };
-        certain + self.nodes.iter().map(|node| node.part * of(node)).sum::<f64>()
+    /// The logarithm of the mean over the people of p^k (1 − p)^(n − k).
+    ///
+    /// The integral over the twist, to either side, is one over the angle v of s = (I₁/I₃) sin v, in which
+    /// `eq:same-face` has no corner: cot²ψ = sin²v. Halve panels until the integrand hardly varies in each. Both
+    /// factors of it have one peak, so that their values at the ends of a panel, and at the peaks within, bound it
+    /// there: no peak is missed.
+    fn ln_mean(&self, counted: &Counted) -> f64 {
+        let Self { threshold, mean, spread } = *self;
+        let mut sum = LnSum::ZERO;
+        for mean in [mean, -mean] {
+            if counted.other == 0 {
+                sum.add(ln_beyond((threshold - mean) / spread));
+            }
+            let deviation = |v: f64| (threshold * v.sin() - mean) / spread;
+            let ln_bell = |deviation: f64| -0.5 * deviation * deviation;
+            let panel = |from: f64, to: f64| {
+                let [[left, right], [more, less]] =
+                    [[deviation(from), deviation(to)], [other_face(from), other_face(to)]];
+                let likeliest = counted.other_share().max(less).min(more);
+                let high = ln_bell(left.max(0.0).min(right)) + counted.ln_likelihood(likeliest);
+                let low = ln_bell(left).min(ln_bell(right))
+                    + counted.ln_likelihood(less).min(counted.ln_likelihood(more));
+                Panel { from, to, low, high }
+            };
+            let mut panels = vec![panel(0.0, FRAC_PI_2)];
+            while let Some(Panel { from, to, low, high }) = panels.pop() {
+                let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+                if high + (threshold / spread * half).ln() < sum.ln() - NEGLIGIBLE {
+                    continue;
+                }
+                if high - low > VARIATION && half > NARROWEST {
+                    let [first, second] = [panel(from, middle), panel(middle, to)];
+                    // The higher of the two comes first: beside it the other may count for nothing.
+                    panels.extend(if first.high < second.high { [first, second] } else { [second, first] });
+                    continue;
+                }
+                for (node, weight) in GAUSS {
+                    for v in [middle - half * node, middle + half * node] {
+                        let width = weight * half * threshold * v.cos() / (spread * TAU.sqrt()); // ds = (I₁/I₃) cos v dv
+                        sum.add(width.ln() + ln_bell(deviation(v)) + counted.ln_likelihood(other_face(v)));
+                    }
+                }
+            }
+        }
+        sum.ln()
+    }
+}
+
+impl Counted {
+    fn other_share(&self) -> f64 {
+        f64::from(self.other) / self.tosses()
+    }
+
+    /// The logarithm of (1 − q)^k q^(n − k), where 0 ln 0 is 0.
+    fn ln_likelihood(&self, other_face: f64) -> f64 {
+        let times = |count: u32, ln: f64| if count == 0 { 0.0 } else { f64::from(count) * ln };
+        times(self.same, (-other_face).ln_1p()) + times(self.other, other_face.ln())
+    }
+}
+
+/// Angles from one to another, and between which values the logarithm of the integrand lies there.
+#[derive(Debug, Clone, Copy)]
+struct Panel {
+    from: f64,
+    to: f64,
+    low: f64,
+    high: f64,
+}
+
+/// The probability 1 − p that a toss with s = (I₁/I₃) sin v shows the other face, arccos(sin²v)/π (`eq:same-face`).
+fn other_face(v: f64) -> f64 {
+    2.0 * FRAC_1_PI * (v.cos() * FRAC_1_SQRT_2).asin()
+}
+
+/// The logarithm of the part of a Gaussian beyond so many standard deviations.
+fn ln_beyond(deviations: f64) -> f64 {
+    let y = FRAC_1_SQRT_2 * deviations;
+    let ln_half_erfc = |y: f64| (0.5 * faddeeva(Complex::new(0.0, y)).re).ln() - y * y; // for y ≥ 0
+    if y < 0.0 { (-ln_half_erfc(-y).exp()).ln_1p() } else { ln_half_erfc(y) }
+}
+
+/// A sum of positive numbers of any size, which are given by their logarithms.
+#[derive(Debug, Clone, Copy)]
+struct LnSum {
+    largest: f64,
+    parts: f64, // the sum in units of the largest
+}
+
+impl LnSum {
+    const ZERO: Self = Self { largest: f64::NEG_INFINITY, parts: 0.0 };
+
+    fn add(&mut self, ln: f64) {
+        if ln > self.largest {
+            self.parts *= (self.largest - ln).exp();
+            self.largest = ln;
+        }
+        self.parts += (ln - self.largest).exp();
+    }
+
+    fn ln(&self) -> f64 {
+        self.largest + self.parts.ln()
     }
 }

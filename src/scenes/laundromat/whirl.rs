@@ -1,6 +1,6 @@
 //! The machine with friction on board: a damper that turns with the drum, beside the one that stands on the floor.
 
-use super::machine::Machine;
+use super::machine::{Machine, require_damping_rate};
 use super::shaft::{Shaft, out_of_range};
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::Complex;
@@ -46,8 +46,8 @@ impl Machine {
     /// zero.
     pub fn rotor(&self, damping_on_board: f64) -> Result<Rotor, InvalidQuantity> {
         InvalidQuantity::check_not_negative("damping on board", damping_on_board, "kg/s")?;
+        require_damping_rate("damping on board", damping_on_board, self.total_mass())?;
         let on_board = damping_on_board / self.total_mass();
-        InvalidQuantity::check_not_negative("damping rate on board Γᵢ", on_board, "1/s")?;
         let natural = self.natural_frequency();
         let half_damping = 0.5 * (self.damping_rate() + on_board);
         let stiffness = Complex::new(natural * natural, -on_board * self.spin());
@@ -181,9 +181,10 @@ fn mean_exponential(x: Complex<f64>) -> Complex<f64> {
 ///
 /// From [`Rotor::transient`]. Its error is at most 20 (1 + (|Ω| + ω₀ + Γ + Γᵢ) t) units in the last place
 /// (`f64::EPSILON`) of the sum of the circle's radius, or near resonance what the circle has become by then, and of
-/// what the growing root has made of the start: its distance, and its velocity over ω₀. That is multiplied by the
-/// bracket once more if the two roots are nearer to each other than ω₀/10, which takes critical damping and hardly any
-/// spin.
+/// what the growing root has made of the start and of the circle, both of which it finds at first: of their distances,
+/// and of their velocities and Γ + Γᵢ times the distances, for as long as they last. That is the time, but not longer
+/// than one over the distance of the two roots, and not less than 1/ω₀. A velocity's error is at most |Ω| + ω₀ + Γ + Γᵢ
+/// times as large.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RotorMotion {
     rotor: Rotor,

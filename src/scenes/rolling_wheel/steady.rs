@@ -31,8 +31,8 @@ impl Wheel {
     /// Steady rolling with a lean θ, rad, and the centre on a circle of radius b = `centre_radius`, m; negative if the
     /// centre is beyond the axis (`eq:steady-moments`). Of the two senses, the one with positive Ω.
     ///
-    /// Rates and [`SteadyRolling::wobble_square`] are exact to 4 units in the last place, of the largest term where
-    /// terms cancel, and lose what `(1 + I₃)b + I₁a sin θ` loses near the least radius, where it vanishes.
+    /// Rates are exact to 4 units in the last place, and [`SteadyRolling::wobble_square`] to 8 of its largest term, and
+    /// they lose what `(1 + I₃)b + I₁a sin θ` loses near the least radius, where it vanishes.
     ///
     /// # Errors
     /// [`InvalidQuantity`] for an upright or a flat wheel, and where no turn rate balances the lean.

@@ -86,7 +86,11 @@ impl BrakedDisk {
         let (sin, cos) = state.tilt.sin_cos();
         Vector3::new(force.x, force.y * cos + force.z * sin, force.y * sin - force.z * cos)
     }
+
     /// The disk at each of these tilts, rad, one lower than the other, on its way down from `start`.
+    ///
+    /// The solver's limit on the evaluations holds for all tilts together. Unless it is set it is ten million, some
+    /// tens of thousands of turns and some seconds: that is how long a disk is waited for that hardly sinks.
     ///
     /// # Errors
     /// [`Error::Quantity`] if a tilt is not lower than the one before it, the first than that of the start, or the disk
@@ -94,7 +98,7 @@ impl BrakedDisk {
     /// the disk creeps.
     pub fn sink(&self, start: Rolling, tilts: &[f64], solver: &Dop853) -> Result<Vec<Sunk>, Error> {
         start.check()?;
-        let (mut time, mut state) = (0.0, start.to_array());
+        let (mut time, mut state, mut evaluated) = (0.0, start.to_array(), 0);
         let end = LONGEST * self.disk.unit_of_time();
         let mut sunk = Vec::with_capacity(tilts.len());
         for &tilt in tilts {
@@ -103,9 +107,9 @@ impl BrakedDisk {
             InvalidQuantity::require(tilt < state[0], "tilt from lying flat", tilt, "rad", lower)?;
             let rates = |time: f64, state: &[f64; 8]| self.rates(time, state);
             let above = |_: f64, state: &[f64; 8]| state[0] - tilt;
-            let Outcome::Event(there) =
-                solver.solve_until(rates, time, state, end, above, Direction::Falling)?
-            else {
+            let left = solver.with_max_evaluations(solver.max_evaluations().saturating_sub(evaluated));
+            let outcome = left.solve_until(rates, time, state, end, above, Direction::Falling);
+            let Outcome::Event(there) = outcome.map_err(|failure| failure.after(evaluated))? else {
                 let rule = Rule::Because("the disk does not sink so far");
                 return Err(InvalidQuantity {
                     quantity: "tilt from lying flat",
@@ -116,6 +120,7 @@ impl BrakedDisk {
                 .into());
             };
             (time, state) = (there.time, there.state);
+            evaluated += there.work.evaluations;
             sunk.push(Sunk { time, state: Rolling::from_array(state) });
         }
         Ok(sunk)

@@ -115,10 +115,15 @@ impl SpinningCoin {
     }
 
     /// The attitude after `turns` turns of the contact, room from body, where at the start axis 1 lies along x and the
-    /// coin's upward normal leans towards −y (`eq:coin-attitude`). Whole turns are taken off exactly, up to 1e12 of
-    /// them; what is rounded is the angle through which the figure has turned, to 4.5e-16 of itself.
+    /// coin's upward normal leans towards −y (`eq:coin-attitude`). Whole turns are taken off exactly; what is rounded
+    /// is the angle through which the figure has turned, to 4.5e-16 of itself, so that beyond 1e16 turns of the figure
+    /// nothing is left of it.
     pub fn attitude(&self, turns: f64) -> UnitQuaternion<f64> {
-        let figure = TwoPart::product(turns, 2.0 * (0.5 * self.tilt).sin().powi(2));
+        // Of so many turns no digit of the figure's is left.
+        let countable = turns.clamp(-1e200, 1e200);
+        let (figure, rest) = TwoPart::product(countable, 2.0 * (0.5 * self.tilt).sin().powi(2)).parts();
+        let figure = TwoPart::sum(figure % 1.0, rest % 1.0);
+        let turns = turns % 1.0;
         let round = turn(&Vector3::z(), TwoPart::PI * 2.0 * turns);
         let lean = turn(&Vector3::x(), self.tilt.into());
         // About the upward normal the coin turns backwards by the relative spin, a turn less the figure's.

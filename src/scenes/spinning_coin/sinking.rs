@@ -37,7 +37,7 @@ pub struct Sinking {
 impl EulersDisk {
     /// The motion from `start`, by a Taylor method whose tolerance, at most 1, is in radii and √(a/g). Its limit on the
     /// number of series holds for each call and for each direction of time; by default it is a hundred thousand, some
-    /// fifteen thousand turns, and a fraction of a second.
+    /// fifteen thousand turns, and a second or two.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if a number of `start` cannot be computed with, or the tolerance is too loose.

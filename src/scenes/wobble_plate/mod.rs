@@ -2,7 +2,8 @@
 //!
 //! The shaft lies along z and turns with the angular velocity ω; the phase is ωt. The rotating axes are `x' = (cos ωt,
 //! sin ωt, 0)`, `y' = z × x'` and z. The plate's normal is `cos α z − sin α x'` (`eq:plate-axes`). Nothing here has a
-//! state: every quantity is a function of the phase. A phase or spin that is not finite gives NaN.
+//! state: every quantity is a function of the phase. A phase or spin that is not finite gives NaN, and so
+//! may a spin beyond 1e150 rad/s, whose square is beyond the largest number.
 
 mod engine;
 mod pistons;

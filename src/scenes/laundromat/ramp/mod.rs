@@ -140,7 +140,8 @@ impl Ramp {
     }
 
     /// The shaft at each of these times, s: as [`Ramp::at`], to rounding, and several times as quick for lightly
-    /// damped machines.
+    /// damped machines. The same time may differ by rounding from place to place in a list: it is computed together
+    /// with its neighbours.
     ///
     /// # Errors
     /// As [`Ramp::at`], for the first time that it refuses.
