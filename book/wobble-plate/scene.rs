@@ -238,7 +238,7 @@ impl Shaking {
             let head = camera.on_page(place(x, y, frame - 0.07))?;
             kit::spring(drawing, foot, head, 5, 15.0, 2.0, Hue::Ink);
         }
-        // Above the plate: what the end of the shaft draws in the room, the spin, and where the angular momentum points.
+        // Above the plate: what the end of the shaft draws in the room, the spin, and the angular momentum.
         let mut above = Stage::new(camera);
         let path = (0..=STEPS).map(|step| {
             let (lean, hop) = self.stands(&self.engine, TAU * f64::from(step % STEPS) / f64::from(STEPS));

@@ -8,7 +8,7 @@ use crate::mdbook::For;
 use crate::preprocess::Failed;
 use crate::render::escaped;
 use crate::rendered::Rendered;
-use crate::{api, lost, module, outcome, places, search, site, solutions};
+use crate::{api, lost, module, outcome, places, scripts, search, site, solutions};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::config::Config;
 use std::collections::BTreeMap;
@@ -54,6 +54,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
 fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
     remove_sources_of_theme(site, &context.config)?;
     remove_programs(site)?;
+    scripts::lighten(site, &context.config)?;
     drawn.write_all(&site.join("figures"))?;
     let is_hasty = For::of(&context.config) == For::Hasty;
     if is_hasty {

@@ -127,6 +127,7 @@ mod references;
 mod render;
 mod scan;
 mod scenes;
+mod scripts;
 mod search;
 mod serve;
 mod signs;

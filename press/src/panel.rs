@@ -5,7 +5,7 @@
 use crate::answers::{Answers, Live, Value};
 use crate::module;
 use crate::numbers::with_power;
-use crate::render::escaped;
+use crate::render::{escaped, prose};
 
 /// The panel of the snippet with this number among those of the book.
 pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> String {
@@ -23,7 +23,7 @@ pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> Str
         .map(|words| {
             format!(
                 "<li class=\"holds\"><span class=\"sign\"></span><b>holds</b><span>: {}</span></li>\n",
-                escaped(words)
+                prose(words)
             )
         })
         .collect();

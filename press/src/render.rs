@@ -627,7 +627,7 @@ impl Printer<'_, '_> {
 }
 
 /// A run of text as HTML, its numbers tied to their units.
-fn prose(text: &str) -> String {
+pub(crate) fn prose(text: &str) -> String {
     let mut tied = text.to_owned();
     for at in ties::blanks(text).into_iter().rev() {
         tied.replace_range(at..=at, BLANK);

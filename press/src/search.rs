@@ -252,7 +252,8 @@ fn upright(c: char) -> char {
 
 /// What is no text, or none of its place.
 const LEFT_OUT: [&str; 8] = ["svg", "pre", "script", "style", "button", "template", "nav", "details"];
-const LEFT_OUT_CLASSES: [&str; 6] = ["save", "note-mark", "note-number", "turn", "code", "citing"];
+const LEFT_OUT_CLASSES: [&str; 8] =
+    ["save", "note-mark", "note-number", "turn", "code", "citing", "panel", "answers"];
 /// Elements within a line: there is no space where they begin and end.
 const IN_LINE: [&str; 12] =
     ["a", "abbr", "b", "code", "del", "em", "i", "span", "strong", "sub", "sup", "math"];

@@ -222,8 +222,8 @@ impl Drawing {
         }
     }
 
-    /// Moves each label that stands on an earlier one up or down, by the shorter way that leads off all of them and stays
-    /// on the page. One that has no such way stays. This is for pictures that move, in which names meet.
+    /// Moves each label that stands on an earlier one up or down, by the shorter way that leads off all of them and
+    /// stays on the page. One that has no such way stays. This is for pictures that move, in which names meet.
     ///
     /// ```
     /// use drawing::{Drawing, Hue, Shape, Side, at};

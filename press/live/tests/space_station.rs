@@ -94,7 +94,9 @@ fn one_second_blow_stops_the_nod_and_another_leaves_nothing() {
 
 #[test]
 fn extremes_say_so() {
-    for (settings, said) in [([("impulse", 0.0)], "No blow"), ([("place", 0.0)], "drifts off at 4.50 m/s")] {
+    for (settings, said) in
+        [([("impulse", 0.0)], "No blow"), ([("place", 0.0)], "drifts off at 4.50\u{a0}m/s")]
+    {
         let player = played(&settings);
         assert!(player.words(0.0).contains(said), "{}", player.words(0.0));
         assert_eq!(reading(&player, "nods", 30.0), 0.0);
