@@ -883,9 +883,7 @@ fn a_link_is_copied_where_the_reader_stands_and_a_text_link_moves_no_picture_tha
     page.get("scrollTo({ top: document.body.scrollHeight, behavior: 'instant' })");
     page.settle();
     let below = page.number("scrollY");
-    page.get(&format!(
-        "{{ const link = [...document.querySelectorAll('main a[data-set]')].at(-1); link.click(); }}"
-    ));
+    page.get("{ const link = [...document.querySelectorAll('main a[data-set]')].at(-1); link.click(); }");
     page.wait(&format!("scrollY < {below} - 500"));
     page.settle();
     page.get("history.back()");
