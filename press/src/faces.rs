@@ -144,8 +144,15 @@ mod tests {
 
     #[test]
     fn the_fonts_hold_what_the_list_says() {
-        let labels = ttf_parser::Face::parse(include_bytes!("../drawing/font/math.otf"), 0).unwrap();
-        let mut fonts = vec![("math.otf".to_owned(), Face::Maths, held(labels.tables().cmap.unwrap()))];
+        let label_fonts: [(_, _, &[u8]); 2] = [
+            ("math.otf", Face::Maths, include_bytes!("../drawing/font/math.otf")),
+            ("open-sans.ttf", Face::Text, include_bytes!("../drawing/font/open-sans.ttf")),
+        ];
+        let mut fonts = Vec::new();
+        for (name, face, font) in label_fonts {
+            let font = ttf_parser::Face::parse(font, 0).unwrap();
+            fonts.push((name.to_owned(), face, held(font.tables().cmap.unwrap())));
+        }
         for file in fs::read_dir("../book/theme/fonts").unwrap() {
             let path = file.unwrap().path();
             if path.extension().is_some_and(|ending| ending == "woff2") {
@@ -159,7 +166,7 @@ mod tests {
                 fonts.push((name, face, held(ttf_parser::cmap::Table::parse(&cmap).unwrap())));
             }
         }
-        assert_eq!(fonts.len(), 9);
+        assert_eq!(fonts.len(), 10);
         for (name, face, held) in fonts {
             let missing: String = face.characters().difference(&held).collect();
             assert!(missing.is_empty(), "{name} lacks {missing}");

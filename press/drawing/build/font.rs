@@ -1,9 +1,10 @@
 //! The glyphs and the measures of the mathematics font, as a Rust table.
 
+use crate::outline::Outline;
 use std::error::Error;
 use std::fmt::Write as _;
 use ttf_parser::gsub::SubstitutionSubtable;
-use ttf_parser::{Face, GlyphId, OutlineBuilder, Tag};
+use ttf_parser::{Face, GlyphId, Tag};
 
 const FONT: &str = "font/math.otf";
 
@@ -133,7 +134,7 @@ fn glyphs(face: &Face<'_>, table: &[(u32, GlyphId, Option<u32>)]) -> Result<Stri
     let info = face.tables().math.and_then(|math| math.glyph_info).ok_or("no glyph information")?;
     let mut out = String::from("pub(super) static GLYPHS: &[Glyph] = &[\n");
     for &(key, glyph, script) in table {
-        let mut outline = Outline(Vec::new());
+        let mut outline = Outline::default();
         let bounds = face.outline_glyph(glyph, &mut outline);
         let [low, high, left, right] = bounds.map_or([0; 4], |b| [b.y_min, b.y_max, b.x_min, b.x_max]);
         let advance = face.glyph_hor_advance(glyph).ok_or("a glyph without advance")?;
@@ -150,32 +151,4 @@ fn glyphs(face: &Face<'_>, table: &[(u32, GlyphId, Option<u32>)]) -> Result<Stri
     }
     out.push_str("];\n");
     Ok(out)
-}
-
-/// The outline as numbers: 0 move, 1 line, 2 quadratic, 3 cubic, 4 close, each followed by its coordinates.
-struct Outline(Vec<i16>);
-
-impl Outline {
-    fn push(&mut self, command: i16, coordinates: &[f32]) {
-        self.0.push(command);
-        self.0.extend(coordinates.iter().map(|value| value.round() as i16));
-    }
-}
-
-impl OutlineBuilder for Outline {
-    fn move_to(&mut self, x: f32, y: f32) {
-        self.push(0, &[x, y]);
-    }
-    fn line_to(&mut self, x: f32, y: f32) {
-        self.push(1, &[x, y]);
-    }
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.push(2, &[x1, y1, x, y]);
-    }
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        self.push(3, &[x1, y1, x2, y2, x, y]);
-    }
-    fn close(&mut self) {
-        self.push(4, &[]);
-    }
 }

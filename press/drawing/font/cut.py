@@ -10,8 +10,9 @@ FONTS are files, or folders that hold them somewhere, with these originals:
     source-code-pro-v11-all-charsets-500.woff2                   front-end/fonts of the crate `mdbook-html`
 
 Cargo has the two crates in its registry's folder `src`, once it has fetched them. Written are book/theme/fonts/*.woff2 for the
-pages, and math.otf beside this file for the labels of figures, with the shapes that NewCM draws for small sizes. Two licences ask
-that a modified version have another name: Book Math, Book Code. See book/theme/fonts/LICENCES.txt.
+pages, and two files beside this one for the labels of figures: math.otf, with the shapes that NewCM draws for small sizes, and
+open-sans.ttf, Open Sans Regular once more in a form that needs no unpacking. Two licences ask that a modified version have another
+name: Book Math, Book Code. See book/theme/fonts/LICENCES.txt.
 """
 
 import sys
@@ -131,6 +132,8 @@ def text(sections):
         minus = lambda font: draw(font, "⁻", [("−", 0.62, 0, 560)])
         font = cut(f"open-sans-v17-all-charsets-{style}.woff2", sections["text"], LETTERS, mend=minus)
         save(font, PAGES / f"open-sans-{style.replace('600', 'semibold')}.woff2")
+        if style == "regular":
+            save(cut(f"open-sans-v17-all-charsets-{style}.woff2", sections["text"], [], flavor=None, mend=minus), HERE / "open-sans.ttf")
 
 
 def code(sections):

@@ -28,9 +28,7 @@ pub(crate) fn standalone() -> String {
             dark += &on_dark;
         }
     }
-    format!(
-        "svg.drawn {{ font-family: \"Open Sans\", sans-serif; }}\n{light}@media (prefers-color-scheme: dark) {{\n{dark}}}\n"
-    )
+    format!("{light}@media (prefers-color-scheme: dark) {{\n{dark}}}\n")
 }
 
 /// A rule with the page's variables, pairs and tints replaced by what they are on one side.

@@ -71,7 +71,7 @@ impl Drawing {
     }
 
     /// The drawing as an SVG file of its own, in full size, with its style sheet for light and dark inside. Panels
-    /// stand side by side, in rows.
+    /// stand side by side, in rows. Its words are outlines, so that it looks the same wherever it is opened.
     ///
     /// # Errors
     /// [`Flaw`] if a coordinate is no number, or something could not be added.
@@ -98,14 +98,14 @@ impl Drawing {
     }
 
     /// Writes an element a line. On a page, a tint and the colour of the page under it are one element, which the
-    /// page's style sheet can mix; a file's cannot.
+    /// page's style sheet can mix; a file's cannot. In a file words are outlines: its reader may lack the font.
     fn write_items(&self, out: &mut String, is_page: bool) {
         let id = self.id.replace(':', "-");
         let items = self.items();
         let mut index = 0;
         while let Some(item) = items.get(index) {
             if is_page && let Some(tint) = items.get(index + 1).filter(|tint| is_under(item, tint)) {
-                write_item(out, &id, index + 1, tint, &format!("{OPAQUE} {}", tint.role.classes()));
+                write_item(out, &id, index + 1, tint, &format!("{OPAQUE} {}", tint.role.classes()), is_page);
                 index += 2;
                 continue;
             }
@@ -117,7 +117,7 @@ impl Drawing {
                 let data = trace::all(items[index..index + count].iter().map(|item| &item.shape));
                 let _ = writeln!(out, "<path class=\"{class}\" d=\"{data}\"/>");
             } else {
-                write_item(out, &id, index, item, &item.role.classes());
+                write_item(out, &id, index, item, &item.role.classes(), is_page);
             }
             index += count.max(1);
         }
@@ -172,10 +172,10 @@ fn rows(seen: &[Rect]) -> (Vec<Point>, Rect) {
     (places, all)
 }
 
-fn write_item(out: &mut String, id: &str, index: usize, item: &Item, class: &str) {
+fn write_item(out: &mut String, id: &str, index: usize, item: &Item, class: &str, is_page: bool) {
     let name = item.name.as_ref().map_or(String::new(), |name| format!(" id=\"{id}-{}\"", escaped(name)));
     let element = match &item.shape {
-        Shape::Label(label) => return write_label(out, &name, item.role, label),
+        Shape::Label(label) => return write_label(out, &name, item.role, label, is_page),
         Shape::Circle { centre, radius } => {
             let [x, y, r] = [centre.x, centre.y, *radius].map(number);
             format!("<circle{name} class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>")
@@ -230,19 +230,28 @@ fn gradient(id: &str, class: &str, centre: Point, radii: (f64, f64), turn: f64, 
     )
 }
 
-/// A label of one piece carries its own rim. Where several pieces stand side by side all rims come first, or the rim of
-/// one would eat into its neighbour.
-fn write_label(out: &mut String, name: &str, role: Role, label: &Label) {
+/// On a page a label of one piece carries its own rim. Where several pieces stand side by side all rims come first, or the
+/// rim of one would eat into its neighbour; so does the rim in a file, because some programs paint every stroke over its fill.
+fn write_label(out: &mut String, name: &str, role: Role, label: &Label, is_page: bool) {
+    let outlined;
+    let pieces = if is_page {
+        &label.pieces[..]
+    } else {
+        outlined = [Piece::Outline(label.outline())];
+        &outlined
+    };
     let classes = match role {
-        Role::Text(hue) if label.pieces.len() > 1 => vec![RIM.to_owned(), Role::PlainText(hue).classes()],
+        Role::Text(hue) if pieces.len() > 1 || !is_page => {
+            vec![RIM.to_owned(), Role::PlainText(hue).classes()]
+        }
         _ => vec![role.classes()],
     };
-    if let ([piece], [class]) = (&label.pieces[..], &classes[..]) {
+    if let ([piece], [class]) = (pieces, &classes[..]) {
         write_piece(out, name, class, piece);
     } else {
         let _ = write!(out, "<g{name}>");
         for class in &classes {
-            label.pieces.iter().for_each(|piece| write_piece(out, "", class, piece));
+            pieces.iter().for_each(|piece| write_piece(out, "", class, piece));
         }
         out.push_str("</g>");
     }

@@ -122,6 +122,13 @@ fn drawings_become_valid_svg_with_classes_in_place_of_colours() {
     assert_eq!((root.attribute("width"), root.attribute("height")), (Some("266"), Some("192")));
     assert_eq!(root.tag_name().namespace(), Some("http://www.w3.org/2000/svg"));
     assert!(alone.contains("prefers-color-scheme: dark"));
+    // It asks for no font, and a program that paints a rim over its letter finds the letter after it.
+    for absent in ["<text", "font-", "\"f-text"] {
+        assert!(!alone.contains(absent), "{absent} in {alone}");
+    }
+    let text =
+        |name: &str| document.descendants().find(|node| node.has_tag_name(name)).and_then(|node| node.text());
+    assert_eq!((text("title"), text("desc")), (Some("All & <more>"), Some("Every \"part\" of the kit.")));
 }
 
 /// A panel of this height with one dot.

@@ -150,3 +150,59 @@ fn outlines_are_closed_and_lie_inside_their_bounds() {
     }
     assert!(segments > 100);
 }
+
+/// Where the ink of an outline begins and ends, px.
+fn extent(outline: &[Segment]) -> [f64; 2] {
+    let ends = outline.iter().filter_map(|segment| match *segment {
+        Segment::Move(end) | Segment::Line(end) | Segment::Quadratic(_, end) | Segment::Cubic(_, _, end) => {
+            Some(end.x)
+        }
+        Segment::Close => None,
+    });
+    ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], x| [left.min(x), right.max(x)])
+}
+
+#[test]
+fn outlines_of_words_are_as_wide_as_their_table_says() {
+    let [left, right] = extent(&label("H").outline());
+    let beyond = label("H").width() - right;
+    let mut tried = 0;
+    for character in ('\u{20}'..='\u{2fff}').filter(|character| !"^{}$".contains(*character)) {
+        // The letters after it begin where the table has it end.
+        let Ok(between) = Label::new(&format!("H{character}H"), 14.0) else { continue };
+        let [begin, end] = extent(&between.outline());
+        assert!((begin - left).abs() < 1e-9, "{character:?} begins at {begin}");
+        assert!((between.width() - end - beyond).abs() < 1e-9, "{character:?} ends at {end}");
+        // And it has ink of its own, unless it is a space.
+        let is_space = between.outline().len() == label("HH").outline().len();
+        assert_eq!(is_space, character.is_whitespace(), "{character:?}");
+        tried += 1;
+    }
+    assert!(tried > 100, "{tried} characters");
+}
+
+#[test]
+fn an_outline_holds_words_raised_words_and_mathematics_where_they_stand() {
+    let label = label(r"spin 10^{−4} of $\omega_0$ rad").from_baseline(at(100.0, 50.0));
+    let [left, right] = extent(&label.outline());
+    // Within the room beside a letter.
+    assert!(left > label.bounds.left && left < label.bounds.left + 1.5, "{left}, {:?}", label.bounds);
+    assert!(right < label.bounds.right && right > label.bounds.right - 1.5, "{right}, {:?}", label.bounds);
+    let mut mathematics = 0;
+    for piece in &label.pieces {
+        match piece {
+            Piece::Outline(own) => {
+                assert!(label.outline().windows(own.len()).any(|part| part == own));
+                mathematics += 1;
+            }
+            Piece::Words { text, start, size, .. } => {
+                let alone = Label::new(text, *size).expect("a label").from_baseline(*start).outline();
+                let rounded = |segment: &Segment| format!("{segment:.6?}");
+                let alone: Vec<String> = alone.iter().map(rounded).collect();
+                let all: Vec<String> = label.outline().iter().map(rounded).collect();
+                assert!(all.windows(alone.len()).any(|part| part == alone), "{text}");
+            }
+        }
+    }
+    assert_eq!((mathematics, label.pieces.len()), (1, 5));
+}

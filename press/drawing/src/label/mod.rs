@@ -7,8 +7,8 @@
 //!
 //! Mathematics becomes outlines of the math font's glyphs, set by the `typesetter` (a feature of the crate)
 //! or taken from a table of [`Symbol`]s that it has set before, which is all that a page in a browser
-//! carries. Words stay text, with their widths given, so that they can be searched and copied and yet take
-//! the same room with every font.
+//! carries. On a page words stay text, with their widths given, so that they can be searched and copied and
+//! yet take the same room with every font. In a file of its own they become outlines too ([`Label::outline`]).
 
 mod error;
 #[cfg(feature = "typesetter")]
@@ -161,6 +161,36 @@ impl Label {
     /// The room that it takes along its line, px.
     pub fn width(&self) -> f64 {
         self.width
+    }
+
+    /// All of it as one outline, its words too: what needs no font, wherever it is shown.
+    ///
+    /// ```
+    /// use drawing::{Label, Segment};
+    /// let outline = Label::new("spin $x$", 14.0)?.outline();
+    /// // Five letters, of which the p has an eye and the i a dot.
+    /// assert_eq!(outline.iter().filter(|segment| matches!(segment, Segment::Move(_))).count(), 7);
+    /// # Ok::<(), drawing::LabelError>(())
+    /// ```
+    pub fn outline(&self) -> Vec<Segment> {
+        let mut segments = Vec::new();
+        for piece in &self.pieces {
+            match piece {
+                Piece::Outline(own) => segments.extend(own),
+                Piece::Words { text, start, size, .. } => {
+                    let mut x = start.x;
+                    for (outline, advance, unit) in text.chars().filter_map(words::letter) {
+                        let [left, unit] = [x, unit * size];
+                        let place = |gx: i16, gy: i16| {
+                            at(left + f64::from(gx) * unit, start.y - f64::from(gy) * unit)
+                        };
+                        trace(outline, place, &mut segments);
+                        x += advance * size;
+                    }
+                }
+            }
+        }
+        segments
     }
 
     /// The label moved so that it stands on a side of a point, `gap` px away from it.

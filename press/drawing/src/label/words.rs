@@ -1,4 +1,4 @@
-//! The widths of words in the page's sans.
+//! The widths of words in the page's sans, and their letters for pictures that stand alone.
 //!
 //! The numbers are the advance widths of Open Sans Regular, version 1.10, which the pages
 //! load: 2048 units to the em, read from the font's `hmtx` table. Words are set as text and stretched to
@@ -49,6 +49,15 @@ pub(super) fn advance(character: char) -> Option<f64> {
         _ => OTHERS.iter().find(|(other, _)| *other == character)?.1,
     };
     Some(f64::from(units) / UNITS_PER_EM)
+}
+
+include!(concat!(env!("OUT_DIR"), "/letters.rs")); // LETTERS: character, advance, outline as of the math font's glyphs
+
+/// The outline of a character in font units, y upwards, and its advance and a font unit in ems.
+pub(super) fn letter(character: char) -> Option<(&'static [i16], f64, f64)> {
+    let index = LETTERS.binary_search_by_key(&character, |letter| letter.0).ok()?;
+    let (_, advance, outline) = LETTERS[index];
+    Some((outline, f64::from(advance) / UNITS_PER_EM, 1.0 / UNITS_PER_EM))
 }
 
 /// How far a character reaches above and below the baseline, in ems, to the nearest class of letters.

@@ -9,6 +9,9 @@ use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
+/// The most that an SVG file for slides may weigh, bytes.
+const HEAVIEST_ALONE: usize = 400_000;
+
 fn every_figure() -> &'static [Figure] {
     static FIGURES: OnceLock<Vec<Figure>> = OnceLock::new();
     let figures = FIGURES.get_or_init(|| all().expect("every figure can be drawn"));
@@ -66,6 +69,16 @@ fn every_figure_is_xml_with_title_and_description() {
         Document::parse(&figure.standalone).unwrap_or_else(|error| panic!("{} alone: {error}", figure.id));
         assert!(figure.standalone.starts_with("<?xml"));
     }
+}
+
+#[test]
+fn a_figure_that_stands_alone_needs_no_font_and_is_not_heavy() {
+    for figure in every_figure() {
+        let alone = &figure.standalone;
+        assert!(!alone.contains("<text") && !alone.contains("font-"), "{} asks for a font", figure.id);
+        assert!(alone.len() < HEAVIEST_ALONE, "{} weighs {} bytes alone", figure.id, alone.len());
+    }
+    assert!(every_figure().iter().any(|figure| figure.svg.contains("<text")), "on pages words are text");
 }
 
 #[test]
