@@ -44,7 +44,7 @@ impl Drawing {
             } else {
                 format!("<svg class=\"{class}\" {size} aria-hidden=\"true\">\n")
             };
-            part.write_items(&mut out, true);
+            part.write_items::<true>(&mut out);
             out += "</svg>";
             match &part.link {
                 Some(target) => format!(
@@ -66,7 +66,7 @@ impl Drawing {
     pub fn to_elements(&self) -> Result<String, Flaw> {
         self.flaw().map_or(Ok(()), Err)?;
         let mut out = String::new();
-        self.write_items(&mut out, true);
+        self.write_items::<true>(&mut out);
         Ok(out)
     }
 
@@ -91,21 +91,28 @@ impl Drawing {
         for (part, place) in parts.into_iter().zip(places) {
             let (x, y) = (number(place.x), number(place.y));
             let _ = writeln!(out, "<g transform=\"translate({x} {y})\">");
-            part.write_items(&mut out, false);
+            part.write_items::<false>(&mut out);
             out += "</g>\n";
         }
         Ok(out + "</svg>\n")
     }
 
     /// Writes an element a line. On a page, a tint and the colour of the page under it are one element, which the
-    /// page's style sheet can mix; a file's cannot. In a file words are outlines: its reader may lack the font.
-    fn write_items(&self, out: &mut String, is_page: bool) {
+    /// page's style sheet can mix; a file's cannot. In a file words are outlines: its reader may lack the font. (The
+    /// letters are known at compile time not to be wanted on a page, and a module of live scenes does not carry them.)
+    fn write_items<const IS_PAGE: bool>(&self, out: &mut String) {
         let id = self.id.replace(':', "-");
         let items = self.items();
         let mut index = 0;
         while let Some(item) = items.get(index) {
-            if is_page && let Some(tint) = items.get(index + 1).filter(|tint| is_under(item, tint)) {
-                write_item(out, &id, index + 1, tint, &format!("{OPAQUE} {}", tint.role.classes()), is_page);
+            if IS_PAGE && let Some(tint) = items.get(index + 1).filter(|tint| is_under(item, tint)) {
+                write_item::<IS_PAGE>(
+                    out,
+                    &id,
+                    index + 1,
+                    tint,
+                    &format!("{OPAQUE} {}", tint.role.classes()),
+                );
                 index += 2;
                 continue;
             }
@@ -117,7 +124,7 @@ impl Drawing {
                 let data = trace::all(items[index..index + count].iter().map(|item| &item.shape));
                 let _ = writeln!(out, "<path class=\"{class}\" d=\"{data}\"/>");
             } else {
-                write_item(out, &id, index, item, &item.role.classes(), is_page);
+                write_item::<IS_PAGE>(out, &id, index, item, &item.role.classes());
             }
             index += count.max(1);
         }
@@ -172,10 +179,10 @@ fn rows(seen: &[Rect]) -> (Vec<Point>, Rect) {
     (places, all)
 }
 
-fn write_item(out: &mut String, id: &str, index: usize, item: &Item, class: &str, is_page: bool) {
+fn write_item<const IS_PAGE: bool>(out: &mut String, id: &str, index: usize, item: &Item, class: &str) {
     let name = item.name.as_ref().map_or(String::new(), |name| format!(" id=\"{id}-{}\"", escaped(name)));
     let element = match &item.shape {
-        Shape::Label(label) => return write_label(out, &name, item.role, label, is_page),
+        Shape::Label(label) => return write_label::<IS_PAGE>(out, &name, item.role, label),
         Shape::Circle { centre, radius } => {
             let [x, y, r] = [centre.x, centre.y, *radius].map(number);
             format!("<circle{name} class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>")
@@ -232,16 +239,16 @@ fn gradient(id: &str, class: &str, centre: Point, radii: (f64, f64), turn: f64, 
 
 /// On a page a label of one piece carries its own rim. Where several pieces stand side by side all rims come first, or the
 /// rim of one would eat into its neighbour; so does the rim in a file, because some programs paint every stroke over its fill.
-fn write_label(out: &mut String, name: &str, role: Role, label: &Label, is_page: bool) {
+fn write_label<const IS_PAGE: bool>(out: &mut String, name: &str, role: Role, label: &Label) {
     let outlined;
-    let pieces = if is_page {
+    let pieces = if IS_PAGE {
         &label.pieces[..]
     } else {
         outlined = [Piece::Outline(label.outline())];
         &outlined
     };
     let classes = match role {
-        Role::Text(hue) if pieces.len() > 1 || !is_page => {
+        Role::Text(hue) if pieces.len() > 1 || !IS_PAGE => {
             vec![RIM.to_owned(), Role::PlainText(hue).classes()]
         }
         _ => vec![role.classes()],
