@@ -292,14 +292,14 @@ impl Printer<'_, '_> {
         let id = label.id();
         let mut marks = format!("<a class=\"number\" href=\"#{id}\">({number})</a>");
         for n in source {
-            let (words, class, title) = if *corrected {
-                ("corrects", "source corrected", format!("corrects equation ({n}) of the source"))
+            let (words, title) = if *corrected {
+                ("corrects", format!("corrects equation ({n}) of the source"))
             } else {
-                ("source", "source", format!("equation ({n}) of the source"))
+                ("source", format!("equation ({n}) of the source"))
             };
             let _ = write!(
                 marks,
-                "<a class=\"{class}\" id=\"source-{n}\" href=\"#source-{n}\" title=\"{title}\">{words} {n}</a>"
+                "<a class=\"source\" id=\"source-{n}\" href=\"#source-{n}\" title=\"{title}\">{words} {n}</a>"
             );
         }
         marks += &self.code(&label.name);
@@ -708,8 +708,8 @@ mod tests {
             <div class=\"equation\"><div class=\"formula\"><math display=\"block\"><mi>b</mi></math></div></div>\n\n\
             <div class=\"equation numbered\" id=\"eq-y\"><div class=\"formula\"><math display=\"block\"><mi>c</mi></math></div>\
             <div class=\"marks\"><a class=\"number\" href=\"#eq-y\">(1.2)</a>\
-            <a class=\"source corrected\" id=\"source-20\" href=\"#source-20\" title=\"corrects equation (20) of the source\">corrects 20</a>\
-            <a class=\"source corrected\" id=\"source-21\" href=\"#source-21\" title=\"corrects equation (21) of the source\">corrects 21</a></div></div>\n\n\
+            <a class=\"source\" id=\"source-20\" href=\"#source-20\" title=\"corrects equation (20) of the source\">corrects 20</a>\
+            <a class=\"source\" id=\"source-21\" href=\"#source-21\" title=\"corrects equation (21) of the source\">corrects 21</a></div></div>\n\n\
             See [(1.2)](a.md#eq-y), [source\u{a0}19](a.md#source-19), [“Motion”](a.md#sec-motion) and `@eq:z`.\n";
         assert_eq!(printed(page), expected);
     }

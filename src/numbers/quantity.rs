@@ -106,6 +106,19 @@ impl InvalidQuantity {
         Self::check(quantity, value, unit)
     }
 
+    /// The number, if `result`, which follows from it, can be computed with and vanishes only with it: a message names
+    /// what was given.
+    pub(crate) fn require_computable(
+        result: f64,
+        quantity: &'static str,
+        value: f64,
+        unit: &'static str,
+        because: &'static str,
+    ) -> Result<f64, Self> {
+        let computable = Self::is_computable(result) && (result != 0.0 || value == 0.0);
+        Self::require(computable, quantity, value, unit, Rule::Because(because))
+    }
+
     /// Checks that a number is finite, whatever its size.
     pub(crate) fn require_finite(
         quantity: &'static str,

@@ -101,8 +101,10 @@ impl Station {
         let i1 = body.moments().as_symmetric()?.transverse;
         let added = radius * impulse / i1; // eq:struck-rate
         let drift = impulse / body.mass(); // eq:drift
-        InvalidQuantity::check("angular velocity", added, "rad/s")?;
-        InvalidQuantity::check("drift", drift, "m/s")?;
+        let because =
+            "for this station it gives an angular velocity, rad/s, or a drift, m/s, outside 1e-50 to 1e50";
+        let computable = [added, drift].iter().all(|&result| InvalidQuantity::is_computable(result));
+        InvalidQuantity::require(computable, "impulse", impulse, "N·s", Rule::Because(because))?;
         let start = Turning {
             world_from_body: UnitQuaternion::identity(),
             omega_body: Vector3::new(added, 0.0, spin),

@@ -237,8 +237,9 @@ fn gradient(id: &str, class: &str, centre: Point, radii: (f64, f64), turn: f64, 
     )
 }
 
-/// On a page a label of one piece carries its own rim. Where several pieces stand side by side all rims come first, or the
-/// rim of one would eat into its neighbour; so does the rim in a file, because some programs paint every stroke over its fill.
+/// On a page a label of one piece carries its own rim. Where several pieces stand side by side all rims come first, or
+/// the rim of one would eat into its neighbour. In a file the rim comes first too, because some programs paint every
+/// stroke over its fill.
 fn write_label<const IS_PAGE: bool>(out: &mut String, name: &str, role: Role, label: &Label) {
     let outlined;
     let pieces = if IS_PAGE {

@@ -94,8 +94,14 @@ impl DraggedTop {
         }
         let turns = omega_body != Vector3::zeros();
         InvalidQuantity::require(turns, "angular velocity", 0.0, "rad/s", Rule::NotZero)?;
-        let transverse_decay = InvalidQuantity::check("transverse decay rate", c1 / i1, "1/s")?;
-        let axial_decay = InvalidQuantity::check("axial decay rate", c3 / i3, "1/s")?;
+        let [transverse_decay, axial_decay] = [c1 / i1, c3 / i3];
+        for (decay, name, drag) in [
+            (transverse_decay, "transverse drag coefficient", c1),
+            (axial_decay, "axial drag coefficient", c3),
+        ] {
+            let because = "over the moment of inertia it gives a rate of decay outside 1e-50 to 1e50 1/s";
+            InvalidQuantity::require_computable(decay, name, drag, "N·m·s", because)?;
+        }
         let [c1, c3, i1, i3] = [c1, c3, i1, i3].map(TwoPart::from);
         Ok(Self {
             moments,

@@ -29,15 +29,18 @@ impl Drag {
         InvalidQuantity::check_positive("polar radius", polar_radius, "m")?;
         InvalidQuantity::check_positive("viscosity", viscosity, "Pa·s")?;
         let ratio = polar_radius / equatorial_radius;
-        InvalidQuantity::check_positive("polar over equatorial radius", ratio, "")?;
+        let because = "over the equatorial radius it gives a ratio outside 1e-50 to 1e50";
+        InvalidQuantity::require_computable(ratio, "polar radius", polar_radius, "m", because)?;
         let (equatorial, polar) = integrals(ratio);
         // eq:spheroid-drag, in units of the equatorial radius.
         let scale = 16.0 / 3.0 * PI * viscosity * equatorial_radius.powi(3);
         let transverse = scale * (1.0 + ratio * ratio) / (equatorial + ratio * ratio * polar);
-        Ok(Self {
-            transverse: InvalidQuantity::check_positive("transverse drag", transverse, "N·m·s")?,
-            axial: InvalidQuantity::check_positive("axial drag", scale / equatorial, "N·m·s")?,
-        })
+        let axial = scale / equatorial;
+        for drag in [transverse, axial] {
+            let because = "with these radii it gives a drag outside 1e-50 to 1e50 N·m·s";
+            InvalidQuantity::require_computable(drag, "viscosity", viscosity, "Pa·s", because)?;
+        }
+        Ok(Self { transverse, axial })
     }
 }
 

@@ -92,7 +92,8 @@ fn sine_of_edge(Cylinder { radius, height }: Cylinder) -> Result<(f64, f64), Inv
     InvalidQuantity::check_positive("radius", radius, "m")?;
     InvalidQuantity::check_not_negative("height", height, "m")?;
     let ratio = 0.5 * height / radius; // tan β, eq:edge-angle
-    InvalidQuantity::check("height over diameter", ratio, "")?;
+    let because = "over the diameter it gives a ratio outside 1e-50 to 1e50";
+    InvalidQuantity::require_computable(ratio, "height", height, "m", because)?;
     let diagonal = ratio.hypot(1.0);
     Ok((ratio / diagonal, 1.0 / (diagonal * (diagonal + ratio))))
 }

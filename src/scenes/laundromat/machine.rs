@@ -23,25 +23,9 @@ pub struct Parameters {
     pub spin: f64,
 }
 
-/// What is wrong with a number of which only the ratio to others has to be in range.
-const NATURAL_FREQUENCY: Rule = Rule::Because(
-    "over the mass of drum and load it gives a natural frequency ω₀ outside 1e-50 to 1e50 rad/s",
-);
-const OFFSET: Rule =
-    Rule::Because("with these masses it gives an offset b of the centre of mass outside 1e-50 to 1e50 m");
-const DAMPING_RATE: Rule =
-    Rule::Because("over the mass of drum and load it gives a damping rate outside 1e-50 to 1e50 1/s");
-
-/// Refuses a damping, kg/s, whose rate, the damping over the mass, cannot be computed with and is not zero.
-pub(super) fn require_damping_rate(
-    name: &'static str,
-    damping: f64,
-    mass: f64,
-) -> Result<f64, InvalidQuantity> {
-    let rate = damping / mass;
-    let computable = damping == 0.0 || rate > 0.0 && InvalidQuantity::is_computable(rate);
-    InvalidQuantity::require(computable, name, damping, "kg/s", DAMPING_RATE)
-}
+/// What is wrong with a damping, kg/s, whose rate, the damping over the mass, cannot be computed with.
+pub(super) const DAMPING_RATE: &str =
+    "over the mass of drum and load it gives a damping rate outside 1e-50 to 1e50 1/s";
 
 /// A washing machine that can exist.
 ///
@@ -90,12 +74,14 @@ impl Machine {
         InvalidQuantity::require(damping >= 0.0, "damping", damping, "kg/s", Rule::NotNegative)?;
         let mass = drum_mass + load_mass;
         InvalidQuantity::require(mass > 0.0, "mass of drum and load", mass, "kg", Rule::Positive)?;
+        let because =
+            "over the mass of drum and load it gives a natural frequency ω₀ outside 1e-50 to 1e50 rad/s";
         let natural = (stiffness / mass).sqrt();
-        let computable = natural > 0.0 && InvalidQuantity::is_computable(natural);
-        InvalidQuantity::require(computable, "stiffness", stiffness, "N/m", NATURAL_FREQUENCY)?;
+        InvalidQuantity::require_computable(natural, "stiffness", stiffness, "N/m", because)?;
+        let because = "with these masses it gives an offset b of the centre of mass outside 1e-50 to 1e50 m";
         let computable = InvalidQuantity::is_computable(load_mass / mass * load_radius);
-        InvalidQuantity::require(computable, "load radius", load_radius, "m", OFFSET)?;
-        require_damping_rate("damping", damping, mass)?;
+        InvalidQuantity::require(computable, "load radius", load_radius, "m", Rule::Because(because))?;
+        InvalidQuantity::require_computable(damping / mass, "damping", damping, "kg/s", DAMPING_RATE)?;
 
         // Now that nothing can overflow, the same to 32 digits.
         let total_mass = TwoPart::sum(drum_mass, load_mass);

@@ -1,6 +1,6 @@
 //! The machine with friction on board: a damper that turns with the drum, beside the one that stands on the floor.
 
-use super::machine::{Machine, require_damping_rate};
+use super::machine::{DAMPING_RATE, Machine};
 use super::shaft::{Shaft, out_of_range};
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::Complex;
@@ -46,7 +46,14 @@ impl Machine {
     /// zero.
     pub fn rotor(&self, damping_on_board: f64) -> Result<Rotor, InvalidQuantity> {
         InvalidQuantity::check_not_negative("damping on board", damping_on_board, "kg/s")?;
-        require_damping_rate("damping on board", damping_on_board, self.total_mass())?;
+        let rate = damping_on_board / self.total_mass();
+        InvalidQuantity::require_computable(
+            rate,
+            "damping on board",
+            damping_on_board,
+            "kg/s",
+            DAMPING_RATE,
+        )?;
         let on_board = damping_on_board / self.total_mass();
         let natural = self.natural_frequency();
         let half_damping = 0.5 * (self.damping_rate() + on_board);

@@ -48,7 +48,9 @@ impl BrakedDisk {
         // C.
         let unit = mass * gravity * radius / disk.unit_of_time();
         let strength = loss.coefficient() * moments.transverse / unit;
-        InvalidQuantity::check_positive("strength of the brake", strength, "")?;
+        let because = "for this disk it gives a brake of a strength B outside 1e-50 to 1e50";
+        let name = "coefficient C of the loss";
+        InvalidQuantity::require_computable(strength, name, loss.coefficient(), "W", because)?;
         Ok(Self { disk, exponent: loss.exponent(), strength })
     }
 

@@ -206,7 +206,6 @@ impl Theme {
             // These inherit the colour of the text, or that of links, unless they name their own.
             for (selector, inherited) in [
                 (".content .marks .source", "var(--fg)"),
-                (".content .marks .corrected", "var(--fg)"),
                 (".figure .save", "var(--links)"),
                 (".figure .panel > span", "var(--links)"),
                 (".figure figcaption", "var(--fg)"),
