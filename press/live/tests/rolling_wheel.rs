@@ -193,13 +193,10 @@ fn the_way_on_the_map_never_crosses_it_at_once() {
     let (mut crossings, mut pieces) = (0, 0);
     for push in [1.0, 2.0, 3.0] {
         let mut player = set(&[("push", push)]);
-        let circles = |player: &Player, time: f64| {
-            let wheel = wheel(0.0, 1.0);
-            let state = judge(&wheel, [1.0, 28_f64.to_radians(), push, 0.0, 0.0], time);
-            let _ = player;
-            state.omega_2.signum()
-        };
-        let signs: Vec<f64> = (0..=300).map(|k| circles(&player, 0.02 * f64::from(k))).collect();
+        let wheel = wheel(0.0, 1.0);
+        let start = [1.0, 28_f64.to_radians(), push, 0.0, 0.0];
+        let sign = |k: u32| judge(&wheel, start, 0.02 * f64::from(k)).omega_2.signum();
+        let signs: Vec<f64> = (0..=300).map(sign).collect();
         crossings += signs.windows(2).filter(|pair| pair[0] != pair[1]).count();
         let drawing =
             player.draw(Moment { time: 6.0, azimuth: -1.3, elevation: 0.6, room: Room::Wide }).unwrap();
