@@ -1,7 +1,11 @@
 //! The tables that the library gives, one function each: `table:methods`.
 
+use figures::{Table, tables};
 use mechanics::integrate::METHODS;
 use mechanics::integrate::methods::Method;
+
+/// All tables.
+pub const TABLES: &[Table] = tables![methods];
 
 /// The table of the stepping methods.
 pub(crate) fn methods() -> String {

@@ -1,128 +1,135 @@
-//! The walls of the library: which room of `src` may use which.
+//! The walls of the house: what may use what, in the library and between the crates.
 
-#[path = "../press/figures/src/house.rs"]
-#[allow(unreachable_pub, reason = "there it is a public module")]
-mod house;
-
-use house::{EXCEPTION, ROOMS, Source, named, sources};
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs};
+use std::{env, fs, io};
 
 /// The workspace, where it lies now.
 fn root() -> PathBuf {
     env::var_os("CARGO_MANIFEST_DIR").expect("Cargo sets it").into()
 }
 
-fn library() -> Vec<Source> {
-    house::library(&root()).expect("it can be read")
+/// Every file of Rust below a folder, in the order of their names.
+fn sources(folder: &Path) -> io::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            found.extend(sources(&path)?);
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            found.push(path);
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+/// The floors of the library from the ground up: the folders and files right below `src`, and the names by which
+/// `lib.rs` shows what they hold.
+const FLOORS: [&[&str]; 6] = [
+    &["numbers", "functions", "lanes", "quantity", "two_part", "InvalidQuantity", "Rule", "measure", "sweep"],
+    &["special", "conical", "elliptic", "faddeeva"],
+    &["integrate"],
+    &["error", "Error"],
+    &["bodies", "attitude", "euler", "free_rotation", "geometric", "inertia", "rolling"],
+    &["scenes"],
+];
+
+/// The names that code takes from a module: of `crate::{a, b::{c, d}}` and `crate::e::f` they are a, b and e.
+fn taken<'a>(code: &'a str, module: &str) -> Vec<&'a str> {
+    let word =
+        |text: &'a str| text.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap_or_default();
+    let mut found = Vec::new();
+    for (at, path) in code.match_indices(module) {
+        let rest = &code[at + path.len()..];
+        let Some(list) = rest.strip_prefix('{') else {
+            found.push(word(rest));
+            continue;
+        };
+        let mut depth = 1;
+        let end = list.find(|c| {
+            depth += i32::from(c == '{') - i32::from(c == '}');
+            depth == 0
+        });
+        let (mut list, mut depth) = (&list[..end.unwrap_or(list.len())], 0);
+        list = list.trim_start();
+        found.push(word(list));
+        for (at, c) in list.char_indices() {
+            depth += i32::from(c == '{') - i32::from(c == '}');
+            if c == ',' && depth == 0 {
+                found.push(word(list[at + 1..].trim_start()));
+            }
+        }
+    }
+    found.retain(|name| !name.is_empty());
+    found
 }
 
 #[test]
-fn every_room_uses_what_it_may_and_may_use_what_it_uses() {
-    let library = library();
-    let found = house::rooms(&library);
-    let mut below = BTreeSet::from([EXCEPTION]);
-    for (room, allowed) in ROOMS {
-        let (lines, used) = found.get(room).unwrap_or_else(|| panic!("the library has no room {room}"));
-        let allowed: BTreeSet<&str> = allowed.iter().copied().collect();
-        let forbidden: Vec<_> = used.difference(&allowed).collect();
-        assert!(forbidden.is_empty(), "{room} uses {forbidden:?}, which the table does not permit");
-        let idle: Vec<_> = allowed.difference(used).collect();
-        assert!(idle.is_empty(), "the table permits {room} to use {idle:?}, and it does not");
-        let above: Vec<_> = allowed.difference(&below).collect();
-        assert!(above.is_empty(), "{room} may use {above:?}, which stand above it");
-        assert!(*lines > 0);
-        below.insert(room);
+fn every_floor_of_the_library_uses_what_is_below_it_and_no_scene_another() {
+    let src = root().join("src");
+    let mut read = 0;
+    for file in sources(&src).unwrap() {
+        let below = file.strip_prefix(&src).unwrap().to_str().unwrap().replace('\\', "/");
+        let own = below.split(['/', '.']).next().unwrap();
+        let Some(floor) = FLOORS.iter().position(|names| names.contains(&own)) else {
+            assert_eq!(own, "lib", "{below} stands on no floor");
+            continue;
+        };
+        let text = fs::read_to_string(&file).unwrap();
+        let code: Vec<&str> = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+        let code = code.join("\n");
+        for name in taken(&code, "crate::") {
+            let from = FLOORS.iter().position(|names| names.contains(&name));
+            assert!(from.is_none_or(|from| from <= floor), "{below} uses {name}, which stands above it");
+            read += 1;
+        }
+        if let Some(scene) = below.strip_prefix("scenes/").and_then(|below| below.split(['/', '.']).next()) {
+            for other in taken(&code, "scenes::") {
+                assert_eq!(other, scene, "{below}: a scene uses no other");
+            }
+        }
     }
-    for source in &library {
-        assert!(ROOMS.iter().any(|(room, _)| *room == source.room()), "{} has no room", source.path);
-    }
-    assert!(library.iter().map(|source| source.imports().len()).sum::<usize>() > 100);
+    assert!(read > 100, "only {read} imports");
 }
 
 #[test]
-fn no_file_leaves_its_room_by_the_roof() {
-    // `super::super::` would be an import that the scan does not see, where it climbs out of the room.
-    for Source { path, code } in library() {
-        let depth = path.split('/').count() - usize::from(path.ends_with("/mod.rs"));
-        assert!(!code.contains(&"super::".repeat(depth)), "{path} climbs to the root: say `crate::`");
-    }
-}
-
-#[test]
-fn the_scan_sees_what_is_imported() {
+fn names_are_read_off_imports() {
     let code =
         "use crate::{error, bodies::{euler, wide},\n    numbers};\ncrate::special::f(); crate::sweep!()";
-    assert_eq!(named(code, "crate::"), ["error", "bodies", "numbers", "special", "sweep"]);
-    let library = [("bodies/a.rs", "crate::wide::f();\ncrate::euler::g();"), ("bodies/b.rs", "crate::Rule")]
-        .map(|(path, code)| Source { path: path.into(), code: code.into() });
-    let rooms = house::rooms(&library);
-    assert_eq!(rooms["bodies"], (3, BTreeSet::from(["numbers", "wide"])));
+    assert_eq!(taken(code, "crate::"), ["error", "bodies", "numbers", "special", "sweep"]);
 }
 
 #[test]
-fn crates_that_users_compile_know_nothing_of_the_book() {
-    let crates = house::crates(&root()).expect("they can be read");
-    assert_eq!(crates.len(), house::manifests(&root()).expect("they can be read").len());
-    let of = |name: &str| crates.iter().find(|one| one.name == name).expect("it is there");
-    let names = |of: &BTreeSet<String>| of.iter().cloned().collect::<Vec<_>>().join(" ");
-    for (name, uses, builds_with) in [
-        ("mechanics", "", ""),
-        ("drawing", "", ""),
-        ("press", "", ""),
-        ("figures", "drawing mechanics", ""),
-        ("live", "drawing mechanics", ""),
-        ("module", "drawing live mechanics", ""),
-        ("snippets", "", "mechanics"),
-        ("book", "live press", "figures module"),
-    ] {
-        let one = of(name);
-        assert_eq!(
-            (names(&one.uses).as_str(), names(&one.builds_with).as_str()),
-            (uses, builds_with),
-            "{name}"
-        );
-    }
-}
-
-#[test]
-fn no_scene_uses_another() {
-    for Source { path, code } in library() {
-        let Some(rest) = path.strip_prefix("scenes/") else { continue };
-        let own = rest.split(['/', '.']).next().unwrap();
-        for name in named(&code, "scenes::") {
-            assert_eq!(name, own, "{path}");
+fn the_library_uses_no_crate_of_ours_and_the_press_none_of_the_book() {
+    let said = Command::new(env!("CARGO"))
+        .args(["metadata", "--no-deps", "--offline", "--format-version=1"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    let metadata: serde_json::Value = serde_json::from_slice(&said.stdout).unwrap();
+    let press = root().join("press");
+    let text = |value: &serde_json::Value| value.as_str().unwrap_or_default().to_owned();
+    let packages = metadata["packages"].as_array().unwrap();
+    for package in packages {
+        let folder = PathBuf::from(text(&package["manifest_path"])).parent().unwrap().to_owned();
+        for dependency in package["dependencies"].as_array().unwrap() {
+            let Some(path) = dependency["path"].as_str() else { continue };
+            let name = format!("{} uses {}", package["name"], dependency["name"]);
+            assert!(folder != root(), "{name}");
+            assert!(!folder.starts_with(&press) || Path::new(path).starts_with(&press), "{name}");
         }
     }
-}
-
-#[test]
-fn only_sample_asks_for_wide_registers() {
-    let mut kernels = 0;
-    for Source { path: file, code } in library().iter().filter(|source| source.room() != "wide") {
-        // Names that are imported from there count as well: a `use` ends with its semicolon.
-        let imports = code.split("use crate::wide").skip(1).filter_map(|rest| rest.split(';').next());
-        let names: Vec<&str> = imports
-            .flat_map(|list| list.split(['{', '}', ',', ' ', ':', '\n']))
-            .filter(|name| name.starts_with(char::is_uppercase))
-            .collect();
-        let mut function = "";
-        for line in code.lines().filter(|line| !line.starts_with("use ")) {
-            if let Some((_, rest)) = line.split_once("fn ") {
-                function = rest.split(['(', '<']).next().unwrap();
-            }
-            let mut called = line.split(|c: char| !c.is_alphanumeric() && c != '_');
-            if line.contains("wide::") || called.any(|word| names.contains(&word)) {
-                // The solver of a rolling disk takes its series from there: without it, the plain one.
-                let is_series = line.trim_start().starts_with("&Lanes(");
-                assert!(function == "sample" || is_series, "{file}: {line}");
-                kernels += 1;
+    assert!(packages.len() > 8);
+    // Nor does a file of the press take in one from outside.
+    for file in sources(&press).unwrap() {
+        let depth = file.strip_prefix(&press).unwrap().components().count() - 1;
+        for line in fs::read_to_string(&file).unwrap().lines() {
+            if ["include_", "#[path"].iter().any(|way| line.contains(way)) {
+                assert!(line.matches("../").count() <= depth, "{}: {line}", file.display());
             }
         }
     }
-    assert!(kernels > 8, "{kernels}");
 }
 
 #[test]

@@ -1,9 +1,9 @@
 //! The figures of the chapter "Frisbee and pencil".
 
-use crate::{Axis, Cause, Outcome, Plot, in_both, linear_steps, log_steps};
 use drawing::kit::{Heads, Marker, arrow, head};
 use drawing::space::{Camera, Curve, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Outcome, Plot, figures, in_both, linear_steps, log_steps};
 use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
 use mechanics::inertia::{Body, Cylinder, PrincipalMoments, Spheroid, SymmetricMoments};
@@ -11,6 +11,10 @@ use mechanics::integrate::Dop853;
 use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] =
+    figures![drag_stills, two_clocks, tangent, spin_tangent, wobble_turns, axis_path, fates];
 
 /// A body with I₁ = 1 and a ratio of the moments, under the same drag about all axes.
 fn body(ratio: f64, drag: f64, omega_body: Vector3<f64>) -> Result<DraggedTop, InvalidQuantity> {
@@ -46,7 +50,14 @@ impl Thrown {
         // eq:stick-drag for a stick eight times as long as thick.
         let face = half * half / (3.0 * radius * radius * ((half / radius).ln() - 0.66));
         Ok([
-            Self { name: "Frisbee", moments: disc, lean: 30.0 * degree, face: 10.0, factor: halves, flat: true },
+            Self {
+                name: "Frisbee",
+                moments: disc,
+                lean: 30.0 * degree,
+                face: 10.0,
+                factor: halves,
+                flat: true,
+            },
             Self { name: "pencil", moments: rod, lean: 6.0 * degree, face, factor: 0.1, flat: false },
         ])
     }

@@ -1,12 +1,12 @@
 //! The scene of the chapter "Frisbee and pencil": a body slows down, and its place on a map decides how it ends.
 
-use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at,
-    value_at,
-};
 use drawing::kit::arrow;
 use drawing::space::{Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use live::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
+    point_at, value_at,
+};
 use mechanics::attitude::angle_between;
 use mechanics::euler::Turning;
 use mechanics::inertia::PrincipalMoments;
@@ -16,6 +16,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{LN_10, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "air-drag",
     title: "A body slows down in air",
     description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the \
@@ -62,7 +63,13 @@ pub(crate) const SCENE: Scene = Scene {
         },
         Reading { words: "energy lost, less what the air took", form: Form::Power(1), unit: "" },
     ],
-    symbols: crate::symbols::AIR_DRAG,
+    symbols: formulas![
+        r"\boldsymbol{L}",
+        r"\hat{\mathbf{3}}",
+        r"\boldsymbol{\omega}",
+        r"I_3/I_1",
+        r"C_1/C_3"
+    ],
     start: |settings| Ok(Box::new(Slowing::new(settings)?)),
 };
 

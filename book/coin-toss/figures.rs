@@ -1,9 +1,9 @@
 //! The figures of the chapter "The coin toss".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker, head};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Outcome, Plot, figures, linear_steps, log_steps};
 use mechanics::InvalidQuantity;
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
@@ -15,6 +15,10 @@ use mechanics::scenes::coin_toss::{
 };
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] =
+    figures![toss, toss_film, above, bias, gimbal, people, edge::edge_band, edge::edge_chance];
 
 #[path = "figures/edge.rs"]
 pub(crate) mod edge;

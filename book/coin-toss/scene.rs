@@ -1,12 +1,12 @@
 //! The scene of the chapter "The coin toss": a coin in slow motion beside the path of its normal on a sphere.
 
-use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at,
-    value_at,
-};
 use coin::draw_coin;
 use drawing::space::{Camera, Curve, Solid, SpaceError, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at, kit::Heads};
+use live::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
+    point_at, value_at,
+};
 use mechanics::InvalidQuantity;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::scenes::coin_toss::{Flight, FlightParameters, Toss, TossParameters};
@@ -21,6 +21,7 @@ mod coin;
 mod tosses;
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "coin-toss",
     title: "A tossed coin and the path of its normal",
     description: "At the left a coin in the air, seen from straight above: tails is up, the normal \
@@ -59,7 +60,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "part of them heads", form: Form::Fixed(4), unit: "" },
         Reading { words: r"drift of $\boldsymbol{L}$", form: Form::Power(1), unit: "" },
     ],
-    symbols: crate::symbols::COIN_TOSS,
+    symbols: formulas![r"\boldsymbol{L}", r"\hat{\mathbf{3}}", r"n_z", r"\psi", r"p"],
     start: |settings| Ok(Box::new(Throw::new(settings)?)),
 };
 

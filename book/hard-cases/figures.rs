@@ -1,8 +1,8 @@
 //! The figures of the chapter "Hard cases".
 
-use crate::{Axis, Cause, Look, Outcome, Plot, log_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
+use figures::{Axis, Cause, Figure, Look, Outcome, Plot, figures, log_steps};
 use mechanics::InvalidQuantity;
 use mechanics::elliptic::quarter_period;
 use mechanics::euler::{self, Turning};
@@ -15,6 +15,19 @@ use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![
+    hard_cancellation,
+    hard_critical,
+    hard_phase,
+    hard_almost_flat,
+    hard_drift,
+    hard_separatrix,
+    hard_rounding,
+    hard_stiff,
+    hard_end
+];
 
 /// The unit roundoff u, and the least error that a plot shows.
 const ROUNDOFF: f64 = f64::EPSILON / 2.0;

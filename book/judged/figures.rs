@@ -1,8 +1,8 @@
 //! The figures of the chapter "Judged by others": the committed numbers of other people beside the library's.
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
+use figures::{Axis, Cause, Figure, Outcome, Plot, figures, linear_steps};
 use mechanics::euler::{Turning, rates};
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
@@ -11,6 +11,9 @@ use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
 use nalgebra::{Complex, UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![judged_brick, judged_toutatis, judged_coin];
 
 /// The least difference that a plot shows, degrees a second.
 const LEAST: f64 = 1e-15;

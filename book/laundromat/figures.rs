@@ -18,10 +18,33 @@ pub(crate) mod steady;
 #[path = "figures/whirl.rs"]
 pub(crate) mod whirl;
 
-use crate::{Cause, linear_steps};
 use drawing::{Drawing, Hue, Point, Stroke, at};
+use figures::{Cause, Figure, figures, linear_steps};
 use mechanics::InvalidQuantity;
 use mechanics::scenes::laundromat::{Machine, Parameters};
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![
+    disturbed::locked,
+    disturbed::frames,
+    disturbed::annulus,
+    motor::motor_line,
+    motor::motor_hysteresis,
+    parts::machine,
+    parts::phases,
+    polar::polar_fault,
+    polar::eigenvalues,
+    ramp::start,
+    ramp::ramp,
+    ramp::ramp_map,
+    ramp::cornu,
+    steady::steady,
+    steady::centring,
+    steady::floor_force,
+    steady::torque,
+    whirl::whirl_forces,
+    whirl::whirl_growth
+];
 
 /// Points of a curve, (x, y).
 type Values = Vec<(f64, f64)>;

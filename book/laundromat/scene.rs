@@ -7,19 +7,20 @@ mod course;
 #[path = "scene/drum.rs"]
 mod drum;
 
-use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at,
-    value_at,
-};
 use course::{Course, Drive, State};
 use drawing::kit::{self, Marker};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use drum::Drum;
+use live::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
+    point_at, value_at,
+};
 use mechanics::scenes::laundromat::{Machine, Parameters, SteadyMotion};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "laundromat",
     title: "A drum with its load, from above",
     description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and \
@@ -77,7 +78,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "force on the floor", form: Form::Fixed(0), unit: "N" },
         Reading { words: "drift of the momentum balance", form: Form::Power(1), unit: "N·s" },
     ],
-    symbols: crate::symbols::LAUNDROMAT,
+    symbols: formulas![r"\Omega", r"\phi_0", r"O", r"F", r"\omega_0", r"\boldsymbol{F}"],
     start: |settings| Ok(Box::new(Washer::new(settings)?)),
 };
 

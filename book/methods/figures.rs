@@ -1,9 +1,9 @@
 //! The figures of the chapter "Methods".
 
-use crate::{Axis, Cause, Look, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Look, Outcome, Plot, figures, linear_steps, log_steps};
 use mechanics::InvalidQuantity;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
@@ -15,6 +15,18 @@ use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::ops::ControlFlow;
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![
+    method_polhodes,
+    method_circle,
+    method_amplitude,
+    method_order,
+    method_steps,
+    method_zigzag,
+    method_energy,
+    method_attitude
+];
 
 /// A tolerance that every step meets, so that the length limit alone sets the steps of DOP853.
 const LOOSE: f64 = 1e12;

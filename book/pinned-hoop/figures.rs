@@ -1,9 +1,9 @@
 //! The figures of the chapter "The pinned hoop".
 
-use crate::{Axis, Cause, Outcome, Plot, in_both, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Room, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Outcome, Plot, figures, in_both, linear_steps, log_steps};
 use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
@@ -12,6 +12,19 @@ use mechanics::integrate::{self, Direction, Dop853};
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![
+    pinned_hoop,
+    speed_of_b,
+    hoop_pendulum,
+    momentum_in_hoop,
+    tumble,
+    flip,
+    herpolhode,
+    hoop_and_sphere,
+    waits
+];
 
 /// A body of mass, radius and spin one, pinned at an angle in degrees.
 fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidQuantity> {

@@ -1,12 +1,12 @@
 //! The scene of the chapter "The pinned hoop": a hoop is caught by a point of its rim, and waits before it turns over.
 
-use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, point_at,
-    value_at,
-};
 use drawing::kit;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Item, Point, Rect, Role, Side, Stroke, at};
+use live::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
+    point_at, value_at,
+};
 use mechanics::attitude::angle_between;
 use mechanics::free_rotation::FreeTop;
 use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
@@ -15,6 +15,7 @@ use std::cell::OnceCell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "pinned-hoop",
     title: "A pinned hoop turns over",
     description: "A hoop that is pinned at A, in the middle of turning over, with the upright angular \
@@ -52,7 +53,20 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"drift of the energy $T$", form: Form::Power(1), unit: "" },
         Reading { words: r"drift of $\boldsymbol L_A$ in the room", form: Form::Power(1), unit: "" },
     ],
-    symbols: crate::symbols::PINNED_HOOP,
+    symbols: formulas![
+        r"90° - \theta",
+        r"\boldsymbol{L}_A",
+        r"\hat{\mathbf{1}}",
+        r"\boldsymbol{\omega}",
+        r"A",
+        r"\hat{\mathbf 1}",
+        r"\hat{\mathbf 3}",
+        r"-\hat{\mathbf 2}",
+        r"\boldsymbol L_A",
+        r"2\chi",
+        r"\theta",
+        r"\boldsymbol{\omega}_0"
+    ],
     start: |settings| Ok(Box::new(Pinned::new(settings)?)),
 };
 
@@ -475,7 +489,8 @@ impl Motion for Pinned {
     /// The body, the gap and the wait, if it has turned over meanwhile.
     fn found(&self, from: f64, to: f64) -> Option<[f64; 3]> {
         let wait = self.period.filter(|_| self.is_flat()).map(|period| 0.25 * period);
-        wait.filter(|wait| from < *wait && *wait <= to).map(|wait| [f64::from(self.shape as u8), self.gap, wait])
+        wait.filter(|wait| from < *wait && *wait <= to)
+            .map(|wait| [f64::from(self.shape as u8), self.gap, wait])
     }
 
     fn keep(&mut self, found: &[[f64; 3]]) {

@@ -1,14 +1,29 @@
 //! The figures of the chapter "The rolling wheel".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Outcome, Plot, figures, linear_steps, log_steps};
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![
+    wheel_circle,
+    wheel_forces,
+    rim_and_table,
+    turn_rate,
+    tongue,
+    tongue_tips,
+    near_flat_turn,
+    potential,
+    contact_track,
+    any_wheel::tip_of_shape,
+    any_wheel::ways_down
+];
 
 #[path = "figures/any_wheel.rs"]
 pub(crate) mod any_wheel;

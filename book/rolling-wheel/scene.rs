@@ -1,10 +1,11 @@
 //! The scene of the chapter "The rolling wheel": a wheel on its circle is kicked.
 
-use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, point_at, value_at,
-};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at};
+use live::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, formulas, point_at,
+    value_at,
+};
 use mechanics::rolling::{MomentFactors, Rolling};
 use nalgebra::{Complex, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -14,6 +15,7 @@ mod rolled;
 use rolled::{Course, GRAVITY, MASS, RADIUS, Rolled, WEIGHTS, is_flat};
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "rolling-wheel",
     title: "A wheel on its circle, kicked",
     description: "A disc leans inward and rolls round on a table. Its contact leaves a scalloped track \
@@ -61,7 +63,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"change of the energy, $E/E_0 - 1$", form: Form::Power(1), unit: "" },
         Reading { words: r"change of Chaplygin's $A$ and $B$", form: Form::Power(1), unit: "" },
     ],
-    symbols: crate::symbols::ROLLING_WHEEL,
+    symbols: formulas![r"b/a", r"\theta", r"\boldsymbol{L}", r"\boldsymbol{\tau}", r"V", r"mga", r"E"],
     start: |settings| Ok(Box::new(Rolled::new(settings)?)),
 };
 

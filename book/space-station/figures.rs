@@ -1,9 +1,9 @@
 //! The figures of the chapter "The struck space station".
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps};
 use drawing::kit::{Heads, Marker, head};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Outcome, Plot, figures, linear_steps};
 use mechanics::InvalidQuantity;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeSymmetricTop;
@@ -12,6 +12,9 @@ use mechanics::integrate::Dop853;
 use mechanics::scenes::space_station::{Blow, Parameters, Station, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![station, crew_sky, station_views, cones_roll, nodding];
 
 /// Mass, kg, radius, m, spin, rad/s, and impulse, N·s, of the chapter.
 const MASS: f64 = 4e5;

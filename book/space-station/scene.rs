@@ -1,11 +1,12 @@
 //! The scene of the chapter "The struck space station": a blow, what three observers count, and a second blow.
 
-use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, value_at,
-};
 use drawing::kit::{self, Marker};
 use drawing::space::{Camera, Curve, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
+use live::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
+    value_at,
+};
 use mechanics::euler::Turning;
 use mechanics::inertia::Body;
 use mechanics::scenes::space_station::{Blow, LaterBlow};
@@ -24,6 +25,7 @@ mod struck;
 mod wheel;
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "space-station",
     title: "A station nods after a blow",
     description: "A wheel with hub and spokes, a moment after a blow on its rim. Its axis 3 goes round the angular momentum L on a circle; the \
@@ -57,7 +59,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"change of $L$ since the last blow", form: Form::Power(1), unit: "" },
         Reading { words: r"change of $T$ since the last blow", form: Form::Power(1), unit: "" },
     ],
-    symbols: crate::symbols::SPACE_STATION,
+    symbols: formulas![r"\hat{\mathbf{3}}", r"\boldsymbol{L}", r"\boldsymbol{\omega}", r"\boldsymbol{P}"],
     start: |settings| Ok(Box::new(Nodding::new(settings)?)),
 };
 

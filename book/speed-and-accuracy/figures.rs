@@ -4,10 +4,14 @@
 #[path = "../../benches/speed/measured.rs"]
 mod measured;
 
-use crate::{Axis, Cause, Look, Outcome, Plot};
 use drawing::kit::{self, Marker};
 use drawing::{Drawing, Hue, Label, Rect, Role, Shape, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Look, Outcome, Plot, figures};
 use measured::{Measurement, NATIVE, cost_to_reach, front, methods, parse, seconds_front};
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] =
+    figures![speed_washer, speed_hoop, speed_problems, speed_dots, speed_work];
 
 /// The problems, in the order of the report, with their words.
 const PROBLEMS: [(&str, &str); 9] = [

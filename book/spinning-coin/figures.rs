@@ -3,16 +3,28 @@
 #[path = "figures/ending.rs"]
 pub(crate) mod ending;
 
-use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Outcome, Plot, figures, linear_steps, log_steps};
 use mechanics::InvalidQuantity;
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::spinning_coin::{EulersDisk, Loss, SpinDown, SpinningCoin};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![
+    coin_circle,
+    one_round,
+    paper_cone,
+    swept_cap,
+    spin_down,
+    circle_opens,
+    ending::four_exponents,
+    ending::table_holds
+];
 
 /// The disc of the text at a tilt.
 fn disc(tilt: f64) -> Result<SpinningCoin, InvalidQuantity> {

@@ -1,12 +1,12 @@
 //! The scene of the chapter "The spinning coin": ink on its rim, and how near it comes to sound.
 
-use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, point_at,
-    value_at,
-};
 use drawing::kit;
 use drawing::space::{Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Room, Side, Stroke, at};
+use live::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
+    point_at, value_at,
+};
 use mechanics::InvalidQuantity;
 use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
@@ -14,6 +14,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "spinning-coin",
     title: "A spinning coin with ink on its rim",
     description: "A coin with a head on its face leans on a table. Its lowest point has run most of the \
@@ -55,7 +56,16 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "real time left", form: Form::Digits(3), unit: "s" },
         Reading { words: "slip: ink on table less on rim", form: Form::Power(1), unit: "radii" },
     ],
-    symbols: crate::symbols::SPINNING_COIN,
+    symbols: formulas![
+        r"p = 2",
+        r"p = 5/4",
+        r"p = 1",
+        r"p = 1/2",
+        r"\alpha",
+        r"2\pi a\cos\alpha",
+        r"2\pi a",
+        r"\omega_z"
+    ],
     start: |settings| Ok(Box::new(Spinning::new(settings)?)),
 };
 
@@ -467,7 +477,11 @@ impl Motion for Spinning {
                 let last = down.with_time_left(*end);
                 let (tilt, mach) =
                     last.map_or((f64::NAN, f64::NAN), |last| (last.tilt(), last.contact_speed() / SOUND));
-                let verdict = if mach < 1.0 { "Sound is not reached" } else { "By the law, sound has just been passed" };
+                let verdict = if mach < 1.0 {
+                    "Sound is not reached"
+                } else {
+                    "By the law, sound has just been passed"
+                };
                 format!(
                     "With p = {name} it would lie flat after {} s. But {} before that, at a tilt of {} and \
                      Mach {mach:.2}, the law would have it fall faster than g, and holds no longer. \
@@ -523,11 +537,7 @@ fn angle(angle: f64) -> String {
 
 /// A small angle, rad, as it is written.
 fn small(angle: f64) -> String {
-    if angle < 1e-3 {
-        format!("{} µrad", few(1e6 * angle))
-    } else {
-        format!("{} rad", few(angle))
-    }
+    if angle < 1e-3 { format!("{} µrad", few(1e6 * angle)) } else { format!("{} rad", few(angle)) }
 }
 
 /// A time, s, as it is written.

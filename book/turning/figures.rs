@@ -1,15 +1,29 @@
 //! The figures of the chapter "How a body turns".
 
-use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Outcome, Plot, Room, figures, in_both, linear_steps};
 use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::{Body, Cylinder, PrincipalMoments, Spheroid};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![
+    wobbles,
+    specks,
+    shares,
+    waist,
+    mirrors,
+    split,
+    bodies,
+    possible_moments,
+    middle_axis::polhodes,
+    middle_axis::bat_flip
+];
 
 #[path = "figures/middle_axis.rs"]
 pub(crate) mod middle_axis;

@@ -1,11 +1,11 @@
 //! The scene of the chapter "How a body turns": a plate is thrown, and its wobbles are counted.
 
-use crate::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, point_at,
-    value_at,
-};
 use drawing::space::{Curve, Finish, Hiding, Solid, SpaceError, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Room, Side, Stroke, at, kit, kit::Heads};
+use live::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
+    point_at, value_at,
+};
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::PrincipalMoments;
@@ -13,6 +13,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "turning",
     title: "A wobbling plate",
     description: "A flat round plate in the air above a floor, leaning, with a stripe painted from \
@@ -52,7 +53,14 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"drift of $\boldsymbol{L}$", form: Form::Power(1), unit: "" },
         Reading { words: r"drift of the energy $T$", form: Form::Power(1), unit: "" },
     ],
-    symbols: crate::symbols::TURNING,
+    symbols: formulas![
+        r"\boldsymbol{L}",
+        r"\boldsymbol{\omega}",
+        r"\hat{\mathbf{3}}",
+        r"\boldsymbol{L}/I_1",
+        r"-\sigma\,\hat{\mathbf{3}}",
+        r"\omega_1"
+    ],
     start: |settings| Ok(Box::new(Throw::new(settings)?)),
 };
 

@@ -1,15 +1,19 @@
 //! The figures of the chapter "The wobble plate".
 
-use crate::{Axis, Cause, Outcome, Plot, in_both, linear_steps};
 use drawing::kit::{self, Heads};
 use drawing::space::{Camera, Curve, Edges, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Outcome, Plot, figures, in_both, linear_steps};
 use mechanics::InvalidQuantity;
 use mechanics::inertia::SymmetricMoments;
 use mechanics::scenes::wobble_plate::{
     Engine, Piston, PistonParameters, Pistons, Plate, PlateParameters, Unbalance, in_room,
 };
 use nalgebra::Vector3;
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] =
+    figures![wobble_plate, opposition, engine, residual, sharing, lean, any_thickness, any_faults];
 
 /// The spin of the chapter's shaft, rad/s, and the tilt of its plate, degrees.
 const SPIN: f64 = 100.0;

@@ -5,16 +5,19 @@ mod answer;
 #[path = "scene/painter.rs"]
 mod painter;
 
-use crate::{Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings};
 use drawing::kit::{self, Heads};
 use drawing::space::{Curve, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use live::{
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
+};
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::{UnitQuaternion, Vector3};
 use painter::Painter;
 use std::f64::consts::TAU;
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "wobble-plate",
     title: "An engine with a wobble plate, on soft springs",
     description: "A tilted round plate on an upright shaft. Four rods with pistons hang under it, and the frame below them stands on springs; \
@@ -49,7 +52,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: r"energy of the pistons, $T_\text{p}$", form: Form::Fixed(2), unit: "J" },
         Reading { words: "its change since the start", form: Form::Digits(2), unit: "J" },
     ],
-    symbols: crate::symbols::WOBBLE_PLATE,
+    symbols: formulas![r"\boldsymbol{\omega}", r"\boldsymbol{L}"],
     start: |settings| Ok(Box::new(Shaking::new(settings)?)),
 };
 
@@ -485,7 +488,7 @@ impl Motion for Shaking {
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
         let layout = Layout::of(moment.room, self.drop());
         if grip == 0 {
-            return vec![("mass", crate::value_at(layout.graph, &MASS_AXIS, &TORQUE_AXIS, to).0)];
+            return vec![("mass", live::value_at(layout.graph, &MASS_AXIS, &TORQUE_AXIS, to).0)];
         }
         let phase = self.phase(moment.time);
         let distance = |degrees: f64| -> Result<f64, Cause> {

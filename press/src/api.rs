@@ -1,6 +1,5 @@
 //! The library items that a snippet uses, and where rustdoc documents them.
 
-use crate::library;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -30,9 +29,9 @@ pub(crate) struct Library {
 }
 
 impl Library {
-    /// Reads the library whose sources lie in `root/src`. Of a folder without one it has nothing.
-    pub(crate) fn read(root: &Path) -> Self {
-        let mut library = Self { name: names(root).unwrap_or_default().1, kinds: BTreeMap::new() };
+    /// Reads the library, a package whose sources lie in `root/src`.
+    pub(crate) fn read(root: &Path, package: &str) -> Self {
+        let mut library = Self { name: in_rust(package), kinds: BTreeMap::new() };
         library.collect(&root.join("src"));
         library
     }
@@ -107,11 +106,9 @@ fn expanded(tree: &str) -> Vec<String> {
     parts.into_iter().flat_map(expanded).map(|path| format!("{prefix}{path}")).collect()
 }
 
-/// The package in `root`, if it is a library: what Cargo calls it, and what Rust does.
-fn names(root: &Path) -> Option<(String, String)> {
-    let manifest = fs::read_to_string(root.join("Cargo.toml")).ok()?;
-    let names = library::package(&manifest).zip(library::name(&manifest))?;
-    root.join("src/lib.rs").is_file().then_some(names)
+/// The name of a package as Rust and rustdoc write it.
+fn in_rust(package: &str) -> String {
+    package.replace('-', "_")
 }
 
 /// Where rustdoc leaves its pages.
@@ -132,21 +129,25 @@ fn cargo() -> OsString {
 }
 
 /// Whether the documentation of the library in `root` was written after its sources, if there is one.
-pub(crate) fn is_current(root: &Path) -> bool {
-    names(root).is_none_or(|(_, library)| {
-        written(root).and_then(|doc| is_newer(&doc.join(library), &root.join("src"))).unwrap_or(false)
-    })
+pub(crate) fn is_current(root: &Path, package: &str) -> bool {
+    if !root.join("src").is_dir() {
+        return true; // a book without a library
+    }
+    written(root).and_then(|doc| is_newer(&doc.join(in_rust(package)), &root.join("src"))).unwrap_or(false)
 }
 
 /// Runs rustdoc on the library in `root`, if there is one, and copies its pages into the site.
-pub(crate) fn add(site: &Path, root: &Path) -> io::Result<()> {
-    let Some((package, library)) = names(root) else { return Ok(()) };
+pub(crate) fn add(site: &Path, root: &Path, package: &str) -> io::Result<()> {
+    if !root.join("src").is_dir() {
+        return Ok(());
+    }
+    let library = in_rust(package);
     let doc = written(root)?;
     let sources = format!("src/{library}"); // where rustdoc puts them
     remove_outdated(&doc, [&library, &sources], &root.join("src"))?;
     let documented = Command::new(cargo())
         // Of this package alone: for all that is built here rustdoc would read the mdBook of the press, too.
-        .args(["doc", "--quiet", "--no-deps", "--lib", "--package", &package])
+        .args(["doc", "--quiet", "--no-deps", "--lib", "--package", package])
         .current_dir(root)
         .stdin(Stdio::null())
         .stderr(Stdio::inherit())

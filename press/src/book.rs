@@ -1,7 +1,8 @@
 //! The pages of the book as the press sees them, whoever loaded them.
 
 use crate::fault::{Faults, Lines, Reporter};
-use crate::{pages, summary};
+use crate::summary;
+use dialect::pages;
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_summary::SummaryItem;
 use std::fs;

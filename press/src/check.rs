@@ -34,7 +34,12 @@ pub(crate) fn rendered(
     site::check_style_sheets(root, source, &mut faults);
     let mut drawn = drawn.clone();
     drawn.tables.push((effort::TABLE.to_owned(), effort::table(pages)));
-    match render::render(pages, &drawn, &Library::read(root), &code(root)) {
+    match render::render(
+        pages,
+        &drawn,
+        &Library::read(root, drawn.book.library),
+        &code(root, drawn.book.code),
+    ) {
         Ok(texts) if faults.is_empty() => Ok(texts),
         Ok(_) => Err(faults),
         Err(found) => {
@@ -44,18 +49,18 @@ pub(crate) fn rendered(
     }
 }
 
-/// The Rust files whose comments may cite labels: those of the library, its tests, the benchmarks, the figures
-/// and their tests.
-fn code(root: &Path) -> Vec<(String, String)> {
+/// The Rust files whose comments may cite labels.
+fn code(root: &Path, folders: &[&str]) -> Vec<(String, String)> {
     let mut files = Vec::new();
-    for folder in ["src", "tests", "benches", "book", "press/figures/tests"] {
+    for folder in folders {
         collect(root, folder, &mut files);
     }
     files.sort();
     files
 }
 
-/// The Rust files under `root/folder`, with their names relative to the root.
+/// The Rust files under `root/folder`, with their names relative to the root; those of a package further down are asked
+/// for by its own name.
 fn collect(root: &Path, folder: &str, files: &mut Vec<(String, String)>) {
     let Ok(entries) = fs::read_dir(root.join(folder)) else {
         return;
@@ -63,7 +68,9 @@ fn collect(root: &Path, folder: &str, files: &mut Vec<(String, String)>) {
     for entry in entries.flatten() {
         let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
         if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-            collect(root, &name, files);
+            if !entry.path().join("Cargo.toml").is_file() {
+                collect(root, &name, files);
+            }
         } else if name.ends_with(".rs")
             && let Ok(text) = fs::read_to_string(entry.path())
         {

@@ -20,7 +20,7 @@ cargo book figures FOLDER               every figure as a standalone SVG file
 cargo book pdf [FILE.pdf]               the whole book for paper, its solutions at the end (needs Chromium)
 cargo book pdf CHAPTER [--solutions] …  a handout of one chapter, by its folder or number; by default in target/book
 cargo book epub [FILE.epub]             the whole book for readers of EPUBs
-cargo book new FOLDER                   a book of three pages that is yours to change, with this press
+cargo book new FOLDER [--git URL]       a book of three pages that is yours to change; it depends on this press, where it lies or by git
 cargo book measure [OPTION …]           runs the library beside its peers, for the report \"Speed and accuracy\"; --help says more";
 
 /// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before
@@ -32,7 +32,7 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
     let (name, rest) =
         arguments.split_first().map_or(("help", &[][..]), |(name, rest)| (name.as_str(), rest));
     match name {
-        "serve" => serve::run(root, rest).map_err(|message| format!("{message}\n\n{HELP}")),
+        "serve" => serve::run(root, rest, &drawn.book).map_err(|message| format!("{message}\n\n{HELP}")),
         "build" => build(root, rest),
         "test" => {
             none_left(name, rest)?;
@@ -63,11 +63,18 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
         "pdf" => pdf(root, rest),
         "epub" => epub(root, rest),
         "new" => {
-            let [folder] = rest else {
-                return Err(format!("`cargo book new` takes one folder\n\n{HELP}"));
+            let (folder, git) = match rest {
+                [folder] if !folder.starts_with('-') => (folder, None),
+                [folder, git, address] if git == "--git" => (folder, Some(&**address)),
+                [git, address, folder] if git == "--git" => (folder, Some(&**address)),
+                _ => {
+                    return Err(format!(
+                        "error: `cargo book new` takes a folder, and perhaps --git URL\n\n{HELP}"
+                    ));
+                }
             };
             let folder = env::current_dir().map_err(|error| format!("error: {error}"))?.join(folder);
-            new::book(root, &folder).map_err(|error| format!("error: {}: {error}", folder.display()))?;
+            new::book(root, &folder, git).map_err(|error| format!("error: {}: {error}", folder.display()))?;
             say(&format!("a book in {}: `cargo book serve` there shows it", folder.display()));
             Ok(())
         }

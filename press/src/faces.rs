@@ -153,7 +153,7 @@ mod tests {
             let font = ttf_parser::Face::parse(font, 0).unwrap();
             fonts.push((name.to_owned(), face, held(font.tables().cmap.unwrap())));
         }
-        for file in fs::read_dir("../book/theme/fonts").unwrap() {
+        for file in fs::read_dir("theme/fonts").unwrap() {
             let path = file.unwrap().path();
             if path.extension().is_some_and(|ending| ending == "woff2") {
                 let name = path.file_stem().unwrap().to_string_lossy().into_owned();

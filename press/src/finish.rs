@@ -8,9 +8,8 @@ use crate::mdbook::For;
 use crate::preprocess::Failed;
 use crate::render::escaped;
 use crate::rendered::Rendered;
-use crate::{api, lost, module, outcome, places, scripts, search, site, solutions};
+use crate::{api, lost, module, outcome, places, scripts, search, site, solutions, theme};
 use mdbook_renderer::RenderContext;
-use mdbook_renderer::config::Config;
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
@@ -52,7 +51,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
 
 /// Finishes the site; what is wrong with it.
 fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
-    remove_sources_of_theme(site, &context.config)?;
+    theme::remove_sources(site, &context.config)?;
     remove_programs(site)?;
     scripts::lighten(site, &context.config)?;
     drawn.write_all(&site.join("figures"))?;
@@ -60,7 +59,7 @@ fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Resul
     if is_hasty {
         outcome::remove(&site.join(PRINT))?;
     } else {
-        api::add(site, &context.root)?;
+        api::add(site, &context.root, drawn.book.library)?;
     }
     let mut pages = complete_pages(site, context)?;
     module::add(site, &context.root, &pages)?;
@@ -132,26 +131,18 @@ fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<BTreeMap<S
     Ok(pages)
 }
 
-/// The theme lies among the pages, so that mdBook has copied it once more, as it is before it goes into the site.
-fn remove_sources_of_theme(site: &Path, config: &Config) -> io::Result<()> {
-    let theme = config.html_config().and_then(|html| html.theme);
-    let copied = theme.as_ref().and_then(|theme| theme.strip_prefix(&config.book.src).ok());
-    match copied.map(|below| fs::remove_dir_all(site.join(below))) {
-        Some(Err(error)) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
-    }
-}
-
-/// The figures and scenes of a chapter lie among its pages, so that mdBook has copied their programs.
+/// The figures and scenes of a chapter lie among its pages, so that mdBook has copied their programs and packages.
 fn remove_programs(folder: &Path) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
-        if path.is_dir() {
+        if path.is_dir() && path.join("Cargo.toml").is_file() {
+            fs::remove_dir_all(path)?;
+        } else if path.is_dir() {
             remove_programs(&path)?;
             if fs::read_dir(&path)?.next().is_none() {
                 fs::remove_dir(path)?;
             }
-        } else if path.extension().is_some_and(|ending| ending == "rs") {
+        } else if path.extension().is_some_and(|ending| ending == "rs") || path.ends_with("Cargo.toml") {
             fs::remove_file(path)?;
         }
     }

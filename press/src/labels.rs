@@ -208,13 +208,13 @@ impl Registry {
                         "the id `{id}` stands twice in the figure {}: has it two curves of one name?",
                         figure.id
                     );
-                    faults.add(&figure.source(), 0, message);
+                    faults.add(&figure.source, 0, message);
                 }
             }
             let name = figure.id.trim_start_matches("fig:").to_owned();
             if !self.entries.contains_key(&Label { kind: Kind::Figure, name }) {
                 faults.add(
-                    &figure.source(),
+                    &figure.source,
                     0,
                     format!("the figure {} is drawn, but no page shows it", figure.id),
                 );
@@ -245,7 +245,7 @@ impl Registry {
         for scene in &drawn.scenes {
             if !self.entries.contains_key(&Label { kind: Kind::Scene, name: scene.name.clone() }) {
                 let message = format!("no page shows this scene: ![Caption.](scene:{})", scene.name);
-                faults.add(&scene.source(), 0, message);
+                faults.add(&scene.source, 0, message);
             }
         }
     }

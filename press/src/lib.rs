@@ -97,7 +97,6 @@ pub mod paper;
 pub mod preprocess;
 pub mod rendered;
 
-mod answers;
 mod api;
 mod checks;
 mod edition;
@@ -105,7 +104,6 @@ mod effort;
 mod faces;
 mod head;
 mod labels;
-mod library;
 mod licence;
 mod lost;
 mod maths;
@@ -113,15 +111,11 @@ mod mdbook;
 mod module;
 mod new;
 mod notes;
-#[path = "../live/src/numbers.rs"]
-mod numbers;
 mod outcome;
 mod outline;
 mod page;
-mod pages;
 mod panel;
 mod places;
-mod printed;
 mod raw;
 mod references;
 mod render;
@@ -134,7 +128,78 @@ mod signs;
 mod site;
 mod snippets;
 mod solutions;
+mod stills;
 mod summary;
 mod tables;
+mod theme;
 mod ties;
 mod written;
+
+use live::Scene;
+use rendered::Rendered;
+use std::io::{self, IsTerminal, Read};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::{env, fs};
+
+/// What a book tells the press about itself.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Book {
+    /// The package of its library: `pendulum`.
+    pub library: &'static str,
+    /// The folders of its project in which comments of Rust files cite labels: `src`, `tests`, `book`.
+    pub code: &'static [&'static str],
+    /// The folder into which its build script has rendered figures and tables: `env!("OUT_DIR")`.
+    pub drawn: &'static str,
+    /// Its live scenes, each with the folder of its chapter.
+    pub scenes: &'static [(&'static str, &'static Scene)],
+    /// The package that has its snippets as tests, and that browsers run.
+    pub snippets: &'static str,
+}
+
+/// The press as a program: called by mdBook as preprocessor (without arguments) and renderer (`finish`), and by people
+/// as `cargo book`.
+pub fn main(book: &Book) -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    match run(book, &arguments) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(book: &Book, arguments: &[String]) -> Result<(), String> {
+    let cannot = |error: io::Error| format!("error: {error}");
+    match arguments.first().map(String::as_str) {
+        Some("supports") => Ok(()), // html and test; book.toml names them
+        Some("finish") => {
+            let drawn = Rendered::read(book).map_err(cannot)?;
+            finish::run(io::stdin().lock(), &drawn).map_err(|failed| failed.to_string())
+        }
+        None if !io::stdin().is_terminal() => answer(book),
+        _ => command::run(&root(), arguments, &Rendered::of(book)?),
+    }
+}
+
+/// Answers mdBook's request on standard input; without one, somebody has typed `cargo book` alone.
+fn answer(book: &Book) -> Result<(), String> {
+    let mut request = Vec::new();
+    io::stdin().lock().read_to_end(&mut request).map_err(|error| format!("error: {error}"))?;
+    let drawn = Rendered::of(book)?;
+    if request.is_empty() {
+        return command::run(&root(), &[], &drawn);
+    }
+    preprocess::run(request.as_slice(), io::stdout().lock(), drawn).map_err(|failed| failed.to_string())
+}
+
+/// The project's root: the nearest folder upwards with a book.toml, from here or from the package that Cargo runs.
+fn root() -> PathBuf {
+    let here = env::current_dir().unwrap_or_default();
+    let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
+    let with_book = |folder: &&Path| folder.join("book.toml").is_file();
+    let found = here.ancestors().find(with_book).or_else(|| package.ancestors().find(with_book));
+    let root = found.unwrap_or(&here);
+    fs::canonicalize(root).unwrap_or_else(|_| root.to_owned())
+}

@@ -4,6 +4,7 @@
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
 use mdbook_driver::errors::Error;
+use std::env;
 use std::fmt::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Once;
@@ -27,6 +28,8 @@ pub(crate) enum For {
 
 /// Where the press finds it in the settings that mdBook hands on.
 const SETTING: &str = "preprocessor.press.for";
+/// What mdBook runs to have the pages printed.
+const COMMAND: &str = "preprocessor.press.command";
 
 impl For {
     fn name(self) -> &'static str {
@@ -52,9 +55,14 @@ pub(crate) fn is_followed_by_mdbook(config: &Config) -> bool {
     config.contains_key("output.html.live-reload-endpoint")
 }
 
-/// Builds the site in `root`, in the folder `html` below `destination`.
+/// Builds the site in `root`, in the folder `html` below `destination`, by this program.
 pub(crate) fn build(root: &Path, destination: &Path, for_whom: For) -> Result<(), String> {
-    build_by(None, root, destination, for_whom)
+    build_by(this_program().as_deref(), root, destination, for_whom)
+}
+
+/// This program, which is current since Cargo has just run it, as a command for mdBook.
+pub(crate) fn this_program() -> Option<String> {
+    Some(format!("\"{}\"", env::current_exe().ok()?.to_str()?))
 }
 
 /// The same, by a `press` that is known to be current, in place of that which book.toml has Cargo look after.
@@ -67,7 +75,7 @@ pub(crate) fn build_by(
     let built = settings(root).and_then(|mut settings| {
         settings.build.build_dir = root.join(destination);
         if let Some(press) = press {
-            settings.set("preprocessor.press.command", press)?;
+            settings.set(COMMAND, press)?;
         }
         settings.set(SETTING, for_whom.name())?;
         if matches!(for_whom, For::Author | For::Hasty) {
@@ -103,8 +111,12 @@ pub(crate) fn destination(root: &Path, asked: Option<&str>) -> Result<PathBuf, S
 
 /// Tests the snippets of all pages.
 pub(crate) fn test(root: &Path) -> Result<(), String> {
-    let tested =
-        settings(root).and_then(|settings| MDBook::load_with_config(root, settings)?.test(Vec::new()));
+    let tested = settings(root).and_then(|mut settings| {
+        if let Some(press) = this_program() {
+            settings.set(COMMAND, press)?;
+        }
+        MDBook::load_with_config(root, settings)?.test(Vec::new())
+    });
     tested.map_err(|error| format!("error: the test of the book failed: {error:#}"))
 }
 

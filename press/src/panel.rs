@@ -2,10 +2,10 @@
 //!
 //! It is printed with the values of the text; the page's script keeps it true when a reader changes them.
 
-use crate::answers::{Answers, Live, Value};
 use crate::module;
-use crate::numbers::with_power;
 use crate::render::{escaped, prose};
+use dialect::live_numbers::{Answers, Live, Value};
+use live::with_power;
 
 /// The panel of the snippet with this number among those of the book.
 pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> String {

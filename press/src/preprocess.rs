@@ -3,9 +3,9 @@
 use crate::book::from_mdbook;
 use crate::fault::Faults;
 use crate::mdbook::{self, For};
-use crate::module::{self, Module};
+use crate::module::{Module, Modules};
 use crate::rendered::Rendered;
-use crate::{check, outcome, snippets, solutions};
+use crate::{Book as OfBook, check, outcome, snippets, solutions, theme};
 use mdbook_preprocessor::PreprocessorContext;
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::io::{self, BufWriter, Read, Write};
@@ -63,18 +63,21 @@ pub fn run(input: impl Read, mut output: impl Write, drawn: Rendered) -> Result<
 
 /// Puts what mdBook is to print, or to test, in the place of the pages.
 fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -> Result<(), Failed> {
+    theme::install(&context.root)
+        .map_err(|error| Failed::Other(format!("the theme cannot be put in its place: {error}")))?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let pages = from_mdbook(book, &source);
     let is_test = context.renderer == "test";
     let without_solutions = !is_test && solutions::are_hidden(&context.config).map_err(Failed::Other)?;
     let for_whom = For::of(&context.config);
-    let modules = if is_test { Ok(Module::Stale) } else { module::found(&context.root, for_whom) };
+    let compiled = Modules::of(&context.root, &drawn.book, &pages);
+    let modules = if is_test { Ok(Module::Stale) } else { compiled.found(for_whom) };
     let modules = modules.map_err(Failed::Other)?;
     drawn.is_still = matches!((&modules, for_whom), (Module::Missing(_), _) | (Module::Stale, For::Hasty));
     // What is wrong with the pages is said before anything is compiled.
     let mut texts = check::rendered(&pages, &context.root, &source, &drawn).map_err(Failed::Faults)?;
     if is_test {
-        test_snippets(&context.root)?;
+        test_snippets(&context.root, &drawn.book)?;
         texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
     } else {
         match modules {
@@ -85,7 +88,7 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
                 eprintln!("{why}");
             }
             Module::Stale if !drawn.is_still => {
-                module::build(&context.root, for_whom).map_err(Failed::Other)?;
+                compiled.build(for_whom).map_err(Failed::Other)?;
             }
             _ => {}
         }
@@ -127,11 +130,11 @@ fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = 
     }
 }
 
-/// Runs the snippets of all pages which are the documentation tests of the crate `snippets`, and those of the library.
-fn test_snippets(root: &Path) -> Result<(), Failed> {
+/// Runs the snippets of all pages and those of the library, as documentation tests.
+fn test_snippets(root: &Path, book: &OfBook) -> Result<(), Failed> {
     eprintln!("Testing the snippets of all pages with `cargo test --doc`");
     let run = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["test", "--doc"])
+        .args(["test", "--doc", "--package", book.library, "--package", book.snippets])
         .current_dir(root)
         .stdin(Stdio::null())
         .stderr(Stdio::inherit())
@@ -153,10 +156,10 @@ fn test_snippets(root: &Path) -> Result<(), Failed> {
 /// The name of a snippet, without the folder of the copy that is tested. (The compiler's own words keep it: it counts
 /// lines that rustdoc has put above.)
 fn named_by_its_page(line: &str) -> String {
-    match line.split_once("/out/book/") {
+    match line.split_once("/out/") {
         Some((before, page)) if !before.contains("-->") => {
             let folder = before.rfind(' ').map_or(0, |blank| blank + 1);
-            format!("{}book/{page}", &before[..folder])
+            format!("{}{page}", &before[..folder])
         }
         _ => line.to_owned(),
     }

@@ -10,7 +10,8 @@ use crate::places::{self, Place};
 use crate::rendered::Rendered;
 use crate::scan::{options, scan};
 use crate::ties::{self, BLANK};
-use crate::{answers, faces, module, panel, scenes, snippets, tables};
+use crate::{faces, module, panel, scenes, snippets, tables};
+use dialect::live_numbers;
 use pulldown_cmark::{CowStr, Event, Parser, Tag, html::push_html};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -255,7 +256,7 @@ impl Printer<'_, '_> {
     /// The panel of a snippet that has live numbers.
     fn panel(&mut self, shown: &str) -> Option<String> {
         let lines: Vec<&str> = shown.lines().collect();
-        let (answers, _) = answers::answers(&lines);
+        let (answers, _) = live_numbers::answers(&lines);
         (!answers.live.is_empty() && !self.drawn.is_still).then(|| {
             *self.live += 1;
             panel::panel(&answers, *self.live - 1, self.page.path.split('/').next().unwrap_or_default())
@@ -815,6 +816,7 @@ mod tests {
         let scene = crate::rendered::Scene {
             name: "plate".to_owned(),
             chapter: "a.md".to_owned(),
+            source: "book/a/scene.rs".to_owned(),
             question: "Why $x$?".to_owned(),
             svg: "<svg></svg>".to_owned(),
             view: Some([-30.0, 20.0]),
@@ -876,7 +878,7 @@ mod tests {
         let [svg, standalone] = [String::new(), String::new()];
         let figure = crate::rendered::Figure {
             id: "fig:x".to_owned(),
-            chapter: "a".to_owned(),
+            source: "book/a/figures.rs".to_owned(),
             svg,
             standalone,
             wide: false,

@@ -1,12 +1,15 @@
-//! What the pages show: the figures of the book and the tables of the library, as the build script of the crate `book`
-//! rendered them, and its live scenes.
+//! What the pages show: the figures of the book and the tables of the library, as its build script has rendered them,
+//! and its live scenes.
 
+use crate::{Book, stills};
 use std::path::Path;
 use std::{fs, io};
 
-/// What a build script has rendered, read from its folder, and the scenes, which the program itself knows.
+/// What a build script has rendered, read from its folder, and what the program itself knows.
 #[derive(Debug, Clone, Default)]
 pub struct Rendered {
+    /// What the book says of itself.
+    pub book: Book,
     /// Every figure.
     pub figures: Vec<Figure>,
     /// Tables in Markdown, each with its name: `methods`.
@@ -24,6 +27,8 @@ pub struct Scene {
     pub name: String,
     /// The folder of the chapter that it opens.
     pub chapter: String,
+    /// The file that makes it: `book/turning/scene.rs`.
+    pub source: String,
     /// What it asks. Here and in other words of a scene formulas stand between `$` signs.
     pub question: String,
     /// Its still as SVGs for a page, on a wide one and on a phone.
@@ -84,20 +89,13 @@ pub enum Input {
     Button,
 }
 
-impl Scene {
-    /// The file that makes it: `book/turning/scene.rs`.
-    pub(crate) fn source(&self) -> String {
-        format!("book/{}/scene.rs", self.chapter)
-    }
-}
-
 /// One rendered figure.
 #[derive(Debug, Clone)]
 pub struct Figure {
     /// Its label: `fig:machine`.
     pub id: String,
-    /// The folder of the chapter that draws it: `laundromat`; `figures` for pages without a number.
-    pub chapter: String,
+    /// The file that draws it: `book/laundromat/figures.rs`.
+    pub source: String,
     /// Its SVGs for a page in their box, coloured by the page's style sheet.
     pub svg: String,
     /// Whether it needs more room than a column of text has.
@@ -107,26 +105,36 @@ pub struct Figure {
 }
 
 impl Rendered {
-    /// Reads `folder`: `figures.txt` with a line `chapter fig:name stamp wide` (or `column`) for each figure, its
-    /// `name.inline.svg` and `name.svg`, and the tables, `table.md`.
+    /// All that a book shows; the stills of its scenes are drawn now.
+    ///
+    /// # Errors
+    /// If a file of the build script is missing or cannot be read; which scene cannot be drawn as it starts, and why.
+    pub fn of(book: &Book) -> Result<Self, String> {
+        let mut rendered = Self::read(book).map_err(|error| format!("error: {error}"))?;
+        rendered.scenes = stills::all(book.scenes).map_err(|error| format!("error: {error}"))?;
+        Ok(rendered)
+    }
+
+    /// The figures and tables, of which `figures::write` says how they lie in the folder.
     ///
     /// # Errors
     /// If a file is missing or cannot be read.
-    pub fn read(folder: &Path) -> io::Result<Self> {
+    pub(crate) fn read(book: &Book) -> io::Result<Self> {
+        let folder = Path::new(book.drawn);
         let text = |name: &str| {
             fs::read_to_string(folder.join(name)).map_err(|error| {
                 io::Error::new(error.kind(), format!("{}/{name}: {error}", folder.display()))
             })
         };
-        let mut rendered = Self::default();
+        let mut rendered = Self { book: *book, ..Self::default() };
         for line in text("figures.txt")?.lines() {
-            let mut words = line.split(' ');
-            let (chapter, id) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
+            let mut words = line.splitn(3, ' ');
+            let [id, place, source] = [(); 3].map(|()| words.next().unwrap_or_default());
             let name = file_stem(id);
             rendered.figures.push(Figure {
                 id: id.to_owned(),
-                chapter: chapter.to_owned(),
-                wide: words.nth(1) == Some("wide"),
+                source: source.to_owned(),
+                wide: place == "wide",
                 svg: text(&format!("{name}.inline.svg"))?,
                 standalone: text(&format!("{name}.svg"))?,
             });
@@ -157,15 +165,6 @@ impl Figure {
     /// The ids in its SVG.
     pub(crate) fn ids(&self) -> impl Iterator<Item = &str> {
         self.svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next())
-    }
-
-    /// The file that draws it: `book/laundromat/figures.rs`, or `book/figures.rs` for one on a page without a number.
-    pub(crate) fn source(&self) -> String {
-        if self.chapter == "figures" {
-            "book/figures.rs".into()
-        } else {
-            format!("book/{}/figures.rs", self.chapter)
-        }
     }
 
     /// The name of its file: `machine.svg`.

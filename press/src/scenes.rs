@@ -16,7 +16,7 @@ const TAKEN: [&str; 8] = ["t", "time", "title", "desc", "narrow", "azimuth", "el
 pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
     let mut names = BTreeSet::new();
     for scene in scenes {
-        let mut fault = |message: String| faults.add(&scene.source(), 0, message);
+        let mut fault = |message: String| faults.add(&scene.source, 0, message);
         if !is_name(&scene.name) || !names.insert(&scene.name) {
             fault(format!(
                 "a scene has a name of its own of lower-case letters, digits and hyphens, not `{}`",

@@ -6,8 +6,10 @@
 mod http;
 mod watch;
 
+use crate::Book;
+use crate::book::from_disk;
 use crate::mdbook::{self, For};
-use crate::module::{self, Module};
+use crate::module::{Module, Modules};
 use crate::preprocess::FINISHER;
 use crate::{api, finish, outcome};
 use http::Site;
@@ -59,11 +61,11 @@ impl Order {
 ///
 /// # Errors
 /// If it cannot begin: what is asked for is nonsense, or the port is taken.
-pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
+pub(crate) fn run(root: &Path, arguments: &[String], book: &Book) -> Result<(), String> {
     let order = Order::read(arguments)?;
     // Before anything is built, which takes a while.
     let listeners = listeners(&order)?;
-    let made = Made { root, folder: mdbook::destination(root, order.folder.as_deref())? };
+    let made = Made { root, book, folder: mdbook::destination(root, order.folder.as_deref())? };
     let site = Arc::new(Site::new(vec![made.folder.join("html"), made.folder.join("kept")]));
     for listener in listeners {
         let site = Arc::clone(&site);
@@ -74,11 +76,11 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
     let mut watcher = Watcher::new(mdbook::made_of(root)?);
     let mut is_first = true;
     let mut is_kept = false;
-    let mut press = None;
+    let mut press = mdbook::this_program(); // Cargo has just compiled it
     let mut compiler = None;
     loop {
         // The pages at once, without what takes long to make and does not change with a sentence.
-        let is_shown = site.while_built(|| report(made.build(press, For::Hasty)));
+        let is_shown = site.while_built(|| report(made.build(press.as_deref(), For::Hasty)));
         if is_first {
             eprintln!("The book is at {address}; it follows your edits until you press Ctrl+C");
             if order.open {
@@ -86,8 +88,8 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
             }
             is_first = false;
         }
-        if is_shown && !(is_kept && is_current(root)) {
-            is_kept = has_built_rest(&made, press, &site, &watcher, &mut compiler);
+        if is_shown && !(is_kept && made.is_current()) {
+            is_kept = has_built_rest(&made, press.as_deref(), &site, &watcher, &mut compiler);
         }
         let changed = watcher.wait();
         let first = changed.iter().map(|file| file.strip_prefix(root).unwrap_or(file).display()).next();
@@ -99,7 +101,7 @@ pub(crate) fn run(root: &Path, arguments: &[String]) -> Result<(), String> {
                 "Whether tests, and numbers on the pages, still hold is not looked at here: `cargo test` says"
             );
         }
-        press = (is_shown && changed.iter().all(|file| is_text(file))).then_some(FINISHER);
+        press = (is_shown && changed.iter().all(|file| is_text(file))).then(|| FINISHER.to_owned());
     }
 }
 
@@ -116,9 +118,9 @@ fn has_built_rest(
     compiler: &mut Option<Compiler>,
 ) -> bool {
     let start = || {
-        let root = made.root.to_owned();
+        let modules = made.modules();
         thread::spawn(move || {
-            let built = module::build_one(&root, For::Author);
+            let built = modules.build_one(For::Author);
             if let Ok(Module::Missing(Some(why))) = &built {
                 static SAID: Once = Once::new();
                 SAID.call_once(|| eprintln!("{why}"));
@@ -134,7 +136,7 @@ fn has_built_rest(
             thread::sleep(PAUSE);
         }
         let is_compiled = matches!(compiler.take().map(JoinHandle::join), Some(Ok(Ok(_))));
-        let has_more = || matches!(module::found(made.root, For::Author), Ok(Module::Stale));
+        let has_more = || matches!(made.modules().found(For::Author), Ok(Module::Stale));
         if !is_compiled || !has_more() {
             break;
         }
@@ -151,11 +153,6 @@ fn is_text(file: &Path) -> bool {
     file.extension().is_some_and(|ending| ["md", "css", "hbs", "js"].iter().any(|text| ending == *text))
 }
 
-/// Whether what a hasty build leaves out would be made as it is.
-fn is_current(root: &Path) -> bool {
-    api::is_current(root) && !matches!(module::found(root, For::Author), Ok(Module::Stale))
-}
-
 /// What the compiler prints does not pass through here.
 const ELSEWHERE: &str = "If the library, a figure or a scene does not compile, the compiler says why where `cargo book serve` runs.";
 
@@ -163,10 +160,23 @@ const ELSEWHERE: &str = "If the library, a figure or a scene does not compile, t
 /// sees half a page.
 struct Made<'a> {
     root: &'a Path,
+    book: &'a Book,
     folder: PathBuf,
 }
 
 impl Made<'_> {
+    /// The modules of the pages as they are now; of pages with faults there are none.
+    fn modules(&self) -> Modules {
+        let pages = from_disk(self.root).map(|(_, pages)| pages).unwrap_or_default();
+        Modules::of(self.root, self.book, &pages)
+    }
+
+    /// Whether what a hasty build leaves out would be made as it is.
+    fn is_current(&self) -> bool {
+        api::is_current(self.root, self.book.library)
+            && !matches!(self.modules().found(For::Author), Ok(Module::Stale))
+    }
+
     fn build(&self, press: Option<&str>, for_whom: For) -> Result<(), String> {
         let built = mdbook::build_by(press, self.root, &self.folder.join("next"), for_whom);
         let [html, next, old] = ["html", "next/html", "old"].map(|name| self.folder.join(name));
@@ -278,7 +288,11 @@ mod tests {
     fn a_port_that_is_taken_is_said_before_anything_is_built() {
         let taken = TcpListener::bind("127.0.0.1:0").unwrap();
         let port = taken.local_addr().unwrap().port();
-        let said = run(Path::new("."), &["-n".into(), "127.0.0.1".into(), "-p".into(), port.to_string()]);
+        let said = run(
+            Path::new("."),
+            &["-n".into(), "127.0.0.1".into(), "-p".into(), port.to_string()],
+            &Book::default(),
+        );
         assert!(said.unwrap_err().contains(&format!("`cargo book serve -p {}`", port + 1)));
     }
 }

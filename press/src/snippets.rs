@@ -2,7 +2,7 @@
 
 use crate::checks::{self, Folded};
 use crate::scan::options;
-use crate::{answers, printed};
+use dialect::{expected_output, live_numbers};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use std::ops::Range;
 
@@ -60,8 +60,8 @@ pub(crate) fn check(
     let code = code_lines(&lines);
     let shown = checks::folded(&lines[code.clone()]).map_or(code.end, |folded| code.start + folded.from);
     let is_told = info.contains(',') || fence_column(text, range.start) > 0;
-    let (_, broken) = answers::answers(&lines);
-    let marked = lines.iter().any(|line| answers::is_marked(line));
+    let (_, broken) = live_numbers::answers(&lines);
+    let marked = lines.iter().any(|line| live_numbers::is_marked(line));
     if marked && is_told {
         fault(
             range.start,
@@ -86,7 +86,7 @@ pub(crate) fn check(
                 );
             }
         }
-        if let Some(Err(message)) = printed::read(&lines, n) {
+        if let Some(Err(message)) = expected_output::read(&lines, n) {
             fault(offset, message.to_owned());
         }
         broken
@@ -118,7 +118,7 @@ fn code_lines(lines: &[&str]) -> Range<usize> {
 
 /// A fenced block with the units of its live numbers, whose ranges only the panel beside it knows.
 pub(crate) fn without_ranges(block: &str) -> String {
-    let shown = |line: &str| match answers::live(line) {
+    let shown = |line: &str| match live_numbers::live(line) {
         Some(Ok(live)) => {
             let unit = if live.unit.is_empty() { String::new() } else { format!(" // {}", live.unit) };
             format!("{}{}{}{unit}\n", live.before, live.literal, live.after)

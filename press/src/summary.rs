@@ -2,7 +2,8 @@
 
 use crate::book::{self, Page, slashed};
 use crate::fault::{Faults, Lines, Reporter};
-use crate::{api, pages, signs};
+use crate::{api, signs};
+use dialect::pages;
 use mdbook_summary::{Summary, SummaryItem};
 use std::collections::BTreeSet;
 use std::fs;

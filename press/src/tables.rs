@@ -1,7 +1,7 @@
 //! Tables: their cells, and how a column of numbers is set.
 
-use crate::numbers::with_power;
 use crate::page::{Cell, Table, Words};
+use live::with_power;
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::ops::Range;
 

@@ -1,7 +1,7 @@
 //! What belongs together at the end of a line: a formula and its punctuation, a number and its unit; and
 //! which brackets there are already.
 
-use crate::numbers::is_unit;
+use live::is_unit;
 
 /// A blank at which no line ends.
 pub(crate) const BLANK: &str = "\u{a0}";

@@ -10,10 +10,21 @@ use std::path::PathBuf;
 /// The only figure, the only table and the only scene that these books can show.
 fn drawn() -> Rendered {
     let [svg, standalone] = [String::new(), String::new()];
-    let figure =
-        Figure { id: "fig:machine".to_owned(), chapter: "a".to_owned(), svg, standalone, wide: false };
+    let figure = Figure {
+        id: "fig:machine".to_owned(),
+        source: "book/a/figures.rs".to_owned(),
+        svg,
+        standalone,
+        wide: false,
+    };
     let tables = vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())];
-    Rendered { figures: vec![figure], tables, scenes: vec![scene()], ..Rendered::default() }
+    Rendered {
+        figures: vec![figure],
+        tables,
+        scenes: vec![scene()],
+        book: press::Book { code: &["src"], ..press::Book::default() },
+        ..Rendered::default()
+    }
 }
 
 /// A scene of the chapter `a.md`, with a control of each kind.
@@ -33,7 +44,8 @@ fn scene() -> Scene {
     let presets = [("fast", "spin=4&cones=0"), ("as at first", "")]
         .map(|(words, settings)| (words.to_owned(), settings.to_owned()));
     let presets = presets.to_vec();
-    Scene { name, chapter, question, controls, presets, ..Scene::default() }
+    let source = "book/a/scene.rs".to_owned();
+    Scene { name, chapter, source, question, controls, presets, ..Scene::default() }
 }
 
 /// A book in a temporary folder, removed when dropped.
@@ -765,10 +777,7 @@ fn a_scene_that_contradicts_itself_is_a_fault() {
         let mut drawn = drawn();
         spoil(&mut drawn.scenes[0]);
         let faults = check(&book.root, &drawn).unwrap_err().to_string();
-        assert!(
-            faults.contains("error: book/a.md/scene.rs: ") && faults.contains(words),
-            "{words}: {faults}"
-        );
+        assert!(faults.contains("error: book/a/scene.rs: ") && faults.contains(words), "{words}: {faults}");
     }
 }
 

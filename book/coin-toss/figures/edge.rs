@@ -1,9 +1,9 @@
 //! A coin with an edge: which directions lie under the edge, and how often it lands on it.
 
 use super::leaning;
-use crate::{Axis, Cause, Outcome, Plot, linear_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use figures::{Axis, Cause, Outcome, Plot, linear_steps};
 use mechanics::InvalidQuantity;
 use mechanics::inertia::Cylinder;
 use mechanics::scenes::coin_toss::edge_at_random;

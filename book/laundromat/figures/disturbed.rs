@@ -1,9 +1,9 @@
 //! The disturbed machine: does it return, and which way?
 
 use super::{NATURAL, Values, cross, washing_machine};
-use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Hue, Rect, Role, Side, Stroke, at};
+use figures::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 use mechanics::InvalidQuantity;
 use mechanics::scenes::laundromat::{LockedState, Machine, Mode, Polar, Shaft};
 use nalgebra::Complex;

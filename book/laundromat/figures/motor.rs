@@ -1,9 +1,9 @@
 //! A motor of limited torque: where its line meets the torque of shaking, and what a slowly turned knob does.
 
 use super::{Values, washing_machine};
-use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
+use figures::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{Driven, DrivenState, Folds, Motor};
 

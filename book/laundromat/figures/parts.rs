@@ -1,9 +1,9 @@
 //! The machine and its parts, from above: what is where.
 
 use super::{NATURAL, cross};
-use crate::Outcome;
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Role, Side, Stroke, at};
+use figures::Outcome;
 use mechanics::scenes::laundromat::{Machine, Parameters};
 use std::f64::consts::PI;
 

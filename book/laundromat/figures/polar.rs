@@ -1,9 +1,9 @@
 //! The machine in polar coordinates: what the program there gets wrong, and its eigenvalues.
 
 use super::{Values, washing_machine};
-use crate::{Axis, Look, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
+use figures::{Axis, Look, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use mechanics::InvalidQuantity;
 use mechanics::integrate::rk4;
 use mechanics::scenes::laundromat::{Machine, Polar, Shaft};

@@ -1,9 +1,9 @@
 //! The drum that speeds up.
 
 use super::{NATURAL, Values, over_spin, washing_machine};
-use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke, at};
+use figures::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use mechanics::scenes::laundromat::Shaft;
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, TAU};

@@ -1,9 +1,9 @@
 //! Steady motion against the spin: circles, the floor, the motor.
 
 use super::{NATURAL, Values, over_spin, washing_machine};
-use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Fill, Hue, Rect, Role, Side, Stroke};
+use figures::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use mechanics::InvalidQuantity;
 use mechanics::scenes::laundromat::{Machine, Parameters};
 use std::f64::consts::SQRT_2;

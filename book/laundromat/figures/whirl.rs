@@ -1,9 +1,9 @@
 //! Friction that turns with the drum: which way it pushes, and what comes of it.
 
 use super::{NATURAL, Values, cross, washing_machine};
-use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
+use figures::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 
 /// A whirl from above, with what floor and drum do to it: below the threshold and beyond it.
 pub(crate) fn whirl_forces(id: &str) -> Outcome {

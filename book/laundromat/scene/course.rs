@@ -1,7 +1,7 @@
 //! How the shaft moves: parts between the moments at which the drum stops speeding up or the machine is kicked.
 
 use super::{ACCELERATION, DRUM_INERTIA, GAUSS, KICK, LARGEST_SWING, LASTS, WEAK_LASTS, steady};
-use crate::Cause;
+use live::Cause;
 use mechanics::integrate::{Dop853, rk4_step};
 use mechanics::scenes::laundromat::{
     Driven, DrivenState, Machine, Motor, Ramp, Rotor, RotorMotion, Shaft, Transient,
@@ -223,7 +223,9 @@ impl Course {
                 return Err("With a weak motor the scene knows dampers on the floor alone, which feel the whole velocity.".into());
             }
             Drive::WeakMotor(_) if spin == 0.0 => {
-                return Err("The spin is that at which the weak motor idles: at 0 rad/s it turns nothing.".into());
+                return Err(
+                    "The spin is that at which the weak motor idles: at 0 rad/s it turns nothing.".into()
+                );
             }
             Drive::WeakMotor(stall_torque) => {
                 let motor = Motor { stall_torque, idle_spin: spin, drum_inertia: DRUM_INERTIA };

@@ -1,10 +1,10 @@
 //! The picture: the drum with its load in a tub, between posts on a floor.
 
 use super::course::{Course, State};
-use crate::{Cause, Moment};
 use drawing::kit::{self, Marker};
 use drawing::space::{Camera, View};
 use drawing::{Drawing, Fill, Hue, Point, Side, Stroke, at};
+use live::{Cause, Moment};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 

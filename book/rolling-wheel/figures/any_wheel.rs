@@ -1,9 +1,9 @@
 //! Any wheel: its two moments, and where its circles lead when it is braked.
 
 use super::{edge, wheel};
-use crate::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke};
+use figures::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
 use mechanics::integrate::Dop853;
 use mechanics::rolling::{MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;

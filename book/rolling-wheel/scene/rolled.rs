@@ -1,6 +1,6 @@
 //! How the wheel of the scene rolls.
 
-use crate::{Cause, Settings};
+use live::{Cause, Settings};
 use mechanics::InvalidQuantity;
 use mechanics::integrate::{Failure, Taylor, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};

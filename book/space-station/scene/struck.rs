@@ -1,6 +1,6 @@
 //! The station as it turns: before a blow, after it, and after a second one.
 
-use crate::Cause;
+use live::Cause;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::Body;

@@ -1,8 +1,8 @@
 //! The station as a wheel: rim, hub and spokes, with what is hidden of them.
 
-use crate::{Cause, Moment};
 use drawing::space::{Camera, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Stroke};
+use live::{Cause, Moment};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 

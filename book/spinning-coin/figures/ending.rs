@@ -1,9 +1,9 @@
 //! How Euler's disk ends: four laws of loss, followed with nothing assumed to be slow.
 
 use super::{LAWS, a_long_life, disc, going_down, law_ends};
-use crate::{Axis, Cause, Outcome, Plot, log_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
+use figures::{Axis, Cause, Outcome, Plot, log_steps};
 use mechanics::integrate::Dop853;
 use mechanics::rolling::Rolling;
 use mechanics::scenes::spinning_coin::{BrakedDisk, Sunk};

@@ -1,9 +1,9 @@
 //! Rotation about the middle axis: where ω goes in a body, and a bat that flips.
 
-use crate::{Cause, Outcome, linear_steps};
 use drawing::kit::Heads;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Side, Stroke, at};
+use figures::{Cause, Outcome, linear_steps};
 use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;

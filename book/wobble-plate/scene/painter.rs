@@ -1,8 +1,8 @@
 //! Round solids, painted one over the other.
 
-use crate::Cause;
 use drawing::space::Camera;
 use drawing::{Drawing, Fill, Hue, Point, Role, Shape, Stroke};
+use live::Cause;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 

@@ -9,10 +9,10 @@ FONTS are files, or folders that hold them somewhere, with these originals:
     open-sans-v17-all-charsets-{regular,italic,600}.woff2,
     source-code-pro-v11-all-charsets-500.woff2                   front-end/fonts of the crate `mdbook-html`
 
-Cargo has the two crates in its registry's folder `src`, once it has fetched them. Written are book/theme/fonts/*.woff2 for the
+Cargo has the two crates in its registry's folder `src`, once it has fetched them. Written are press/theme/fonts/*.woff2 for the
 pages, and two files beside this one for the labels of figures: math.otf, with the shapes that NewCM draws for small sizes, and
 open-sans.ttf, Open Sans Regular once more in a form that needs no unpacking. Two licences ask that a modified version have another
-name: Book Math, Book Code. See book/theme/fonts/LICENCES.txt.
+name: Book Math, Book Code. See press/theme/fonts/LICENCES.txt.
 """
 
 import sys
@@ -25,7 +25,7 @@ from fontTools.pens.transformPen import TransformPen
 from fontTools.pens.ttGlyphPen import TTGlyphPen
 
 HERE = Path(__file__).parent
-PAGES = HERE.parents[2] / "book/theme/fonts"
+PAGES = HERE.parents[1] / "theme/fonts"
 LETTERS = ["ccmp", "kern", "liga", "locl", "mark", "mkmk"]
 # What grows with a formula, and how many sizes of it stay beside the first: TeX has four of brackets.
 GROW = {"()[]{}|⟨⟩√": 4, "∫∮∑": 1, "\u0302\u0303\u20d7": 2}

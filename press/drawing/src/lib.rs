@@ -2,7 +2,7 @@
 //!
 //! A [`Drawing`] is a display list: polylines, polygons, circles, arcs and labels in the order in which they
 //! are painted, each with a [`Role`] (an axis, a curve in the hue of the body, a face, …). Nothing in it is a
-//! colour. The page's style sheet, `book/theme/figures.css`, says what each role looks like in light and dark
+//! colour. The page's style sheet, `press/theme/figures.css`, says what each role looks like in light and dark
 //! themes and on paper.
 //!
 //! Coordinates are pixels of a figure at its full size, x to the right and y **downwards**. Angles are in

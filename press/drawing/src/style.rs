@@ -1,13 +1,13 @@
 //! The style sheet of figures that stand alone.
 //!
-//! There is one source for the looks of the roles, the page's `book/theme/figures.css`. It names every colour
+//! There is one source for the looks of the roles, the page's `press/theme/figures.css`. It names every colour
 //! once, as a pair for light and dark pages. A slide or a picture viewer knows neither the page's variables
 //! nor `light-dark()` nor `color-mix()`, so here all of them are resolved: the rules once for light, and
 //! those that differ once more for dark.
 
 use crate::role::OPAQUE;
 
-const PAGE: &str = include_str!("../../../book/theme/figures.css");
+const PAGE: &str = include_str!("../../theme/figures.css");
 
 /// A tint as the page has it, before and after its percentage.
 const TINT: (&str, &str) = ("color-mix(in srgb, currentColor ", "%, var(--under, transparent))");

@@ -1,6 +1,10 @@
 //! The tables that the library gives, one function each: `table:lateness`.
 
+use figures::{Table, tables};
 use pendulum::Pendulum;
+
+/// All tables.
+pub const TABLES: &[Table] = tables![lateness];
 
 /// What a clock loses in a day, by its amplitude.
 pub(crate) fn lateness() -> String {

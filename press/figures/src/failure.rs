@@ -8,8 +8,8 @@ use std::fmt;
 #[derive(Debug)]
 pub struct Failure {
     pub(crate) file: &'static str,
-    pub(crate) line: usize,
-    pub(crate) figure: &'static str,
+    pub(crate) line: u32,
+    pub(crate) figure: String,
     pub(crate) cause: Cause,
 }
 

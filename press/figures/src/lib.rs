@@ -1,29 +1,15 @@
-//! Every figure of the book: the house plot style, and the collection of `book/*/figures.rs`.
+//! Figures from code: the plot style, and how figures and tables become files that the press prints.
 //!
-//! A figure is a function that takes what the library computes and returns a [`Drawing`]. Each chapter keeps
-//! its figures in its own folder, in `figures.rs` and, where they are many, in `figures/`; this crate finds and
-//! compiles those files and gives them the plot style ([`Plot`], [`Axis`]) and the drawing kit. Another build
-//! script calls [`of`] for the chapters whose code has changed.
+//! A figure is a function that takes what a library computes and returns a [`Drawing`]. A chapter lists its own with
+//! [`figures!`], and the build script of the book [writes](write) all of them into its folder.
 
 mod axis;
 mod canvas;
 mod failure;
-pub mod house;
-#[path = "../../src/limit.rs"]
-mod limit;
-#[cfg(test)]
-mod list; // of the build script
 mod look;
 mod plot;
 mod room;
 mod sample;
-
-/// The name of a table that the library gives, and what writes it.
-type Table = (&'static str, fn() -> String);
-
-// A module for each chapter, `ENTRIES`, every figure in the order of the book, and `TABLES`: the build script reads
-// them off the files.
-include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 
 pub use axis::Axis;
 pub use drawing::{Drawing, Room};
@@ -34,8 +20,13 @@ pub use room::in_both;
 pub use sample::{linear_steps, log_steps};
 
 use drawing::Flaw;
+use std::collections::BTreeMap;
 use std::error::Error;
-use std::{panic, thread};
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::{env, fs, thread};
 
 /// The width of a column of text, px.
 const COLUMN: f64 = 660.0;
@@ -46,28 +37,77 @@ pub type Cause = Box<dyn Error + Send + Sync>;
 /// What a figure function returns: a drawing, or why there is none.
 pub type Outcome = Result<Drawing, Cause>;
 
-/// A figure to be drawn: its id on the page, its chapter, the file and the line that name it, the function
-/// that draws it.
-struct Entry {
-    id: &'static str,
-    chapter: &'static str,
-    file: &'static str,
-    line: usize,
-    draw: fn(&str) -> Outcome,
+/// A figure of a book: a function and its name. [`figures!`] makes them.
+#[derive(Debug, Clone, Copy)]
+pub struct Figure {
+    /// The function, as the list names it: `parts::two_clocks` for `fig:two-clocks`.
+    pub name: &'static str,
+    /// The file that lists it, and the line of the list.
+    pub file: &'static str,
+    /// See [`file`](Self::file).
+    pub line: u32,
+    /// Draws it; it is given its id.
+    pub draw: fn(&str) -> Outcome,
 }
 
-/// A figure of the book, rendered.
+/// A list of figures, each by the path of the function that draws it: `figures![machine, parts::two_clocks]` is a
+/// `&'static [Figure]` with `fig:machine` and `fig:two-clocks`.
+#[macro_export]
+macro_rules! figures {
+    ($($($name:ident)::+),* $(,)?) => {
+        &[$($crate::Figure {
+            name: concat!($("::", stringify!($name)),+),
+            file: file!(),
+            line: line!(),
+            draw: $($name)::+,
+        }),*]
+    };
+}
+
+/// A table that a library gives: its name and what writes it, in Markdown. [`tables!`] makes them.
+#[derive(Debug, Clone, Copy)]
+pub struct Table {
+    /// The function: `step_sizes` for `table:step-sizes`.
+    pub name: &'static str,
+    /// Writes it.
+    pub write: fn() -> String,
+}
+
+/// A list of tables, each by the function that writes it: `tables![step_sizes]` is a `&'static [Table]` with
+/// `table:step-sizes`.
+#[macro_export]
+macro_rules! tables {
+    ($($name:ident),* $(,)?) => {
+        &[$($crate::Table { name: stringify!($name), write: $name }),*]
+    };
+}
+
+impl Figure {
+    /// Its label on a page, as in `fig:two-clocks`.
+    pub fn id(&self) -> String {
+        let function = self.name.rsplit("::").next().unwrap_or_default();
+        format!("fig:{}", function.replace('_', "-"))
+    }
+
+    /// Draws it and writes its SVGs.
+    ///
+    /// # Errors
+    /// [`Failure`]: what the figure says, or that it lacks words for those who cannot see it.
+    pub fn render(&self) -> Result<Rendered, Failure> {
+        rendered(self).map_err(|cause| Failure { file: self.file, line: self.line, figure: self.id(), cause })
+    }
+}
+
+/// A figure, rendered.
 #[derive(Debug, Clone)]
-pub struct Figure {
+pub struct Rendered {
     /// Its label on the page, as in `fig:machine`.
     pub id: String,
-    /// The folder of the chapter that draws it, as in `laundromat`; `figures` for pages without a number.
-    pub chapter: String,
     /// A short title, for readers who cannot see it.
     pub title: String,
     /// What it shows, in words, for readers who cannot see it.
     pub description: String,
-    /// Its SVGs in the box that lays them out on a page; roles are classes of `book/theme/figures.css`.
+    /// Its SVGs in the box that lays them out on a page; the page's style sheet gives their roles colours.
     pub svg: String,
     /// Whether it is wider than a column of text, its panels side by side.
     pub wide: bool,
@@ -77,62 +117,106 @@ pub struct Figure {
     pub drawing: Drawing,
 }
 
-/// The tables that the library gives, those of `book/tables.rs`: name and Markdown.
-pub fn tables() -> impl Iterator<Item = (&'static str, String)> {
-    TABLES.iter().map(|(name, written)| (*name, written()))
+/// For a build script: renders all figures of a book and writes its tables, into Cargo's `OUT_DIR`, from where the press
+/// reads them. `figures.txt` has a line `fig:name file wide` (or `column`) for each figure, which is in `name.inline.svg`
+/// for a page and in `name.svg` to stand alone; a table is in `name.md`. What fails is said with file and line.
+pub fn write(figures: &[&[Figure]], tables: &[Table]) -> ExitCode {
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // the program knows its figures by their place
+    match written(figures, tables) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(faults) => {
+            faults.iter().for_each(|fault| eprintln!("error: {fault}"));
+            ExitCode::FAILURE
+        }
+    }
 }
 
-/// Draws every figure of the book, chapter by chapter.
-///
-/// # Errors
-/// A [`Failure`] for each figure that could not be drawn, with its file and the reason.
-pub fn all() -> Result<Vec<Figure>, Vec<Failure>> {
-    of(|_| true)
+fn written(figures: &[&[Figure]], tables: &[Table]) -> Result<(), Vec<String>> {
+    let one = |error: Cause| vec![error.to_string()];
+    let out = env::var_os("OUT_DIR").ok_or_else(|| one("Cargo sets OUT_DIR".into()))?;
+    let rendered =
+        all(figures).map_err(|failures| failures.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+    let out = Path::new(&out);
+    let mut list = String::new();
+    let files = || -> Result<(), Cause> {
+        fs::remove_dir_all(out)?; // a figure may be gone
+        fs::create_dir_all(out)?;
+        for (figure, source) in rendered.iter().zip(figures.iter().copied().flatten()) {
+            let name = figure.id.trim_start_matches("fig:");
+            fs::write(out.join(format!("{name}.inline.svg")), &figure.svg)?;
+            fs::write(out.join(format!("{name}.svg")), &figure.standalone)?;
+            let place = if figure.wide { "wide" } else { "column" };
+            list += &format!("{} {place} {}\n", figure.id, source.file.replace('\\', "/"));
+        }
+        for table in tables {
+            fs::write(out.join(format!("{}.md", table.name.replace('_', "-"))), (table.write)())?;
+        }
+        Ok(fs::write(out.join("figures.txt"), list)?)
+    };
+    files().map_err(one)
 }
 
-/// Draws the figures of those chapters whose folders are `wanted`, each chapter on a thread of its own.
+/// Renders all figures, on all processors, in their order.
 ///
 /// # Errors
-/// As for [`all`].
-pub fn of(wanted: impl Fn(&str) -> bool) -> Result<Vec<Figure>, Vec<Failure>> {
-    let draw = |entry: &Entry| render(entry).map_err(|cause| failed(entry, cause));
-    let drawn: Vec<Result<Figure, Failure>> = thread::scope(|scope| {
-        let chapters = ENTRIES.chunk_by(|one, next| one.chapter == next.chapter);
-        let threads: Vec<_> = chapters
-            .filter(|chapter| wanted(chapter[0].chapter))
-            .map(|chapter| scope.spawn(move || chapter.iter().map(draw).collect::<Vec<_>>()))
-            .collect();
-        threads
-            .into_iter()
-            .flat_map(|thread| thread.join().unwrap_or_else(|cause| panic::resume_unwind(cause)))
-            .collect()
+/// A [`Failure`] for each figure that could not be drawn, with its file and the reason; also for two of one name.
+pub fn all(figures: &[&[Figure]]) -> Result<Vec<Rendered>, Vec<Failure>> {
+    let figures: Vec<&Figure> = figures.iter().copied().flatten().collect();
+    let mut failures = twice(&figures);
+    let next = AtomicUsize::new(0);
+    let done = Mutex::new(BTreeMap::new());
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                while let Some(figure) = figures.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let rendered = figure.render();
+                    done.lock().unwrap_or_else(|broken| broken.into_inner()).insert(figure.id(), rendered);
+                }
+            });
+        }
     });
-    let (mut figures, mut failures) = (Vec::new(), Vec::new());
-    for result in drawn {
-        match result {
-            Ok(figure) => figures.push(figure),
+    let mut done = done.into_inner().unwrap_or_else(|broken| broken.into_inner());
+    let mut rendered = Vec::new();
+    for figure in figures.iter().filter_map(|figure| done.remove(&figure.id())) {
+        match figure {
+            Ok(figure) => rendered.push(figure),
             Err(failure) => failures.push(failure),
         }
     }
-    if failures.is_empty() { Ok(figures) } else { Err(failures) }
+    if failures.is_empty() { Ok(rendered) } else { Err(failures) }
 }
 
-fn failed(entry: &Entry, cause: Cause) -> Failure {
-    Failure { file: entry.file, line: entry.line, figure: entry.id, cause }
+/// A failure for each figure whose name another one has.
+fn twice(figures: &[&Figure]) -> Vec<Failure> {
+    let mut known = BTreeMap::new();
+    let again = figures.iter().filter_map(|figure| {
+        let before: &Figure = known.insert(figure.id(), *figure)?;
+        let cause = format!("{} has a figure of this name too", before.file).into();
+        Some(Failure { file: figure.file, line: figure.line, figure: figure.id(), cause })
+    });
+    again.collect()
 }
 
-fn render(entry: &Entry) -> Result<Figure, Cause> {
-    let _limit = limit::watch(format!("{}:{}: the figure {}", entry.file, entry.line, entry.id));
-    let drawing = (entry.draw)(entry.id)?;
+fn rendered(figure: &Figure) -> Result<Rendered, Cause> {
+    let id = figure.id();
+    let _limit = live::limit::watch(format!("{}:{}: the figure {id}", figure.file, figure.line));
+    let sound = |part: &str| {
+        !part.is_empty() && part.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
+    };
+    if !id.trim_start_matches("fig:").split('-').all(sound) {
+        let rule = "the name of a figure is lower-case letters and digits, with single underscores between";
+        return Err(rule.into());
+    }
+    let drawing = (figure.draw)(&id)?;
     let [title, description] = [drawing.title(), drawing.description()].map(|words| words.trim().is_empty());
     // A panel may leave the words to the whole, but not half of them.
     let mut parts = drawing.all_parts().into_iter();
     if title || description || parts.any(|part| part.title().is_empty() != part.description().is_empty()) {
         return Err("the figure lacks a title or a description for those who cannot see it".into());
     }
-    Ok(Figure {
-        id: entry.id.into(),
-        chapter: entry.chapter.into(),
+    Ok(Rendered {
+        id,
         title: drawing.title().into(),
         description: drawing.description().into(),
         svg: boxed(&drawing)?,
@@ -150,14 +234,13 @@ fn boxed(drawing: &Drawing) -> Result<String, Flaw> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Axis, Drawing, Entry, Outcome, Plot, failed, render};
+    use super::{Axis, Drawing, Figure, Outcome, Plot, all};
     use drawing::{Hue, Rect, Side, Stroke, at};
 
     /// What is said of a figure that is drawn by `draw`, in the third line of its file.
     fn said(draw: fn(&str) -> Outcome) -> String {
-        let entry =
-            Entry { id: "fig:typo", chapter: "nowhere", file: "book/nowhere/figures.rs", line: 3, draw };
-        failed(&entry, render(&entry).expect_err("it is wrong")).to_string()
+        let figure = Figure { name: "typo", file: "book/nowhere/figures.rs", line: 3, draw };
+        figure.render().expect_err("it is wrong").to_string()
     }
 
     fn empty(id: &str) -> Drawing {
@@ -226,5 +309,28 @@ mod tests {
             );
         }
         assert!(curve("fig:typo", &[(1.0, 2.0), (2.0, 3.0)]).expect("a plot").to_svg().is_ok());
+    }
+
+    #[test]
+    fn figures_are_listed_by_their_functions_and_each_has_a_name_of_its_own() {
+        mod parts {
+            pub(super) fn two_clocks(id: &str) -> super::Outcome {
+                Ok(super::empty(id))
+            }
+        }
+        let [one, other] = figures![parts::two_clocks, empty_too] else { panic!("there are two") };
+        fn empty_too(id: &str) -> Outcome {
+            Ok(empty(id))
+        }
+        assert_eq!([one.id(), other.id()], ["fig:two-clocks", "fig:empty-too"]);
+        let again = all(&[&[*one], &[*one, *other]]).expect_err("two have one name");
+        assert!(
+            again[0].to_string().ends_with("fig:two-clocks: src/lib.rs has a figure of this name too"),
+            "{again:?}"
+        );
+        for name in ["Gimbal", "two__bodies", "_top", "top_"] {
+            let said = Figure { name, ..*one }.render().expect_err(name).to_string();
+            assert!(said.contains("the name of a figure is lower-case"), "{said}");
+        }
     }
 }

@@ -1,8 +1,7 @@
-//! Numbers in print: a power of ten, and the units that stand behind them. The press shares this file, so that pages
-//! and scenes print them alike.
+//! Numbers in print: a power of ten, and the units that stand behind them. Pages and scenes print them alike.
 
 /// A number with a power of ten, as HTML: 1.6·10⁸.
-pub(crate) fn with_power(mantissa: &str, power: &str) -> String {
+pub fn with_power(mantissa: &str, power: &str) -> String {
     format!("{mantissa}·10<sup>{power}</sup>").replace('-', "−")
 }
 
@@ -13,6 +12,6 @@ const PARTS: [&str; 31] = [
 ];
 
 /// Whether a word is a unit: `kg`, `rad/s²`, `N·m`, `s⁻¹`.
-pub(crate) fn is_unit(word: &str) -> bool {
+pub fn is_unit(word: &str) -> bool {
     word.split(['/', '·']).all(|part| PARTS.contains(&part.trim_end_matches(['²', '³', '⁻', '¹'])))
 }

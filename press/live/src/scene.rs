@@ -8,6 +8,8 @@ use drawing::{Drawing, Point, Room, Symbol};
 /// A live scene: everything about it that does not move.
 #[derive(Debug)]
 pub struct Scene {
+    /// The file that holds it: `file!()`.
+    pub file: &'static str,
     /// Its name: `turning` for `scene:turning`.
     pub name: &'static str,
     /// A short title, for those who cannot see it.
@@ -28,7 +30,7 @@ pub struct Scene {
     pub presets: &'static [Preset],
     /// Numbers that stand beside the picture.
     pub readings: &'static [Reading],
-    /// The formulas of its labels, set by the build script: `crate::symbols::TURNING` in the chapter `turning`.
+    /// The formulas of its labels, set: [`formulas![r"\omega"]`](crate::formulas).
     pub symbols: &'static [Symbol],
     /// Computes the motion for some settings. An error is words for the reader: what has no answer there, and why.
     pub start: fn(&Settings<'_>) -> Result<Box<dyn Motion>, Cause>,

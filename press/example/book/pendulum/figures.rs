@@ -1,8 +1,11 @@
 //! The figures of the chapter "The pendulum": one function each.
 
-use crate::{Axis, Outcome, Plot, linear_steps};
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
+use figures::{Axis, Figure, Outcome, Plot, figures, linear_steps};
 use pendulum::Pendulum;
+
+/// All figures of this chapter.
+pub(crate) const FIGURES: &[Figure] = figures![period];
 
 /// The figure `fig:period`: eq:pendulum-period.
 pub(crate) fn period(id: &str) -> Outcome {

@@ -1,11 +1,12 @@
 //! The scene of the chapter "The pendulum": a mass that can be pulled aside.
 
-use crate::{Cause, Control, Form, Moment, Motion, Preset, Reading, Run, Scene, Settings};
 use drawing::{Drawing, Hue, Point, Side, Stroke, at};
+use live::{Cause, Control, Form, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas};
 use pendulum::Pendulum;
 use std::f64::consts::FRAC_PI_2;
 
 pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
     name: "pendulum",
     title: "A pendulum",
     description: "A mass on a rod, pulled aside by sixty degrees from its lowest point.",
@@ -22,7 +23,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "period", form: Form::Fixed(2), unit: "s" },
         Reading { words: r"angle $\theta$", form: Form::Fixed(0), unit: "°" },
     ],
-    symbols: crate::symbols::PENDULUM,
+    symbols: formulas!["l"],
     start: |settings| Ok(Box::new(Swing::new(settings)?)),
 };
 

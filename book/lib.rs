@@ -1,0 +1,8 @@
+//! The code of the pages. Each chapter keeps its figures and its live scene in its own folder, beside its text; the
+//! files of this folder name them.
+
+#[cfg(feature = "figures")]
+pub mod figures;
+pub mod scenes;
+#[cfg(feature = "figures")]
+pub mod tables;

@@ -1,0 +1,102 @@
+//! Numbers that answer, in a real browser: what stands beside the code is what the same snippet says here.
+
+use super::{Means, WIDE, act, address, open};
+use live::snippet::Snippet;
+use serde_json::{Value, json};
+use snippets::SNIPPETS;
+use std::collections::BTreeMap;
+
+/// The snippets with live numbers and their places among all, page by page: `turning/index.html`.
+fn pages() -> BTreeMap<String, Vec<(usize, &'static Snippet)>> {
+    let mut pages: BTreeMap<_, Vec<_>> = BTreeMap::new();
+    for snippet in SNIPPETS {
+        let file = snippet.place.split(':').next().unwrap_or_default();
+        let page = file.trim_start_matches("book/").replace(".md", ".html");
+        pages.entry(page).or_default().push((snippet.number, snippet));
+    }
+    assert!(!pages.is_empty());
+    pages
+}
+
+#[test]
+fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
+    let Some(mut browser) = open("numbers") else { return };
+    for (name, snippets) in pages() {
+        let page_address = format!("{}{name}", address());
+        let mut page = browser.page(WIDE);
+        page.go(&page_address);
+        for (place, snippet) in snippets {
+            let panel = format!("document.querySelector('.answers[data-snippet=\"{place}\"]')");
+            for index in 0..snippet.live.len() {
+                let number = format!("{panel}.querySelectorAll('.number')[{index}]");
+                let range = format!("{number}.querySelector('input[type=range]')");
+                for (means, part) in [(Means::Mouse, 0.9), (Means::Touch, 0.2), (Means::Keys, 0.0)] {
+                    let before = page.text(&format!("{range}.value"));
+                    act(
+                        &mut page,
+                        means,
+                        &range,
+                        part,
+                        if before == "0" { "ArrowRight" } else { "ArrowLeft" },
+                    );
+                    page.wait(&format!("{range}.value !== {}", json!(before)));
+                    let live = page.get(&format!(
+                        "[...{panel}.querySelectorAll('.number input[type=number]')].map((field) => +field.value)"
+                    ));
+                    let live: Vec<f64> =
+                        live.as_array().expect("numbers").iter().filter_map(Value::as_f64).collect();
+                    let at = format!("{} with {live:?}", snippet.place);
+                    let lines = snippet.run(&live);
+                    let (printed, rest) = lines.split_at(snippet.printed.len());
+                    let (checks, said) = rest.split_at(snippet.checks);
+                    let signs = ["+", "-", "?"].map(|sign| checks.iter().any(|check| check == sign));
+                    let classes = json!(
+                        checks
+                            .iter()
+                            .map(|check| match check.as_str() {
+                                "+" => "holds",
+                                "-" => "fails",
+                                _ => "unread",
+                            })
+                            .collect::<Vec<_>>()
+                    );
+                    assert!(checks.is_empty() || signs.contains(&true), "{at}");
+                    page.wait(&format!(
+                        "JSON.stringify([...{panel}.querySelectorAll('li')].map((node) => node.className)) === {}",
+                        json!(classes.to_string())
+                    ));
+                    let shown = page.get(&format!(
+                        "[...{panel}.querySelectorAll('dd > output')].map((output) => output.textContent)"
+                    ));
+                    for (own, shown) in printed.iter().zip(shown.as_array().expect("texts")) {
+                        let own = own.trim_start_matches('=').replace('-', "−");
+                        let own = own.replace('e', "·10");
+                        let own = if own.is_empty() { "–".to_owned() } else { own };
+                        assert!(alike(&own, shown.as_str().unwrap_or_default()), "{at}: {shown}, not {own}");
+                    }
+                    let words = page.text(&format!("{panel}.querySelector('.says').textContent"));
+                    assert_eq!(words.is_empty(), said.is_empty(), "{at}: {words}");
+                }
+            }
+            let field = format!("{panel}.querySelector('.number input[type=number]')");
+            page.get(&format!("({field}.value = 1e99, {field}.dispatchEvent(new Event('input')))"));
+            page.wait(&format!("{panel}.querySelector('.says').textContent.includes(' goes from ')"));
+            act(&mut page, Means::Mouse, &format!("{panel}.querySelector('.reset')"), 0.5, "");
+            let shown = format!(
+                "[...{panel}.querySelectorAll('dd > output')].every((output) => output.textContent === \
+                 output.dataset.value.replaceAll('-', '−').replace(/e(−?\\d+)/g, '·10$1'))"
+            );
+            page.wait(&shown);
+        }
+        assert_eq!(page.text("location.href"), page_address, "the page was turned");
+        assert_eq!(page.console(), Vec::<String>::new(), "{name}");
+    }
+}
+
+/// Whether two numbers are the same but for their last digit: the functions of the two machines differ in the last bit.
+fn alike(one: &str, other: &str) -> bool {
+    let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>().parse::<i128>();
+    let other_signs = |text: &str| text.replace(|letter: char| letter.is_ascii_digit(), "");
+    let near = matches!((digits(one), digits(other)), (Ok(one), Ok(other)) if (one - other).abs() <= 1);
+    one == other || near && other_signs(one) == other_signs(other)
+}

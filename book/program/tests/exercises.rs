@@ -1,0 +1,267 @@
+//! The exercises of every chapter: enough of them, graded, from what takes minutes to what takes an evening.
+
+use press::book::{Page, from_disk};
+use std::collections::BTreeMap;
+use std::env;
+use std::path::PathBuf;
+
+/// The grades, in the order in which a page has them, and how many minutes each may take.
+const GRADES: [(&str, [f64; 2]); 3] =
+    [("Check", [2.0, 15.0]), ("Problem", [10.0, 60.0]), ("Project", [60.0, 600.0])];
+
+/// How many a page has at least.
+const LEAST: usize = 10;
+
+fn pages(name: &str) -> Vec<Page> {
+    let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("Cargo sets it"));
+    let pages = from_disk(&package.join("../..")).expect("a book without faults").1;
+    pages.into_iter().filter(|page| page.path.ends_with(name)).collect()
+}
+
+/// The sections of a page: their headings, with their labels, and what stands below.
+fn sections(text: &str) -> Vec<(&str, &str)> {
+    text.split("\n## ").skip(1).filter_map(|section| section.split_once('\n')).collect()
+}
+
+/// The grade of an exercise, as its place among the grades, and its minutes.
+fn effort(line: &str) -> Option<(usize, f64)> {
+    let (grade, time) = line.strip_prefix('*')?.strip_suffix('*')?.split_once(" · ")?;
+    let (number, unit) = time.split_once(' ')?;
+    let minutes = match unit {
+        "minutes" => 1.0,
+        "hour" | "hours" => 60.0,
+        _ => return None,
+    };
+    Some((GRADES.iter().position(|(name, _)| *name == grade)?, minutes * number.parse::<f64>().ok()?))
+}
+
+#[test]
+fn every_chapter_has_exercises_of_all_grades_in_their_order() {
+    let (mut faults, mut chapters) = (Vec::new(), 0);
+    for page in pages("/exercises.md") {
+        let exercises = sections(&page.text);
+        let mut grades = Vec::new();
+        for (heading, below) in &exercises {
+            let first = below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+            let Some((grade, minutes)) = effort(first) else {
+                faults.push(format!("{}: `{heading}` has no grade, but `{first}`", page.file));
+                continue;
+            };
+            let [least, most] = GRADES[grade].1;
+            if !(least..=most).contains(&minutes) {
+                let name = GRADES[grade].0;
+                faults.push(format!(
+                    "{}: `{heading}`, a {name}, takes {minutes} minutes, not {least} to {most}",
+                    page.file
+                ));
+            }
+            if !below.contains("<details>") {
+                faults.push(format!("{}: `{heading}` has no hint", page.file));
+            }
+            grades.push((grade, *heading));
+        }
+        if exercises.len() < LEAST {
+            faults.push(format!("{}: {} exercises, of at least {LEAST}", page.file, exercises.len()));
+        }
+        for (grade, (name, _)) in GRADES.iter().enumerate() {
+            if !grades.iter().any(|(own, _)| *own == grade) {
+                faults.push(format!("{}: no exercise is a {name}", page.file));
+            }
+        }
+        if let Some(pair) = grades.windows(2).find(|pair| pair[0].0 > pair[1].0) {
+            faults.push(format!("{}: `{}` stands behind harder ones", page.file, pair[1].1));
+        }
+        chapters += 1;
+    }
+    assert!(chapters >= 11, "only {chapters} chapters");
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn every_solution_runs_a_program_and_says_what_it_teaches() {
+    let (mut faults, mut solutions) = (Vec::new(), 0);
+    for page in pages("/solutions.md") {
+        for (heading, below) in sections(&page.text) {
+            solutions += 1;
+            for wanted in ["```rust", "The lesson: "] {
+                if !below.contains(wanted) {
+                    faults.push(format!("{}: `{heading}` has no `{wanted}`", page.file));
+                }
+            }
+        }
+    }
+    assert!(solutions >= 110, "only {solutions} solutions");
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// The label of a heading: `ex:peak`.
+fn label(heading: &str) -> &str {
+    heading.split("{#").nth(1).and_then(|rest| rest.split('}').next()).unwrap_or_default()
+}
+
+/// The labels behind each `@`: `sec:ramp`.
+fn references(text: &str) -> Vec<&str> {
+    let end = |c: char| !c.is_alphanumeric() && c != ':' && c != '-';
+    text.split('@').skip(1).filter_map(|rest| rest.split(end).next()).collect()
+}
+
+/// The rows of both plans of `teaching.md`: their cells.
+fn plans(teaching: &str) -> Vec<Vec<&str>> {
+    let rows = teaching.lines().filter(|row| row.starts_with("| "));
+    let cells = rows.map(|row| row.split('|').map(str::trim).collect::<Vec<_>>());
+    cells.filter(|cells| cells[1].parse::<u32>().is_ok()).collect()
+}
+
+#[test]
+fn a_course_of_some_weeks_adds_up_the_minutes_of_its_exercises() {
+    let mut efforts = BTreeMap::new();
+    for page in pages("/exercises.md") {
+        for (heading, below) in sections(&page.text) {
+            let line = below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+            efforts.insert(label(heading).to_owned(), effort(line).expect("every exercise has a grade"));
+        }
+    }
+    let teaching = pages("teaching.md").remove(0).text;
+    let rows = plans(&teaching);
+    assert_eq!(rows.len(), 12 + 6);
+    let (mut checks, mut problems, mut board) = (0.0, 0.0, 0.0);
+    for cells in rows {
+        let named: Vec<_> = references(cells[3]).into_iter().map(|label| efforts[label]).collect();
+        let sum: f64 = named.iter().map(|(_, minutes)| minutes).sum();
+        assert_eq!(cells[4].parse(), Ok(sum), "book/teaching.md: the minutes of the row {cells:?}");
+        if let Some(minutes) = cells.get(7).filter(|cell| !cell.is_empty()) {
+            board += minutes.parse::<f64>().expect("minutes at the board");
+            for (grade, minutes) in named {
+                *[&mut checks, &mut problems][grade] += minutes;
+            }
+        }
+    }
+    let meetings = 12.0 * 2.0 * 90.0;
+    for said in [
+        format!(
+            "The pages take {board} of the {meetings} minutes of the meetings, and the checks {checks} more."
+        ),
+        format!("The problems are {problems} minutes of homework in all."),
+    ] {
+        assert!(teaching.contains(&said), "book/teaching.md does not say: {said}");
+    }
+    let left = 1.0 - (board + checks) / meetings;
+    assert!((1.0 / 3.0..0.4).contains(&left), "more than a third is left? {left}");
+    assert!((board + checks) <= 8.0 * 2.0 * 90.0, "eight weeks are enough?");
+}
+
+/// The headings of the chapters in reading order, each with its page, its depth and its words, and for each label of
+/// theirs below which heading it stands.
+#[derive(Default)]
+struct Contents {
+    headings: Vec<(String, usize, String)>,
+    below: BTreeMap<String, usize>,
+}
+
+impl Contents {
+    fn of_the_chapters() -> Self {
+        let mut contents = Self::default();
+        let tasks = ["/exercises.md", "/solutions.md"];
+        for page in pages(".md") {
+            if page.chapter.is_none() || tasks.iter().any(|name| page.path.ends_with(name)) {
+                continue;
+            }
+            let mut code = false;
+            for line in page.text.lines() {
+                code ^= line.starts_with("```");
+                if line.starts_with('#') && !code {
+                    let depth = line.bytes().take_while(|byte| *byte == b'#').count();
+                    let words = line[depth..].split("{#").next().unwrap_or_default().trim();
+                    contents.headings.push((page.path.clone(), depth, words.to_owned()));
+                }
+                let labels = line.split("{#").skip(1).map(str::to_owned);
+                let figures = line.split("](fig:").skip(1).map(|name| format!("fig:{name}"));
+                for label in labels.chain(figures) {
+                    let label = label.split([' ', '}', ')']).next().unwrap_or_default().to_owned();
+                    contents.below.insert(label, contents.headings.len() - 1);
+                }
+            }
+        }
+        contents
+    }
+
+    /// What is read with a heading: all that stands below it.
+    fn end(&self, heading: usize) -> usize {
+        let (page, depth, _) = &self.headings[heading];
+        let below = |(other, deep, _): &&(String, usize, String)| other == page && deep > depth;
+        heading + 1 + self.headings[heading + 1..].iter().take_while(below).count()
+    }
+
+    /// The headings that the pages of a row cover: `@sec:a to @sec:b`, `*Title* as far as @sec:b`.
+    fn read(&self, pages: &str) -> Vec<usize> {
+        let ranges = pages.split([',', ';']).map(|part| {
+            let title = part.split('*').nth(1);
+            let titled =
+                |title| self.headings.iter().position(|(_, depth, words)| *depth == 1 && words == title);
+            let mut named: Vec<usize> =
+                title.map(|title| titled(title).expect("a chapter")).into_iter().collect();
+            named.extend(references(part).iter().map(|label| self.below[*label]));
+            named[0]..self.end(named[named.len() - 1])
+        });
+        ranges.flatten().collect()
+    }
+}
+
+#[test]
+fn the_exercises_of_a_plan_need_what_was_read_before_them() {
+    let contents = Contents::of_the_chapters();
+    let mut exercises = BTreeMap::new();
+    for page in pages("/exercises.md") {
+        for (heading, below) in sections(&page.text) {
+            exercises.insert(label(heading).to_owned(), below.to_owned());
+        }
+    }
+    let teaching = pages("teaching.md").remove(0).text;
+    let (mut read, mut faults, mut checked) = (Vec::new(), Vec::new(), 0);
+    for cells in plans(&teaching) {
+        if cells[1] == "1" {
+            read.clear();
+        }
+        read.extend(contents.read(cells[2]));
+        for exercise in references(&cells[3..].join(" ")) {
+            let Some(text) = exercises.get(exercise) else { continue };
+            for label in references(text) {
+                let Some(heading) = contents.below.get(label) else { continue };
+                checked += 1;
+                if !read.contains(heading) && contents.headings[*heading].1 > 1 {
+                    faults.push(format!("{} | {}: @{exercise} needs @{label}", cells[1], cells[2]));
+                }
+            }
+        }
+    }
+    assert!(checked > 20, "only {checked} references");
+    assert!(faults.is_empty(), "book/teaching.md:\n{}", faults.join("\n"));
+}
+
+#[test]
+fn the_preface_counts_what_there_is() {
+    let words = [
+        "none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven",
+        "twelve", "thirteen",
+    ];
+    let chapters = pages("/index.md");
+    let scenes: Vec<&Page> = chapters.iter().filter(|page| page.text.contains("](scene:")).collect();
+    for page in &scenes {
+        for part in ["**Guess first.**", "\n## In ten lines"] {
+            assert!(page.text.contains(part), "{} has a scene and no `{part}`", page.file);
+        }
+    }
+    let preface = pages("preface.md").remove(0).text;
+    let [all, moved, tried] = [chapters.len(), scenes.len(), pages("/exercises.md").len()];
+    for said in [
+        format!(
+            "Each of the {} chapters about things that spin opens with a question and a scene",
+            words[moved]
+        ),
+        format!("{} of the {} chapters have exercises", words[tried], words[all]),
+        format!("{} chapters at the end are about the computing", words[all - moved]),
+    ] {
+        let preface = preface.to_lowercase();
+        assert!(preface.contains(&said.to_lowercase()), "book/preface.md does not say: {said}");
+    }
+}

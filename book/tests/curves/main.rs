@@ -1,0 +1,192 @@
+//! The curves of the figures, read back from the SVG, agree with formulas or the library at points that the
+//! figure did not sample.
+//!
+//! What the places of a curve mean is read off the axes that its drawing carries, and that these are the axes
+//! a reader sees is a test of its own: the numbers at the ticks stand where their values belong.
+
+mod constrained;
+mod free_tops;
+mod hard_cases;
+mod judged;
+mod laundromat;
+mod methods;
+mod report;
+mod turning_plates;
+
+use drawing::{Axes, Piece, Point, Role, Scale, Shape};
+use figures::{Rendered, all};
+use pages::figures::FIGURES;
+use roxmltree::Document;
+use std::sync::OnceLock;
+
+/// Thinning may move a curve by 0.06 px; reading two decimals costs 0.005 px, the coordinates 0.001 px,
+/// sampling the rest.
+const PIXELS: f64 = 0.08;
+
+fn figures() -> &'static [Rendered] {
+    static RENDERED: OnceLock<Vec<Rendered>> = OnceLock::new();
+    RENDERED.get_or_init(|| all(FIGURES).expect("every figure can be drawn"))
+}
+
+/// A curve over the axes of its plot.
+struct Curve {
+    /// Its corners, px.
+    points: Vec<(f64, f64)>,
+    axes: Axes,
+}
+
+/// The curve with this name, of the figure with this id without its `fig:`.
+fn curve(figure: &str, name: &str) -> Curve {
+    let id = format!("fig:{figure}");
+    let figure = figures().iter().find(|other| other.id == id).unwrap_or_else(|| panic!("no figure {id}"));
+    let carries = |axes: &&Axes| axes.curves.iter().any(|curve| curve == name);
+    let parts = figure.drawing.parts();
+    let (part, axes) = parts
+        .into_iter()
+        .find_map(|part| Some((part, part.axes().iter().find(carries)?)))
+        .unwrap_or_else(|| panic!("{id} has no curve {name}"));
+    let document = Document::parse(&figure.svg).expect("valid XML");
+    let id = format!("{}-{name}", part.id().replace(':', "-"));
+    let node =
+        document.descendants().find(|node| node.attribute("id") == Some(&id)).expect("a path of this id");
+    Curve { points: corners(node.attribute("d").expect("a path")), axes: axes.clone() }
+}
+
+/// The corners of a path that is written as its beginning and steps, `M48 90l2.08.14-3 1`.
+fn corners(data: &str) -> Vec<(f64, f64)> {
+    let mut numbers: Vec<String> = Vec::new();
+    let mut is_open = false;
+    for sign in data.chars() {
+        let goes_on = match sign {
+            '0'..='9' => is_open,
+            '.' => is_open && numbers.last().is_some_and(|number| !number.contains('.')),
+            _ => false,
+        };
+        is_open = matches!(sign, '0'..='9' | '.' | '-');
+        match numbers.last_mut() {
+            Some(number) if goes_on => number.push(sign),
+            _ if is_open => numbers.push(sign.to_string()),
+            _ => {}
+        }
+    }
+    let steps: Vec<f64> = numbers.iter().map(|number| number.parse().expect("a number")).collect();
+    let mut place = (0.0, 0.0);
+    let corner = |step: &[f64]| {
+        place = (place.0 + step[0], place.1 + step[1]);
+        place
+    };
+    steps.chunks_exact(2).map(corner).collect()
+}
+
+/// The value at a part of a scale.
+fn value(scale: Scale, part: f64) -> f64 {
+    let Scale { from, to, logarithmic } = scale;
+    if logarithmic { from * (to / from).powf(part) } else { from + (to - from) * part }
+}
+
+/// Which part of a scale leads to a value.
+fn part(scale: Scale, value: f64) -> f64 {
+    let Scale { from, to, logarithmic } = scale;
+    if logarithmic { (value / from).ln() / (to / from).ln() } else { (value - from) / (to - from) }
+}
+
+/// Where a pair of values belongs, px.
+fn place(axes: &Axes, (x, y): (f64, f64)) -> (f64, f64) {
+    let frame = axes.frame;
+    (frame.left + frame.width() * part(axes.x, x), frame.bottom - frame.height() * part(axes.y, y))
+}
+
+impl Curve {
+    /// How far from the curve a pair of values lies, px.
+    fn distance(&self, pair: (f64, f64)) -> f64 {
+        let (x, y) = place(&self.axes, pair);
+        let from = |pair: &[(f64, f64)]| {
+            let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
+            let (dx, dy) = (x1 - x0, y1 - y0);
+            let part = (((x - x0) * dx + (y - y0) * dy) / (dx * dx + dy * dy)).clamp(0.0, 1.0);
+            (x0 + part * dx - x).hypot(y0 + part * dy - y)
+        };
+        self.points.windows(2).map(from).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Its corners as values.
+    fn values(&self) -> Vec<(f64, f64)> {
+        let frame = self.axes.frame;
+        let pair = |&(x, y): &(f64, f64)| {
+            let parts = ((x - frame.left) / frame.width(), (frame.bottom - y) / frame.height());
+            (value(self.axes.x, parts.0), value(self.axes.y, parts.1))
+        };
+        self.points.iter().map(pair).collect()
+    }
+
+    /// Its value at x, on the straight line between two corners.
+    fn value(&self, x: f64) -> f64 {
+        let Axes { frame, y, .. } = self.axes;
+        let (across, _) = place(&self.axes, (x, y.to));
+        let pair = self.points.windows(2).find(|pair| pair[0].0 <= across && across <= pair[1].0);
+        let Some(&[(x0, y0), (x1, y1)]) = pair else { panic!("the curve does not reach {x}") };
+        let height = y0 + (y1 - y0) * (across - x0) / (x1 - x0);
+        value(y, (frame.bottom - height) / frame.height())
+    }
+}
+
+/// Wherever the formula is inside the frame, the curve passes there.
+fn lies_on(figure: &str, name: &str, formula: impl Fn(f64) -> f64) {
+    let curve = curve(figure, name);
+    let mut checked = 0;
+    for step in 1..400 {
+        let x = value(curve.axes.x, (f64::from(step) + 0.37) / 400.0);
+        let y = formula(x);
+        let part = part(curve.axes.y, y);
+        if part > 0.0 && part < 1.0 {
+            let off = curve.distance((x, y));
+            assert!(off < PIXELS, "{figure} {name}: {off} px off at {x}");
+            checked += 1;
+        }
+    }
+    assert!(checked > 100, "{figure} {name}: only {checked} points");
+}
+
+/// The number that a label at a tick shows, and the label's middle, px.
+fn tick(role: Role, shape: &Shape) -> Option<(f64, Point)> {
+    let (Role::PlainText(_), Shape::Label(label)) = (role, shape) else { return None };
+    let number = |piece: &Piece| match piece {
+        Piece::Words { text, .. } => text.replace('−', "-").parse::<f64>().ok(),
+        Piece::Outline(_) => None,
+    };
+    let shown = match &label.pieces[..] {
+        [number_alone] => number(number_alone)?,
+        [ten, power] => number(ten)?.powf(number(power)?),
+        _ => return None,
+    };
+    Some((shown, label.bounds.centre()))
+}
+
+#[test]
+fn the_numbers_at_ticks_stand_where_their_values_belong() {
+    let mut checked = [0, 0];
+    for part in figures().iter().flat_map(|figure| figure.drawing.all_parts()) {
+        let items = part.items();
+        let ticks: Vec<_> = items.iter().filter_map(|item| tick(item.role, &item.shape)).collect();
+        for axes in part.axes() {
+            let frame = axes.frame;
+            for &(shown, middle) in &ticks {
+                let (x, y) = place(axes, (shown, shown));
+                let (below, beside) = (middle.y - frame.bottom, frame.left - middle.x);
+                let near = (frame.left - 9.0..frame.right + 9.0).contains(&middle.x)
+                    && (10.0..20.0).contains(&below);
+                if near {
+                    assert!((middle.x - x).abs() < 1.5, "{}: {shown} stands at {middle:?}", part.id());
+                    checked[0] += 1;
+                }
+                let near = (frame.top - 9.0..frame.bottom + 9.0).contains(&middle.y)
+                    && (9.0..30.0).contains(&beside);
+                if near {
+                    assert!((middle.y - y).abs() < 3.0, "{}: {shown} stands at {middle:?}", part.id());
+                    checked[1] += 1;
+                }
+            }
+        }
+    }
+    assert!(checked[0] > 250 && checked[1] > 250, "{checked:?}");
+}

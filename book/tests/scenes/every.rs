@@ -1,0 +1,286 @@
+//! What holds for every scene, whatever a reader does with it.
+
+use drawing::{Drawing, Piece, Point, Rect, Shape, at};
+use fastrand::Rng;
+use live::{Kind, Moment, Player, Room, Scene};
+use std::collections::BTreeSet;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Settings that are tried in each scene.
+const TRIALS: u32 = 150;
+/// How far from its frame the ink of a label may reach, px: not at all, but for rounding.
+const SLACK: f64 = 0.01;
+
+fn all() -> Vec<&'static Scene> {
+    let scenes: Vec<_> = pages::scenes::SCENES.iter().map(|(_, scene)| *scene).collect();
+    assert!(!scenes.is_empty());
+    scenes
+}
+
+fn is_name(name: &str) -> bool {
+    let sound =
+        |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit());
+    name.split('-').all(sound)
+}
+
+/// A value of a control, at one of its ends as often as between them.
+fn any(kind: Kind, random: &mut Rng) -> f64 {
+    let between = |from: f64, to: f64, random: &mut Rng| match random.u8(0..4) {
+        0 => from,
+        1 => to,
+        _ => from + (to - from) * random.f64(),
+    };
+    match kind {
+        Kind::Slider { from, to, step, .. } => {
+            let steps = between(0.0, ((to - from) / step).floor(), random).round();
+            if random.u8(0..6) == 0 && from <= 0.0 && to >= 0.0 {
+                (-from / step).round() * step + from
+            } else {
+                from + steps * step
+            }
+        }
+        Kind::LogSlider { from, to, .. } => {
+            10_f64.powf(between(from.log10(), to.log10(), random)).clamp(from, to)
+        }
+        Kind::Choice(choices) => random.usize(0..choices.len()) as f64,
+        Kind::Switch => f64::from(random.bool()),
+        Kind::Button => [-1.0, 0.0, 10.0 * random.f64()][random.usize(0..3)],
+    }
+}
+
+fn settings(scene: &Scene, random: &mut Rng) -> Vec<f64> {
+    let one_changed = random.bool(); // most readers change one thing at a time
+    let which = random.usize(0..scene.controls.len());
+    let value = |(place, control): (usize, &live::Control)| {
+        if one_changed && place != which { control.start } else { any(control.kind, random) }
+    };
+    scene.controls.iter().enumerate().map(value).collect()
+}
+
+/// Holds a picture to what any picture must be.
+fn is_sound(drawing: &Drawing, size: [f64; 2], of: &str, view_is_turned: bool) {
+    let elements = drawing.to_elements().unwrap_or_else(|flaw| panic!("{of}: {flaw}"));
+    assert!(elements.lines().count() > 3, "{of}: nothing to see");
+    assert!(!elements.contains("NaN") && !elements.contains("inf"), "{of}");
+    let frame = Rect::new(0.0, 0.0, size[0], size[1]).grown(SLACK);
+    for item in drawing.items() {
+        let Shape::Label(label) = &item.shape else { continue };
+        let ink = label.bounds;
+        let inside = frame.left <= ink.left
+            && ink.right <= frame.right
+            && frame.top <= ink.top
+            && ink.bottom <= frame.bottom;
+        let word = |piece: &Piece| match piece {
+            Piece::Words { text, .. } => text.clone(),
+            Piece::Outline(_) => "…".into(),
+        };
+        let words: Vec<String> = label.pieces.iter().map(word).collect();
+        assert!(inside || view_is_turned, "{of}: a label of the words {words:?} is cut off: {ink:?}");
+    }
+}
+
+#[test]
+fn every_scene_can_be_named_and_set() {
+    let mut names = BTreeSet::new();
+    for scene in all() {
+        assert!(is_name(scene.name) && names.insert(scene.name), "{}", scene.name);
+        for words in [scene.title, scene.description, scene.question] {
+            assert!(!words.trim().is_empty(), "{}", scene.name);
+        }
+        assert!(!scene.controls.is_empty() && scene.controls.len() <= 12, "{}", scene.name);
+        let mut own = BTreeSet::from(["t", "azimuth", "elevation", "time"]);
+        for control in scene.controls {
+            let of = format!("{}: {}", scene.name, control.name);
+            assert!(is_name(control.name) && own.insert(control.name), "{of}");
+            assert_eq!(control.nearest(control.start), Some(control.start), "{of}");
+            match control.kind {
+                Kind::Slider { from, to, step, .. } => {
+                    let steps = (to - from) / step;
+                    assert!(
+                        from < to && step > 0.0 && (steps - steps.round()).abs() < 1e-6,
+                        "{of}: {steps} steps"
+                    );
+                }
+                Kind::LogSlider { from, to, .. } => assert!(0.0 < from && from < to, "{of}"),
+                Kind::Choice(choices) => assert!(choices.len() > 1, "{of}"),
+                Kind::Switch | Kind::Button => {}
+            }
+        }
+        let start = Player::new(scene).unwrap_or_else(|cause| panic!("{}: {cause}", scene.name));
+        for preset in scene.presets {
+            let set = start.changed(preset.settings);
+            let set = set.unwrap_or_else(|cause| panic!("{}: {}: {cause}", scene.name, preset.words));
+            for (name, value) in preset.settings {
+                let place =
+                    scene.controls.iter().position(|control| control.name == *name).expect("it was set");
+                assert!(
+                    (set.values()[place] - value).abs() < 1e-9,
+                    "{}: {}: {name}",
+                    scene.name,
+                    preset.words
+                );
+            }
+        }
+        for wrong in [vec![f64::NAN; scene.controls.len()], vec![1e300; scene.controls.len()], Vec::new()] {
+            assert!(Player::with(scene, wrong).is_err(), "{}", scene.name);
+        }
+    }
+}
+
+#[test]
+fn every_scene_moves_and_has_a_still() {
+    for scene in all() {
+        let mut player = Player::new(scene).expect("it begins");
+        let run = player.run();
+        assert!(run.duration > 0.0 && run.pace > 0.0 && run.duration.is_finite(), "{}: {run:?}", scene.name);
+        let [azimuth, elevation] = scene.view.unwrap_or_default();
+        for room in [Room::Wide, Room::Narrow] {
+            let mut picture = |part: f64| {
+                let time = part * run.duration;
+                player
+                    .draw(Moment { time, azimuth, elevation, room })
+                    .expect("it draws")
+                    .to_elements()
+                    .expect("no flaw")
+            };
+            assert_ne!(picture(0.13), picture(0.29), "{}", scene.name);
+        }
+        assert!(scene.size[1][0] <= 400.0, "{}: a phone has no room for {:?} px", scene.name, scene.size[1]);
+        let still = player.still().expect("a still");
+        let smallest =
+            still.all_parts().into_iter().flat_map(Drawing::items).filter_map(|item| match &item.shape {
+                Shape::Label(label) => Some(label.size),
+                _ => None,
+            });
+        assert!(smallest.fold(f64::INFINITY, f64::min) >= 13.0, "{}: type is too small", scene.name);
+        // On the least phone a drawing has 340 px; what is raised there is 8 px high, as in every figure.
+        for part in still.all_parts() {
+            let shrunk = if part.width() > 400.0 { 1.0 } else { (340.0 / part.width()).min(1.0) };
+            for item in part.items() {
+                let Shape::Label(label) = &item.shape else { continue };
+                assert!(label.smallest * shrunk >= 8.0, "{}: {} px", scene.name, label.smallest * shrunk);
+            }
+        }
+        assert!(still.to_svg().is_ok());
+    }
+}
+
+#[test]
+fn no_settings_break_a_scene() {
+    for scene in all() {
+        let mut random = Rng::with_seed(14);
+        let mut answered = 0;
+        for trial in 0..TRIALS {
+            let values = settings(scene, &mut random);
+            let of = format!("{}, {values:?}", scene.name);
+            let mut player = match Player::with(scene, values.clone()) {
+                Ok(player) => player,
+                Err(cause) => {
+                    assert!(cause.to_string().len() > 20, "{of}: {cause}");
+                    continue;
+                }
+            };
+            answered += 1;
+            let run = player.run();
+            assert!(run.duration > 0.0 && run.duration < 1e5 && run.pace > 0.0, "{of}: {run:?}");
+            for part in [0.0, random.f64(), 1.0] {
+                let time = part * run.duration;
+                let turned = trial % 3 == 0;
+                let view = scene.view.map(|own| {
+                    if turned {
+                        [PI * (2.0 * random.f64() - 1.0), FRAC_PI_2 * (2.0 * random.f64() - 1.0)]
+                    } else {
+                        own
+                    }
+                });
+                let [azimuth, elevation] = view.unwrap_or_default();
+                let room = if random.bool() { Room::Wide } else { Room::Narrow };
+                let of = format!("{of}, t = {time}, {room:?}, {azimuth} {elevation}");
+                let drawing = player.draw(Moment { time, azimuth, elevation, room });
+                let drawing = drawing.unwrap_or_else(|cause| panic!("{of}: {cause}"));
+                is_sound(&drawing, room.of(scene.size[0], scene.size[1]), &of, turned);
+                player.readings(time).unwrap_or_else(|cause| panic!("{of}: {cause}"));
+                let words = player.words(time);
+                assert!(
+                    words.len() > 10 && !words.contains("NaN") && !words.contains("inf "),
+                    "{of}: {words}"
+                );
+                for (index, grip) in player.grips().into_iter().enumerate() {
+                    assert!(grip.x.is_finite() && grip.y.is_finite(), "{of}: {grip:?}");
+                    let drawn =
+                        |to: Point| player.drag(index, to).unwrap_or_else(|cause| panic!("{of}: {cause}"));
+                    for far in [30.0, 1e4] {
+                        assert!(drawn(grip + at(far, -far)).iter().all(|value| value.is_finite()), "{of}");
+                    }
+                    for (control, (drawn, before)) in
+                        scene.controls.iter().zip(drawn(grip).iter().zip(&values))
+                    {
+                        let grain = match control.kind {
+                            Kind::Slider { step, .. } => 1.001 * step,
+                            Kind::LogSlider { .. } => 0.01 * before,
+                            Kind::Choice(_) | Kind::Switch | Kind::Button => 0.0,
+                        };
+                        let name = control.name;
+                        assert!(
+                            (drawn - before).abs() <= grain,
+                            "{of}: a touch sets {name} from {before} to {drawn}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(answered > TRIALS / 2, "{}: {answered} of {TRIALS} settings have an answer", scene.name);
+    }
+}
+
+#[test]
+fn labels_stand_on_no_other_where_the_text_leads() {
+    let mut seen = BTreeSet::new();
+    for scene in all() {
+        let start = Player::new(scene).expect("it begins");
+        let [azimuth, elevation] = scene.view.unwrap_or_default();
+        for (preset, room) in
+            scene.presets.iter().flat_map(|preset| [(preset, Room::Wide), (preset, Room::Narrow)])
+        {
+            let mut player = start.changed(preset.settings).expect("a motion");
+            let duration = player.run().duration;
+            for part in 0..=20 {
+                let time = duration * f64::from(part) / 20.0;
+                let drawing = player.draw(Moment { time, azimuth, elevation, room }).expect("a picture");
+                let labels: Vec<_> = drawing
+                    .items()
+                    .iter()
+                    .filter_map(|item| match &item.shape {
+                        Shape::Label(label) => Some(label),
+                        _ => None,
+                    })
+                    .collect();
+                for (place, label) in labels.iter().enumerate() {
+                    for other in &labels[..place] {
+                        if label.bounds.overlaps(&other.bounds) {
+                            seen.insert(format!(
+                                "{} {} {room:?}: {} {}",
+                                scene.name,
+                                preset.words,
+                                words(label),
+                                words(other)
+                            ));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(seen.is_empty(), "{seen:#?}");
+}
+
+fn words(label: &drawing::Label) -> String {
+    label
+        .pieces
+        .iter()
+        .map(|piece| match piece {
+            Piece::Words { text, .. } => text.clone(),
+            Piece::Outline(_) => "…".into(),
+        })
+        .collect()
+}

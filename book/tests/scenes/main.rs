@@ -1,0 +1,13 @@
+//! The live scenes, used as a reader would use them, against simulations and what the library says.
+
+mod air_drag;
+mod coin_toss;
+mod every;
+mod hand;
+mod laundromat;
+mod pinned_hoop;
+mod rolling_wheel;
+mod space_station;
+mod spinning_coin;
+mod turning;
+mod wobble_plate;

@@ -1,0 +1,383 @@
+//! Numbers that a reader may change in the page: `let spin = 30.0; // live: 0..60 rad/s`.
+//!
+//! A snippet with such a mark is printed with fields for its numbers, and the module of the pages holds the same text
+//! as a function of them, which answers with what the snippet prints and with what its assertions find.
+
+use crate::expected_output;
+
+/// What opens the mark of a live number.
+const MARK: &str = "// live:";
+/// How many digits behind its point a number may have that a reader changes: those that the page's script keeps.
+const MOST_DECIMALS: usize = 12;
+/// The assertions that the page knows how to show.
+const ASSERTIONS: [&str; 6] =
+    ["assert", "assert_eq", "assert_ne", "assert_relative_eq", "assert_abs_diff_eq", "assert_ulps_eq"];
+const FORM: &str = "a live number is written `let spin = 30.0; // live: 0..60 rad/s`, with `step 0.5` before the unit \
+                    if it has to be";
+
+/// A number that a reader may change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Live<'a> {
+    /// What the `let` binds.
+    pub name: &'a str,
+    /// The line up to the number, the number, and the line behind it up to the mark.
+    pub before: &'a str,
+    /// See [`before`](Self::before).
+    pub literal: &'a str,
+    /// See [`before`](Self::before).
+    pub after: &'a str,
+    /// How far it goes, and how far a step goes.
+    pub least: f64,
+    /// See [`least`](Self::least).
+    pub most: f64,
+    /// See [`least`](Self::least).
+    pub step: f64,
+    /// Its unit in words, or none.
+    pub unit: &'a str,
+    /// Whether it counts: `5` and not `5.0`.
+    pub whole: bool,
+}
+
+/// A statement that prints its value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Value<'a> {
+    /// The expression that has the value.
+    pub code: &'a str,
+    /// The numbers, as the snippet prints them.
+    pub numbers: &'a str,
+    /// The unit of the last of them, or none.
+    pub unit: &'a str,
+}
+
+/// What of a snippet answers.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Answers<'a> {
+    /// The numbers that a reader may change.
+    pub live: Vec<Live<'a>>,
+    /// What it prints.
+    pub values: Vec<Value<'a>>,
+    /// What each assertion says, in words.
+    pub checks: Vec<String>,
+}
+
+/// Whether a line carries the mark of a live number, or what looks like it.
+pub fn is_marked(line: &str) -> bool {
+    live(line).is_some()
+}
+
+/// The live number of a line, if it has the mark; `Err` says what is wrong with it, or with what looks like it.
+pub fn live(line: &str) -> Option<Result<Live<'_>, String>> {
+    match line.split_once(MARK) {
+        Some((code, range)) => Some(read(code.trim_end(), range.trim())),
+        None => is_near_miss(line).then(|| Err(FORM.to_owned())),
+    }
+}
+
+/// Whether a comment gives a range to the word "live": `// Live: 0..2`, `// m; live: 0..2`.
+fn is_near_miss(line: &str) -> bool {
+    let comment = expected_output::comment(line).to_ascii_lowercase();
+    comment.match_indices("live").any(|(at, word)| {
+        let behind = comment[at + word.len()..].trim_start();
+        !comment[..at].ends_with(char::is_alphanumeric)
+            && (behind.starts_with(':')
+                || expected_output::number(behind).is_some_and(|end| behind[end..].starts_with("..")))
+    })
+}
+
+fn read<'a>(code: &'a str, range: &'a str) -> Result<Live<'a>, String> {
+    let (bound, value) = code.split_once(" = ").ok_or(FORM)?;
+    let name = bound.trim_start().strip_prefix("let ").ok_or(FORM)?;
+    let name = name.split(':').next().unwrap_or_default();
+    let length = expected_output::number(value).ok_or(FORM)?;
+    let is_name = !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_');
+    if !is_name || !code.ends_with(';') {
+        return Err(FORM.to_owned());
+    }
+    let (literal, after) = value.split_at(length);
+    if !(after.starts_with(';') || after.starts_with("_f64.") || after.starts_with("_f64;")) {
+        return Err(FORM.to_owned());
+    }
+    let (least, rest) = range.split_once("..").ok_or(FORM)?;
+    let end = expected_output::number(rest).ok_or(FORM)?;
+    let (most, rest) = rest.split_at(end);
+    let of = |text: &str| text.parse::<f64>().map_err(|_| FORM.to_owned());
+    let (literal_value, least, most) = (of(literal)?, of(least)?, of(most)?);
+    let (step, unit) = match rest.strip_prefix(" step ") {
+        Some(rest) => {
+            let (step, unit) = rest.split_at(expected_output::number(rest).ok_or(FORM)?);
+            (Some(of(step)?), unit)
+        }
+        None => (None, rest),
+    };
+    if !(unit.is_empty() || unit.starts_with(' ')) {
+        return Err(FORM.to_owned());
+    }
+    let whole = !literal.contains(['.', 'e']) && !after.starts_with("_f64");
+    let step = step.unwrap_or_else(|| nice((most - least) / 200.0, whole));
+    let decimals = |number: &str| number.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    if !(least.is_finite() && most.is_finite()) {
+        return Err(format!("the range of `{name}` ends at a number that is too large for a computer"));
+    } else if least >= most {
+        return Err(format!("the range of `{name}` is empty: it goes from below to above"));
+    } else if !(least..=most).contains(&literal_value) {
+        return Err(format!("`{name}` is {literal}, outside of its range, {least} to {most}"));
+    } else if !(step > 0.0 && step <= most - least) {
+        return Err(format!("the step of `{name}` does not lie between zero and its range"));
+    } else if decimals(&step.to_string()).max(decimals(literal)) > MOST_DECIMALS {
+        return Err(format!(
+            "`{name}` or its step has more than {MOST_DECIMALS} digits behind the point: choose another unit"
+        ));
+    } else if whole && [least, most, step].iter().any(|value| value.fract() != 0.0) {
+        return Err(format!(
+            "`{name}` counts, and its range does not: write its value with a point, or whole numbers"
+        ));
+    }
+    let before = &code[..code.len() - value.len()];
+    Ok(Live { name, before, literal, after, least, most, step, unit: unit.trim(), whole })
+}
+
+/// The smallest of 1, 2, 5, 10, 20, … that is not below a value.
+fn nice(value: f64, whole: bool) -> f64 {
+    let below = 10_f64.powi(value.log10().floor() as i32);
+    let found =
+        [1.0, 2.0, 5.0, 10.0].map(|m| m * below).into_iter().find(|step| *step >= value * (1.0 - 1e-9));
+    let found = found.unwrap_or(value);
+    if whole { found.ceil() } else { found }
+}
+
+/// What answers in the code of a snippet; each fault with the number of its line.
+pub fn answers<'a>(lines: &[&'a str]) -> (Answers<'a>, Vec<(usize, String)>) {
+    let (mut found, mut faults) = (Answers::default(), Vec::new());
+    for (n, line) in lines.iter().enumerate() {
+        match live(line) {
+            Some(Err(fault)) => faults.push((n, fault)),
+            Some(Ok(live)) if found.live.iter().any(|known| known.name == live.name) => {
+                faults.push((n, format!("`{}` is a live number of this snippet already", live.name)));
+            }
+            Some(Ok(live)) => found.live.push(live),
+            None => {}
+        }
+        if let Some(Ok(printed)) = expected_output::read(lines, n) {
+            found.values.push(Value {
+                code: printed.value,
+                numbers: printed.numbers,
+                unit: unit(line, printed.numbers),
+            });
+        }
+        for _ in assertions(line) {
+            found.checks.push(words(lines, n));
+        }
+    }
+    if found.live.is_empty() {
+        return (found, faults);
+    }
+    if found.values.is_empty() && found.checks.is_empty() {
+        faults
+            .push((0, "nothing answers to the live numbers: print a value, or assert something".to_owned()));
+    }
+    let asserting = (0..lines.len()).filter(|n| assertions(lines[*n]).next().is_some());
+    for (n, words) in asserting.zip(&found.checks) {
+        if words.is_empty() {
+            faults.push((
+                n,
+                "beside live numbers an assertion says in words what holds: a comment behind it, or above it"
+                    .to_owned(),
+            ));
+        }
+    }
+    (found, faults)
+}
+
+/// The unit behind the numbers that a line prints: what stands before the first comma.
+fn unit<'a>(line: &'a str, numbers: &str) -> &'a str {
+    let behind = line.split_once('→').map_or("", |(_, comment)| &comment[1 + numbers.len()..]);
+    behind.split([',', ';']).next().unwrap_or_default().trim()
+}
+
+/// Where the assertions of a line begin and how long their names are.
+fn assertions(line: &str) -> impl Iterator<Item = (usize, usize)> {
+    let code = line.split("//").next().unwrap_or_default();
+    code.match_indices("!(").filter_map(move |(end, _)| {
+        let start = code[..end].rfind(|c: char| !c.is_alphanumeric() && c != '_').map_or(0, |at| at + 1);
+        ASSERTIONS.contains(&&code[start..end]).then_some((start, end - start))
+    })
+}
+
+/// What the assertion that begins in a line says: the comment behind it, or else the one above it.
+fn words(lines: &[&str], at: usize) -> String {
+    let end = (at..lines.len())
+        .find(|n| lines[*n].split("//").next().unwrap_or_default().trim_end().ends_with(");"));
+    if let Some((_, words)) = end.and_then(|end| lines[end].split_once("//")) {
+        return clause(words.trim());
+    }
+    let above = lines[..at].iter().rev().map(|line| line.trim_start());
+    let mut above: Vec<&str> = above.map_while(|line| line.strip_prefix("//")).map(str::trim).collect();
+    above.reverse();
+    clause(&above.join(" "))
+}
+
+/// A sentence as it stands behind a colon: no capital, but of a single letter or a name in capitals, and no full stop.
+fn clause(sentence: &str) -> String {
+    let sentence = sentence.trim_end_matches('.');
+    let mut letters = sentence.chars();
+    match (letters.next(), letters.clone().next()) {
+        (Some(first), Some(second)) if second.is_lowercase() => first.to_lowercase().chain(letters).collect(),
+        _ => sentence.to_owned(),
+    }
+}
+
+/// The snippets of a page that have live numbers: the line of each fence, counted from one, and the code.
+pub fn snippets(page: &str) -> Vec<(usize, Vec<&str>)> {
+    let mut found: Vec<(usize, Vec<&str>)> = Vec::new();
+    let mut open: Option<(&str, bool)> = None; // its marks, and whether it is Rust
+    for (n, line) in page.lines().enumerate() {
+        let marks = line.len() - line.trim_start_matches(['`', '~']).len();
+        match open {
+            None if marks >= 3 => {
+                let rust = line[marks..].split(',').next() == Some("rust");
+                open = Some((&line[..marks], rust));
+                if rust {
+                    found.push((n + 1, Vec::new()));
+                }
+            }
+            Some((fence, _)) if line.starts_with(fence) && line.trim_end().len() == marks => open = None,
+            Some((_, true)) => {
+                if let Some((_, code)) = found.last_mut() {
+                    code.push(line);
+                }
+            }
+            _ => {}
+        }
+    }
+    found.retain(|(_, code)| code.iter().any(|line| is_marked(line)));
+    found
+}
+
+/// A snippet as the body of a function of its `live` numbers, which tells `record` what it prints and finds.
+pub fn body(lines: &[&str]) -> String {
+    let (mut body, mut live_count, mut values, mut checks) = (String::new(), 0, 0, 0);
+    for (n, line) in lines.iter().enumerate() {
+        let line = match line.trim() {
+            "#" => "",
+            _ => line.strip_prefix("# ").unwrap_or(line),
+        };
+        let mut code = line.to_owned();
+        if let Some(Ok(live)) = live(line) {
+            let number = match live.whole {
+                true => format!("record::whole({}, live[{live_count}])", live.literal),
+                false => format!("live[{live_count}]"),
+            };
+            let after = live.after.trim_start_matches("_f64");
+            code = format!("{}{number}{after}", live.before);
+            live_count += 1;
+        } else if let Some(Ok(printed)) = expected_output::read(lines, n) {
+            let kept = if printed.bare { "" } else { printed.code };
+            code = format!("{kept} record::printed({values}, &({}), {:?});", printed.value, printed.numbers);
+            values += 1;
+        }
+        let starts: Vec<usize> =
+            assertions(&code).map(|(start, length)| start + length + "!(".len()).collect();
+        for (back, start) in starts.iter().enumerate().rev() {
+            code.insert_str(*start, &format!("{}; ", checks + back));
+        }
+        checks += starts.len();
+        body.push_str(&code);
+        body.push('\n');
+    }
+    if !lines.iter().any(|line| line.trim_start_matches("# ").starts_with("Ok::<")) {
+        body.push_str("Ok::<(), std::convert::Infallible>(())\n");
+    }
+    body
+}
+
+/// All that the module holds of the snippets of some pages: nothing else on them makes it old.
+pub fn matter<'a>(pages: impl IntoIterator<Item = &'a str>) -> String {
+    let snippets = pages.into_iter().flat_map(snippets);
+    snippets.map(|(_, code)| code.join("\n")).collect::<Vec<_>>().join("\n\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CODE: [&str; 9] = [
+        "# use x::f;",
+        "let spin = 30.0; // live: 0..60 rad/s",
+        "let tilt = 25_f64.to_radians(); // live: -5..90 step 0.5 degrees",
+        "let count = 4; // live: 1..9",
+        "f(spin, tilt); // → 4.317 rad/s, twice",
+        "assert!(f(spin, tilt) > 4.0); // it is fast",
+        "// Equation eq:x holds,",
+        "// nearly.",
+        "for n in 0..count { assert_eq!(n, n); assert_relative_eq!(1.0, g(n)); }",
+    ];
+
+    #[test]
+    fn a_snippet_says_what_answers() {
+        let (found, faults) = answers(&CODE);
+        assert_eq!(faults, []);
+        let live: Vec<_> = found
+            .live
+            .iter()
+            .map(|n| (n.name, n.literal, n.least, n.most, n.step, n.unit, n.whole))
+            .collect();
+        assert_eq!(
+            live,
+            [
+                ("spin", "30.0", 0.0, 60.0, 0.5, "rad/s", false),
+                ("tilt", "25", -5.0, 90.0, 0.5, "degrees", false),
+                ("count", "4", 1.0, 9.0, 1.0, "", true),
+            ]
+        );
+        assert_eq!(found.values, [Value { code: "f(spin, tilt)", numbers: "4.317", unit: "rad/s" }]);
+        assert_eq!(
+            found.checks,
+            ["it is fast", "equation eq:x holds, nearly", "equation eq:x holds, nearly"]
+        );
+    }
+
+    #[test]
+    fn the_body_takes_its_numbers_and_records() {
+        let page = format!("# A\n\n```rust\n{}\n```\n\n```rust\nlet a = 1;\n```\n", CODE.join("\n"));
+        let found = snippets(&page);
+        assert_eq!(found, [(3, CODE.to_vec())]);
+        assert_eq!(
+            body(&found[0].1),
+            "use x::f;\nlet spin = live[0];\nlet tilt = live[1].to_radians();\nlet count = record::whole(4, live[2]);\n \
+             record::printed(0, &(f(spin, tilt)), \"4.317\");\nassert!(0; f(spin, tilt) > 4.0); // it is fast\n\
+             // Equation eq:x holds,\n// nearly.\n\
+             for n in 0..count { assert_eq!(1; n, n); assert_relative_eq!(2; 1.0, g(n)); }\n\
+             Ok::<(), std::convert::Infallible>(())\n"
+        );
+        let other = page.replace("# A", "# B").replace("let a", "let b");
+        assert_eq!(matter([&*page]), matter([&*other]));
+        assert_ne!(matter([&*page]), matter([&*page.replace("0..60", "0..61")]));
+    }
+
+    #[test]
+    fn what_looks_like_a_live_number_is_refused() {
+        for comment in [
+            "//live: 0..2",
+            "// Live: 0..2",
+            "//\tlive: 0..2",
+            "// m to either side; live: 0..2",
+            "// live 0..2",
+            "/* live: 0..2 */",
+        ] {
+            let line = format!("let x = 1.0; {comment}");
+            assert_eq!(live(&line), Some(Err(FORM.to_owned())), "{line}");
+        }
+        for line in ["let x = 1.0; // alive: so", "let live = 1.0; // they live long", "f(\"live: 0..2\")"] {
+            assert_eq!(live(line), None, "{line}");
+        }
+    }
+
+    #[test]
+    fn a_step_is_nice() {
+        for (range, whole, step) in
+            [(60.0, false, 0.5), (1.0, false, 0.005), (9.0, true, 1.0), (400.0, false, 2.0)]
+        {
+            assert!((nice(range / 200.0, whole) - step).abs() < 1e-12, "{range}");
+        }
+    }
+}

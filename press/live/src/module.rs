@@ -1,0 +1,266 @@
+//! What a browser calls: functions that a script calls with numbers, and which give back numbers and texts.
+//!
+//! One instance of the module plays one scene, or runs the snippets of a page. Numbers go in through
+//! [`input`], texts come out of [`text`], where a call that gives a length has left them. A length below zero
+//! is that of an error, in words for the reader.
+//!
+//! A page loads what it needs: there is a module for each chapter, built with the name of its folder in
+//! `BOOK_CHAPTER`. It holds the scene and the snippets of that chapter and what they use of the library.
+//! Built without a name it holds all. [`pages!`](crate::pages) gives these functions the names that scripts call.
+
+use crate::scene::{Run, Scene};
+use crate::snippet::Snippet;
+use crate::{Cause, Moment, Player};
+use drawing::{Room, at};
+use std::cell::{Cell, RefCell};
+use std::panic;
+
+/// As many values as a scene or a snippet can have.
+const MOST: usize = 64;
+
+thread_local! {
+    static INPUT: [Cell<f64>; MOST] = const { [const { Cell::new(0.0) }; MOST] };
+    static TEXT: RefCell<String> = const { RefCell::new(String::new()) };
+    /// What the program said when it gave up.
+    static LAST_WORDS: RefCell<String> = const { RefCell::new(String::new()) };
+    static PLAYER: RefCell<Option<Player>> = const { RefCell::new(None) };
+}
+
+/// Where numbers go in: 64 of them.
+pub fn input() -> *const f64 {
+    INPUT.with(|input| input.as_ptr().cast())
+}
+
+/// Where texts come out, in UTF-8.
+pub fn text() -> *const u8 {
+    TEXT.with(|text| text.borrow().as_ptr())
+}
+
+/// The scenes that a module holds.
+#[derive(Debug, Clone, Copy)]
+pub enum Scenes {
+    /// All of the book.
+    All(&'static [(&'static str, &'static Scene)]),
+    /// That of one chapter, and its place in the book.
+    One(usize, &'static Scene),
+    /// None, because the chapter has none.
+    None,
+}
+
+impl Scenes {
+    /// Those of a chapter, or of all: found while the module is compiled, so that it holds no other.
+    pub const fn of(all: &'static [(&'static str, &'static Scene)], chapter: Option<&str>) -> Self {
+        let Some(chapter) = chapter else { return Self::All(all) };
+        let mut place = 0;
+        while place < all.len() {
+            if is_same(all[place].0.as_bytes(), chapter.as_bytes()) {
+                return Self::One(place, all[place].1);
+            }
+            place += 1;
+        }
+        Self::None
+    }
+
+    fn at(self, place: usize) -> Option<&'static Scene> {
+        match self {
+            Self::All(all) => all.get(place).map(|(_, scene)| *scene),
+            Self::One(own, scene) => Some(scene).filter(|_| own == place),
+            Self::None => None,
+        }
+    }
+}
+
+const fn is_same(one: &[u8], other: &[u8]) -> bool {
+    let mut at = 0;
+    while at < one.len() && at < other.len() && one[at] == other[at] {
+        at += 1;
+    }
+    at == one.len() && at == other.len()
+}
+
+/// Begins or changes a scene: its place in the book, and how many values of its controls stand in [`input`]. With
+/// none it begins with its own.
+///
+/// # Panics
+/// If the module has no such scene.
+pub fn start(scenes: Scenes, scene: usize, count: usize) -> isize {
+    listen();
+    answer(|| {
+        let scene = scenes.at(scene).unwrap_or_else(|| panic!("this module has no scene {scene}"));
+        let mut player = if count == 0 { Player::new(scene)? } else { Player::with(scene, values(count))? };
+        PLAYER.with(|own| {
+            let mut own = own.borrow_mut();
+            if let Some(before) = &*own {
+                player.keep(before);
+            }
+            *own = Some(player);
+        });
+        Ok(String::new())
+    })
+}
+
+/// Runs a snippet: its place among those with live numbers, and how many of them stand in [`input`]. The lines of the
+/// answer are those of [`Snippet::run`].
+///
+/// # Panics
+/// If the module has no such snippet.
+pub fn run(snippets: &[Snippet], snippet: usize, count: usize) -> isize {
+    listen();
+    let found = snippets.iter().find(|own| own.number == snippet);
+    let snippet = found.unwrap_or_else(|| panic!("this module has no snippet {snippet}"));
+    answer(|| Ok(snippet.run(&values(count)).join("\n")))
+}
+
+/// What the program said when it gave up: its length in [`text`].
+pub fn last_words() -> isize {
+    answer(|| Ok(LAST_WORDS.with(|words| words.borrow().clone())))
+}
+
+/// How long the motion runs, s of the scene.
+pub fn duration() -> f64 {
+    running().map_or(0.0, |run| run.duration)
+}
+
+/// Seconds of the scene in a second of the reader.
+pub fn pace() -> f64 {
+    running().map_or(1.0, |run| run.pace)
+}
+
+/// Whether the motion begins again at its end.
+pub fn repeats() -> bool {
+    running().is_some_and(|run| run.repeats)
+}
+
+/// Draws a moment: the elements of the SVG, one a line.
+pub fn draw(time: f64, azimuth: f64, elevation: f64, is_narrow: bool) -> isize {
+    let room = if is_narrow { Room::Narrow } else { Room::Wide };
+    with(|player| Ok(player.draw(Moment { time, azimuth, elevation, room })?.to_elements()?))
+}
+
+/// The numbers beside the picture, as HTML, one a line.
+pub fn readings(time: f64) -> isize {
+    with(|player| Ok(player.readings(time)?.join("\n")))
+}
+
+/// What happens, in words.
+pub fn words(time: f64) -> isize {
+    with(|player| Ok(player.words(time)))
+}
+
+/// Which grip of the picture a hand takes hold of at a point, not further from it than `reach`, px; −1 for none.
+pub fn grip(x: f64, y: f64, reach: f64) -> i32 {
+    let mut found = -1;
+    with(|player| {
+        let distances = player.grips().into_iter().map(|grip| (grip.x - x).hypot(grip.y - y));
+        let near = (0..).zip(distances).filter(|(_, distance)| *distance <= reach);
+        found = near.min_by(|one, other| one.1.total_cmp(&other.1)).map_or(-1, |(index, _)| index);
+        Ok(String::new())
+    });
+    found
+}
+
+/// Draws a grip to a point: how many values of controls stand in [`input`] then.
+pub fn drag(grip: usize, x: f64, y: f64) -> usize {
+    let mut count = 0;
+    with(|player| {
+        let values = player.drag(grip, at(x, y))?;
+        count = values.len().min(MOST);
+        INPUT.with(|input| input.iter().zip(values).for_each(|(slot, value)| slot.set(value)));
+        Ok(String::new())
+    });
+    count
+}
+
+/// Keeps what the program says when it gives up.
+fn listen() {
+    panic::set_hook(Box::new(|info| LAST_WORDS.with(|words| *words.borrow_mut() = info.to_string())));
+}
+
+/// The first values of the input.
+fn values(count: usize) -> Vec<f64> {
+    INPUT.with(|input| input.iter().take(count).map(Cell::get).collect())
+}
+
+fn running() -> Option<Run> {
+    PLAYER.with(|player| player.borrow().as_ref().map(Player::run))
+}
+
+/// Asks the scene in use.
+fn with(ask: impl FnOnce(&mut Player) -> Result<String, Cause>) -> isize {
+    answer(|| PLAYER.with(|player| ask(player.borrow_mut().as_mut().ok_or("no scene has begun")?)))
+}
+
+/// Leaves a text, or the words of an error, in [`text`].
+fn answer(ask: impl FnOnce() -> Result<String, Cause>) -> isize {
+    let (said, sign) = match ask() {
+        Ok(said) => (said, 1),
+        Err(cause) => (cause.to_string(), -1),
+    };
+    let length = sign * said.len() as isize;
+    TEXT.with(|text| *text.borrow_mut() = said);
+    length
+}
+
+/// The crate of a book's pages: the documentation tests of its snippets, those with live numbers as `SNIPPETS`, and what
+/// scripts call for them and for the scenes. The build script of the crate has written the snippets.
+#[macro_export]
+macro_rules! pages {
+    ($scenes:expr) => {
+        #[cfg(doctest)]
+        mod tested {
+            include!(concat!(env!("OUT_DIR"), "/tested.rs"));
+        }
+
+        /// The text of the pages.
+        #[allow(unused, clippy::all, reason = "it is written for a reader, who may leave a value unused")]
+        mod written {
+            use $crate::snippet::record::assertions::{approx, assert, assert_eq, assert_ne};
+            use $crate::snippet::{Live, Snippet, record};
+
+            include!(concat!(env!("OUT_DIR"), "/live.rs"));
+        }
+
+        pub use written::SNIPPETS;
+
+        const SCENES: $crate::module::Scenes =
+            $crate::module::Scenes::of($scenes, option_env!("BOOK_CHAPTER"));
+
+        $crate::exported! {
+            input() -> *const f64;
+            text() -> *const u8;
+            last_words() -> isize;
+            duration() -> f64;
+            pace() -> f64;
+            repeats() -> bool;
+            draw(time: f64, azimuth: f64, elevation: f64, is_narrow: bool) -> isize;
+            readings(time: f64) -> isize;
+            words(time: f64) -> isize;
+            grip(x: f64, y: f64, reach: f64) -> i32;
+            drag(grip: usize, x: f64, y: f64) -> usize;
+        }
+
+        /// Begins or changes a scene.
+        #[unsafe(no_mangle)]
+        pub extern "C" fn start(scene: usize, count: usize) -> isize {
+            $crate::module::start(SCENES, scene, count)
+        }
+
+        /// Runs a snippet.
+        #[unsafe(no_mangle)]
+        pub extern "C" fn run(snippet: usize, count: usize) -> isize {
+            $crate::module::run(&SNIPPETS, snippet, count)
+        }
+    };
+}
+
+#[doc(hidden)]
+#[macro_export]
+macro_rules! exported {
+    ($($name:ident($($argument:ident: $of:ty),*) -> $gives:ty;)*) => {$(
+        #[doc = concat!("See `live::module::", stringify!($name), "`.")]
+        #[unsafe(no_mangle)]
+        pub extern "C" fn $name($($argument: $of),*) -> $gives {
+            $crate::module::$name($($argument),*)
+        }
+    )*};
+}
