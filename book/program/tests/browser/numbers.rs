@@ -1,6 +1,6 @@
 //! Numbers that answer, in a real browser: what stands beside the code is what the same snippet says here.
 
-use super::{Means, WIDE, act, address, open};
+use super::{Means, WIDE, act, address, in_turn, open};
 use live::snippet::Snippet;
 use serde_json::{Value, json};
 use snippets::SNIPPETS;
@@ -21,7 +21,7 @@ fn pages() -> BTreeMap<String, Vec<(usize, &'static Snippet)>> {
 #[test]
 fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
     let Some(mut browser) = open("numbers") else { return };
-    for (name, snippets) in pages() {
+    for (turn, (name, snippets)) in pages().into_iter().enumerate() {
         let page_address = format!("{}{name}", address());
         let mut page = browser.page(WIDE);
         page.go(&page_address);
@@ -30,7 +30,7 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
             for index in 0..snippet.live.len() {
                 let number = format!("{panel}.querySelectorAll('.number')[{index}]");
                 let range = format!("{number}.querySelector('input[type=range]')");
-                for (means, part) in [(Means::Mouse, 0.9), (Means::Touch, 0.2), (Means::Keys, 0.0)] {
+                for (means, part) in in_turn(turn, index) {
                     let before = page.text(&format!("{range}.value"));
                     act(
                         &mut page,

@@ -228,6 +228,13 @@ enum Means {
     Keys,
 }
 
+/// By which means, and where on it, a control is operated: the first scene or page answers to all of them, in the others
+/// each control has its turn, since all are made alike.
+fn in_turn(scene: usize, control: usize) -> Vec<(Means, f64)> {
+    let all = [(Means::Mouse, 0.8), (Means::Touch, 0.3), (Means::Keys, 0.0)];
+    if scene == 0 { all.to_vec() } else { vec![all[(scene + control) % all.len()]] }
+}
+
 /// Clicks, taps, or strikes a key on an element.
 fn act(page: &mut Page<'_>, means: Means, element: &str, part: f64, key: &str) {
     let at = place(page, element, part);
@@ -354,7 +361,7 @@ fn the_still_is_the_first_picture_and_what_is_printed() {
 #[test]
 fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
     let Some(mut browser) = open("controls") else { return };
-    for (scene, page_address, figure) in scenes() {
+    for (turn, (scene, page_address, figure)) in scenes().into_iter().enumerate() {
         let mut page = browser.page(WIDE);
         page.before_all(EYES);
         wake_still(&mut page, &page_address, &figure);
@@ -362,7 +369,7 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
         let run = Player::new(scene).unwrap().run();
         set(&mut page, scene, &[], (run.duration * 300.0).round() / 1000.0);
         for (index, control) in scene.controls.iter().enumerate() {
-            for (means, part) in [(Means::Mouse, 0.8), (Means::Touch, 0.3), (Means::Keys, 0.0)] {
+            for (means, part) in in_turn(turn, index) {
                 let (before, _) = settings(&mut page, scene, &figure);
                 let named = format!("{figure}.querySelector('.controls [name={}]')", control.name);
                 let (element, key) = match control.kind {
@@ -397,9 +404,10 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
         }
         // Time and view, and the buttons beside them; the book's page is not turned by their keys.
         let others = [".time", ".view [name=azimuth]", ".view [name=elevation]"];
-        for selector in others.into_iter().filter(|selector| scene.view.is_some() || *selector == ".time") {
+        let others = others.into_iter().filter(|selector| scene.view.is_some() || *selector == ".time");
+        for (index, selector) in others.enumerate() {
             let element = format!("{figure}.querySelector('{selector}')");
-            for (means, part) in [(Means::Mouse, 0.7), (Means::Touch, 0.4), (Means::Keys, 0.0)] {
+            for (means, part) in in_turn(turn, index) {
                 let before = page.number(&format!("{element}.valueAsNumber"));
                 act(&mut page, means, &element, part, "ArrowRight");
                 assert_ne!(
