@@ -3,6 +3,8 @@
 
 #[path = "../src/library.rs"]
 mod library;
+#[path = "../src/markdown.rs"]
+mod markdown;
 #[path = "../src/pages.rs"]
 mod pages;
 #[path = "../src/printed.rs"]
@@ -20,7 +22,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [summary, manifest, readme] =
         ["book/SUMMARY.md", "Cargo.toml", "README.md"].map(|path| root.join(path));
     println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // what is written names pages by their place
-    let sources = ["build.rs", "../src/library.rs", "../src/pages.rs", "../src/printed.rs"].map(Path::new);
+    let sources =
+        ["build.rs", "../src/library.rs", "../src/markdown.rs", "../src/pages.rs", "../src/printed.rs"]
+            .map(Path::new);
     for read in sources.into_iter().chain([&*summary, &*manifest]) {
         println!("cargo::rerun-if-changed={}", read.display());
     }

@@ -1,6 +1,6 @@
 //! What stands on a page that the press has to replace or check.
 
-use crate::maths::Quantity;
+use crate::colours::Quantity;
 use pulldown_cmark::Event;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -92,6 +92,8 @@ pub(crate) struct Table<'a> {
 /// A cell of a table.
 #[derive(Debug, Default)]
 pub(crate) struct Cell<'a> {
+    /// Where it stands on the page.
+    pub(crate) offset: usize,
     pub(crate) words: Words<'a>,
 }
 
@@ -157,16 +159,19 @@ pub(crate) enum Item<'a> {
     Link {
         target: Cow<'a, str>,
     },
-    /// The beginning, `[`, of words that set a scene of the page, with the name of the scene and the settings
-    /// behind it; and their end, `](scene:…)`.
-    Setting(Option<Cow<'a, str>>),
+    /// `[`: words begin that set a scene of the page. It holds the name of the scene and the settings.
+    SettingStart(Cow<'a, str>),
+    /// `](scene:…)`: these words end.
+    SettingEnd,
     /// An id that raw HTML claims.
     Id(String),
     Hint,
     /// A blank between a number and its unit.
     Blank,
-    /// Words in the colour of a quantity begin, `[`, or end, `]{.role}`.
-    Coloured(Option<Quantity>),
+    /// `[`: words in the colour of a quantity begin.
+    ColouredStart(Quantity),
+    /// `]{.role}`: these words end.
+    ColouredEnd,
 }
 
 /// An item and the bytes of the page that it takes up.

@@ -3,9 +3,9 @@
 //! It is printed with the values of the text; the page's script keeps it true when a reader changes them.
 
 use crate::answers::{Answers, Live, Value};
+use crate::html::{escaped, prose};
 use crate::module;
 use crate::numbers::with_power;
-use crate::render::{escaped, prose};
 
 /// The panel of the snippet with this number among those of the book.
 pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> String {

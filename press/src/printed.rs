@@ -3,6 +3,9 @@
 //!
 //! The press and the build script of the crate `snippets` share this file: what one accepts the other tests.
 
+use crate::markdown::{self, Snippet};
+use std::borrow::Cow;
+
 /// What opens the comment that holds the numbers.
 const ARROW: char = '→';
 const FORM: &str = "a printed number is written `// → 4.317 rad/s`, several `// → 1.2, 3.4`";
@@ -109,28 +112,29 @@ fn pattern(bound: &str) -> &str {
 /// snippet, and what names the snippet if it fails; every line keeps its number. `file` names the page.
 #[cfg_attr(not(test), allow(dead_code, reason = "for the build script of the documentation tests alone"))]
 pub(crate) fn tested(page: &str, file: &str, first: &str) -> String {
-    let lines: Vec<&str> = page.lines().collect();
-    let mut out = String::with_capacity(page.len() + 1024);
-    for (at, line) in lines.iter().enumerate() {
-        let begins = at > 0 && lines[at - 1].starts_with("```rust");
-        if begins {
-            let code = lines[at..].iter().take_while(|line| !line.starts_with("```"));
-            out.push_str(&format!("{first} "));
-            if !code.into_iter().any(|line| line.contains("fn main(")) {
-                out.push_str(&format!("::snippets::begin({file:?}, {}); ", at + 1));
+    let mut lines: Vec<Cow<'_, str>> = page.lines().map(Cow::Borrowed).collect();
+    for Snippet { line: above, code, .. } in markdown::snippets(page) {
+        let is_whole = code.iter().any(|line| line.contains("fn main("));
+        let named = format!("::snippets::begin({file:?}, {}); ", above + 1);
+        let begin = format!("{first} {}", if is_whole { "" } else { &named });
+        for (at, line) in code.iter().enumerate() {
+            let mut tested = match read(&code, at) {
+                Some(Ok(Printed { code, value, numbers, bare })) => {
+                    let indent = &code[..code.len() - code.trim_start().len()];
+                    let kept = if bare { indent.to_owned() } else { format!("{code} ") };
+                    let place = format!("{file}:{}", above + at + 1);
+                    format!("{kept}::snippets::printed(&({value}), {numbers:?}, {place:?});")
+                }
+                _ => (*line).to_owned(),
+            };
+            if at == 0 {
+                tested = begin.clone() + tested.strip_prefix("# ").unwrap_or(&tested);
             }
+            let whole = &lines[above + at];
+            lines[above + at] = Cow::Owned(format!("{}{tested}", &whole[..whole.len() - line.len()]));
         }
-        if let Some(Ok(Printed { code, value, numbers, bare })) = read(&lines, at) {
-            let indent = &code[..code.len() - code.trim_start().len()];
-            let kept = if bare { indent.to_owned() } else { format!("{code} ") };
-            let place = format!("{file}:{}", at + 1);
-            out.push_str(&format!("{kept}::snippets::printed(&({value}), {numbers:?}, {place:?});"));
-        } else {
-            out.push_str(line.strip_prefix("# ").filter(|_| begins).unwrap_or(line));
-        }
-        out.push('\n');
     }
-    out
+    lines.join("\n") + "\n"
 }
 
 #[cfg(test)]
@@ -139,16 +143,16 @@ mod tests {
 
     #[test]
     fn each_printed_number_becomes_a_check_in_its_line() {
-        let page = "let a = f(); // → 4.317 rad/s\n\
+        let page = "```rust\nlet a = f(); // → 4.317 rad/s\n\
                     let b: f64 = g()\n    .h(2); // → -1.2e-5\n\
                     # let mut c = 1;\n  c + f(1); // → 12\n\
                     let [x, y] = z(); // → 1.0, 2 m, 3\n\
-                    let d = 3; // a → b\n";
-        let expected = "let a = f(); ::snippets::printed(&(a), \"4.317\", \"p.md:1\");\n\
-                        let b: f64 = g()\n    .h(2); ::snippets::printed(&(b), \"-1.2e-5\", \"p.md:3\");\n\
-                        # let mut c = 1;\n  ::snippets::printed(&(c + f(1)), \"12\", \"p.md:5\");\n\
-                        let [x, y] = z(); ::snippets::printed(&([x, y]), \"1.0, 2\", \"p.md:6\");\n\
-                        let d = 3; // a → b\n";
+                    let d = 3; // a → b\n```\n\nNot `// → 5`.\n";
+        let expected = "```rust\nx; ::snippets::begin(\"p.md\", 2); let a = f(); ::snippets::printed(&(a), \"4.317\", \"p.md:2\");\n\
+                        let b: f64 = g()\n    .h(2); ::snippets::printed(&(b), \"-1.2e-5\", \"p.md:4\");\n\
+                        # let mut c = 1;\n  ::snippets::printed(&(c + f(1)), \"12\", \"p.md:6\");\n\
+                        let [x, y] = z(); ::snippets::printed(&([x, y]), \"1.0, 2\", \"p.md:7\");\n\
+                        let d = 3; // a → b\n```\n\nNot `// → 5`.\n";
         assert_eq!(tested(page, "p.md", "x;"), expected);
     }
 

@@ -2,14 +2,18 @@
 
 use crate::api::{self, Library};
 use crate::book::{Page, relative, resolve};
+use crate::colours::Quantity;
 use crate::fault::Faults;
+use crate::html::{escaped, prose};
 use crate::labels::Registry;
-use crate::maths::{Maths, Quantity};
+use crate::markdown::options;
+use crate::maths::Maths;
+use crate::numbers::BLANK;
 use crate::page::{EquationLabel, Item, Kind, Label, Mention, Note, Placed, Table, Words};
 use crate::places::{self, Place};
 use crate::rendered::Rendered;
-use crate::scan::{options, scan};
-use crate::ties::{self, BLANK};
+use crate::scan::scan;
+use crate::ties;
 use crate::{answers, faces, module, panel, scenes, snippets, tables};
 use pulldown_cmark::{CowStr, Event, Parser, Tag, html::push_html};
 use std::collections::BTreeMap;
@@ -31,7 +35,7 @@ pub(crate) fn render(
     scenes::check(&drawn.scenes, &mut faults);
     let registry = Registry::build(pages, &scans, drawn, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
-    let maths = Maths::new(pages, &mut faults);
+    let maths = Maths::new(pages, &scans, &mut faults);
     let places = places::places(&library.name, code);
     let mut cited = Cited::new();
     let mut live = 0;
@@ -200,8 +204,8 @@ impl Printer<'_, '_> {
             Item::DisplayMaths { tex, label } => self.display(tex, label.as_ref(), offset),
             Item::Figure { label, caption } => self.figure(label, caption),
             Item::Scene { label, caption } => self.scene(label, caption, offset),
-            Item::Setting(Some(setting)) => Some(self.setting(setting, offset)),
-            Item::Setting(None) => Some("</a>".to_owned()),
+            Item::SettingStart(setting) => Some(self.setting(setting, offset)),
+            Item::SettingEnd => Some("</a>".to_owned()),
             Item::Table { table, caption } => Some(self.table(table, caption)),
             Item::LibraryTable { name, caption } => self.library_table(name, caption, offset),
             Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
@@ -210,9 +214,9 @@ impl Printer<'_, '_> {
                 let (words, target) = self.mention(mention, before, offset)?;
                 Some(format!("{}[{words}]({target})", self.way_back(mention)))
             }
-            Item::Coloured(Some(quantity)) => Some(format!("<span class=\"{}\">", quantity.class())),
-            Item::Coloured(None) => Some("</span>".to_owned()),
-            Item::Blank => Some(ties::BLANK.to_owned()),
+            Item::ColouredStart(quantity) => Some(format!("<span class=\"{}\">", quantity.class())),
+            Item::ColouredEnd => Some("</span>".to_owned()),
+            Item::Blank => Some(BLANK.to_owned()),
             Item::NoteMark(name) => Some(self.note_mark(name)),
             Item::Note(note) => Some(self.note(note)),
             Item::NoteDefinition => Some(String::new()),
@@ -624,20 +628,6 @@ impl Printer<'_, '_> {
             );
         }
     }
-}
-
-/// A run of text as HTML, its numbers tied to their units.
-pub(crate) fn prose(text: &str) -> String {
-    let mut tied = text.to_owned();
-    for at in ties::blanks(text).into_iter().rev() {
-        tied.replace_range(at..=at, BLANK);
-    }
-    escaped(&tied)
-}
-
-/// Text as HTML.
-pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// HTML with its words `[words]{.role}` in the colours of their quantities.

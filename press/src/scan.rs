@@ -3,29 +3,17 @@
 mod mathematics;
 
 use crate::book::Page;
+use crate::colours::Quantity;
 use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
-use crate::maths::Quantity;
+use crate::markdown::is_rust;
 use crate::page::{Item, Kind, Note, Placed, Words};
 use crate::raw::{Find, RawHtml};
-use crate::{notes, outline, references, signs, snippets, tables, ties, written};
-use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Tag, TagEnd};
+use crate::{notes, numbers, outline, references, signs, snippets, tables, written};
+use pulldown_cmark::{CodeBlockKind, CowStr, Event, Tag, TagEnd};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
-
-/// Markdown as mdBook reads it, and mathematics, which it does not.
-pub(crate) fn options() -> Options {
-    Options::ENABLE_TABLES
-        | Options::ENABLE_FOOTNOTES
-        | Options::ENABLE_STRIKETHROUGH
-        | Options::ENABLE_TASKLISTS
-        | Options::ENABLE_HEADING_ATTRIBUTES
-        | Options::ENABLE_DEFINITION_LIST
-        | Options::ENABLE_GFM
-        | Options::ENABLE_SMART_PUNCTUATION
-        | Options::ENABLE_MATH
-}
 
 /// Finds the items of a page, in the order in which they stand.
 pub(crate) fn scan<'a>(page: &'a Page, faults: &mut Faults) -> Vec<Placed<'a>> {
@@ -176,8 +164,8 @@ impl<'a> Scan<'a, '_> {
             let open = paragraph + open;
             match Quantity::of_role(&role[..end]) {
                 Ok(quantity) => {
-                    self.place(open..open + 1, Item::Coloured(Some(quantity)));
-                    self.place(at - 1..at + 2 + end + 1, Item::Coloured(None));
+                    self.place(open..open + 1, Item::ColouredStart(quantity));
+                    self.place(at - 1..at + 2 + end + 1, Item::ColouredEnd);
                 }
                 Err(message) => self.fault(at, message),
             }
@@ -186,7 +174,7 @@ impl<'a> Scan<'a, '_> {
 
     /// Numbers in a run of text are not parted from their units.
     fn blanks(&mut self, range: &Range<usize>) {
-        for at in ties::blanks(&self.text[range.clone()]).into_iter().map(|at| range.start + at) {
+        for at in numbers::blanks(&self.text[range.clone()]).into_iter().map(|at| range.start + at) {
             self.place(at..at + 1, Item::Blank);
         }
     }
@@ -289,7 +277,7 @@ impl<'a> Scan<'a, '_> {
         if matches!(kind, CodeBlockKind::Indented) {
             self.fault(range.start, "text indented by four spaces becomes code: unindent it, or fence it");
         }
-        if matches!(kind, CodeBlockKind::Fenced(info) if info.starts_with("rust")) {
+        if matches!(kind, CodeBlockKind::Fenced(info) if is_rust(info)) {
             self.place(range.clone(), Item::Snippet { code: &self.text[range.clone()] });
         }
     }
@@ -380,8 +368,8 @@ impl<'a> Scan<'a, '_> {
             match dest_url.strip_prefix("scene:") {
                 Some(setting) if written.starts_with('[') && written[..at].ends_with("](") => {
                     let setting = Cow::Owned(setting.to_owned());
-                    self.place(range.start..range.start + 1, Item::Setting(Some(setting)));
-                    self.place(range.start + at - 2..range.end, Item::Setting(None));
+                    self.place(range.start..range.start + 1, Item::SettingStart(setting));
+                    self.place(range.start + at - 2..range.end, Item::SettingEnd);
                 }
                 _ => self.place(range.clone(), Item::Link { target }),
             }

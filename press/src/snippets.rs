@@ -1,9 +1,9 @@
 //! The rules for code on pages.
 
 use crate::checks::{self, Folded};
-use crate::scan::options;
+use crate::markdown::{self, code_lines, column};
 use crate::{answers, printed};
-use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
+use pulldown_cmark::CodeBlockKind;
 use std::ops::Range;
 
 /// The languages that a fence may name. Anything else, `rs` for instance, would look like Rust and never run.
@@ -59,7 +59,7 @@ pub(crate) fn check(
     let lines: Vec<&str> = text[range.clone()].lines().collect();
     let code = code_lines(&lines);
     let shown = checks::folded(&lines[code.clone()]).map_or(code.end, |folded| code.start + folded.from);
-    let is_told = info.contains(',') || fence_column(text, range.start) > 0;
+    let is_told = info.contains(',') || column(text, range.start) > 0;
     let (_, broken) = answers::answers(&lines);
     let marked = lines.iter().any(|line| answers::is_marked(line));
     if marked && is_told {
@@ -103,17 +103,6 @@ pub(crate) fn check(
             ),
         );
     }
-}
-
-/// How far a block stands from the beginning of its line.
-fn fence_column(text: &str, start: usize) -> usize {
-    start - text[..start].rfind('\n').map_or(0, |at| at + 1)
-}
-
-/// Which lines of a fenced block are its code.
-fn code_lines(lines: &[&str]) -> Range<usize> {
-    let fenced = lines.last().is_some_and(|line| line.trim_start_matches([' ', '>']).starts_with(['`', '~']));
-    1..lines.len() - usize::from(fenced && lines.len() > 1)
 }
 
 /// A fenced block with the units of its live numbers, whose ranges only the panel beside it knows.
@@ -197,15 +186,12 @@ pub(crate) fn cited_labels<'a>(text: &'a str, range: &Range<usize>) -> Vec<(Rang
 pub(crate) fn relabelled(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut done = 0;
-    for (event, range) in Parser::new_ext(text, options()).into_offset_iter() {
-        let Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) = event else {
-            continue;
-        };
-        if let Some(at) = text[range.clone()].find(info.as_ref()).filter(|_| info.starts_with("rust")) {
-            out.push_str(&text[done..range.start + at]);
-            out.push_str("text");
-            done = range.start + at + info.len();
-        }
+    for snippet in markdown::snippets(text) {
+        let fence = text[snippet.range.clone()].lines().next().unwrap_or_default();
+        let marks = fence.len() - fence.trim_start_matches(['`', '~', ' ']).len();
+        out.push_str(&text[done..snippet.range.start + marks]);
+        out.push_str("text");
+        done = snippet.range.start + fence.len();
     }
     out + &text[done..]
 }

@@ -18,7 +18,7 @@ pub(crate) fn read<'a>(events: &[(Event<'a>, Range<usize>)]) -> Table<'a> {
         match event {
             Event::End(TagEnd::Table) => break,
             Event::Start(Tag::TableHead | Tag::TableRow) => table.rows.push(Vec::new()),
-            Event::Start(Tag::TableCell) => cell = Some(Cell::default()),
+            Event::Start(Tag::TableCell) => cell = Some(Cell { offset: range.start, words: Vec::new() }),
             Event::End(TagEnd::TableCell) => {
                 if let (Some(row), Some(cell)) = (table.rows.last_mut(), cell.take()) {
                     row.push(cell);
@@ -166,7 +166,7 @@ pub(crate) fn powers_of_ten(html: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scan::options;
+    use crate::markdown::options;
     use pulldown_cmark::Parser;
 
     /// The room behind the cells of each column of numbers, shortened.

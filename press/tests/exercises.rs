@@ -1,6 +1,7 @@
 //! The exercises of every chapter: enough of them, graded, from what takes minutes to what takes an evening.
 
-use press::book::{Page, from_disk};
+use press::book::Page;
+use press::disk::from_disk;
 use std::collections::BTreeMap;
 use std::env;
 use std::path::PathBuf;

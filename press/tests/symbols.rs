@@ -1,7 +1,8 @@
 //! The tables of symbols are complete and true: each letter of a formula has its row, for the whole book or for the
 //! chapter that means it otherwise; each row is used, first where it says; and what it names in the library is there.
 
-use press::book::{Page, from_disk};
+use press::book::Page;
+use press::disk::from_disk;
 use pulldown_cmark::{Event, Options, Parser};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::{Path, PathBuf};

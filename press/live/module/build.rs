@@ -5,6 +5,8 @@
 mod answers;
 #[path = "../../src/library.rs"]
 mod library;
+#[path = "../../src/markdown.rs"]
+mod markdown;
 #[path = "../../src/pages.rs"]
 mod pages;
 #[path = "../../src/printed.rs"]
@@ -22,7 +24,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rerun-if-changed={}", root.join(path).display());
         fs::read_to_string(root.join(path))
     };
-    for source in ["answers", "library", "pages", "printed"].map(|file| format!("../../src/{file}.rs")) {
+    for source in
+        ["answers", "library", "markdown", "pages", "printed"].map(|file| format!("../../src/{file}.rs"))
+    {
         println!("cargo::rerun-if-changed={source}");
     }
     println!("cargo::rerun-if-changed=build.rs");
