@@ -89,6 +89,11 @@ pub(crate) fn slashed(path: &Path) -> String {
     pages::slashed(&path.to_string_lossy())
 }
 
+/// The script with the scene and the live numbers of the chapter in a folder, in the site's root.
+pub(crate) fn script(chapter: &str) -> String {
+    format!("live-{chapter}.js")
+}
+
 /// The path that leads from the page at `from` to the page at `to`, both in the source folder.
 pub(crate) fn relative(from: &str, to: &str) -> String {
     let from: Vec<&str> = from.split('/').collect();

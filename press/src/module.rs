@@ -11,6 +11,7 @@
 //! target: then rustup is asked for it.
 
 use crate::answers;
+use crate::book::script;
 use crate::mdbook::For;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -19,11 +20,6 @@ use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 use std::{env, fs, io, thread};
-
-/// The script of a chapter, in the site's root.
-pub(crate) fn file(chapter: &str) -> String {
-    format!("live-{chapter}.js")
-}
 
 /// Where the scripts lie, beside what the compiler leaves.
 const FOLDER: &str = "target/live";
@@ -104,7 +100,7 @@ fn modules(root: &Path, for_whom: For, most: usize) -> Result<Module, String> {
     let shared = shared(root, &compiler).map_err(cannot)?;
     let mut compiled = 0;
     for chapter in chapters(root).map_err(cannot)? {
-        let script = folder.join(file(&chapter));
+        let script = folder.join(script(&chapter));
         let stamp = script.with_extension("stamp");
         let wanted = made_of(root, shared.clone(), &chapter).map_err(cannot)?;
         if !script.is_file() || fs::read_to_string(&stamp).map_or(true, |stamp| stamp != wanted) {

@@ -156,6 +156,8 @@ pub(crate) enum Item<'a> {
         label: Label,
         short: &'a str,
     },
+    /// Where an entry of the bibliography ends.
+    CitationEnd(Label),
     Link {
         target: Cow<'a, str>,
     },

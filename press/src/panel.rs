@@ -3,8 +3,8 @@
 //! It is printed with the values of the text; the page's script keeps it true when a reader changes them.
 
 use crate::answers::{Answers, Live, Value};
+use crate::book::script;
 use crate::html::{escaped, prose};
-use crate::module;
 use crate::numbers::with_power;
 
 /// The panel of the snippet with this number among those of the book.
@@ -32,7 +32,7 @@ pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> Str
         "<div class=\"answers\" data-snippet=\"{snippet}\" data-module=\"{}\" role=\"group\" aria-label=\"Try other numbers\">\n\
          {live}{values}{checks}<p class=\"says\" role=\"status\"></p>\n\
          <button type=\"button\" class=\"reset\" disabled>Numbers of the text</button>\n</div>",
-        module::file(chapter)
+        script(chapter)
     )
 }
 

@@ -133,7 +133,8 @@ impl<'a> Scan<'a, '_> {
                     self.shown(Face::Text, range);
                     self.entities(text, range);
                     let in_link = self.surroundings.in_link;
-                    self.items.extend(written::mentions(self.text, range, in_link, &mut self.report));
+                    let fault = |at, message| self.report.fault(at, message);
+                    self.items.extend(written::mentions(self.text, range, in_link, fault));
                     self.stray_dollars(range.clone());
                     self.foreign_maths(range);
                     if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {

@@ -1,6 +1,6 @@
 //! The rules for code on pages.
 
-use crate::checks::{self, Folded};
+use crate::checks;
 use crate::markdown::{self, code_lines, column};
 use crate::{answers, printed};
 use pulldown_cmark::CodeBlockKind;
@@ -105,45 +105,6 @@ pub(crate) fn check(
     }
 }
 
-/// A fenced block with the units of its live numbers, whose ranges only the panel beside it knows.
-pub(crate) fn without_ranges(block: &str) -> String {
-    let shown = |line: &str| match answers::live(line) {
-        Some(Ok(live)) => {
-            let unit = if live.unit.is_empty() { String::new() } else { format!(" // {}", live.unit) };
-            format!("{}{}{}{unit}\n", live.before, live.literal, live.after)
-        }
-        _ => format!("{line}\n"),
-    };
-    block.lines().map(shown).collect()
-}
-
-/// A fenced block with the panel of its live numbers beside it, and with its last assertions in a block of
-/// their own that opens on demand if they are many.
-pub(crate) fn with_folded_checks(block: &str, panel: Option<&str>) -> String {
-    let beside = |block: &str| match panel {
-        Some(panel) => format!("<div class=\"answering\">\n\n{block}\n\n{panel}\n</div>\n"),
-        None => block.to_owned(),
-    };
-    let lines: Vec<&str> = block.lines().collect();
-    let code = code_lines(&lines);
-    let Some(Folded { from, count }) = checks::folded(&lines[code.clone()]) else {
-        return beside(block);
-    };
-    let cut = code.start + from;
-    let words = lines[0].trim_start_matches(['`', '~']).len();
-    let fence = &lines[0][..lines[0].len() - words];
-    if lines[code.end..] != [fence] {
-        return beside(block); // in a list or a quotation, where a block cannot be cut in two
-    }
-    let (shown, hidden) = (lines[..cut].join("\n"), lines[cut..code.end].join("\n"));
-    let noun = if count == 1 { "check" } else { "checks" };
-    let shown = beside(&format!("{}\n{fence}", shown.trim_end()));
-    format!(
-        "{shown}\n\n<details class=\"checks\">\n<summary>{count} {noun}</summary>\n\n{}\n{hidden}\n{fence}\n\n</details>\n",
-        lines[0],
-    )
-}
-
 /// Whether a fenced block ends with its fence, whatever quotation or list it stands in.
 fn is_closed(block: &str) -> bool {
     let Some(mark) = block.chars().next() else {
@@ -199,31 +160,6 @@ pub(crate) fn relabelled(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn many_checks_are_folded_into_a_block_of_their_own() {
-        let checks = "assert!(a);\nassert!(\n    a\n);\n# Ok(())";
-        assert_eq!(
-            with_folded_checks(&format!("```rust\n# use x;\nlet a = 1;\n\n{checks}\n```\n"), None),
-            format!(
-                "```rust\n# use x;\nlet a = 1;\n```\n\n<details class=\"checks\">\n<summary>2 checks</summary>\n\n\
-                 ```rust\n{checks}\n```\n\n</details>\n"
-            )
-        );
-        let few = "```rust\nlet a = 1;\nassert!(a);\n```\n";
-        assert_eq!(with_folded_checks(few, None), few);
-    }
-
-    #[test]
-    fn a_live_number_shows_its_unit_and_a_panel_beside_it() {
-        let block = "```rust\nlet a = 1.0; // live: 0..2 m\nlet b = 2; // live: 0..2\nf(); // → 3\n```";
-        let shown = without_ranges(block);
-        assert_eq!(shown, "```rust\nlet a = 1.0; // m\nlet b = 2;\nf(); // → 3\n```\n");
-        assert_eq!(
-            with_folded_checks(&shown, Some("<div>P</div>")),
-            format!("<div class=\"answering\">\n\n{shown}\n\n<div>P</div>\n</div>\n")
-        );
-    }
 
     #[test]
     fn no_rust_is_left_wherever_its_fence_stands() {

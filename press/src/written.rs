@@ -82,7 +82,7 @@ pub(crate) fn mentions<'a>(
     text: &str,
     range: &Range<usize>,
     in_link: bool,
-    report: &mut Reporter<'_>,
+    mut fault: impl FnMut(usize, String),
 ) -> Vec<Placed<'a>> {
     let mut found = Vec::new();
     for (at, _) in text[range.clone()].match_indices('@') {
@@ -103,29 +103,28 @@ pub(crate) fn mentions<'a>(
         let known = kind.is_some() || lower == "source";
         let mention = match kind {
             _ if known && lower != prefix => {
-                report.fault(at, format!("`@{prefix}:` is written `@{lower}:`"));
+                fault(at, format!("`@{prefix}:` is written `@{lower}:`"));
                 continue;
             }
             _ if known && in_link => {
-                report.fault(at, "a reference is a link and cannot stand inside a link");
+                fault(at, "a reference is a link and cannot stand inside a link".to_owned());
                 continue;
             }
             Some(_) if name.is_empty() => {
-                report.fault(at, format!("`@{prefix}:` lacks a name"));
+                fault(at, format!("`@{prefix}:` lacks a name"));
                 continue;
             }
             Some(kind) => Mention::Label(Label { kind, name: name.to_owned() }),
             None if known => match name.parse() {
                 Ok(number) => Mention::Source(number),
                 Err(_) => {
-                    report.fault(at, format!("`@source:{name}` needs an equation number of the source"));
+                    fault(at, format!("`@source:{name}` needs an equation number of the source"));
                     continue;
                 }
             },
             None => {
                 if lower == prefix && !name.is_empty() {
-                    report
-                        .fault(at, format!("`@{prefix}:{name}`: there are no labels of the kind `{prefix}`"));
+                    fault(at, format!("`@{prefix}:{name}`: there are no labels of the kind `{prefix}`"));
                 }
                 continue;
             }
@@ -162,6 +161,10 @@ pub(crate) fn citations<'a>(text: &'a str, report: &mut Reporter<'_>) -> Vec<Pla
                 if let Some(label) = label(key, at, report) {
                     let short = &short[1..short.len() - 1];
                     let range = at..at + 2 + end + 1;
+                    let behind = &text[range.end..];
+                    let next = ["\n- ", "\n* ", "\n\n"].iter().filter_map(|next| behind.find(next)).min();
+                    let end = range.end + behind[..next.unwrap_or(behind.len())].trim_end().len();
+                    found.push(Placed { range: end..end, item: Item::CitationEnd(label.clone()) });
                     found.push(Placed { range, item: Item::Citation { label, short } });
                 }
             }
