@@ -97,6 +97,7 @@ pub mod finish;
 pub mod paper;
 pub mod preprocess;
 pub mod rendered;
+pub mod symbols;
 
 mod answers;
 mod api;

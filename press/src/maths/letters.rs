@@ -11,7 +11,7 @@ use crate::colours::{QUANTITIES, Quantity};
 use crate::fault::Faults;
 use crate::page::{Cell, Item, Kind, Placed};
 use pulldown_cmark::{Event, Tag};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// The page that has the tables.
 pub(super) const CONVENTIONS: &str = "conventions.md";
@@ -165,6 +165,43 @@ fn key(sign: &Element) -> Option<String> {
         }
         _ => None,
     }
+}
+
+/// The letters of a formula, each with its subscript and none with its hat: `ω`, `ω_0`. A vector has the letter of its
+/// length.
+pub(super) fn all(formula: &Element, found: &mut BTreeSet<String>) {
+    let parts: Vec<&Element> = formula.elements().collect();
+    let (key, is_indexed) = (key(formula), matches!(&*formula.name, "msub" | "msubsup"));
+    if let Some(key) = key.as_ref().filter(|key| key.starts_with(char::is_alphabetic)) {
+        found.insert(key.chars().map(not_bold).collect());
+    }
+    match (key, is_indexed) {
+        (Some(_), true) => parts.iter().skip(2).for_each(|part| all(part, found)),
+        (Some(_), false) => {}
+        // What is lowered is a name.
+        (None, true) => [0, 2].iter().filter_map(|&at| parts.get(at)).for_each(|part| all(part, found)),
+        (None, false) => parts.iter().for_each(|part| all(part, found)),
+    }
+}
+
+/// The letter that a bold one is in plain type.
+fn not_bold(c: char) -> char {
+    const ALPHABETS: [(u32, char); 8] = [
+        (0x1d400, 'A'),
+        (0x1d41a, 'a'),
+        (0x1d468, 'A'),
+        (0x1d482, 'a'),
+        (0x1d6a8, 'Α'),
+        (0x1d6c2, 'α'),
+        (0x1d71c, 'Α'),
+        (0x1d736, 'α'),
+    ];
+    let plain = ALPHABETS.into_iter().find_map(|(bold, plain)| {
+        let length = if plain.is_ascii() { 26 } else { 25 };
+        let place = u32::from(c).checked_sub(bold).filter(|place| *place < length)?;
+        char::from_u32(u32::from(plain) + place)
+    });
+    plain.unwrap_or(c)
 }
 
 /// The text of a cell.

@@ -13,6 +13,7 @@ use crate::fault::Faults;
 use crate::page::Placed;
 use letters::{CONVENTIONS, Letters};
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+use std::collections::BTreeSet;
 use tree::Element;
 use ttf_parser::Face;
 
@@ -75,6 +76,13 @@ impl Maths {
     /// Inline mathematics for a place that is HTML already.
     pub(crate) fn inline_html(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
         self.convert(tex, MathDisplay::Inline, folder)
+    }
+
+    /// The letters of a formula, each with its subscript: `ω`, `ω_0`.
+    pub(crate) fn letters_of(&self, tex: &str) -> Result<BTreeSet<String>, MathsFault> {
+        let mut found = BTreeSet::new();
+        letters::all(&self.formula(tex, MathDisplay::Inline)?, &mut found);
+        Ok(found)
     }
 
     /// The converter's MathML as browsers print it well, coloured.
