@@ -1,15 +1,16 @@
 //! One pass over the Markdown of a page, which finds everything that the press has to replace or check.
 
+mod captioned;
 mod mathematics;
+mod text;
 
 use crate::book::Page;
-use crate::colours::Quantity;
 use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
 use crate::markdown::is_rust;
-use crate::page::{Item, Kind, Note, Placed, Words};
+use crate::page::{Item, Kind, Note, Placed};
 use crate::raw::{Find, RawHtml};
-use crate::{notes, numbers, outline, references, signs, snippets, tables, written};
+use crate::{notes, outline, references, signs, snippets, tables, written};
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Tag, TagEnd};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -75,23 +76,6 @@ impl<'a> Scan<'a, '_> {
         self.report.fault(offset, message);
     }
 
-    /// Text that the page shows in this face.
-    fn shown(&mut self, face: Face, range: &Range<usize>) {
-        if let Err((at, message)) = face.check(&self.text[range.clone()]) {
-            self.fault(range.start + at, message);
-        }
-    }
-
-    /// Characters that the page writes by their numbers or names, `&#x202e;` or `&omega;`.
-    fn entities(&mut self, text: &str, range: &Range<usize>) {
-        if self.text[range.clone()].starts_with('&') && text != &self.text[range.clone()] {
-            signs::characters(text, |_, message| self.report.fault(range.start, message));
-            if let Err((_, message)) = Face::Text.check(text) {
-                self.fault(range.start, message);
-            }
-        }
-    }
-
     fn place(&mut self, range: Range<usize>, item: Item<'a>) {
         self.items.push(Placed { range, item });
     }
@@ -129,55 +113,11 @@ impl<'a> Scan<'a, '_> {
                 Event::InlineMath(_) => self.inline(range),
                 Event::DisplayMath(_) => self.display(range),
                 Event::Code(_) => self.shown(Face::Code, range),
-                Event::Text(text) => {
-                    self.shown(Face::Text, range);
-                    self.entities(text, range);
-                    let in_link = self.surroundings.in_link;
-                    let fault = |at, message| self.report.fault(at, message);
-                    self.items.extend(written::mentions(self.text, range, in_link, fault));
-                    self.stray_dollars(range.clone());
-                    self.foreign_maths(range);
-                    if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
-                        self.lost_labels(range);
-                        self.blanks(range);
-                        self.coloured(range);
-                    }
-                }
+                Event::Text(text) => self.words(text, range),
                 _ => {}
             }
         }
         self.raw.end(&mut self.report);
-    }
-
-    /// `[words]{.role}`: words in the colour of a quantity.
-    fn coloured(&mut self, range: &Range<usize>) {
-        for (at, _) in self.text[range.clone()].match_indices("{.") {
-            let at = range.start + at;
-            let Some(words) = self.text[..at].strip_suffix(']') else {
-                continue;
-            };
-            let paragraph = self.text[..at].rfind("\n\n").map_or(0, |blank| blank + 2);
-            let role = &self.text[at + 2..];
-            let (Some(open), Some(end)) = (words[paragraph.min(words.len())..].rfind('['), role.find('}'))
-            else {
-                continue;
-            };
-            let open = paragraph + open;
-            match Quantity::of_role(&role[..end]) {
-                Ok(quantity) => {
-                    self.place(open..open + 1, Item::ColouredStart(quantity));
-                    self.place(at - 1..at + 2 + end + 1, Item::ColouredEnd);
-                }
-                Err(message) => self.fault(at, message),
-            }
-        }
-    }
-
-    /// Numbers in a run of text are not parted from their units.
-    fn blanks(&mut self, range: &Range<usize>) {
-        for at in numbers::blanks(&self.text[range.clone()]).into_iter().map(|at| range.start + at) {
-            self.place(at..at + 1, Item::Blank);
-        }
     }
 
     /// An element of Markdown begins; `next` is its first event.
@@ -281,80 +221,6 @@ impl<'a> Scan<'a, '_> {
         if matches!(kind, CodeBlockKind::Fenced(info) if is_rust(info)) {
             self.place(range.clone(), Item::Snippet { code: &self.text[range.clone()] });
         }
-    }
-
-    /// A figure, whose caption is read like any text, or a table of the library.
-    fn image(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
-        let (mut alone, mut marks) = (false, "");
-        if let Some(paragraph) = &self.surroundings.paragraph {
-            marks = self.text[range.end..paragraph.end].trim_end();
-            alone = self.text[paragraph.start..range.start].trim().is_empty() && notes::only_marks(marks);
-        }
-        if let Some(name) = dest_url.strip_prefix("table:") {
-            if !alone {
-                self.fault(range.start, format!("the table {name} must stand in a paragraph of its own"));
-            }
-            let caption = self.caption(next, marks);
-            if caption.is_empty() {
-                self.fault(range.start, format!("the table {name} has no caption that says what it holds"));
-            }
-            let name = name.to_owned();
-            self.place(range.start..range.end + marks.len(), Item::LibraryTable { name, caption });
-            return;
-        }
-        let label = written::label(dest_url, range.start, &mut self.report);
-        let Some(label) = label.filter(|label| matches!(label.kind, Kind::Figure | Kind::Scene)) else {
-            self.fault(
-                range.start,
-                format!("the image `{dest_url}` is not a figure of the book (`fig:name`), nor a scene"),
-            );
-            return;
-        };
-        let what = if label.kind == Kind::Scene { "scene" } else { "figure" };
-        if !alone {
-            self.fault(range.start, format!("the {what} {dest_url} must stand in a paragraph of its own"));
-        }
-        let caption = self.caption(next, if alone { marks } else { "" });
-        if caption.is_empty() {
-            self.fault(range.start, format!("the {what} {dest_url} has no caption that says what it shows"));
-        }
-        let item = match label.kind {
-            Kind::Scene => Item::Scene { label, caption },
-            _ => Item::Figure { label, caption },
-        };
-        self.place(range.start..range.end + marks.len(), item);
-    }
-
-    /// The words of a figure, or of a table of the library, and the `marks` of notes behind it.
-    fn caption(&self, next: usize, marks: &str) -> Words<'a> {
-        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Image));
-        let behind = self.events[end..]
-            .iter()
-            .take_while(|(event, _)| !marks.is_empty() && !matches!(event, Event::End(_)));
-        self.events[next..end - 1]
-            .iter()
-            .chain(behind)
-            .map(|(event, range)| (event.clone(), range.start))
-            .collect()
-    }
-
-    /// A table, with the caption below it.
-    fn table(&mut self, range: &Range<usize>, next: usize) {
-        if self.surroundings.depth > 1 {
-            self.fault(range.start, "a table cannot stand in a list or a quotation");
-        }
-        let table = tables::read(&self.events[next..]);
-        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Table));
-        let (caption, place) =
-            tables::caption(self.text, &self.events[end..]).unwrap_or((Vec::new(), range.clone()));
-        if caption.is_empty() {
-            self.fault(
-                range.start,
-                "the table has no caption: a paragraph right below it, `Table: what it holds.`",
-            );
-        }
-        self.surroundings.end_of_table = place.end;
-        self.place(range.start..place.end, Item::Table { table, caption });
     }
 
     fn link(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
