@@ -4,9 +4,12 @@
 /// A blank at which no line ends.
 pub(crate) const BLANK: &str = "\u{a0}";
 
-/// A number with a power of ten, as HTML: 1.6·10⁸.
+/// A number with a power of ten, as HTML: 1.6·10⁸, and 10⁻³ where it is one of them itself. (`pretty` in numbers.js does
+/// the same when a reader changes a number.)
 pub(crate) fn with_power(mantissa: &str, power: &str) -> String {
-    format!("{mantissa}·10<sup>{power}</sup>").replace('-', "−")
+    let digits = mantissa.strip_suffix('1').filter(|sign| matches!(*sign, "" | "-" | "−"));
+    let digits = digits.map_or_else(|| format!("{mantissa}·"), str::to_owned);
+    format!("{digits}10<sup>{power}</sup>").replace('-', "−")
 }
 
 /// What units are made of.
@@ -46,6 +49,17 @@ pub(crate) fn tied(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_power_of_ten_has_no_one_before_it() {
+        let raised = |power: &str| format!("10<sup>{power}</sup>");
+        assert_eq!(with_power("1.6", "8"), format!("1.6·{}", raised("8")));
+        assert_eq!(with_power("-11", "-2"), format!("−11·{}", raised("−2")));
+        assert_eq!(
+            [with_power("1", "-3"), with_power("-1", "3")],
+            [raised("−3"), format!("−{}", raised("3"))]
+        );
+    }
 
     #[test]
     fn a_number_keeps_its_unit() {

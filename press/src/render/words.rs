@@ -121,16 +121,14 @@ fn powers_of_ten(html: &str) -> String {
         let mantissa = &rest[at..end];
         rest = &rest[end..];
         let power = rest.strip_prefix('e').filter(|_| !glued).and_then(|power| {
-            let unsigned = power.strip_prefix(['-', '−']);
-            let digits = unsigned.unwrap_or(power);
-            let length = digits.bytes().take_while(u8::is_ascii_digit).count();
-            let goes_on = digits[length..].starts_with(|c: char| c.is_alphanumeric());
-            (length > 0 && !goes_on).then(|| (unsigned.is_some(), &digits[..length], &digits[length..]))
+            let sign = power.len() - power.strip_prefix(['-', '−']).unwrap_or(power).len();
+            let digits = power[sign..].bytes().take_while(u8::is_ascii_digit).count();
+            let (power, behind) = power.split_at(sign + digits);
+            (digits > 0 && !behind.starts_with(char::is_alphanumeric)).then_some((power, behind))
         });
         match power {
-            Some((negative, digits, behind)) => {
-                let power = with_power(mantissa, &format!("{}{digits}", if negative { "−" } else { "" }));
-                out.push_str(power.strip_prefix("1·").unwrap_or(&power));
+            Some((power, behind)) => {
+                out.push_str(&with_power(mantissa, power));
                 rest = behind;
             }
             None => out.push_str(mantissa),
