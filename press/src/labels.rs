@@ -4,7 +4,7 @@ mod partners;
 
 use crate::book::Page;
 use crate::fault::{Faults, nearest};
-use crate::page::{Item, Kind, Label, Placed};
+use crate::page::{Item, Label, LabelKind, PlacedItem};
 use crate::rendered::Rendered;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -13,7 +13,7 @@ const MDBOOKS_IDS: [&str; 5] = ["mdbook-", "fa-", "footnote-", "fr-", "print-but
 
 /// A label with all that a reference to it needs.
 #[derive(Debug, Clone)]
-pub(crate) struct Entry {
+pub(crate) struct LabelEntry {
     /// Path of the page that defines it.
     pub(crate) page: String,
     /// Where it is defined, for messages: `book/page.md`, 80.
@@ -28,7 +28,7 @@ pub(crate) struct Entry {
 /// The labels of a book.
 #[derive(Debug, Default)]
 pub(crate) struct Registry {
-    entries: HashMap<Label, Entry>,
+    entries: HashMap<Label, LabelEntry>,
     /// Number in the source → the label of our equation.
     sources: BTreeMap<u32, Label>,
     /// Path of a page → the ids on it that a link may lead to.
@@ -39,13 +39,13 @@ impl Registry {
     /// Collects and numbers the labels of all pages.
     pub(crate) fn build(
         pages: &[Page],
-        scans: &[Vec<Placed<'_>>],
+        scans: &[Vec<PlacedItem<'_>>],
         drawn: &Rendered,
         faults: &mut Faults,
     ) -> Self {
         let figures = &drawn.figures;
         let mut registry = Self::default();
-        let mut counters: HashMap<(u32, Kind), u32> = HashMap::new();
+        let mut counters: HashMap<(u32, LabelKind), u32> = HashMap::new();
         for (page, items) in pages.iter().zip(scans) {
             let mut slugs = Slugs::default();
             let mut claimed: Vec<(String, usize)> = Vec::new();
@@ -76,7 +76,8 @@ impl Registry {
                     _ => continue,
                 };
                 let number = registry.number(label, page, line, &mut counters, faults);
-                let entry = Entry { page: page.path.clone(), file: page.file.clone(), line, number, title };
+                let entry =
+                    LabelEntry { page: page.path.clone(), file: page.file.clone(), line, number, title };
                 if let Some(first) = registry.entries.get(label) {
                     let place = format!("{}:{}", first.file, first.line);
                     let message = format!("the label {} is already defined at {place}", label.written());
@@ -127,14 +128,17 @@ impl Registry {
         label: &Label,
         page: &Page,
         line: usize,
-        counters: &mut HashMap<(u32, Kind), u32>,
+        counters: &mut HashMap<(u32, LabelKind), u32>,
         faults: &mut Faults,
     ) -> String {
-        if !matches!(label.kind, Kind::Equation | Kind::Figure | Kind::Scene | Kind::Exercise) {
+        if !matches!(
+            label.kind,
+            LabelKind::Equation | LabelKind::Figure | LabelKind::Scene | LabelKind::Exercise
+        ) {
             return String::new();
         }
         let Some(chapter) = page.chapter else {
-            if label.kind == Kind::Figure {
+            if label.kind == LabelKind::Figure {
                 return String::new(); // it stands there without a number
             }
             faults.add(
@@ -150,7 +154,7 @@ impl Registry {
     }
 
     /// The entry of a label, or what to say about its absence.
-    pub(crate) fn find(&self, label: &Label) -> Result<&Entry, String> {
+    pub(crate) fn find(&self, label: &Label) -> Result<&LabelEntry, String> {
         self.entries.get(label).ok_or_else(|| {
             let names =
                 self.entries.keys().filter(|known| known.kind == label.kind).map(|known| known.name.as_str());
@@ -160,7 +164,7 @@ impl Registry {
     }
 
     /// The label and the entry of our equation that has this number in the source.
-    pub(crate) fn find_source(&self, number: u32) -> Result<&Entry, String> {
+    pub(crate) fn find_source(&self, number: u32) -> Result<&LabelEntry, String> {
         let label = self
             .sources
             .get(&number)
@@ -171,7 +175,7 @@ impl Registry {
     /// Adds a fault for each entry of the bibliography that no page cites.
     pub(crate) fn check_citations<T>(&self, cited: &BTreeMap<Label, T>, faults: &mut Faults) {
         for (label, entry) in &self.entries {
-            if label.kind == Kind::Citation && !cited.contains_key(label) {
+            if label.kind == LabelKind::Citation && !cited.contains_key(label) {
                 let message = format!("nothing cites {}: cite it as @{0}, or take it out", label.written());
                 faults.add(&entry.file, entry.line, message);
             }

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// The kinds of labels, as they are written before the colon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) enum Kind {
+pub(crate) enum LabelKind {
     Equation,
     Figure,
     Scene,
@@ -17,7 +17,7 @@ pub(crate) enum Kind {
     Citation,
 }
 
-impl Kind {
+impl LabelKind {
     pub(crate) const ALL: [Self; 7] = [
         Self::Equation,
         Self::Figure,
@@ -48,7 +48,7 @@ impl Kind {
 /// A label as a page defines it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Label {
-    pub(crate) kind: Kind,
+    pub(crate) kind: LabelKind,
     pub(crate) name: String,
 }
 
@@ -178,7 +178,7 @@ pub(crate) enum Item<'a> {
 
 /// An item and the bytes of the page that it takes up.
 #[derive(Debug)]
-pub(crate) struct Placed<'a> {
+pub(crate) struct PlacedItem<'a> {
     pub(crate) range: Range<usize>,
     pub(crate) item: Item<'a>,
 }

@@ -1,7 +1,7 @@
 //! Where the library's comments name the equations of the book, and the links from there to the pages and back.
 
 use crate::api::FOLDER;
-use crate::page::Kind;
+use crate::page::LabelKind;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fs, io};
@@ -11,7 +11,7 @@ const SOURCES: &str = "src/";
 
 /// Something of the library whose comment names an equation.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Place {
+pub(crate) struct CodePlace {
     /// Rustdoc's page of the source file, below the folder of the library's documentation.
     page: String,
     line: usize,
@@ -21,7 +21,7 @@ pub(crate) struct Place {
     rank: u8,
 }
 
-impl Place {
+impl CodePlace {
     /// Where it is, from the root of the site.
     pub(crate) fn target(&self) -> String {
         format!("{FOLDER}/{}#{}", self.page, self.line)
@@ -36,8 +36,8 @@ impl Place {
 
 /// Where the comments of the library name equations: the name of the equation → its places, one an item. `code` holds
 /// files with their texts; those of the library lie in `src`.
-pub(crate) fn places(library: &str, code: &[(String, String)]) -> BTreeMap<String, Vec<Place>> {
-    let mut places: BTreeMap<String, Vec<Place>> = BTreeMap::new();
+pub(crate) fn places(library: &str, code: &[(String, String)]) -> BTreeMap<String, Vec<CodePlace>> {
+    let mut places: BTreeMap<String, Vec<CodePlace>> = BTreeMap::new();
     for (file, text) in code {
         let Some(file) = file.strip_prefix(SOURCES) else {
             continue;
@@ -48,13 +48,13 @@ pub(crate) fn places(library: &str, code: &[(String, String)]) -> BTreeMap<Strin
                 continue;
             };
             for (kind, name) in cited(comment) {
-                let Some(item) = item(&lines, index).filter(|_| kind == Kind::Equation) else {
+                let Some(item) = item(&lines, index).filter(|_| kind == LabelKind::Equation) else {
                     continue;
                 };
                 let rank =
                     ["///", "// ", "//!"].iter().position(|start| comment.starts_with(start)).unwrap_or(1);
                 let page = format!("src/{library}/{file}.html");
-                let place = Place { page, line: index + 1, item, rank: rank as u8 };
+                let place = CodePlace { page, line: index + 1, item, rank: rank as u8 };
                 let known = places.entry(name.to_owned()).or_default();
                 if !known.iter().any(|other| (&other.page, &other.item) == (&place.page, &place.item)) {
                     known.push(place);
@@ -92,14 +92,14 @@ fn named(line: &str) -> Option<String> {
 }
 
 /// The labels that a text names: `eq:…`, `fig:…`, `sec:…`, `ex:…` as words of their own.
-pub(crate) fn cited(text: &str) -> Vec<(Kind, &str)> {
+pub(crate) fn cited(text: &str) -> Vec<(LabelKind, &str)> {
     found(text).into_iter().map(|(_, kind, name)| (kind, name)).collect()
 }
 
 /// The same, with where they begin.
-fn found(text: &str) -> Vec<(usize, Kind, &str)> {
+fn found(text: &str) -> Vec<(usize, LabelKind, &str)> {
     let mut found = Vec::new();
-    for kind in [Kind::Equation, Kind::Figure, Kind::Section, Kind::Exercise] {
+    for kind in [LabelKind::Equation, LabelKind::Figure, LabelKind::Section, LabelKind::Exercise] {
         let prefix = format!("{}:", kind.prefix());
         for (at, _) in text.match_indices(&prefix) {
             let before = text[..at].chars().next_back();
@@ -191,7 +191,7 @@ mod tests {
         let code =
             [("src/tops/top.rs".to_owned(), text.to_owned()), ("tests/top.rs".to_owned(), text.to_owned())];
         let found = places("spin", &code);
-        let words = |name: &str| found[name].iter().map(Place::words).collect::<Vec<_>>();
+        let words = |name: &str| found[name].iter().map(CodePlace::words).collect::<Vec<_>>();
         assert_eq!(words("rate"), ["rate in spin/tops/top.rs, line 1", "other in spin/tops/top.rs, line 8"]);
         // What documents an item comes first.
         assert_eq!(words("more"), ["size in spin/tops/top.rs, line 10", "other in spin/tops/top.rs, line 8"]);

@@ -8,8 +8,8 @@ use crate::book::Page;
 use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
 use crate::markdown::is_rust;
-use crate::page::{Item, Kind, Note, Placed};
-use crate::raw::{Find, RawHtml};
+use crate::page::{Item, LabelKind, Note, PlacedItem};
+use crate::raw::{Finding, RawHtml};
 use crate::{notes, outline, references, signs, snippets, tables, written};
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Tag, TagEnd};
 use std::borrow::Cow;
@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Finds the items of a page, in the order in which they stand.
-pub(crate) fn scan<'a>(page: &'a Page, faults: &mut Faults) -> Vec<Placed<'a>> {
+pub(crate) fn scan<'a>(page: &'a Page, faults: &mut Faults) -> Vec<PlacedItem<'a>> {
     let mut report = page.reporter(faults);
     signs::check(&page.text, &mut report);
     let events = references::parsed(&page.text, &mut report);
@@ -46,7 +46,7 @@ struct Scan<'a, 'f> {
     events: &'f Events<'a>,
     /// The notes whose marks have not been met.
     notes: BTreeMap<String, Note<'a>>,
-    items: Vec<Placed<'a>>,
+    items: Vec<PlacedItem<'a>>,
     report: Reporter<'f>,
     surroundings: Surroundings,
     raw: RawHtml,
@@ -77,7 +77,7 @@ impl<'a> Scan<'a, '_> {
     }
 
     fn place(&mut self, range: Range<usize>, item: Item<'a>) {
-        self.items.push(Placed { range, item });
+        self.items.push(PlacedItem { range, item });
     }
 
     fn run(&mut self) {
@@ -261,9 +261,9 @@ impl<'a> Scan<'a, '_> {
         };
         for (offset, find) in self.raw.read(&html, place, &mut self.report) {
             let item = match find {
-                Find::Link(target) => Item::Link { target: Cow::Owned(target) },
-                Find::Id(id) => Item::Id(id),
-                Find::Hint => Item::Hint,
+                Finding::Link(target) => Item::Link { target: Cow::Owned(target) },
+                Finding::Id(id) => Item::Id(id),
+                Finding::Hint => Item::Hint,
             };
             self.place(offset..offset, item);
         }
@@ -288,9 +288,9 @@ impl<'a> Scan<'a, '_> {
             .filter(|a| a.contains(':'))
             .and_then(|a| written::label(a, range.start, &mut self.report));
         if let Some(label) = &label {
-            if !matches!(label.kind, Kind::Section | Kind::Exercise | Kind::Solution) {
+            if !matches!(label.kind, LabelKind::Section | LabelKind::Exercise | LabelKind::Solution) {
                 self.fault(range.start, format!("a heading cannot carry the label {}", label.written()));
-            } else if title.is_empty() != (label.kind == Kind::Solution) {
+            } else if title.is_empty() != (label.kind == LabelKind::Solution) {
                 let rule =
                     if title.is_empty() { "needs a title" } else { "takes its title from the exercise" };
                 self.fault(range.start, format!("the heading of {} {rule}", label.written()));

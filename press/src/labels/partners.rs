@@ -3,7 +3,7 @@
 use super::{Registry, hint};
 use crate::book::Page;
 use crate::fault::{Faults, nearest};
-use crate::page::{Item, Kind, Label, Mention, Placed};
+use crate::page::{Item, Label, LabelKind, Mention, PlacedItem};
 use crate::rendered::{Figure, Rendered};
 use std::collections::BTreeSet;
 
@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 const LEDGER: &str = "ledger.md";
 
 /// Adds a fault for each number of the source that a page gives to an equation and the ledger does not list.
-pub(super) fn ledger(pages: &[Page], scans: &[Vec<Placed<'_>>], faults: &mut Faults) {
+pub(super) fn ledger(pages: &[Page], scans: &[Vec<PlacedItem<'_>>], faults: &mut Faults) {
     let Some(at) = pages.iter().position(|page| page.path == LEDGER) else {
         return;
     };
@@ -41,7 +41,7 @@ impl Registry {
     pub(super) fn check_figures(
         &self,
         pages: &[Page],
-        scans: &[Vec<Placed<'_>>],
+        scans: &[Vec<PlacedItem<'_>>],
         figures: &[Figure],
         faults: &mut Faults,
     ) {
@@ -73,7 +73,7 @@ impl Registry {
                 }
             }
             let name = figure.id.trim_start_matches("fig:").to_owned();
-            if !self.entries.contains_key(&Label { kind: Kind::Figure, name }) {
+            if !self.entries.contains_key(&Label { kind: LabelKind::Figure, name }) {
                 faults.add(
                     &figure.source(),
                     0,
@@ -86,7 +86,7 @@ impl Registry {
     pub(super) fn check_scenes(
         &self,
         pages: &[Page],
-        scans: &[Vec<Placed<'_>>],
+        scans: &[Vec<PlacedItem<'_>>],
         drawn: &Rendered,
         faults: &mut Faults,
     ) {
@@ -110,14 +110,14 @@ impl Registry {
             }
         }
         for scene in &drawn.scenes {
-            if !self.entries.contains_key(&Label { kind: Kind::Scene, name: scene.name.clone() }) {
+            if !self.entries.contains_key(&Label { kind: LabelKind::Scene, name: scene.name.clone() }) {
                 let message = format!("no page shows this scene: ![Caption.](scene:{})", scene.name);
                 faults.add(&scene.source(), 0, message);
             }
         }
     }
 
-    pub(super) fn check_exercises(&self, pages: &[Page], scans: &[Vec<Placed<'_>>], faults: &mut Faults) {
+    pub(super) fn check_exercises(&self, pages: &[Page], scans: &[Vec<PlacedItem<'_>>], faults: &mut Faults) {
         for (page, items) in pages.iter().zip(scans) {
             for (n, placed) in items.iter().enumerate() {
                 let Item::Heading { label: Some(label), level, .. } = &placed.item else {
@@ -125,8 +125,8 @@ impl Registry {
                 };
                 let line = page.lines.at(placed.range.start);
                 let (partner, what) = match label.kind {
-                    Kind::Exercise => (Kind::Solution, "solution"),
-                    Kind::Solution => (Kind::Exercise, "exercise"),
+                    LabelKind::Exercise => (LabelKind::Solution, "solution"),
+                    LabelKind::Solution => (LabelKind::Exercise, "exercise"),
                     _ => continue,
                 };
                 let partner = Label { kind: partner, name: label.name.clone() };
@@ -140,7 +140,7 @@ impl Registry {
                 let until_next = items[n + 1..]
                     .iter()
                     .take_while(|next| !matches!(&next.item, Item::Heading { level: l, .. } if l <= level));
-                if label.kind == Kind::Exercise
+                if label.kind == LabelKind::Exercise
                     && !until_next.into_iter().any(|p| matches!(p.item, Item::Hint))
                 {
                     let message =

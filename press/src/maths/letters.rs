@@ -9,7 +9,7 @@ use super::tree::Element;
 use crate::book::Page;
 use crate::colours::{QUANTITIES, Quantity};
 use crate::fault::Faults;
-use crate::page::{Cell, Item, Kind, Placed};
+use crate::page::{Cell, Item, LabelKind, PlacedItem};
 use pulldown_cmark::{Event, Tag};
 use std::collections::{BTreeSet, HashMap};
 
@@ -30,7 +30,7 @@ impl Letters {
     /// understand.
     pub(super) fn read(
         page: &Page,
-        items: &[Placed<'_>],
+        items: &[PlacedItem<'_>],
         convert: impl Fn(&str) -> Option<Element>,
         faults: &mut Faults,
     ) -> Self {
@@ -40,7 +40,7 @@ impl Letters {
         for placed in items {
             let rows = match &placed.item {
                 Item::Heading { label, .. } => {
-                    let section = label.as_ref().filter(|label| label.kind == Kind::Section);
+                    let section = label.as_ref().filter(|label| label.kind == LabelKind::Section);
                     let name = section.and_then(|label| label.name.strip_prefix("symbols-"));
                     chapter_shown = name.map(str::to_owned);
                     continue;

@@ -10,7 +10,7 @@ mod words;
 use crate::book::Page;
 use crate::faces;
 use crate::fault::Faults;
-use crate::page::Placed;
+use crate::page::PlacedItem;
 use letters::{CONVENTIONS, Letters};
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use std::collections::BTreeSet;
@@ -43,7 +43,7 @@ pub(crate) struct MathsFault {
 
 impl Maths {
     /// A converter that colours letters as the conventions among `pages` say.
-    pub(crate) fn new(pages: &[Page], scans: &[Vec<Placed<'_>>], faults: &mut Faults) -> Self {
+    pub(crate) fn new(pages: &[Page], scans: &[Vec<PlacedItem<'_>>], faults: &mut Faults) -> Self {
         let config = MathCoreConfig { annotation: false, ..MathCoreConfig::default() };
         // Only a macro can make the converter fail, and there is none.
         let mut maths = Self {

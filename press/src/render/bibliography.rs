@@ -3,21 +3,21 @@
 use super::Printer;
 use crate::book::{Page, relative};
 use crate::html::escaped;
-use crate::page::{Item, Kind, Label, Mention, Placed};
+use crate::page::{Item, Label, LabelKind, Mention, PlacedItem};
 use std::collections::BTreeMap;
 
 /// Label → the pages that mention it, each once, by their order, and whether an id stands where the page does.
 pub(super) type Cited = BTreeMap<Label, Vec<(usize, bool)>>;
 
 /// What links to the pages are called where there is little room: `Chapter 4`, `Chapter 4 · Exercises`, `Preface`.
-pub(super) fn titles(pages: &[Page], scans: &[Vec<Placed<'_>>]) -> Vec<String> {
-    let title = |items: &[Placed<'_>]| {
+pub(super) fn titles(pages: &[Page], scans: &[Vec<PlacedItem<'_>>]) -> Vec<String> {
+    let title = |items: &[PlacedItem<'_>]| {
         items.iter().find_map(|placed| match &placed.item {
             Item::Heading { level: 1, plain, .. } => Some(plain.clone()),
             _ => None,
         })
     };
-    let short = |(page, items): (&Page, &Vec<Placed<'_>>)| match (page.chapter, &page.part) {
+    let short = |(page, items): (&Page, &Vec<PlacedItem<'_>>)| match (page.chapter, &page.part) {
         (Some(chapter), None) => format!("Chapter {chapter}"),
         (Some(chapter), Some(part)) => format!("Chapter {chapter} · {part}"),
         (None, _) => title(items).unwrap_or_else(|| page.path.clone()),
@@ -53,7 +53,7 @@ impl Printer<'_, '_> {
         let Mention::Label(label) = mention else { return String::new() };
         let order = self.cited.get(label).map_or(0, Vec::len);
         match self.cited.get_mut(label).and_then(|pages| pages.last_mut()) {
-            Some((_, has_id @ false)) if label.kind == Kind::Citation => {
+            Some((_, has_id @ false)) if label.kind == LabelKind::Citation => {
                 *has_id = true;
                 format!("<span id=\"from-{}-{}\"></span>", label.name, order - 1)
             }

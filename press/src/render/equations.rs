@@ -2,7 +2,7 @@
 
 use super::Printer;
 use crate::page::EquationLabel;
-use crate::places::Place;
+use crate::places::CodePlace;
 use std::fmt::Write as _;
 
 impl Printer<'_, '_> {
@@ -48,7 +48,7 @@ impl Printer<'_, '_> {
     fn code(&self, equation: &str) -> String {
         let Some(places) = self.places.get(equation) else { return String::new() };
         let up = "../".repeat(self.page.path.matches('/').count());
-        let link = |(index, place): (usize, &Place)| {
+        let link = |(index, place): (usize, &CodePlace)| {
             let (words, target) = (place.words(), place.target());
             // What is heard begins with what is seen, so that who speaks can name the link.
             let (text, name) = match index {

@@ -3,7 +3,7 @@
 use super::Printer;
 use crate::book::script;
 use crate::html::escaped;
-use crate::page::{Kind, Label, Words};
+use crate::page::{Label, LabelKind, Words};
 use crate::{faces, scenes};
 
 impl Printer<'_, '_> {
@@ -55,7 +55,7 @@ impl Printer<'_, '_> {
     /// The beginning of a link that sets the scene of the page: `turning?spin=3`.
     pub(super) fn setting(&mut self, setting: &str, offset: usize) -> String {
         let (name, settings) = setting.split_once('?').unwrap_or((setting, ""));
-        let label = Label { kind: Kind::Scene, name: name.to_owned() };
+        let label = Label { kind: LabelKind::Scene, name: name.to_owned() };
         let scene = self.drawn.scenes.iter().find(|scene| scene.name == name);
         let checked = match (self.registry.find(&label), scene) {
             (Ok(entry), Some(_)) if entry.page != self.page.path => {

@@ -3,7 +3,7 @@
 use super::Printer;
 use crate::book::relative;
 use crate::html::escaped;
-use crate::page::{Kind, Label};
+use crate::page::{Label, LabelKind};
 
 impl Printer<'_, '_> {
     /// The title of a page of a numbered chapter, below the number of the chapter.
@@ -24,16 +24,19 @@ impl Printer<'_, '_> {
         let marks = "#".repeat(usize::from(level));
         let id = label.id();
         let partner = match label.kind {
-            Kind::Exercise => Label { kind: Kind::Solution, name: label.name.clone() },
-            Kind::Solution => Label { kind: Kind::Exercise, name: label.name.clone() },
+            LabelKind::Exercise => Label { kind: LabelKind::Solution, name: label.name.clone() },
+            LabelKind::Solution => Label { kind: LabelKind::Exercise, name: label.name.clone() },
             _ => return Some(format!("{marks} {title} {{#{id}}}")),
         };
-        let exercise = if label.kind == Kind::Exercise { label } else { &partner };
+        let exercise = if label.kind == LabelKind::Exercise { label } else { &partner };
         let entry = self.registry.find(exercise).ok()?.clone();
         let place = self.registry.find(&partner).ok()?; // its absence is reported with the labels
         let target = format!("{}#{}", relative(&self.page.path, &place.page), partner.id());
-        let (kind, there) =
-            if label.kind == Kind::Exercise { ("Exercise", "Solution") } else { ("Solution", "Exercise") };
+        let (kind, there) = if label.kind == LabelKind::Exercise {
+            ("Exercise", "Solution")
+        } else {
+            ("Solution", "Exercise")
+        };
         Some(format!(
             "{marks} {kind} {}. {} {{#{id}}}\n\n<p class=\"turn\"><a href=\"{target}\">{there} {}</a></p>\n",
             entry.number, entry.title, entry.number

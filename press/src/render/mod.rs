@@ -16,8 +16,8 @@ use crate::fault::Faults;
 use crate::labels::Registry;
 use crate::maths::Maths;
 use crate::numbers::BLANK;
-use crate::page::{Item, Label, Placed};
-use crate::places::{self, Place};
+use crate::page::{Item, Label, PlacedItem};
+use crate::places::{self, CodePlace};
 use crate::rendered::Rendered;
 use crate::scan::scan;
 use crate::{scenes, ties};
@@ -36,7 +36,7 @@ pub(crate) fn render(
     code: &[(String, String)],
 ) -> Result<Vec<String>, Faults> {
     let mut faults = Faults::default();
-    let scans: Vec<Vec<Placed<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
+    let scans: Vec<Vec<PlacedItem<'_>>> = pages.iter().map(|page| scan(page, &mut faults)).collect();
     scenes::check(&drawn.scenes, &mut faults);
     let registry = Registry::build(pages, &scans, drawn, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
@@ -108,7 +108,7 @@ struct Printer<'a, 'f> {
     drawn: &'a Rendered,
     library: &'a Library,
     /// Where the library's comments name equations.
-    places: &'a BTreeMap<String, Vec<Place>>,
+    places: &'a BTreeMap<String, Vec<CodePlace>>,
     /// Every label that some page mentions.
     cited: &'f mut Cited,
     /// The notes of the page whose marks are printed, in their order.
@@ -124,7 +124,7 @@ impl Printer<'_, '_> {
     }
 
     /// The page with every item replaced; everything else stands as it was written.
-    fn page(&mut self, items: &[Placed<'_>]) -> Vec<Part> {
+    fn page(&mut self, items: &[PlacedItem<'_>]) -> Vec<Part> {
         let text = &self.page.text;
         let mut parts = Vec::new();
         let mut out = String::with_capacity(text.len() * 4);

@@ -3,7 +3,7 @@
 use super::Printer;
 use crate::book::{relative, resolve};
 use crate::numbers::BLANK;
-use crate::page::{Kind, Label, Mention};
+use crate::page::{Label, LabelKind, Mention};
 use crate::ties;
 
 impl Printer<'_, '_> {
@@ -42,20 +42,20 @@ impl Printer<'_, '_> {
     pub(super) fn words(&self, label: &Label) -> Result<(String, String), String> {
         let entry = self.registry.find(label)?;
         let words = match label.kind {
-            Kind::Equation => format!("({})", entry.number),
-            Kind::Figure if entry.number.is_empty() => {
+            LabelKind::Equation => format!("({})", entry.number),
+            LabelKind::Figure if entry.number.is_empty() => {
                 return Err(format!("{} has no number by which to refer to it", label.written()));
             }
-            Kind::Figure => format!("Figure{BLANK}{}", entry.number),
-            Kind::Scene => format!("Scene{BLANK}{}", entry.number),
-            Kind::Exercise => format!("Exercise{BLANK}{}", entry.number),
-            Kind::Solution => {
+            LabelKind::Figure => format!("Figure{BLANK}{}", entry.number),
+            LabelKind::Scene => format!("Scene{BLANK}{}", entry.number),
+            LabelKind::Exercise => format!("Exercise{BLANK}{}", entry.number),
+            LabelKind::Solution => {
                 let exercise =
-                    self.registry.find(&Label { kind: Kind::Exercise, name: label.name.clone() })?;
+                    self.registry.find(&Label { kind: LabelKind::Exercise, name: label.name.clone() })?;
                 format!("Solution{BLANK}{}", exercise.number)
             }
-            Kind::Section => format!("“{}”", entry.title),
-            Kind::Citation => entry.title.replace(' ', BLANK),
+            LabelKind::Section => format!("“{}”", entry.title),
+            LabelKind::Citation => entry.title.replace(' ', BLANK),
         };
         Ok((words, entry.page.clone()))
     }

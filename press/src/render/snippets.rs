@@ -4,7 +4,7 @@
 use super::Printer;
 use crate::checks::{self, Folded};
 use crate::markdown::code_lines;
-use crate::page::{Kind, Label};
+use crate::page::{Label, LabelKind};
 use crate::{answers, api, panel, snippets};
 
 impl Printer<'_, '_> {
@@ -13,7 +13,7 @@ impl Printer<'_, '_> {
         let mut shown = String::with_capacity(code.len());
         let mut done = 0;
         for (place, name) in snippets::cited_labels(code, &(0..code.len())) {
-            let label = Label { kind: Kind::Equation, name: name["eq:".len()..].to_owned() };
+            let label = Label { kind: LabelKind::Equation, name: name["eq:".len()..].to_owned() };
             match self.words(&label) {
                 Ok((number, _)) => {
                     shown.push_str(&code[done..place.start]);

@@ -4,7 +4,7 @@ use super::Printer;
 use crate::colours::Quantity;
 use crate::html::{escaped, prose};
 use crate::numbers::with_power;
-use crate::page::{Item, Placed, Words};
+use crate::page::{Item, PlacedItem, Words};
 use crate::{ties, written};
 use pulldown_cmark::{CowStr, Event, Tag, html::push_html};
 use std::fmt::Write as _;
@@ -64,7 +64,7 @@ impl Printer<'_, '_> {
     fn mentions_in(&mut self, text: &str, before: &str, offset: usize) -> String {
         let (mut out, mut done) = (String::new(), 0);
         // What is wrong with them is said where the page is read.
-        for Placed { range, item } in written::mentions(text, &(0..text.len()), false, |_, _| {}) {
+        for PlacedItem { range, item } in written::mentions(text, &(0..text.len()), false, |_, _| {}) {
             let Item::Mention(mention) = item else { continue };
             out.push_str(&prose(&text[done..range.start]));
             let before = format!("{before}{}", &text[..range.start]);

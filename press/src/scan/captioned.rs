@@ -1,7 +1,7 @@
 //! Figures, scenes and tables, with their captions.
 
 use super::{Scan, after};
-use crate::page::{Item, Kind, Words};
+use crate::page::{Item, LabelKind, Words};
 use crate::{notes, tables, written};
 use pulldown_cmark::{CowStr, Event, TagEnd};
 use std::ops::Range;
@@ -27,14 +27,15 @@ impl<'a> Scan<'a, '_> {
             return;
         }
         let label = written::label(dest_url, range.start, &mut self.report);
-        let Some(label) = label.filter(|label| matches!(label.kind, Kind::Figure | Kind::Scene)) else {
+        let Some(label) = label.filter(|label| matches!(label.kind, LabelKind::Figure | LabelKind::Scene))
+        else {
             self.fault(
                 range.start,
                 format!("the image `{dest_url}` is not a figure of the book (`fig:name`), nor a scene"),
             );
             return;
         };
-        let what = if label.kind == Kind::Scene { "scene" } else { "figure" };
+        let what = if label.kind == LabelKind::Scene { "scene" } else { "figure" };
         if !alone {
             self.fault(range.start, format!("the {what} {dest_url} must stand in a paragraph of its own"));
         }
@@ -43,7 +44,7 @@ impl<'a> Scan<'a, '_> {
             self.fault(range.start, format!("the {what} {dest_url} has no caption that says what it shows"));
         }
         let item = match label.kind {
-            Kind::Scene => Item::Scene { label, caption },
+            LabelKind::Scene => Item::Scene { label, caption },
             _ => Item::Figure { label, caption },
         };
         self.place(range.start..range.end + marks.len(), item);
