@@ -4,8 +4,8 @@
 /// A blank at which no line ends.
 pub(crate) const BLANK: &str = "\u{a0}";
 
-/// A number with a power of ten, as HTML: 1.6·10⁸, and 10⁻³ where it is one of them itself. (`pretty` in numbers.js does
-/// the same when a reader changes a number.)
+/// A number with a power of ten, as HTML: 1.6·10⁸, and 10⁻³ where it is one of them itself. (`pretty` in numbers.js
+/// does the same when a reader changes a number.)
 pub(crate) fn with_power(mantissa: &str, power: &str) -> String {
     let digits = mantissa.strip_suffix('1').filter(|sign| matches!(*sign, "" | "-" | "−"));
     let digits = digits.map_or_else(|| format!("{mantissa}·"), str::to_owned);

@@ -1,4 +1,5 @@
-//! What has a label and lacks its partner: a figure no page, an exercise its solution, an equation of the source its row.
+//! Labels without a partner: figures that no page shows, exercises without a solution, equations of the source without
+//! a row in the ledger.
 
 use super::{Registry, hint};
 use crate::book::Page;
