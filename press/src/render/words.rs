@@ -7,6 +7,7 @@ use crate::numbers::with_power;
 use crate::page::{Item, PlacedItem, Words};
 use crate::{ties, written};
 use pulldown_cmark::{CowStr, Event, Tag, html::push_html};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 impl Printer<'_, '_> {
@@ -15,7 +16,8 @@ impl Printer<'_, '_> {
         let mut out = String::new();
         let mut printed: Vec<Event<'_>> = Vec::new();
         let mut before = String::new(); // as it is written, without its mathematics
-        let mut taken = 0; // of the next text, by the formula before it
+        let mut taken = 0; // of the next text, by what stands before it
+        let tags = coloured(words);
         for (n, &(ref event, offset)) in words.iter().enumerate() {
             let next = match words.get(n + 1) {
                 Some((Event::Text(text), _)) => text,
@@ -42,6 +44,10 @@ impl Printer<'_, '_> {
                         }
                     }
                 }
+                Event::Text(_) if let Some((tag, length)) = tags.get(&n) => {
+                    taken = *length;
+                    Event::InlineHtml(CowStr::from(tag.clone()))
+                }
                 Event::Text(text) => {
                     let html = self.mentions_in(&text[std::mem::take(&mut taken)..], &before, offset);
                     before.push_str(text);
@@ -57,7 +63,7 @@ impl Printer<'_, '_> {
             printed.push(html);
         }
         push_html(&mut out, printed.into_iter());
-        coloured(out.trim())
+        out.trim().to_owned()
     }
 
     /// Text as HTML, with its mentions as links; `before` is what stands before it.
@@ -80,27 +86,27 @@ impl Printer<'_, '_> {
     }
 }
 
-/// HTML with its words `[words]{.role}` in the colours of their quantities.
-fn coloured(html: &str) -> String {
-    let mut out = String::with_capacity(html.len());
-    let mut rest = html;
-    while let Some((words, behind)) = rest.split_once("]{.") {
-        let role = behind.split_once('}');
-        let quantity = role.and_then(|(role, behind)| Some((Quantity::of_role(role).ok()?, behind)));
-        match (words.rfind('['), quantity) {
-            (Some(open), Some((quantity, behind))) => {
-                let (before, words) = (&words[..open], &words[open + 1..]);
-                out.push_str(&format!("{before}<span class=\"{}\">{words}</span>", quantity.class()));
-                rest = behind;
+/// The tags in the places of the brackets of `[words]{.role}`, and how many bytes of the next text belong to them.
+fn coloured(words: &Words<'_>) -> BTreeMap<usize, (String, usize)> {
+    let (mut tags, mut open) = (BTreeMap::new(), Vec::new());
+    for (n, (event, _)) in words.iter().enumerate() {
+        match (event, words.get(n + 1)) {
+            (Event::Text(text), _) if text.as_ref() == "[" => open.push(n),
+            (Event::Text(text), next) if text.as_ref() == "]" => {
+                let Some((start, (Event::Text(behind), _))) = open.pop().zip(next) else { continue };
+                let role =
+                    behind.strip_prefix("{.").and_then(|rest| rest.split_once('}')).map(|(role, _)| role);
+                if let Some((role, quantity)) =
+                    role.and_then(|role| Some((role, Quantity::of_role(role).ok()?)))
+                {
+                    tags.insert(start, (format!("<span class=\"{}\">", quantity.class()), 0));
+                    tags.insert(n, ("</span>".to_owned(), "{.}".len() + role.len()));
+                }
             }
-            _ => {
-                out.push_str(words);
-                out.push_str("]{.");
-                rest = behind;
-            }
+            _ => {}
         }
     }
-    out + rest
+    tags
 }
 
 /// HTML in which `1.6e8` is written as on paper, 1.6·10⁸, and `1e-3` as 10⁻³.
