@@ -1,10 +1,8 @@
 //! The pages of the book as the press sees them, whoever loaded them.
 
 use crate::fault::{Faults, Lines, Reporter};
-use crate::summary;
 use dialect::pages;
 use mdbook_preprocessor::book::{Book, BookItem};
-use mdbook_summary::SummaryItem;
 use std::fs;
 use std::path::Path;
 
@@ -66,44 +64,8 @@ fn collect(items: &[BookItem], source: &str, pages: &mut Vec<Page>) {
 }
 
 /// What a page that has this number and this name is of its chapter, if it is not its first page.
-fn part(number: &[u32], name: &str) -> Option<String> {
+pub(crate) fn part(number: &[u32], name: &str) -> Option<String> {
     (number.len() > 1).then(|| name.to_owned())
-}
-
-/// The pages as they stand on disk under `root`, read without mdBook, and the folder that they stand in.
-///
-/// # Errors
-/// Faults of book.toml and SUMMARY.md, and of files that cannot be read.
-pub fn from_disk(root: &Path) -> Result<(String, Vec<Page>), Faults> {
-    let mut faults = Faults::default();
-    let pages = source(root, &mut faults).and_then(|source| {
-        let summary = summary::read(root, &source, &mut faults)?;
-        let mut pages = Vec::new();
-        for item in
-            summary.prefix_chapters.iter().chain(&summary.numbered_chapters).chain(&summary.suffix_chapters)
-        {
-            read(item, root, &source, &mut pages, &mut faults);
-        }
-        Some((source, pages))
-    });
-    pages.filter(|_| faults.is_empty()).ok_or(faults)
-}
-
-/// The folder of the pages, as book.toml names it.
-pub(crate) fn source(root: &Path, faults: &mut Faults) -> Option<String> {
-    const CONFIGURATION: &str = "book.toml";
-    let text = text(root, CONFIGURATION, faults)?;
-    match text.parse::<toml::Table>() {
-        Ok(config) => {
-            let source = config.get("book").and_then(|book| book.get("src")).and_then(toml::Value::as_str);
-            Some(source.unwrap_or("src").to_owned())
-        }
-        Err(error) => {
-            let line = error.span().map_or(0, |span| Lines::of(&text).at(span.start));
-            faults.add(CONFIGURATION, line, error.message().to_owned());
-            None
-        }
-    }
 }
 
 /// The text of a file of the project; a fault if there is none.
@@ -123,24 +85,13 @@ pub(crate) fn text(root: &Path, file: &str, faults: &mut Faults) -> Option<Strin
     }
 }
 
-fn read(item: &SummaryItem, root: &Path, source: &str, pages: &mut Vec<Page>, faults: &mut Faults) {
-    let SummaryItem::Link(link) = item else {
-        return;
-    };
-    if let Some(location) = &link.location {
-        let path = slashed(location);
-        let chapter = link.number.as_ref().and_then(|number| number.first().copied());
-        let part = link.number.as_ref().and_then(|number| part(number, &link.name));
-        let text = text(root, &format!("{source}/{path}"), faults);
-        pages.extend(text.map(|text| Page::new(source, path, chapter, part, text)));
-    }
-    for nested in &link.nested_items {
-        read(nested, root, source, pages, faults);
-    }
-}
-
 pub(crate) fn slashed(path: &Path) -> String {
     pages::slashed(&path.to_string_lossy())
+}
+
+/// The script with the scene and the live numbers of the chapter in a folder, in the site's root.
+pub(crate) fn script(chapter: &str) -> String {
+    format!("live-{chapter}.js")
 }
 
 /// The path that leads from the page at `from` to the page at `to`, both in the source folder.

@@ -1,7 +1,8 @@
 //! What is wrong with the pages, found without building the book.
 
 use crate::api::Library;
-use crate::book::{Page, from_disk};
+use crate::book::Page;
+use crate::disk::from_disk;
 use crate::fault::Faults;
 use crate::rendered::Rendered;
 use crate::{effort, render, site, summary};

@@ -1,6 +1,6 @@
 //! `cargo book`: what one can ask of the press by hand.
 
-use crate::book::from_disk;
+use crate::disk::from_disk;
 use crate::mdbook::{self, For};
 use crate::paper::{self, Paper};
 use crate::rendered::Rendered;

@@ -5,7 +5,7 @@ use crate::book::{Page, relative};
 /// The name of the table in `![Caption.](table:exercises)`.
 pub(crate) const TABLE: &str = "exercises";
 /// The grades of exercises, from what takes minutes to what takes an evening.
-const GRADES: [&str; 3] = ["Check", "Problem", "Project"];
+pub const GRADES: [&str; 3] = ["Check", "Problem", "Project"];
 
 /// The exercises of one grade: how many, and their minutes together.
 type Effort = [(u32, f64); GRADES.len()];
@@ -51,7 +51,7 @@ fn effort(text: &str) -> Effort {
 }
 
 /// The grade of an exercise, by its place among the grades, and its minutes, from the line that says both.
-fn graded(line: &str) -> Option<(usize, f64)> {
+pub fn graded(line: &str) -> Option<(usize, f64)> {
     let (grade, time) = line.trim().strip_prefix('*')?.strip_suffix('*')?.split_once(" · ")?;
     let (number, unit) = time.split_once(' ')?;
     let minutes = match unit {

@@ -1,6 +1,5 @@
 //! What the faces of the book can show: the characters to which `press/drawing/font/cut.py` cuts them down.
 
-use crate::maths::accents::italic;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
@@ -90,6 +89,26 @@ pub(crate) fn check_mathml(mathml: &str) -> Result<(), String> {
         face.check(&shown).map_err(|(_, message)| message)?;
     }
     Ok(())
+}
+
+/// The italic letter that a browser shows for a plain one.
+pub(crate) fn italic(c: char) -> char {
+    let from = |first: u32, base: char| char::from_u32(first + u32::from(c) - u32::from(base)).unwrap_or(c);
+    match c {
+        'h' => 'ℎ',
+        'A'..='Z' => from(0x1d434, 'A'),
+        'a'..='z' => from(0x1d44e, 'a'),
+        'Α'..='Ω' => from(0x1d6e2, 'Α'),
+        'α'..='ω' => from(0x1d6fc, 'α'),
+        'ϵ' => '𝜖',
+        'ϑ' => '𝜗',
+        'ϕ' => '𝜙',
+        'ϱ' => '𝜚',
+        'ϖ' => '𝜛',
+        'ı' => '𝚤',
+        'ȷ' => '𝚥',
+        _ => c,
+    }
 }
 
 #[cfg(test)]

@@ -3,10 +3,10 @@
 use crate::edition::edition;
 use crate::fault::{Faults, Lines};
 use crate::head::{self, Said};
+use crate::html::escaped;
 use crate::licence::Licence;
 use crate::mdbook::For;
 use crate::preprocess::Failed;
-use crate::render::escaped;
 use crate::rendered::Rendered;
 use crate::{api, lost, module, outcome, places, scripts, search, site, solutions, theme};
 use mdbook_renderer::RenderContext;
@@ -43,7 +43,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
         Ok(faults) if faults.is_empty() => outcome::bring_back(&unfinished, &site).map_err(cannot),
         other => {
             let failed = other.map_or_else(cannot, Failed::Faults);
-            outcome::fail(&site, &context.config, &failed).map_err(cannot)?;
+            outcome::fail(&site, &context.config, &failed.to_string()).map_err(cannot)?;
             Err(failed)
         }
     }

@@ -1,8 +1,8 @@
 //! What a page says of itself to those who have not opened it (search engines, previews of links), and which edition
 //! it belongs to.
 
+use crate::html::escaped;
 use crate::licence::Licence;
-use crate::render::escaped;
 use html5gum::{Token, Tokenizer};
 use std::path::Path;
 use std::{fs, io};

@@ -91,18 +91,22 @@
 pub mod book;
 pub mod check;
 pub mod command;
+pub mod disk;
+pub mod effort;
 pub mod fault;
 pub mod finish;
 pub mod paper;
 pub mod preprocess;
 pub mod rendered;
+pub mod symbols;
 
 mod api;
 mod checks;
+mod colours;
 mod edition;
-mod effort;
 mod faces;
 mod head;
+mod html;
 mod labels;
 mod licence;
 mod lost;

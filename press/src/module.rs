@@ -11,7 +11,7 @@
 //! target: then rustup is asked for it.
 
 use crate::Book;
-use crate::book::Page;
+use crate::book::{Page, script};
 use crate::mdbook::For;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use dialect::live_numbers;
@@ -22,11 +22,6 @@ use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 use std::{env, fs, io, thread};
-
-/// The script of a chapter, in the site's root.
-pub(crate) fn file(chapter: &str) -> String {
-    format!("live-{chapter}.js")
-}
 
 /// Where the scripts lie, beside what the compiler leaves.
 const FOLDER: &str = "target/live";
@@ -131,7 +126,7 @@ impl Modules {
         let mut files = BTreeMap::new();
         let mut compiled = 0;
         for (chapter, live_text) in &self.chapters {
-            let script = folder.join(file(chapter));
+            let script = folder.join(script(chapter));
             let stamp = script.with_extension("stamp");
             let known = fs::read_to_string(&stamp).unwrap_or_default();
             let mut seen = |sources: &str| {

@@ -3,8 +3,8 @@
 //! comes at once. Two things are not in our hands. What does not compile never runs, and leaves the whole site
 //! of before. And plain `mdbook build` renders in that very folder.
 
+use crate::html::escaped;
 use crate::mdbook::For;
-use crate::preprocess::Failed;
 use mdbook_preprocessor::config::Config;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -34,11 +34,11 @@ pub(crate) fn withdraw(site: &Path) -> io::Result<()> {
 
 /// Takes the site away after a build that failed. Who looks at it while it is served sees the reason
 /// instead, at every address, until the next build.
-pub(crate) fn fail(site: &Path, config: &Config, failed: &Failed) -> io::Result<()> {
+pub(crate) fn fail(site: &Path, config: &Config, reason: &str) -> io::Result<()> {
     remove(&site.with_file_name("html-unfinished"))?;
     withdraw(site)?;
     match For::of(config) {
-        For::Author | For::Hasty => say(site, &failed.to_string()),
+        For::Author | For::Hasty => say(site, reason),
         For::Readers | For::Paper => Ok(()),
     }
 }
@@ -60,7 +60,7 @@ pub(crate) fn remove(path: &Path) -> io::Result<()> {
 
 /// A page that says why there is no book, and asks every two seconds whether there is one now.
 fn page(reason: &str) -> String {
-    let reason = reason.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+    let reason = escaped(reason);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<meta charset=\"utf-8\">\n<meta http-equiv=\"refresh\" content=\"2\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n<title>The book was not built</title>\n\

@@ -1,9 +1,9 @@
 //! The headings of a page: one title, first, and below it no level left out.
 
 use crate::fault::Reporter;
-use crate::page::{Item, Placed};
+use crate::page::{Item, PlacedItem};
 
-pub(crate) fn check(items: &[Placed<'_>], report: &mut Reporter<'_>) {
+pub(crate) fn check(items: &[PlacedItem<'_>], report: &mut Reporter<'_>) {
     let mut above = 0;
     for placed in items {
         let Item::Heading { level, label, title, .. } = &placed.item else {

@@ -1,13 +1,13 @@
 //! What stands on a page that the press has to replace or check.
 
-use crate::maths::Quantity;
+use crate::colours::Quantity;
 use pulldown_cmark::Event;
 use std::borrow::Cow;
 use std::ops::Range;
 
 /// The kinds of labels, as they are written before the colon.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) enum Kind {
+pub(crate) enum LabelKind {
     Equation,
     Figure,
     Scene,
@@ -17,7 +17,7 @@ pub(crate) enum Kind {
     Citation,
 }
 
-impl Kind {
+impl LabelKind {
     pub(crate) const ALL: [Self; 7] = [
         Self::Equation,
         Self::Figure,
@@ -48,7 +48,7 @@ impl Kind {
 /// A label as a page defines it.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct Label {
-    pub(crate) kind: Kind,
+    pub(crate) kind: LabelKind,
     pub(crate) name: String,
 }
 
@@ -92,6 +92,8 @@ pub(crate) struct Table<'a> {
 /// A cell of a table.
 #[derive(Debug, Default)]
 pub(crate) struct Cell<'a> {
+    /// Where it stands on the page.
+    pub(crate) offset: usize,
     pub(crate) words: Words<'a>,
 }
 
@@ -154,24 +156,29 @@ pub(crate) enum Item<'a> {
         label: Label,
         short: &'a str,
     },
+    /// Where an entry of the bibliography ends.
+    CitationEnd(Label),
     Link {
         target: Cow<'a, str>,
     },
-    /// The beginning, `[`, of words that set a scene of the page, with the name of the scene and the settings
-    /// behind it; and their end, `](scene:…)`.
-    Setting(Option<Cow<'a, str>>),
+    /// `[`: words begin that set a scene of the page. It holds the name of the scene and the settings.
+    SettingStart(Cow<'a, str>),
+    /// `](scene:…)`: these words end.
+    SettingEnd,
     /// An id that raw HTML claims.
     Id(String),
     Hint,
     /// A blank between a number and its unit.
     Blank,
-    /// Words in the colour of a quantity begin, `[`, or end, `]{.role}`.
-    Coloured(Option<Quantity>),
+    /// `[`: words in the colour of a quantity begin.
+    ColouredStart(Quantity),
+    /// `]{.role}`: these words end.
+    ColouredEnd,
 }
 
 /// An item and the bytes of the page that it takes up.
 #[derive(Debug)]
-pub(crate) struct Placed<'a> {
+pub(crate) struct PlacedItem<'a> {
     pub(crate) range: Range<usize>,
     pub(crate) item: Item<'a>,
 }

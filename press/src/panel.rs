@@ -2,10 +2,10 @@
 //!
 //! It is printed with the values of the text; the page's script keeps it true when a reader changes them.
 
-use crate::module;
-use crate::render::{escaped, prose};
+use crate::book::script;
+use crate::html::{escaped, prose};
 use dialect::live_numbers::{Answers, Live, Value};
-use live::with_power;
+use live::numbers::with_power;
 
 /// The panel of the snippet with this number among those of the book.
 pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> String {
@@ -32,7 +32,7 @@ pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> Str
         "<div class=\"answers\" data-snippet=\"{snippet}\" data-module=\"{}\" role=\"group\" aria-label=\"Try other numbers\">\n\
          {live}{values}{checks}<p class=\"says\" role=\"status\"></p>\n\
          <button type=\"button\" class=\"reset\" disabled>Numbers of the text</button>\n</div>",
-        module::file(chapter)
+        script(chapter)
     )
 }
 

@@ -16,10 +16,10 @@ use crate::book::{self, Page};
 use crate::edition;
 use crate::fault::Faults;
 use crate::head::plain;
+use crate::html::escaped;
 use crate::licence::Licence;
 use crate::mdbook;
-use crate::render::escaped;
-use crate::{solutions, summary};
+use crate::{disk, solutions, summary};
 use mdbook_summary::SummaryItem;
 use sheet::{Kind, Sheet};
 use std::collections::{BTreeMap, BTreeSet};
@@ -93,7 +93,7 @@ impl Paper {
     /// # Errors
     /// If a file cannot be read, or the site is not one of this book.
     pub fn read(root: &Path, site: &Path, chapter: Option<&str>, solutions: bool) -> io::Result<Self> {
-        let (_, mut pages) = book::from_disk(root).map_err(|faults| io::Error::other(faults.to_string()))?;
+        let (_, mut pages) = disk::from_disk(root).map_err(|faults| io::Error::other(faults.to_string()))?;
         if solutions::are_hidden_in(root).map_err(io::Error::other)? {
             pages.retain(|page| !solutions::stand_on(&page.text));
         }
@@ -296,7 +296,7 @@ const HIGHLIGHT: &str = "<script>for (const code of document.querySelectorAll('p
 fn parts(root: &Path) -> io::Result<BTreeMap<String, String>> {
     let mut faults = Faults::default();
     let summary =
-        book::source(root, &mut faults).and_then(|source| summary::read(root, &source, &mut faults));
+        disk::source(root, &mut faults).and_then(|source| summary::read(root, &source, &mut faults));
     let summary = summary.ok_or_else(|| io::Error::other(faults.to_string()))?;
     let mut part = None;
     let mut parts = BTreeMap::new();

@@ -1,17 +1,20 @@
 //! Where the library's comments name the equations of the book, and the links from there to the pages and back.
 
 use crate::api::FOLDER;
-use crate::page::Kind;
+use crate::page::LabelKind;
+use html5gum::{DefaultEmitter, HtmlString, Token, Tokenizer};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fs, io};
 
 /// The folder of the library's sources, in the project.
 const SOURCES: &str = "src/";
+/// The elements in which no link can stand.
+const SEALED: [&[u8]; 5] = [b"a", b"script", b"style", b"title", b"textarea"];
 
 /// Something of the library whose comment names an equation.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Place {
+pub(crate) struct CodePlace {
     /// Rustdoc's page of the source file, below the folder of the library's documentation.
     page: String,
     line: usize,
@@ -21,7 +24,7 @@ pub(crate) struct Place {
     rank: u8,
 }
 
-impl Place {
+impl CodePlace {
     /// Where it is, from the root of the site.
     pub(crate) fn target(&self) -> String {
         format!("{FOLDER}/{}#{}", self.page, self.line)
@@ -36,8 +39,8 @@ impl Place {
 
 /// Where the comments of the library name equations: the name of the equation → its places, one an item. `code` holds
 /// files with their texts; those of the library lie in `src`.
-pub(crate) fn places(library: &str, code: &[(String, String)]) -> BTreeMap<String, Vec<Place>> {
-    let mut places: BTreeMap<String, Vec<Place>> = BTreeMap::new();
+pub(crate) fn places(library: &str, code: &[(String, String)]) -> BTreeMap<String, Vec<CodePlace>> {
+    let mut places: BTreeMap<String, Vec<CodePlace>> = BTreeMap::new();
     for (file, text) in code {
         let Some(file) = file.strip_prefix(SOURCES) else {
             continue;
@@ -48,13 +51,13 @@ pub(crate) fn places(library: &str, code: &[(String, String)]) -> BTreeMap<Strin
                 continue;
             };
             for (kind, name) in cited(comment) {
-                let Some(item) = item(&lines, index).filter(|_| kind == Kind::Equation) else {
+                let Some(item) = item(&lines, index).filter(|_| kind == LabelKind::Equation) else {
                     continue;
                 };
                 let rank =
                     ["///", "// ", "//!"].iter().position(|start| comment.starts_with(start)).unwrap_or(1);
                 let page = format!("src/{library}/{file}.html");
-                let place = Place { page, line: index + 1, item, rank: rank as u8 };
+                let place = CodePlace { page, line: index + 1, item, rank: rank as u8 };
                 let known = places.entry(name.to_owned()).or_default();
                 if !known.iter().any(|other| (&other.page, &other.item) == (&place.page, &place.item)) {
                     known.push(place);
@@ -92,14 +95,14 @@ fn named(line: &str) -> Option<String> {
 }
 
 /// The labels that a text names: `eq:…`, `fig:…`, `sec:…`, `ex:…` as words of their own.
-pub(crate) fn cited(text: &str) -> Vec<(Kind, &str)> {
+pub(crate) fn cited(text: &str) -> Vec<(LabelKind, &str)> {
     found(text).into_iter().map(|(_, kind, name)| (kind, name)).collect()
 }
 
 /// The same, with where they begin.
-fn found(text: &str) -> Vec<(usize, Kind, &str)> {
+fn found(text: &str) -> Vec<(usize, LabelKind, &str)> {
     let mut found = Vec::new();
-    for kind in [Kind::Equation, Kind::Figure, Kind::Section, Kind::Exercise] {
+    for kind in [LabelKind::Equation, LabelKind::Figure, LabelKind::Section, LabelKind::Exercise] {
         let prefix = format!("{}:", kind.prefix());
         for (at, _) in text.match_indices(&prefix) {
             let before = text[..at].chars().next_back();
@@ -140,27 +143,26 @@ fn link_folder(folder: &Path, up: &str, homes: &BTreeMap<&str, &str>) -> io::Res
 
 /// A page of rustdoc with links to where `homes` has the labels that its text names.
 fn linked(html: &str, up: &str, homes: &BTreeMap<&str, &str>) -> String {
-    let mut out = String::with_capacity(html.len());
-    let mut rest = html;
-    let mut inside = String::new(); // of a link, or of what is no text
-    while let Some(open) = rest.find('<') {
-        let (text, tag) = rest.split_at(open);
-        if inside.is_empty() {
-            push_linked(&mut out, text, up, homes);
-        } else {
-            out.push_str(text);
+    let (mut out, mut done) = (String::with_capacity(html.len()), 0);
+    let mut inside: Option<HtmlString> = None; // a link, or what is no text
+    let mut emitter = DefaultEmitter::<usize>::new_with_span();
+    emitter.naively_switch_states(true); // a script is no HTML
+    for token in Tokenizer::new_with_emitter(html, emitter) {
+        let Ok(token) = token;
+        match token {
+            Token::StartTag(tag) if inside.is_none() && SEALED.contains(&tag.name.as_slice()) => {
+                inside = Some(tag.name);
+            }
+            Token::EndTag(tag) if inside.as_ref() == Some(&tag.name) => inside = None,
+            Token::String(text) if inside.is_none() => {
+                out.push_str(&html[done..text.span.start]);
+                push_linked(&mut out, &html[text.span.start..text.span.end], up, homes);
+                done = text.span.end;
+            }
+            _ => {}
         }
-        let end = tag.find('>').map_or(tag.len(), |at| at + 1);
-        let name = tag[1..end].split(|c: char| c.is_whitespace() || c == '>').next().unwrap_or_default();
-        if inside.is_empty() && matches!(name, "a" | "script" | "style" | "title" | "textarea") {
-            inside = format!("/{name}");
-        } else if name == inside {
-            inside.clear();
-        }
-        out.push_str(&tag[..end]);
-        rest = &tag[end..];
     }
-    out + rest
+    out + &html[done..]
 }
 
 fn push_linked(out: &mut String, text: &str, up: &str, homes: &BTreeMap<&str, &str>) {
@@ -191,7 +193,7 @@ mod tests {
         let code =
             [("src/tops/top.rs".to_owned(), text.to_owned()), ("tests/top.rs".to_owned(), text.to_owned())];
         let found = places("spin", &code);
-        let words = |name: &str| found[name].iter().map(Place::words).collect::<Vec<_>>();
+        let words = |name: &str| found[name].iter().map(CodePlace::words).collect::<Vec<_>>();
         assert_eq!(words("rate"), ["rate in spin/tops/top.rs, line 1", "other in spin/tops/top.rs, line 8"]);
         // What documents an item comes first.
         assert_eq!(words("more"), ["size in spin/tops/top.rs, line 10", "other in spin/tops/top.rs, line 8"]);
@@ -206,9 +208,8 @@ mod tests {
         assert_eq!(
             linked(html, "../../", &homes),
             format!(
-                "<title>eq:rate</title><a title=\"eq:rate\" href=x>eq:rate</a> <code>{link}</code>, eq:unknown. <script>eq:rate</script>eq:rate-"
+                "<title>eq:rate</title><a title=\"eq:rate\" href=x>eq:rate</a> <code>{link}</code>, eq:unknown. <script>eq:rate</script>{link}-"
             )
         );
-        assert_eq!(linked("<p>see eq:rate", "", &homes), "<p>see eq:rate"); // an unfinished page stays
     }
 }

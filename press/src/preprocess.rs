@@ -53,7 +53,7 @@ pub fn run(input: impl Read, mut output: impl Write, drawn: Rendered) -> Result<
         && context.renderer == "html"
     {
         let site = context.root.join(&context.config.build.build_dir).join("html");
-        outcome::fail(&site, &context.config, failed).map_err(|error| {
+        outcome::fail(&site, &context.config, &failed.to_string()).map_err(|error| {
             Failed::Other(format!("{} cannot be taken away: {error}\n{failed}", site.display()))
         })?;
     }

@@ -2,7 +2,7 @@
 
 use crate::faces::Face;
 use crate::fault::Reporter;
-use crate::page::Kind;
+use crate::page::LabelKind;
 use crate::signs;
 use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
 
@@ -18,7 +18,7 @@ const DEEPEST: usize = 30;
 
 /// What raw HTML holds that the press has to look up.
 #[derive(Debug, PartialEq, Eq)]
-pub(crate) enum Find {
+pub(crate) enum Finding {
     Link(String),
     Id(String),
     Hint,
@@ -27,14 +27,14 @@ pub(crate) enum Find {
 /// The raw HTML of a page, read piece by piece between its Markdown.
 #[derive(Debug, Default)]
 pub(crate) struct RawHtml {
-    open: Vec<Open>,
+    open: Vec<OpenElement>,
     /// How many elements of Markdown stand open.
     depth: usize,
 }
 
 /// An element that was opened at `offset`, inside `depth` elements of Markdown.
 #[derive(Debug)]
-struct Open {
+struct OpenElement {
     name: String,
     offset: usize,
     depth: usize,
@@ -62,7 +62,7 @@ impl RawHtml {
     }
 
     fn unclosed(&mut self, report: &mut Reporter<'_>) {
-        if let Some(Open { name, offset, .. }) = self.open.pop() {
+        if let Some(OpenElement { name, offset, .. }) = self.open.pop() {
             report.fault(
                 offset,
                 format!("`<{name}>` is not closed: `</{name}>` must stand in the same paragraph, list item or page"),
@@ -76,7 +76,7 @@ impl RawHtml {
         html: &str,
         place: impl Fn(usize) -> usize,
         report: &mut Reporter<'_>,
-    ) -> Vec<(usize, Find)> {
+    ) -> Vec<(usize, Finding)> {
         let mut found = Vec::new();
         let mut in_summary = false;
         let mut emitter = DefaultEmitter::<usize>::new_with_span();
@@ -100,7 +100,7 @@ impl RawHtml {
                         );
                     }
                     if !VOID.contains(&name.as_str()) {
-                        self.open.push(Open { name, offset, depth: self.depth });
+                        self.open.push(OpenElement { name, offset, depth: self.depth });
                         if self.open.len() == DEEPEST + 1 {
                             report.fault(
                                 offset,
@@ -118,7 +118,7 @@ impl RawHtml {
                     let text = String::from_utf8_lossy(&text).into_owned();
                     prose(&text, &html[text_span], offset, report);
                     if in_summary && text.trim() == "Hint" {
-                        found.push((offset, Find::Hint));
+                        found.push((offset, Finding::Hint));
                     } else if in_summary && text.trim().to_lowercase().starts_with("hint") {
                         report.fault(offset, "the summary of a hint is the word `Hint`");
                     }
@@ -161,15 +161,15 @@ fn attributes(
     html: &str,
     place: impl Fn(usize) -> usize,
     report: &mut Reporter<'_>,
-    found: &mut Vec<(usize, Find)>,
+    found: &mut Vec<(usize, Finding)>,
 ) {
     for (key, value) in &tag.attributes {
         let (span, offset) = (value.span.start..value.span.end, place(value.span.start));
         let (key, value) = (String::from_utf8_lossy(key), String::from_utf8_lossy(value).into_owned());
         prose(&value, &html[span], offset, report);
         match &*key {
-            "id" => found.push((offset, Find::Id(value))),
-            "href" if name == "a" => found.push((offset, Find::Link(value))),
+            "id" => found.push((offset, Finding::Id(value))),
+            "href" if name == "a" => found.push((offset, Finding::Link(value))),
             key if ATTRIBUTES.contains(&key) => {}
             key => report.fault(
                 offset,
@@ -198,7 +198,7 @@ fn prose(text: &str, source: &str, offset: usize, report: &mut Reporter<'_>) {
         report.fault(offset, format!("raw HTML is not read for mathematics: {CURE}"));
     }
     let mentions = |prefix: &str| text.contains(&format!("@{prefix}:"));
-    if mentions("source") || Kind::ALL.iter().any(|kind| mentions(kind.prefix())) {
+    if mentions("source") || LabelKind::ALL.iter().any(|kind| mentions(kind.prefix())) {
         report.fault(offset, format!("raw HTML is not read for references: {CURE}"));
     }
 }

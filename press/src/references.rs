@@ -1,7 +1,7 @@
 //! Links by reference: what is referred to is defined.
 
 use crate::fault::Reporter;
-use crate::scan::options;
+use dialect::markdown::options;
 use pulldown_cmark::{BrokenLink, Event, LinkType, Parser};
 use std::ops::Range;
 

@@ -1,34 +1,23 @@
 //! One pass over the Markdown of a page, which finds everything that the press has to replace or check.
 
+mod captioned;
 mod mathematics;
+mod text;
 
 use crate::book::Page;
 use crate::faces::Face;
 use crate::fault::{Faults, Reporter};
-use crate::maths::Quantity;
-use crate::page::{Item, Kind, Note, Placed, Words};
-use crate::raw::{Find, RawHtml};
-use crate::{notes, outline, references, signs, snippets, tables, ties, written};
-use pulldown_cmark::{CodeBlockKind, CowStr, Event, Options, Tag, TagEnd};
+use crate::page::{Item, LabelKind, Note, PlacedItem};
+use crate::raw::{Finding, RawHtml};
+use crate::{notes, outline, references, signs, snippets, tables, written};
+use dialect::markdown::is_rust;
+use pulldown_cmark::{CodeBlockKind, CowStr, Event, Tag, TagEnd};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Markdown as mdBook reads it, and mathematics, which it does not.
-pub(crate) fn options() -> Options {
-    Options::ENABLE_TABLES
-        | Options::ENABLE_FOOTNOTES
-        | Options::ENABLE_STRIKETHROUGH
-        | Options::ENABLE_TASKLISTS
-        | Options::ENABLE_HEADING_ATTRIBUTES
-        | Options::ENABLE_DEFINITION_LIST
-        | Options::ENABLE_GFM
-        | Options::ENABLE_SMART_PUNCTUATION
-        | Options::ENABLE_MATH
-}
-
 /// Finds the items of a page, in the order in which they stand.
-pub(crate) fn scan<'a>(page: &'a Page, faults: &mut Faults) -> Vec<Placed<'a>> {
+pub(crate) fn scan<'a>(page: &'a Page, faults: &mut Faults) -> Vec<PlacedItem<'a>> {
     let mut report = page.reporter(faults);
     signs::check(&page.text, &mut report);
     let events = references::parsed(&page.text, &mut report);
@@ -57,7 +46,7 @@ struct Scan<'a, 'f> {
     events: &'f Events<'a>,
     /// The notes whose marks have not been met.
     notes: BTreeMap<String, Note<'a>>,
-    items: Vec<Placed<'a>>,
+    items: Vec<PlacedItem<'a>>,
     report: Reporter<'f>,
     surroundings: Surroundings,
     raw: RawHtml,
@@ -87,25 +76,8 @@ impl<'a> Scan<'a, '_> {
         self.report.fault(offset, message);
     }
 
-    /// Text that the page shows in this face.
-    fn shown(&mut self, face: Face, range: &Range<usize>) {
-        if let Err((at, message)) = face.check(&self.text[range.clone()]) {
-            self.fault(range.start + at, message);
-        }
-    }
-
-    /// Characters that the page writes by their numbers or names, `&#x202e;` or `&omega;`.
-    fn entities(&mut self, text: &str, range: &Range<usize>) {
-        if self.text[range.clone()].starts_with('&') && text != &self.text[range.clone()] {
-            signs::characters(text, |_, message| self.report.fault(range.start, message));
-            if let Err((_, message)) = Face::Text.check(text) {
-                self.fault(range.start, message);
-            }
-        }
-    }
-
     fn place(&mut self, range: Range<usize>, item: Item<'a>) {
-        self.items.push(Placed { range, item });
+        self.items.push(PlacedItem { range, item });
     }
 
     fn run(&mut self) {
@@ -141,54 +113,11 @@ impl<'a> Scan<'a, '_> {
                 Event::InlineMath(_) => self.inline(range),
                 Event::DisplayMath(_) => self.display(range),
                 Event::Code(_) => self.shown(Face::Code, range),
-                Event::Text(text) => {
-                    self.shown(Face::Text, range);
-                    self.entities(text, range);
-                    let in_link = self.surroundings.in_link;
-                    self.items.extend(written::mentions(self.text, range, in_link, &mut self.report));
-                    self.stray_dollars(range.clone());
-                    self.foreign_maths(range);
-                    if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
-                        self.lost_labels(range);
-                        self.blanks(range);
-                        self.coloured(range);
-                    }
-                }
+                Event::Text(text) => self.words(text, range),
                 _ => {}
             }
         }
         self.raw.end(&mut self.report);
-    }
-
-    /// `[words]{.role}`: words in the colour of a quantity.
-    fn coloured(&mut self, range: &Range<usize>) {
-        for (at, _) in self.text[range.clone()].match_indices("{.") {
-            let at = range.start + at;
-            let Some(words) = self.text[..at].strip_suffix(']') else {
-                continue;
-            };
-            let paragraph = self.text[..at].rfind("\n\n").map_or(0, |blank| blank + 2);
-            let role = &self.text[at + 2..];
-            let (Some(open), Some(end)) = (words[paragraph.min(words.len())..].rfind('['), role.find('}'))
-            else {
-                continue;
-            };
-            let open = paragraph + open;
-            match Quantity::of_role(&role[..end]) {
-                Ok(quantity) => {
-                    self.place(open..open + 1, Item::Coloured(Some(quantity)));
-                    self.place(at - 1..at + 2 + end + 1, Item::Coloured(None));
-                }
-                Err(message) => self.fault(at, message),
-            }
-        }
-    }
-
-    /// Numbers in a run of text are not parted from their units.
-    fn blanks(&mut self, range: &Range<usize>) {
-        for at in ties::blanks(&self.text[range.clone()]).into_iter().map(|at| range.start + at) {
-            self.place(at..at + 1, Item::Blank);
-        }
     }
 
     /// An element of Markdown begins; `next` is its first event.
@@ -289,83 +218,9 @@ impl<'a> Scan<'a, '_> {
         if matches!(kind, CodeBlockKind::Indented) {
             self.fault(range.start, "text indented by four spaces becomes code: unindent it, or fence it");
         }
-        if matches!(kind, CodeBlockKind::Fenced(info) if info.starts_with("rust")) {
+        if matches!(kind, CodeBlockKind::Fenced(info) if is_rust(info)) {
             self.place(range.clone(), Item::Snippet { code: &self.text[range.clone()] });
         }
-    }
-
-    /// A figure, whose caption is read like any text, or a table of the library.
-    fn image(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
-        let (mut alone, mut marks) = (false, "");
-        if let Some(paragraph) = &self.surroundings.paragraph {
-            marks = self.text[range.end..paragraph.end].trim_end();
-            alone = self.text[paragraph.start..range.start].trim().is_empty() && notes::only_marks(marks);
-        }
-        if let Some(name) = dest_url.strip_prefix("table:") {
-            if !alone {
-                self.fault(range.start, format!("the table {name} must stand in a paragraph of its own"));
-            }
-            let caption = self.caption(next, marks);
-            if caption.is_empty() {
-                self.fault(range.start, format!("the table {name} has no caption that says what it holds"));
-            }
-            let name = name.to_owned();
-            self.place(range.start..range.end + marks.len(), Item::LibraryTable { name, caption });
-            return;
-        }
-        let label = written::label(dest_url, range.start, &mut self.report);
-        let Some(label) = label.filter(|label| matches!(label.kind, Kind::Figure | Kind::Scene)) else {
-            self.fault(
-                range.start,
-                format!("the image `{dest_url}` is not a figure of the book (`fig:name`), nor a scene"),
-            );
-            return;
-        };
-        let what = if label.kind == Kind::Scene { "scene" } else { "figure" };
-        if !alone {
-            self.fault(range.start, format!("the {what} {dest_url} must stand in a paragraph of its own"));
-        }
-        let caption = self.caption(next, if alone { marks } else { "" });
-        if caption.is_empty() {
-            self.fault(range.start, format!("the {what} {dest_url} has no caption that says what it shows"));
-        }
-        let item = match label.kind {
-            Kind::Scene => Item::Scene { label, caption },
-            _ => Item::Figure { label, caption },
-        };
-        self.place(range.start..range.end + marks.len(), item);
-    }
-
-    /// The words of a figure, or of a table of the library, and the `marks` of notes behind it.
-    fn caption(&self, next: usize, marks: &str) -> Words<'a> {
-        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Image));
-        let behind = self.events[end..]
-            .iter()
-            .take_while(|(event, _)| !marks.is_empty() && !matches!(event, Event::End(_)));
-        self.events[next..end - 1]
-            .iter()
-            .chain(behind)
-            .map(|(event, range)| (event.clone(), range.start))
-            .collect()
-    }
-
-    /// A table, with the caption below it.
-    fn table(&mut self, range: &Range<usize>, next: usize) {
-        if self.surroundings.depth > 1 {
-            self.fault(range.start, "a table cannot stand in a list or a quotation");
-        }
-        let table = tables::read(&self.events[next..]);
-        let end = after(self.events, next, |tag| matches!(tag, TagEnd::Table));
-        let (caption, place) =
-            tables::caption(self.text, &self.events[end..]).unwrap_or((Vec::new(), range.clone()));
-        if caption.is_empty() {
-            self.fault(
-                range.start,
-                "the table has no caption: a paragraph right below it, `Table: what it holds.`",
-            );
-        }
-        self.surroundings.end_of_table = place.end;
-        self.place(range.start..place.end, Item::Table { table, caption });
     }
 
     fn link(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
@@ -380,8 +235,8 @@ impl<'a> Scan<'a, '_> {
             match dest_url.strip_prefix("scene:") {
                 Some(setting) if written.starts_with('[') && written[..at].ends_with("](") => {
                     let setting = Cow::Owned(setting.to_owned());
-                    self.place(range.start..range.start + 1, Item::Setting(Some(setting)));
-                    self.place(range.start + at - 2..range.end, Item::Setting(None));
+                    self.place(range.start..range.start + 1, Item::SettingStart(setting));
+                    self.place(range.start + at - 2..range.end, Item::SettingEnd);
                 }
                 _ => self.place(range.clone(), Item::Link { target }),
             }
@@ -406,9 +261,9 @@ impl<'a> Scan<'a, '_> {
         };
         for (offset, find) in self.raw.read(&html, place, &mut self.report) {
             let item = match find {
-                Find::Link(target) => Item::Link { target: Cow::Owned(target) },
-                Find::Id(id) => Item::Id(id),
-                Find::Hint => Item::Hint,
+                Finding::Link(target) => Item::Link { target: Cow::Owned(target) },
+                Finding::Id(id) => Item::Id(id),
+                Finding::Hint => Item::Hint,
             };
             self.place(offset..offset, item);
         }
@@ -433,9 +288,9 @@ impl<'a> Scan<'a, '_> {
             .filter(|a| a.contains(':'))
             .and_then(|a| written::label(a, range.start, &mut self.report));
         if let Some(label) = &label {
-            if !matches!(label.kind, Kind::Section | Kind::Exercise | Kind::Solution) {
+            if !matches!(label.kind, LabelKind::Section | LabelKind::Exercise | LabelKind::Solution) {
                 self.fault(range.start, format!("a heading cannot carry the label {}", label.written()));
-            } else if title.is_empty() != (label.kind == Kind::Solution) {
+            } else if title.is_empty() != (label.kind == LabelKind::Solution) {
                 let rule =
                     if title.is_empty() { "needs a title" } else { "takes its title from the exercise" };
                 self.fault(range.start, format!("the heading of {} {rule}", label.written()));

@@ -1,10 +1,10 @@
 //! Live scenes: what can be wrong with one, and what its page holds of it beside the still.
 
 use crate::fault::{Faults, nearest};
+use crate::html::escaped;
 use crate::page::Words;
-use crate::render::escaped;
 use crate::rendered::{Control, Input, Scene};
-use crate::scan::options;
+use dialect::markdown::options;
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

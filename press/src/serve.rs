@@ -7,7 +7,7 @@ mod http;
 mod watch;
 
 use crate::Book;
-use crate::book::from_disk;
+use crate::disk::from_disk;
 use crate::mdbook::{self, For};
 use crate::module::{Module, Modules};
 use crate::preprocess::FINISHER;

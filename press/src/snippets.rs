@@ -1,9 +1,9 @@
 //! The rules for code on pages.
 
-use crate::checks::{self, Folded};
-use crate::scan::options;
+use crate::checks;
+use dialect::markdown::{self, code_lines, column};
 use dialect::{expected_output, live_numbers};
-use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
+use pulldown_cmark::CodeBlockKind;
 use std::ops::Range;
 
 /// The languages that a fence may name. Anything else, `rs` for instance, would look like Rust and never run.
@@ -59,7 +59,7 @@ pub(crate) fn check(
     let lines: Vec<&str> = text[range.clone()].lines().collect();
     let code = code_lines(&lines);
     let shown = checks::folded(&lines[code.clone()]).map_or(code.end, |folded| code.start + folded.from);
-    let is_told = info.contains(',') || fence_column(text, range.start) > 0;
+    let is_told = info.contains(',') || column(text, range.start) > 0;
     let (_, broken) = live_numbers::answers(&lines);
     let marked = lines.iter().any(|line| live_numbers::is_marked(line));
     if marked && is_told {
@@ -105,56 +105,6 @@ pub(crate) fn check(
     }
 }
 
-/// How far a block stands from the beginning of its line.
-fn fence_column(text: &str, start: usize) -> usize {
-    start - text[..start].rfind('\n').map_or(0, |at| at + 1)
-}
-
-/// Which lines of a fenced block are its code.
-fn code_lines(lines: &[&str]) -> Range<usize> {
-    let fenced = lines.last().is_some_and(|line| line.trim_start_matches([' ', '>']).starts_with(['`', '~']));
-    1..lines.len() - usize::from(fenced && lines.len() > 1)
-}
-
-/// A fenced block with the units of its live numbers, whose ranges only the panel beside it knows.
-pub(crate) fn without_ranges(block: &str) -> String {
-    let shown = |line: &str| match live_numbers::live(line) {
-        Some(Ok(live)) => {
-            let unit = if live.unit.is_empty() { String::new() } else { format!(" // {}", live.unit) };
-            format!("{}{}{}{unit}\n", live.before, live.literal, live.after)
-        }
-        _ => format!("{line}\n"),
-    };
-    block.lines().map(shown).collect()
-}
-
-/// A fenced block with the panel of its live numbers beside it, and with its last assertions in a block of
-/// their own that opens on demand if they are many.
-pub(crate) fn with_folded_checks(block: &str, panel: Option<&str>) -> String {
-    let beside = |block: &str| match panel {
-        Some(panel) => format!("<div class=\"answering\">\n\n{block}\n\n{panel}\n</div>\n"),
-        None => block.to_owned(),
-    };
-    let lines: Vec<&str> = block.lines().collect();
-    let code = code_lines(&lines);
-    let Some(Folded { from, count }) = checks::folded(&lines[code.clone()]) else {
-        return beside(block);
-    };
-    let cut = code.start + from;
-    let words = lines[0].trim_start_matches(['`', '~']).len();
-    let fence = &lines[0][..lines[0].len() - words];
-    if lines[code.end..] != [fence] {
-        return beside(block); // in a list or a quotation, where a block cannot be cut in two
-    }
-    let (shown, hidden) = (lines[..cut].join("\n"), lines[cut..code.end].join("\n"));
-    let noun = if count == 1 { "check" } else { "checks" };
-    let shown = beside(&format!("{}\n{fence}", shown.trim_end()));
-    format!(
-        "{shown}\n\n<details class=\"checks\">\n<summary>{count} {noun}</summary>\n\n{}\n{hidden}\n{fence}\n\n</details>\n",
-        lines[0],
-    )
-}
-
 /// Whether a fenced block ends with its fence, whatever quotation or list it stands in.
 fn is_closed(block: &str) -> bool {
     let Some(mark) = block.chars().next() else {
@@ -197,15 +147,12 @@ pub(crate) fn cited_labels<'a>(text: &'a str, range: &Range<usize>) -> Vec<(Rang
 pub(crate) fn relabelled(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut done = 0;
-    for (event, range) in Parser::new_ext(text, options()).into_offset_iter() {
-        let Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) = event else {
-            continue;
-        };
-        if let Some(at) = text[range.clone()].find(info.as_ref()).filter(|_| info.starts_with("rust")) {
-            out.push_str(&text[done..range.start + at]);
-            out.push_str("text");
-            done = range.start + at + info.len();
-        }
+    for snippet in markdown::snippets(text) {
+        let fence = text[snippet.range.clone()].lines().next().unwrap_or_default();
+        let marks = fence.len() - fence.trim_start_matches(['`', '~', ' ']).len();
+        out.push_str(&text[done..snippet.range.start + marks]);
+        out.push_str("text");
+        done = snippet.range.start + fence.len();
     }
     out + &text[done..]
 }
@@ -213,31 +160,6 @@ pub(crate) fn relabelled(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn many_checks_are_folded_into_a_block_of_their_own() {
-        let checks = "assert!(a);\nassert!(\n    a\n);\n# Ok(())";
-        assert_eq!(
-            with_folded_checks(&format!("```rust\n# use x;\nlet a = 1;\n\n{checks}\n```\n"), None),
-            format!(
-                "```rust\n# use x;\nlet a = 1;\n```\n\n<details class=\"checks\">\n<summary>2 checks</summary>\n\n\
-                 ```rust\n{checks}\n```\n\n</details>\n"
-            )
-        );
-        let few = "```rust\nlet a = 1;\nassert!(a);\n```\n";
-        assert_eq!(with_folded_checks(few, None), few);
-    }
-
-    #[test]
-    fn a_live_number_shows_its_unit_and_a_panel_beside_it() {
-        let block = "```rust\nlet a = 1.0; // live: 0..2 m\nlet b = 2; // live: 0..2\nf(); // → 3\n```";
-        let shown = without_ranges(block);
-        assert_eq!(shown, "```rust\nlet a = 1.0; // m\nlet b = 2;\nf(); // → 3\n```\n");
-        assert_eq!(
-            with_folded_checks(&shown, Some("<div>P</div>")),
-            format!("<div class=\"answering\">\n\n{shown}\n\n<div>P</div>\n</div>\n")
-        );
-    }
 
     #[test]
     fn no_rust_is_left_wherever_its_fence_stands() {

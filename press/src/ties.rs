@@ -1,10 +1,7 @@
 //! What belongs together at the end of a line: a formula and its punctuation, a number and its unit; and
 //! which brackets there are already.
 
-use live::is_unit;
-
-/// A blank at which no line ends.
-pub(crate) const BLANK: &str = "\u{a0}";
+use live::numbers::{BLANK, unit};
 
 /// The longest word that hangs on a formula: `$x$-axis`.
 const LONGEST: usize = 16;
@@ -27,20 +24,6 @@ pub(crate) fn tied(head: &str, formula: &str, tail: &str) -> String {
     }
     let tail = tail.replace('\'', "’").replace('"', "”").replace([' ', '\n'], BLANK);
     format!("<span class=\"tied\">{head}{formula}{tail}</span>")
-}
-
-/// Where in a run of text a blank stands between a number and its unit.
-pub(crate) fn blanks(text: &str) -> Vec<usize> {
-    let digit = |at: usize| text[..at].ends_with(|c: char| c.is_ascii_digit());
-    let places = text.match_indices([' ', '\n']).map(|(at, _)| at);
-    places.filter(|&at| digit(at) && unit(&text[at..]).is_some()).collect()
-}
-
-/// How long the blank and the unit are with which a text begins.
-fn unit(text: &str) -> Option<usize> {
-    let rest = text.strip_prefix([' ', '\n'])?;
-    let end = rest.find(|c: char| !(c.is_alphabetic() || "/%·²³⁻¹".contains(c))).unwrap_or(rest.len());
-    (is_unit(&rest[..end]) && !rest[end..].starts_with('^')).then_some(1 + end)
 }
 
 /// What stands in the round bracket that is open at the end of a page's text, in its last paragraph and outside of
@@ -101,17 +84,6 @@ mod tests {
         }
         assert_eq!(tied("", "X", ""), "X");
         assert_eq!(tied("(", "X", " s)\""), "<span class=\"tied\">(X\u{a0}s)”</span>");
-    }
-
-    #[test]
-    fn a_number_keeps_its_unit() {
-        assert_eq!(blanks("It has 5 kg, 3 m and 20 meals; in 4\ns, 9 % at 1.5 rad/s"), [8, 14, 35, 40, 49]);
-        for tied in
-            ["400 t", "30 km/s", "44 cm/s", "7.9 kN", "6 N·m", "2 kg·m²", "10 m/s²", "3 s⁻¹.", "7 MN·s"]
-        {
-            assert_eq!(blanks(tied).len(), 1, "{tied}");
-        }
-        assert_eq!(blanks("5 N·, 2 things, 3 m^2, 1 a/b"), [0; 0]);
     }
 
     #[test]

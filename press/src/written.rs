@@ -2,13 +2,13 @@
 //! bibliography.
 
 use crate::fault::Reporter;
-use crate::page::{EquationLabel, Item, Kind, Label, Mention, Placed};
+use crate::page::{EquationLabel, Item, Label, LabelKind, Mention, PlacedItem};
 use std::ops::Range;
 
 /// A label such as `eq:steady-radius`; a fault and `None` if its form is wrong.
 pub(crate) fn label(written: &str, offset: usize, report: &mut Reporter<'_>) -> Option<Label> {
     let (prefix, name) = written.split_once(':')?;
-    let kind = Kind::from_prefix(prefix)?;
+    let kind = LabelKind::from_prefix(prefix)?;
     if name.is_empty() || !name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-') {
         report.fault(
             offset,
@@ -36,7 +36,7 @@ pub(crate) fn equation_label(
     };
     let (name, mut rest) = inner.split_once(char::is_whitespace).unwrap_or((inner, ""));
     let label = label(name, offset, report)?;
-    if label.kind != Kind::Equation {
+    if label.kind != LabelKind::Equation {
         report.fault(offset, format!("an equation cannot carry the label {name}"));
         return None;
     }
@@ -82,8 +82,8 @@ pub(crate) fn mentions<'a>(
     text: &str,
     range: &Range<usize>,
     in_link: bool,
-    report: &mut Reporter<'_>,
-) -> Vec<Placed<'a>> {
+    mut fault: impl FnMut(usize, String),
+) -> Vec<PlacedItem<'a>> {
     let mut found = Vec::new();
     for (at, _) in text[range.clone()].match_indices('@') {
         let at = range.start + at;
@@ -99,39 +99,38 @@ pub(crate) fn mentions<'a>(
         };
         let name = word(rest, |c| c.is_ascii_alphanumeric() || c == '-').trim_end_matches('-');
         let lower = prefix.to_ascii_lowercase();
-        let kind = Kind::from_prefix(&lower);
+        let kind = LabelKind::from_prefix(&lower);
         let known = kind.is_some() || lower == "source";
         let mention = match kind {
             _ if known && lower != prefix => {
-                report.fault(at, format!("`@{prefix}:` is written `@{lower}:`"));
+                fault(at, format!("`@{prefix}:` is written `@{lower}:`"));
                 continue;
             }
             _ if known && in_link => {
-                report.fault(at, "a reference is a link and cannot stand inside a link");
+                fault(at, "a reference is a link and cannot stand inside a link".to_owned());
                 continue;
             }
             Some(_) if name.is_empty() => {
-                report.fault(at, format!("`@{prefix}:` lacks a name"));
+                fault(at, format!("`@{prefix}:` lacks a name"));
                 continue;
             }
             Some(kind) => Mention::Label(Label { kind, name: name.to_owned() }),
             None if known => match name.parse() {
                 Ok(number) => Mention::Source(number),
                 Err(_) => {
-                    report.fault(at, format!("`@source:{name}` needs an equation number of the source"));
+                    fault(at, format!("`@source:{name}` needs an equation number of the source"));
                     continue;
                 }
             },
             None => {
                 if lower == prefix && !name.is_empty() {
-                    report
-                        .fault(at, format!("`@{prefix}:{name}`: there are no labels of the kind `{prefix}`"));
+                    fault(at, format!("`@{prefix}:{name}`: there are no labels of the kind `{prefix}`"));
                 }
                 continue;
             }
         };
         let range = at..at + 1 + prefix.len() + 1 + name.len();
-        found.push(Placed { range, item: Item::Mention(mention) });
+        found.push(PlacedItem { range, item: Item::Mention(mention) });
     }
     found
 }
@@ -142,7 +141,7 @@ fn word(text: &str, belongs: impl Fn(char) -> bool) -> &str {
 }
 
 /// Entries of the bibliography: `- {#cite:key "Name 1999"} …`.
-pub(crate) fn citations<'a>(text: &'a str, report: &mut Reporter<'_>) -> Vec<Placed<'a>> {
+pub(crate) fn citations<'a>(text: &'a str, report: &mut Reporter<'_>) -> Vec<PlacedItem<'a>> {
     let mut found = Vec::new();
     for (at, _) in text.match_indices("{#cite:") {
         let start_of_line = text[..at].rfind('\n').map_or(0, |newline| newline + 1);
@@ -162,7 +161,11 @@ pub(crate) fn citations<'a>(text: &'a str, report: &mut Reporter<'_>) -> Vec<Pla
                 if let Some(label) = label(key, at, report) {
                     let short = &short[1..short.len() - 1];
                     let range = at..at + 2 + end + 1;
-                    found.push(Placed { range, item: Item::Citation { label, short } });
+                    let behind = &text[range.end..];
+                    let next = ["\n- ", "\n* ", "\n\n"].iter().filter_map(|next| behind.find(next)).min();
+                    let end = range.end + behind[..next.unwrap_or(behind.len())].trim_end().len();
+                    found.push(PlacedItem { range: end..end, item: Item::CitationEnd(label.clone()) });
+                    found.push(PlacedItem { range, item: Item::Citation { label, short } });
                 }
             }
             _ => report.fault(at, "write the entry as {#cite:key \"Name 1999\"}"),

@@ -7,9 +7,9 @@ const { Machine, whenNear } = window.spinning;
 /** The instance that runs the snippets of this page, made anew after a program has panicked. */
 let machine = null;
 
-/** A number in the page’s form: a true minus, and powers of ten. */
+/** A number in the page’s form: a true minus, and powers of ten, without a one before them. */
 const pretty = (text) =>
-  text.replace(/e(-?\d+)/g, "·10<sup>$1</sup>").replaceAll("-", "−");
+  text.replace(/e(-?\d+)/g, "·10<sup>$1</sup>").replace(/(?<![\d.])1·/g, "").replaceAll("-", "−");
 
 /** Makes an element of its own of the words that stand at a place of some code, so that they can change. */
 function piece(code, start, length) {

@@ -1,13 +1,14 @@
 //! The exercises of every chapter: enough of them, graded, from what takes minutes to what takes an evening.
 
-use press::book::{Page, from_disk};
+use press::book::Page;
+use press::disk::from_disk;
+use press::effort::{GRADES, graded};
 use std::collections::BTreeMap;
 use std::env;
 use std::path::PathBuf;
 
-/// The grades, in the order in which a page has them, and how many minutes each may take.
-const GRADES: [(&str, [f64; 2]); 3] =
-    [("Check", [2.0, 15.0]), ("Problem", [10.0, 60.0]), ("Project", [60.0, 600.0])];
+/// How many minutes an exercise of each grade may take.
+const MINUTES: [[f64; 2]; GRADES.len()] = [[2.0, 15.0], [10.0, 60.0], [60.0, 600.0]];
 
 /// How many a page has at least.
 const LEAST: usize = 10;
@@ -23,18 +24,6 @@ fn sections(text: &str) -> Vec<(&str, &str)> {
     text.split("\n## ").skip(1).filter_map(|section| section.split_once('\n')).collect()
 }
 
-/// The grade of an exercise, as its place among the grades, and its minutes.
-fn effort(line: &str) -> Option<(usize, f64)> {
-    let (grade, time) = line.strip_prefix('*')?.strip_suffix('*')?.split_once(" · ")?;
-    let (number, unit) = time.split_once(' ')?;
-    let minutes = match unit {
-        "minutes" => 1.0,
-        "hour" | "hours" => 60.0,
-        _ => return None,
-    };
-    Some((GRADES.iter().position(|(name, _)| *name == grade)?, minutes * number.parse::<f64>().ok()?))
-}
-
 #[test]
 fn every_chapter_has_exercises_of_all_grades_in_their_order() {
     let (mut faults, mut chapters) = (Vec::new(), 0);
@@ -43,27 +32,24 @@ fn every_chapter_has_exercises_of_all_grades_in_their_order() {
         let mut grades = Vec::new();
         for (heading, below) in &exercises {
             let first = below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-            let Some((grade, minutes)) = effort(first) else {
+            let Some((grade, minutes)) = graded(first) else {
                 faults.push(format!("{}: `{heading}` has no grade, but `{first}`", page.file));
                 continue;
             };
-            let [least, most] = GRADES[grade].1;
+            let [least, most] = MINUTES[grade];
             if !(least..=most).contains(&minutes) {
-                let name = GRADES[grade].0;
+                let name = GRADES[grade];
                 faults.push(format!(
                     "{}: `{heading}`, a {name}, takes {minutes} minutes, not {least} to {most}",
                     page.file
                 ));
-            }
-            if !below.contains("<details>") {
-                faults.push(format!("{}: `{heading}` has no hint", page.file));
             }
             grades.push((grade, *heading));
         }
         if exercises.len() < LEAST {
             faults.push(format!("{}: {} exercises, of at least {LEAST}", page.file, exercises.len()));
         }
-        for (grade, (name, _)) in GRADES.iter().enumerate() {
+        for (grade, name) in GRADES.iter().enumerate() {
             if !grades.iter().any(|(own, _)| *own == grade) {
                 faults.push(format!("{}: no exercise is a {name}", page.file));
             }
@@ -118,7 +104,7 @@ fn a_course_of_some_weeks_adds_up_the_minutes_of_its_exercises() {
     for page in pages("/exercises.md") {
         for (heading, below) in sections(&page.text) {
             let line = below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-            efforts.insert(label(heading).to_owned(), effort(line).expect("every exercise has a grade"));
+            efforts.insert(label(heading).to_owned(), graded(line).expect("every exercise has a grade"));
         }
     }
     let teaching = pages("teaching.md").remove(0).text;

@@ -1,8 +1,6 @@
 //! The ledger is complete and true: every equation of the source has its row, its anchor on a page and its
 //! test, and where the source is wrong the test holds what is printed and sees it fail.
 
-mod suite;
-
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -43,8 +41,15 @@ fn ledger() -> String {
     fs::read_to_string(root().join("book/ledger.md")).expect("the ledger")
 }
 
-fn named_test(cell: &str) -> &str {
-    cell.trim_matches('`')
+/// The body of the test that a cell names, in the `tests` of the library.
+fn test<'a>(tests: &'a str, cell: &str) -> Result<&'a str, String> {
+    let head = format!("fn {}()", cell.trim_matches('`'));
+    let found = tests.split("#[test]\n").skip(1).filter_map(|test| test.trim_start().strip_prefix(&head));
+    match found.collect::<Vec<_>>()[..] {
+        [body] => Ok(body.split("\n}\n").next().unwrap_or(body)),
+        [] => Err(format!("there is no test {cell} that runs")),
+        _ => Err(format!("there is more than one test {cell}")),
+    }
 }
 
 /// The numbers of the rows that the ledger calls a slip or wrong.
@@ -66,95 +71,47 @@ fn labels(pages: &str) -> Vec<(Vec<usize>, bool)> {
 }
 
 #[test]
-fn every_equation_of_the_source_has_its_row_its_anchor_and_its_test() {
-    let ledger = ledger();
-    let rows = rows(&ledger, "{#sec:ledger-equations}");
-    let (suite, labels) = (suite::read(&root().join("tests")), labels(&texts(&root().join("book"), ".md")));
+fn every_equation_of_the_source_has_its_row_its_label_and_its_test() {
+    let rows = rows(&ledger(), "{#sec:ledger-equations}");
+    let (tests, labels) = (texts(&root().join("tests"), ".rs"), labels(&texts(&root().join("book"), ".md")));
+    let corrected = corrected(&rows);
+    assert!(corrected.len() > 15, "{corrected:?}");
     // That no page has a number which the ledger lacks is for the press to say.
     let mut faults = Vec::new();
     for (row, number) in rows.iter().zip(1..) {
-        let [equation, says, verdict, test] = &row[..] else {
+        let [equation, says, verdict, name] = &row[..] else {
             panic!("({number}) has {} cells: {row:?}", row.len())
         };
         assert_eq!(equation, &format!("@source:{number}"), "the row of ({number})");
-        assert!(says.len() > 3, "({number}) says nothing");
-        let judged = ["right", "slip", "**wrong**"].iter().any(|word| verdict.starts_with(word));
-        assert!(judged, "({number}) has no verdict: {verdict}");
-        let test = named_test(test);
-        assert!(test.contains(&format!("eq{number:02}_")), "`{test}` is not named for ({number})");
-        faults.extend(suite.proves(test).err().map(|fault| format!("({number}): {fault}")));
-        assert!(labels.iter().any(|(numbers, _)| numbers.contains(&number)), "no page derives ({number})");
-    }
-    assert!(faults.is_empty(), "{faults:#?}");
-}
-
-#[test]
-fn the_test_of_a_corrected_equation_holds_the_printed_form_and_sees_it_fail() {
-    // What can be seen from here: the very test that the row names binds the two forms to `corrected` and to
-    // `printed` and gives them to `corrected_holds_and_printed_fails`, which at run time wants every case of
-    // the one right and nine in ten of the other wrong. A comment does not count, nor does another test. That
-    // the form bound to `printed` is the source's is the business of whoever reads it.
-    let rows = rows(&ledger(), "{#sec:ledger-equations}");
-    let suite = suite::read(&root().join("tests"));
-    let corrected = corrected(&rows);
-    assert!(corrected.len() > 15, "{corrected:?}");
-    let faults: Vec<String> = corrected
-        .into_iter()
-        .filter_map(|number| {
-            let fault = suite.sees_the_printed_form_fail(named_test(&rows[number - 1][3])).err()?;
-            Some(format!("({number}): {fault}"))
-        })
-        .collect();
-    assert!(faults.is_empty(), "{faults:#?}");
-}
-
-#[test]
-fn a_comment_a_name_or_another_test_is_no_proof() {
-    let judged = |body: &str| {
-        let text = format!("use mechanics::Thing;\n{body}");
-        let suite = suite::Suite::of([("case", text.as_str())]);
-        (suite.proves("eq01_a").is_ok(), suite.sees_the_printed_form_fail("eq01_a").is_ok())
-    };
-    let whole = "#[test] fn eq01_a() { let corrected = Thing::new(); let printed = 2.0;
-        corrected_holds_and_printed_fails([(corrected, printed)], 1e-9, 0.1); }";
-    assert_eq!(judged(whole), (true, true));
-    // The two forms bound together, and the library reached through a helper.
-    let helped =
-        "fn two() -> f64 { Thing::new() } #[test] fn eq01_a() { let (corrected, printed) = (two(), 2.0);
-        corrected_holds_and_printed_fails([(corrected, printed)], 1e-9, 0.1); }";
-    assert_eq!(judged(helped), (true, true));
-    for weaker in [
-        whole.replace("let printed = 2.0;", "// let printed = 2.0;\n"),
-        whole.replace("let printed = 2.0;", "let text = \"let printed = 2.0\";"),
-        whole.replace("(corrected, printed)", "(corrected, 2.0)"),
-        whole
-            .replace("corrected_holds_and_printed_fails(", "// corrected_holds_and_printed_fails(\nassert!("),
-        whole.replace("eq01_a() {", "eq01_a() { assert!(Thing::new()); } #[test] fn eq01_b() {"),
-    ] {
-        assert!(!judged(&weaker).1, "{weaker}");
-    }
-    assert_eq!(judged(&whole.replace("#[test]", "#[test] #[ignore]")), (false, false));
-    assert_eq!(judged(&whole.replace("#[test]", "")), (false, false));
-    assert!(!judged(&whole.replace("Thing::new()", "1.0")).0, "it reaches no library");
-    assert!(!judged("#[test] fn eq01_a() { Thing::new(); }").0, "it asserts nothing");
-}
-
-#[test]
-fn a_label_says_corrected_exactly_where_the_ledger_says_slip_or_wrong() {
-    let rows = rows(&ledger(), "{#sec:ledger-equations}");
-    let corrected = corrected(&rows);
-    let labels = labels(&texts(&root().join("book"), ".md"));
-    assert!(labels.iter().filter(|(_, corrected)| *corrected).count() > 15, "the labels are not read");
-    for (numbers, says_so) in labels {
-        for number in numbers {
-            assert_eq!(
-                says_so,
-                corrected.contains(&number),
-                "({number}) is \"{}\" in the ledger, and its label says otherwise",
-                rows[number - 1][2]
-            );
+        let mut fault = |message: String| faults.push(format!("({number}): {message}"));
+        if says.len() < 4 {
+            fault("the row says nothing".to_owned());
+        }
+        if !["right", "slip", "**wrong**"].iter().any(|word| verdict.starts_with(word)) {
+            fault(format!("`{verdict}` is no verdict"));
+        }
+        if !name.contains(&format!("eq{number:02}_")) {
+            fault(format!("{name} is not named for it"));
+        }
+        match test(&tests, name) {
+            Err(message) => fault(message),
+            // That the form which is printed is the source's is the business of whoever reads the test.
+            Ok(body)
+                if corrected.contains(&number) && !body.contains("corrected_holds_and_printed_fails(") =>
+            {
+                fault(format!("the source is wrong, and {name} does not see the printed form fail"));
+            }
+            Ok(_) => {}
+        }
+        match labels.iter().find(|(numbers, _)| numbers.contains(&number)) {
+            None => fault("no page derives it".to_owned()),
+            Some((_, says_so)) if *says_so != corrected.contains(&number) => {
+                fault(format!("it is \"{verdict}\" in the ledger, and its label says otherwise"));
+            }
+            Some(_) => {}
         }
     }
+    assert!(faults.is_empty(), "{faults:#?}");
 }
 
 #[test]
@@ -238,14 +195,12 @@ fn teachers_have_a_section_of_notes_for_each_chapter_in_their_order() {
 fn every_claim_without_a_number_names_an_equation_and_a_test() {
     let ledger = ledger();
     let rows = rows(&ledger, "{#sec:ledger-claims}");
-    let suite = suite::read(&root().join("tests"));
+    let tests = texts(&root().join("tests"), ".rs");
     assert!(rows.len() >= 22, "{}", rows.len());
     for row in rows {
-        let [what, _, equation, test] = &row[..] else { panic!("{row:?}") };
+        let [what, _, equation, name] = &row[..] else { panic!("{row:?}") };
         assert!(equation.starts_with("@eq:"), "{what}: {equation}");
-        if let Err(fault) = suite.proves(named_test(test)) {
-            panic!("{what}: {fault}");
-        }
+        test(&tests, name).unwrap_or_else(|fault| panic!("{what}: {fault}"));
     }
 }
 

@@ -3,6 +3,9 @@
 //!
 //! What the press accepts here the build script of the pages' crate tests.
 
+use crate::markdown::{self, Snippet};
+use std::borrow::Cow;
+
 /// What opens the comment that holds the numbers.
 const ARROW: char = '→';
 const FORM: &str = "a printed number is written `// → 4.317 rad/s`, several `// → 1.2, 3.4`";
@@ -108,27 +111,29 @@ fn pattern(bound: &str) -> &str {
 /// The page with a check in the place of each printed number, and at the beginning of each snippet what names it if it
 /// fails; every line keeps its number. `file` names the page.
 pub fn tested(page: &str, file: &str) -> String {
-    let lines: Vec<&str> = page.lines().collect();
-    let mut out = String::with_capacity(page.len() + 1024);
-    for (at, line) in lines.iter().enumerate() {
-        let begins = at > 0 && lines[at - 1].starts_with("```rust");
-        if begins {
-            let code = lines[at..].iter().take_while(|line| !line.starts_with("```"));
-            if !code.into_iter().any(|line| line.contains("fn main(")) {
-                out.push_str(&format!("::live::snippet::begin({file:?}, {}); ", at + 1));
+    let mut lines: Vec<Cow<'_, str>> = page.lines().map(Cow::Borrowed).collect();
+    for Snippet { line: above, code, .. } in markdown::snippets(page) {
+        let is_whole = code.iter().any(|line| line.contains("fn main("));
+        let named = format!("::live::snippet::begin({file:?}, {}); ", above + 1);
+        let begin = if is_whole { String::new() } else { named };
+        for (at, line) in code.iter().enumerate() {
+            let mut tested = match read(&code, at) {
+                Some(Ok(Printed { code, value, numbers, bare })) => {
+                    let indent = &code[..code.len() - code.trim_start().len()];
+                    let kept = if bare { indent.to_owned() } else { format!("{code} ") };
+                    let place = format!("{file}:{}", above + at + 1);
+                    format!("{kept}::live::snippet::printed(&({value}), {numbers:?}, {place:?});")
+                }
+                _ => (*line).to_owned(),
+            };
+            if at == 0 {
+                tested = begin.clone() + tested.strip_prefix("# ").unwrap_or(&tested);
             }
+            let whole = &lines[above + at];
+            lines[above + at] = Cow::Owned(format!("{}{tested}", &whole[..whole.len() - line.len()]));
         }
-        if let Some(Ok(Printed { code, value, numbers, bare })) = read(&lines, at) {
-            let indent = &code[..code.len() - code.trim_start().len()];
-            let kept = if bare { indent.to_owned() } else { format!("{code} ") };
-            let place = format!("{file}:{}", at + 1);
-            out.push_str(&format!("{kept}::live::snippet::printed(&({value}), {numbers:?}, {place:?});"));
-        } else {
-            out.push_str(line.strip_prefix("# ").filter(|_| begins).unwrap_or(line));
-        }
-        out.push('\n');
     }
-    out
+    lines.join("\n") + "\n"
 }
 
 #[cfg(test)]
@@ -137,16 +142,16 @@ mod tests {
 
     #[test]
     fn each_printed_number_becomes_a_check_in_its_line() {
-        let page = "let a = f(); // → 4.317 rad/s\n\
+        let page = "```rust\nlet a = f(); // → 4.317 rad/s\n\
                     let b: f64 = g()\n    .h(2); // → -1.2e-5\n\
                     # let mut c = 1;\n  c + f(1); // → 12\n\
                     let [x, y] = z(); // → 1.0, 2 m, 3\n\
-                    let d = 3; // a → b\n";
-        let expected = "let a = f(); ::live::snippet::printed(&(a), \"4.317\", \"p.md:1\");\n\
-                        let b: f64 = g()\n    .h(2); ::live::snippet::printed(&(b), \"-1.2e-5\", \"p.md:3\");\n\
-                        # let mut c = 1;\n  ::live::snippet::printed(&(c + f(1)), \"12\", \"p.md:5\");\n\
-                        let [x, y] = z(); ::live::snippet::printed(&([x, y]), \"1.0, 2\", \"p.md:6\");\n\
-                        let d = 3; // a → b\n";
+                    let d = 3; // a → b\n```\n\nNot `// → 5`.\n";
+        let expected = "```rust\n::live::snippet::begin(\"p.md\", 2); let a = f(); ::live::snippet::printed(&(a), \"4.317\", \"p.md:2\");\n\
+                        let b: f64 = g()\n    .h(2); ::live::snippet::printed(&(b), \"-1.2e-5\", \"p.md:4\");\n\
+                        # let mut c = 1;\n  ::live::snippet::printed(&(c + f(1)), \"12\", \"p.md:6\");\n\
+                        let [x, y] = z(); ::live::snippet::printed(&([x, y]), \"1.0, 2\", \"p.md:7\");\n\
+                        let d = 3; // a → b\n```\n\nNot `// → 5`.\n";
         assert_eq!(tested(page, "p.md"), expected);
     }
 

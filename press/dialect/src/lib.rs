@@ -3,6 +3,7 @@
 
 pub mod expected_output;
 pub mod live_numbers;
+pub mod markdown;
 pub mod pages;
 mod snippets;
 

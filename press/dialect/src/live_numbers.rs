@@ -1,9 +1,10 @@
 //! Numbers that a reader may change in the page: `let spin = 30.0; // live: 0..60 rad/s`.
 //!
 //! A snippet with such a mark is printed with fields for its numbers, and the module of the pages holds the same text
-//! as a function of them, which answers with what the snippet prints and with what its assertions find.
+//! as a function of them, which answers with what the snippet prints and with what its assertions find. The press and
+//! the build script of the crate `module` share this file, as they share `markdown.rs` and `printed.rs`.
 
-use crate::expected_output;
+use crate::{expected_output, markdown};
 
 /// What opens the mark of a live number.
 const MARK: &str = "// live:";
@@ -228,29 +229,8 @@ fn clause(sentence: &str) -> String {
 
 /// The snippets of a page that have live numbers: the line of each fence, counted from one, and the code.
 pub fn snippets(page: &str) -> Vec<(usize, Vec<&str>)> {
-    let mut found: Vec<(usize, Vec<&str>)> = Vec::new();
-    let mut open: Option<(&str, bool)> = None; // its marks, and whether it is Rust
-    for (n, line) in page.lines().enumerate() {
-        let marks = line.len() - line.trim_start_matches(['`', '~']).len();
-        match open {
-            None if marks >= 3 => {
-                let rust = line[marks..].split(',').next() == Some("rust");
-                open = Some((&line[..marks], rust));
-                if rust {
-                    found.push((n + 1, Vec::new()));
-                }
-            }
-            Some((fence, _)) if line.starts_with(fence) && line.trim_end().len() == marks => open = None,
-            Some((_, true)) => {
-                if let Some((_, code)) = found.last_mut() {
-                    code.push(line);
-                }
-            }
-            _ => {}
-        }
-    }
-    found.retain(|(_, code)| code.iter().any(|line| is_marked(line)));
-    found
+    let all = markdown::snippets(page).into_iter().map(|snippet| (snippet.line, snippet.code));
+    all.filter(|(_, code)| code.iter().any(|line| is_marked(line))).collect()
 }
 
 /// A snippet as the body of a function of its `live` numbers, which tells `record` what it prints and finds.

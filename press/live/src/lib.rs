@@ -20,7 +20,7 @@ mod control;
 mod graph;
 pub mod limit;
 pub mod module;
-mod numbers;
+pub mod numbers;
 mod player;
 mod scene;
 pub mod snippet;
@@ -32,10 +32,9 @@ pub use control::{Control, Kind, Settings};
 pub use drawing::Room;
 pub use formulas::formulas;
 pub use graph::{Axis, Graph, point_at, value_at};
-pub use numbers::{is_unit, with_power};
 pub use player::Player;
 pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene};
-pub use written::{tied, written};
+pub use written::written;
 
 use std::error::Error;
 

@@ -1,8 +1,14 @@
 //! Numbers in print: a power of ten, and the units that stand behind them. Pages and scenes print them alike.
 
-/// A number with a power of ten, as HTML: 1.6·10⁸.
+/// A blank at which no line ends.
+pub const BLANK: &str = "\u{a0}";
+
+/// A number with a power of ten, as HTML: 1.6·10⁸, and 10⁻³ where it is one of them itself. (`pretty` in numbers.js
+/// does the same when a reader changes a number.)
 pub fn with_power(mantissa: &str, power: &str) -> String {
-    format!("{mantissa}·10<sup>{power}</sup>").replace('-', "−")
+    let digits = mantissa.strip_suffix('1').filter(|sign| matches!(*sign, "" | "-" | "−"));
+    let digits = digits.map_or_else(|| format!("{mantissa}·"), str::to_owned);
+    format!("{digits}10<sup>{power}</sup>").replace('-', "−")
 }
 
 /// What units are made of.
@@ -14,4 +20,59 @@ const PARTS: [&str; 31] = [
 /// Whether a word is a unit: `kg`, `rad/s²`, `N·m`, `s⁻¹`.
 pub fn is_unit(word: &str) -> bool {
     word.split(['/', '·']).all(|part| PARTS.contains(&part.trim_end_matches(['²', '³', '⁻', '¹'])))
+}
+
+/// Where in a run of text a blank stands between a number and its unit.
+pub fn blanks(text: &str) -> Vec<usize> {
+    let digit = |at: usize| text[..at].ends_with(|c: char| c.is_ascii_digit());
+    let places = text.match_indices([' ', '\n']).map(|(at, _)| at);
+    places.filter(|&at| digit(at) && unit(&text[at..]).is_some()).collect()
+}
+
+/// How long the blank and the unit are with which a text begins.
+pub fn unit(text: &str) -> Option<usize> {
+    let rest = text.strip_prefix([' ', '\n'])?;
+    let end = rest.find(|c: char| !(c.is_alphabetic() || "/%·²³⁻¹".contains(c))).unwrap_or(rest.len());
+    (is_unit(&rest[..end]) && !rest[end..].starts_with('^')).then_some(1 + end)
+}
+
+/// A text in which no line parts a number from its unit.
+///
+/// ```
+/// use live::numbers::tied;
+/// assert_eq!(tied("every 0.31 s, at 30 rad/s of 2 turns"), "every 0.31\u{a0}s, at 30\u{a0}rad/s of 2 turns");
+/// ```
+pub fn tied(text: &str) -> String {
+    let mut out = text.to_owned();
+    for at in blanks(text).into_iter().rev() {
+        out.replace_range(at..=at, BLANK);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_power_of_ten_has_no_one_before_it() {
+        let raised = |power: &str| format!("10<sup>{power}</sup>");
+        assert_eq!(with_power("1.6", "8"), format!("1.6·{}", raised("8")));
+        assert_eq!(with_power("-11", "-2"), format!("−11·{}", raised("−2")));
+        assert_eq!(
+            [with_power("1", "-3"), with_power("-1", "3")],
+            [raised("−3"), format!("−{}", raised("3"))]
+        );
+    }
+
+    #[test]
+    fn a_number_keeps_its_unit() {
+        assert_eq!(blanks("It has 5 kg, 3 m and 20 meals; in 4\ns, 9 % at 1.5 rad/s"), [8, 14, 35, 40, 49]);
+        for tied in
+            ["400 t", "30 km/s", "44 cm/s", "7.9 kN", "6 N·m", "2 kg·m²", "10 m/s²", "3 s⁻¹.", "7 MN·s"]
+        {
+            assert_eq!(blanks(tied).len(), 1, "{tied}");
+        }
+        assert_eq!(blanks("5 N·, 2 things, 3 m^2, 1 a/b"), [0; 0]);
+    }
 }

@@ -2,8 +2,9 @@
 
 use crate::Cause;
 use crate::control::Settings;
+use crate::numbers::tied;
 use crate::scene::{Moment, Motion, Run, Scene};
-use crate::written::{tied, written};
+use crate::written::written;
 use drawing::{Drawing, Point, Room, with_symbols};
 
 /// A scene with its settings.

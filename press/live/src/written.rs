@@ -1,6 +1,6 @@
 //! Numbers as they are written beside a picture.
 
-use crate::numbers::{is_unit, with_power};
+use crate::numbers::with_power;
 use crate::scene::Form;
 
 /// A number with its unit, as HTML: a true minus, and powers of ten raised.
@@ -40,22 +40,4 @@ pub fn written(value: f64, form: Form, unit: &str) -> String {
     };
     let space = if unit.is_empty() || unit == "°" { "" } else { "\u{a0}" };
     format!("{}{space}{unit}", number.replace('-', "−"))
-}
-
-/// Words in which no line parts a number from its unit.
-///
-/// ```
-/// assert_eq!(live::tied("every 0.31 s, at 30 rad/s of 2 turns"), "every 0.31\u{a0}s, at 30\u{a0}rad/s of 2 turns");
-/// ```
-pub fn tied(words: &str) -> String {
-    let mut out = String::with_capacity(words.len());
-    for word in words.split(' ') {
-        if !out.is_empty() {
-            let unit = word.trim_end_matches(['.', ',', ';', ':']);
-            let is_tied = out.ends_with(|c: char| c.is_ascii_digit()) && is_unit(unit);
-            out.push(if is_tied { '\u{a0}' } else { ' ' });
-        }
-        out.push_str(word);
-    }
-    out
 }

@@ -2,6 +2,7 @@
 //! as if it had none, and room for a letter that leans over its box.
 
 use super::tree::{Element, Node};
+use crate::faces::italic;
 use ttf_parser::Face;
 
 /// Browsers put an accent over the middle of a letter's box. The font knows better where an italic letter
@@ -88,26 +89,6 @@ pub(super) fn shown(letter: &Element) -> Option<char> {
     let c =
         text.chars().next().filter(|_| matches!(&*letter.name, "mi" | "mn") && text.chars().count() == 1)?;
     Some(if letter.is("mi") && letter.attribute("mathvariant").is_none() { italic(c) } else { c })
-}
-
-/// The italic letter that a browser shows for a plain one.
-pub(crate) fn italic(c: char) -> char {
-    let from = |first: u32, base: char| char::from_u32(first + u32::from(c) - u32::from(base)).unwrap_or(c);
-    match c {
-        'h' => 'ℎ',
-        'A'..='Z' => from(0x1d434, 'A'),
-        'a'..='z' => from(0x1d44e, 'a'),
-        'Α'..='Ω' => from(0x1d6e2, 'Α'),
-        'α'..='ω' => from(0x1d6fc, 'α'),
-        'ϵ' => '𝜖',
-        'ϑ' => '𝜗',
-        'ϕ' => '𝜙',
-        'ϱ' => '𝜚',
-        'ϖ' => '𝜛',
-        'ı' => '𝚤',
-        'ȷ' => '𝚥',
-        _ => c,
-    }
 }
 
 #[cfg(test)]

@@ -5,47 +5,16 @@
 //! `colour` the name of a colour or `none`. A table below a heading `{#sec:symbols-chapter}` shows letters as that
 //! chapter means them.
 
-use super::MathsFault;
 use super::tree::Element;
 use crate::book::Page;
+use crate::colours::{QUANTITIES, Quantity};
 use crate::fault::Faults;
-use crate::scan::options;
-use pulldown_cmark::{Event, Parser, Tag, TagEnd};
-use std::collections::HashMap;
-use std::ops::Range;
+use crate::page::{Cell, Item, LabelKind, PlacedItem};
+use pulldown_cmark::{Event, Tag};
+use std::collections::{BTreeSet, HashMap};
 
 /// The page that has the tables.
-const CONVENTIONS: &str = "conventions.md";
-
-/// A quantity that has a colour: what authors call it, and the hue of figures.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Quantity {
-    pub(crate) role: &'static str,
-    pub(crate) hue: &'static str,
-}
-
-/// All of them, as figures colour them.
-pub(crate) const QUANTITIES: [Quantity; 5] = [
-    Quantity { role: "body", hue: "blue" },
-    Quantity { role: "spin", hue: "orange" },
-    Quantity { role: "momentum", hue: "green" },
-    Quantity { role: "contact", hue: "pink" },
-    Quantity { role: "force", hue: "purple" },
-];
-
-impl Quantity {
-    /// The quantity that authors call so in `[words]{.role}`; if there is none, what there is.
-    pub(crate) fn of_role(role: &str) -> Result<Self, String> {
-        let known = || QUANTITIES.map(|quantity| quantity.role).join(", ");
-        let found = QUANTITIES.into_iter().find(|quantity| quantity.role == role);
-        found.ok_or_else(|| format!("no words are coloured as `{role}`, but as {}", known()))
-    }
-
-    /// The class of a page's elements that are to have its colour.
-    pub(crate) fn class(self) -> String {
-        format!("q-{}", self.role)
-    }
-}
+pub(super) const CONVENTIONS: &str = "conventions.md";
 
 /// What letters stand for, in the whole book and in its chapters.
 #[derive(Debug, Default)]
@@ -56,75 +25,70 @@ pub(super) struct Letters {
     shown: HashMap<usize, String>,
 }
 
-/// A row of a table: for each cell its place, its words, its formulas with their places, the targets of its links.
-#[derive(Debug, Default)]
-struct Cell {
-    place: usize,
-    words: String,
-    formulas: Vec<(Range<usize>, String)>,
-    targets: Vec<String>,
-}
-
 impl Letters {
-    /// Reads the tables; `convert` makes MathML of LaTeX.
+    /// Reads the tables of the page of conventions; `convert` makes MathML of LaTeX, and nothing of what it does not
+    /// understand.
     pub(super) fn read(
-        pages: &[Page],
-        convert: impl Fn(&str) -> Result<Element, MathsFault>,
+        page: &Page,
+        items: &[PlacedItem<'_>],
+        convert: impl Fn(&str) -> Option<Element>,
         faults: &mut Faults,
     ) -> Self {
         let mut letters = Self::default();
-        let Some(page) = pages.iter().find(|page| page.path == CONVENTIONS) else {
-            return letters;
-        };
         let mut report = page.reporter(faults);
-        for (section, table) in tables(&page.text) {
-            if let Some(folder) = section.strip_prefix("sec:symbols-") {
-                let formulas = table.iter().flatten().flat_map(|cell| &cell.formulas);
-                letters.shown.extend(formulas.map(|(range, _)| (range.start, folder.to_owned())));
+        let mut chapter_shown = None;
+        for placed in items {
+            let rows = match &placed.item {
+                Item::Heading { label, .. } => {
+                    let section = label.as_ref().filter(|label| label.kind == LabelKind::Section);
+                    let name = section.and_then(|label| label.name.strip_prefix("symbols-"));
+                    chapter_shown = name.map(str::to_owned);
+                    continue;
+                }
+                Item::Table { table, .. } => &table.rows,
+                _ => continue,
+            };
+            if let Some(folder) = &chapter_shown {
+                let formulas = rows.iter().flatten().flat_map(formulas);
+                letters.shown.extend(formulas.map(|(offset, _)| (offset, folder.clone())));
             }
-            let Some((head, rows)) = table.split_first() else {
+            let Some((head, rows)) = rows.split_first() else {
                 continue;
             };
-            let column = |name: &str| head.iter().position(|cell| cell.words.trim() == name);
+            let column = |name: &str| head.iter().position(|cell| words(cell) == name);
             let (Some(colours), Some(signs)) = (column("colour"), column("letters")) else {
                 continue;
             };
             for row in rows {
                 let (colour, chapter) = (&row[colours], &row[0]);
-                let name = colour.words.trim();
+                let name = words(colour);
                 let quantity = QUANTITIES.into_iter().find(|quantity| quantity.hue == name);
                 if quantity.is_none() && name != "none" {
                     let known = QUANTITIES.map(|quantity| quantity.hue).join(", ");
                     report.fault(
-                        colour.place,
+                        colour.offset,
                         format!("`{name}` is no colour of a quantity: {known}, or none"),
                     );
                 }
                 let folders: Vec<String> = match column("chapter") {
                     None => vec![String::new()],
-                    Some(_) => {
-                        let folder = |target: &String| target.split('/').next().unwrap_or("").to_owned();
-                        chapter.targets.iter().map(folder).collect()
-                    }
+                    Some(_) => folders(chapter).collect(),
                 };
                 if folders.is_empty() {
-                    report.fault(chapter.place, "the row links to no chapter");
+                    report.fault(chapter.offset, "the row links to no chapter");
                 }
-                for (range, tex) in &row[signs].formulas {
+                for (offset, tex) in formulas(&row[signs]) {
                     // What LaTeX is not understood is reported where the formula is printed.
-                    let Ok(formula) = convert(tex) else {
+                    let Some(formula) = convert(tex) else {
                         continue;
                     };
                     let only = formula.elements().next().filter(|_| formula.elements().count() == 1);
                     let Some(key) = only.and_then(key) else {
-                        report.fault(
-                            range.start,
-                            format!("`{tex}` is not one letter, perhaps with a subscript"),
-                        );
+                        report.fault(offset, format!("`{tex}` is not one letter, perhaps with a subscript"));
                         continue;
                     };
                     if let Some(folder) = folders.first().filter(|folder| !folder.is_empty()) {
-                        letters.shown.insert(range.start, folder.clone());
+                        letters.shown.insert(offset, folder.clone());
                     }
                     for folder in &folders {
                         letters.meanings.insert((folder.clone(), key.clone()), quantity);
@@ -203,40 +167,66 @@ fn key(sign: &Element) -> Option<String> {
     }
 }
 
-/// The tables of a page: the label of the heading above, and rows of cells, the head first.
-fn tables(text: &str) -> Vec<(String, Vec<Vec<Cell>>)> {
-    let mut tables: Vec<(String, Vec<Vec<Cell>>)> = Vec::new();
-    let (mut in_cell, mut section) = (false, String::new());
-    for (event, range) in Parser::new_ext(text, options()).into_offset_iter() {
-        match &event {
-            Event::Start(Tag::Heading { id, .. }) => section = id.as_deref().unwrap_or("").to_owned(),
-            Event::Start(Tag::Table(_)) => tables.push((section.clone(), Vec::new())),
-            Event::Start(Tag::TableHead | Tag::TableRow) => {
-                if let Some((_, table)) = tables.last_mut() {
-                    table.push(Vec::new());
-                }
-            }
-            Event::End(TagEnd::TableCell) => in_cell = false,
-            Event::Start(Tag::TableCell) => {
-                in_cell = true;
-                if let Some(row) = tables.last_mut().and_then(|(_, table)| table.last_mut()) {
-                    row.push(Cell { place: range.start, ..Cell::default() });
-                }
-            }
-            _ => {}
-        }
-        let row = tables.last_mut().and_then(|(_, table)| table.last_mut());
-        let Some(cell) = row.and_then(|row| row.last_mut()).filter(|_| in_cell) else {
-            continue;
-        };
-        match event {
-            Event::Text(words) => cell.words.push_str(&words),
-            Event::InlineMath(tex) => cell.formulas.push((range, tex.into_string())),
-            Event::Start(Tag::Link { dest_url, .. }) => cell.targets.push(dest_url.into_string()),
-            _ => {}
-        }
+/// The letters of a formula, each with its subscript and none with its hat: `ω`, `ω_0`. A vector has the letter of its
+/// length.
+pub(super) fn all(formula: &Element, found: &mut BTreeSet<String>) {
+    let parts: Vec<&Element> = formula.elements().collect();
+    let (key, is_indexed) = (key(formula), matches!(&*formula.name, "msub" | "msubsup"));
+    if let Some(key) = key.as_ref().filter(|key| key.starts_with(char::is_alphabetic)) {
+        found.insert(key.chars().map(not_bold).collect());
     }
-    tables
+    match (key, is_indexed) {
+        (Some(_), true) => parts.iter().skip(2).for_each(|part| all(part, found)),
+        (Some(_), false) => {}
+        // What is lowered is a name.
+        (None, true) => [0, 2].iter().filter_map(|&at| parts.get(at)).for_each(|part| all(part, found)),
+        (None, false) => parts.iter().for_each(|part| all(part, found)),
+    }
+}
+
+/// The letter that a bold one is in plain type.
+fn not_bold(c: char) -> char {
+    const ALPHABETS: [(u32, char); 8] = [
+        (0x1d400, 'A'),
+        (0x1d41a, 'a'),
+        (0x1d468, 'A'),
+        (0x1d482, 'a'),
+        (0x1d6a8, 'Α'),
+        (0x1d6c2, 'α'),
+        (0x1d71c, 'Α'),
+        (0x1d736, 'α'),
+    ];
+    let plain = ALPHABETS.into_iter().find_map(|(bold, plain)| {
+        let length = if plain.is_ascii() { 26 } else { 25 };
+        let place = u32::from(c).checked_sub(bold).filter(|place| *place < length)?;
+        char::from_u32(u32::from(plain) + place)
+    });
+    plain.unwrap_or(c)
+}
+
+/// The text of a cell.
+fn words(cell: &Cell<'_>) -> String {
+    let text = cell.words.iter().filter_map(|(event, _)| match event {
+        Event::Text(text) => Some(text.as_ref()),
+        _ => None,
+    });
+    text.collect::<String>().trim().to_owned()
+}
+
+/// The formulas of a cell, with their places.
+fn formulas<'a>(cell: &'a Cell<'_>) -> impl Iterator<Item = (usize, &'a str)> {
+    cell.words.iter().filter_map(|(event, offset)| match event {
+        Event::InlineMath(tex) => Some((*offset, tex.as_ref())),
+        _ => None,
+    })
+}
+
+/// The folders of the chapters to which a cell has links.
+fn folders(cell: &Cell<'_>) -> impl Iterator<Item = String> {
+    cell.words.iter().filter_map(|(event, _)| match event {
+        Event::Start(Tag::Link { dest_url, .. }) => dest_url.split('/').next().map(str::to_owned),
+        _ => None,
+    })
 }
 
 #[cfg(test)]
@@ -244,6 +234,7 @@ mod tests {
     use crate::book::Page;
     use crate::fault::Faults;
     use crate::maths::Maths;
+    use crate::scan::scan;
 
     const TABLES: &str = "# C\n\n| quantity | colour | letters |\n|---|---|---|\n\
         | angular velocity | orange | $\\boldsymbol\\omega$, $\\omega$, $\\Omega$ |\n| momentum | green | $L$ |\n\n\
@@ -253,7 +244,8 @@ mod tests {
     fn maths(tables: &str) -> (Maths, Vec<String>) {
         let page = Page::new("book", "conventions.md".to_owned(), None, None, tables.to_owned());
         let mut faults = Faults::default();
-        let maths = Maths::new(&[page], &mut faults);
+        let items = scan(&page, &mut Faults::default());
+        let maths = Maths::new(std::slice::from_ref(&page), &[items], &mut faults);
         (maths, faults.sorted().iter().map(ToString::to_string).collect())
     }
 

@@ -1,6 +1,6 @@
 //! LaTeX to MathML: a converter's, mended where browsers print it badly.
 
-pub(crate) mod accents;
+mod accents;
 mod brackets;
 mod letters;
 mod pieces;
@@ -10,9 +10,10 @@ mod words;
 use crate::book::Page;
 use crate::faces;
 use crate::fault::Faults;
-use letters::Letters;
-pub(crate) use letters::Quantity;
+use crate::page::PlacedItem;
+use letters::{CONVENTIONS, Letters};
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+use std::collections::BTreeSet;
 use tree::Element;
 use ttf_parser::Face;
 
@@ -42,7 +43,7 @@ pub(crate) struct MathsFault {
 
 impl Maths {
     /// A converter that colours letters as the conventions among `pages` say.
-    pub(crate) fn new(pages: &[Page], faults: &mut Faults) -> Self {
+    pub(crate) fn new(pages: &[Page], scans: &[Vec<PlacedItem<'_>>], faults: &mut Faults) -> Self {
         let config = MathCoreConfig { annotation: false, ..MathCoreConfig::default() };
         // Only a macro can make the converter fail, and there is none.
         let mut maths = Self {
@@ -50,7 +51,10 @@ impl Maths {
             font: Face::parse(FONT, 0).unwrap_or_else(|_| unreachable!("the font is sound")),
             letters: Letters::default(),
         };
-        maths.letters = Letters::read(pages, |tex| maths.formula(tex, MathDisplay::Inline), faults);
+        if let Some((page, items)) = pages.iter().zip(scans).find(|(page, _)| page.path == CONVENTIONS) {
+            let convert = |tex: &str| maths.formula(tex, MathDisplay::Inline).ok();
+            maths.letters = Letters::read(page, items, convert, faults);
+        }
         maths
     }
 
@@ -72,6 +76,13 @@ impl Maths {
     /// Inline mathematics for a place that is HTML already.
     pub(crate) fn inline_html(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
         self.convert(tex, MathDisplay::Inline, folder)
+    }
+
+    /// The letters of a formula, each with its subscript: `ω`, `ω_0`.
+    pub(crate) fn letters_of(&self, tex: &str) -> Result<BTreeSet<String>, MathsFault> {
+        let mut found = BTreeSet::new();
+        letters::all(&self.formula(tex, MathDisplay::Inline)?, &mut found);
+        Ok(found)
     }
 
     /// The converter's MathML as browsers print it well, coloured.
@@ -193,7 +204,7 @@ pub(super) mod tests {
 
     /// A converter that knows no colours.
     pub(super) fn plain() -> Maths {
-        Maths::new(&[], &mut Faults::default())
+        Maths::new(&[], &[], &mut Faults::default())
     }
 
     #[test]

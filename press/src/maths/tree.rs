@@ -1,5 +1,6 @@
 //! MathML as a tree that can be changed.
 
+use crate::html::escaped;
 use roxmltree::{Document, ParsingOptions};
 
 /// An element, or a text between elements.
@@ -101,7 +102,7 @@ impl Element {
         out.push('<');
         out.push_str(&self.name);
         for (name, value) in &self.attributes {
-            out.push_str(&format!(" {name}=\"{}\"", escaped(value).replace('"', "&quot;")));
+            out.push_str(&format!(" {name}=\"{}\"", escaped(value)));
         }
         if self.children.is_empty() && self.is("mspace") {
             out.push_str("/>");
@@ -116,10 +117,6 @@ impl Element {
         }
         out.push_str(&format!("</{}>", self.name));
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 #[cfg(test)]

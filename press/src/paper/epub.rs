@@ -4,7 +4,7 @@ use super::Paper;
 use super::archive::Archive;
 use super::sheet::Kind;
 use crate::head::plain;
-use crate::render::escaped;
+use crate::html::escaped;
 use html5gum::{StartTag, Token, Tokenizer};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -1,7 +1,7 @@
 //! Mathematics in the text of a page, and what looks like it.
 
 use super::Scan;
-use crate::page::{Item, Kind};
+use crate::page::{Item, LabelKind};
 use crate::written;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -116,8 +116,8 @@ impl<'a> Scan<'a, '_> {
     pub(super) fn lost_labels(&mut self, range: &Range<usize>) {
         for (at, _) in self.text[range.clone()].match_indices("{#") {
             let written = &self.text[range.start + at + 2..];
-            let kind = written.split_once(':').and_then(|(prefix, _)| Kind::from_prefix(prefix));
-            if kind.is_some_and(|kind| kind != Kind::Citation) {
+            let kind = written.split_once(':').and_then(|(prefix, _)| LabelKind::from_prefix(prefix));
+            if kind.is_some_and(|kind| kind != LabelKind::Citation) {
                 self.fault(
                     range.start + at,
                     "a label stands behind the closing `$$` of an equation, or at the end of a heading `## …`",

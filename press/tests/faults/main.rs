@@ -1,0 +1,362 @@
+//! Every fault of a page names file, line and what is wrong, and nothing else is reported.
+//!
+//! Each case is a small book of its own: a SUMMARY.md, a book.toml and a few pages, written to a temporary folder.
+
+mod cases;
+
+use cases::CASES;
+use press::check::check;
+use press::rendered::{Control, Figure, Input, Rendered, Scene};
+use std::fs;
+use std::path::PathBuf;
+
+/// The only figure, the only table and the only scene that these books can show.
+fn drawn() -> Rendered {
+    let [svg, standalone] = [String::new(), String::new()];
+    let figure =
+        Figure { id: "fig:machine".to_owned(), source: "book/a/figures.rs".to_owned(), svg, standalone, wide: false };
+    let tables = vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())];
+    let book = press::Book { code: &["src"], ..press::Book::default() };
+    Rendered { book, figures: vec![figure], tables, scenes: vec![scene()], ..Rendered::default() }
+}
+
+/// A scene of the chapter `a.md`, with a control of each kind.
+fn scene() -> Scene {
+    let control = |name: &str, input, start: f64| {
+        let [name, words] = [name, "Some words"].map(str::to_owned);
+        Control { name, words, input, start, unit: String::new(), shown: String::new() }
+    };
+    let controls = vec![
+        control("spin", Input::Slider { from: -1.0, to: 4.0, step: 0.1 }, 2.0),
+        control("drag", Input::LogSlider { from: 1e-3, to: 1.0 }, 0.01),
+        control("camera", Input::Choice(vec!["one".to_owned(), "two".to_owned()]), 0.0),
+        control("cones", Input::Switch, 1.0),
+        control("kick", Input::Button, -1.0),
+    ];
+    let [name, chapter, question] = ["plate", "a.md", "Why $x$?"].map(str::to_owned);
+    let presets = [("fast", "spin=4&cones=0"), ("as at first", "")]
+        .map(|(words, settings)| (words.to_owned(), settings.to_owned()));
+    let presets = presets.to_vec();
+    let source = "book/a/scene.rs".to_owned();
+    Scene { name, chapter, source, question, controls, presets, ..Scene::default() }
+}
+
+/// A book in a temporary folder, removed when dropped.
+struct Book {
+    root: PathBuf,
+}
+
+impl Book {
+    /// A book of one numbered chapter with two pages, `a.md` and `b.md`, and a suffix page `c.md`.
+    fn new(name: &str, a: &str, b: &str, c: &str) -> Self {
+        let root = std::env::temp_dir().join(format!("press-faults-{}-{name}", std::process::id()));
+        let _ = fs::remove_dir_all(&root);
+        fs::create_dir_all(root.join("book")).unwrap();
+        fs::write(root.join("book.toml"), "[book]\ntitle = \"T\"\nsrc = \"book\"\n").unwrap();
+        fs::write(root.join("book/SUMMARY.md"), "# Summary\n\n- [A](a.md)\n  - [B](b.md)\n\n[C](c.md)\n")
+            .unwrap();
+        for (file, text) in [("a.md", a), ("b.md", b), ("c.md", c)] {
+            fs::write(root.join("book").join(file), text).unwrap();
+        }
+        Self { root }
+    }
+
+    /// The faults as they are printed, without those of figures that this book does not show.
+    fn faults(&self) -> Vec<String> {
+        let Err(faults) = check(&self.root, &drawn()) else {
+            return Vec::new();
+        };
+        let lines = faults.sorted().iter().map(ToString::to_string).collect::<Vec<_>>();
+        let is_unused = ["is drawn, but no page shows it", "no page shows this scene"];
+        lines.into_iter().filter(|line| !is_unused.iter().any(|words| line.contains(words))).collect()
+    }
+}
+
+impl Drop for Book {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.root);
+    }
+}
+
+#[test]
+fn every_fault_names_file_line_and_what_is_wrong() {
+    let mut wrong = Vec::new();
+    for (name, text, expected) in CASES {
+        let book = Book::new(name, text, "# B\n\n## The end of it\n", "# C\n");
+        let faults = book.faults();
+        let as_expected = faults.len() == expected.len()
+            && faults.iter().zip(*expected).all(|(fault, (line, words))| {
+                fault.starts_with(&format!("error: book/a.md:{line}: ")) && fault.contains(words)
+            });
+        if !as_expected {
+            wrong.push(format!("{name}: expected {expected:?}, got {faults:#?}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn what_is_nested_too_deeply_is_a_fault_at_its_line() {
+    for (name, open, close) in [
+        ("brace", "{", "}"),
+        ("frac", "\\frac{", "}{2}"),
+        ("root", "\\sqrt[2", "]{2}"),
+        ("row", "\\sqrt ", ""),
+        ("left", "\\left(", "\\right)"),
+        ("matrix", "\\begin{matrix}", "\\end{matrix}"),
+    ] {
+        let page = |depth: usize| format!("# A\n\n$$\n{}x{}\n$$\n", open.repeat(depth), close.repeat(depth));
+        let faults = Book::new(&format!("deep-{name}"), &page(20_000), "# B\n", "# C\n").faults();
+        assert!(
+            faults.len() == 1 && faults[0].starts_with("error: book/a.md:4: the formula is nested more than"),
+            "{name}: {faults:?}"
+        );
+        assert_eq!(
+            Book::new(&format!("shallow-{name}"), &page(12), "# B\n", "# C\n").faults(),
+            [""; 0],
+            "{name}"
+        );
+    }
+    let page = format!("# A\n\n$$\n{}a\n$$\n", "a + ".repeat(200_000));
+    let faults = Book::new("long-formula", &page, "# B\n", "# C\n").faults();
+    assert!(faults.len() == 1 && faults[0].contains("more than 10000 cannot be read"), "{faults:?}");
+    let page = format!("# A\n\n{}\n", "<b>".repeat(20_000));
+    let faults = Book::new("deep-html", &page, "# B\n", "# C\n").faults();
+    assert!(faults.iter().any(|fault| fault.contains("more than 30 elements of raw HTML")), "{}", faults[0]);
+}
+
+/// Each of these took minutes while something was counted from the beginning of the page for every item on it; in time
+/// that grows as the page does, each takes a second. (No clock: who makes it quadratic again waits for this test.)
+#[test]
+fn a_page_of_a_megabyte_is_read_in_seconds() {
+    for (name, text) in [
+        ("formulas", "So $x$ is.\n".repeat(250_000)),
+        ("displays", "$$\nx\n$$\n\n".repeat(250_000)),
+        ("dollars", "$".repeat(1_000_000)),
+        ("ats", "@".repeat(1_000_000)),
+        ("brackets", "[^".repeat(500_000)),
+        ("images", "![a".repeat(250_000) + &"](fig:x)".repeat(250_000)),
+        ("headings", "## a\n\n".repeat(100_000)),
+    ] {
+        let book = Book::new(&format!("large-{name}"), &format!("# A\n\n{text}\n"), "# B\n", "# C\n");
+        let faults = book.faults();
+        assert_eq!(
+            faults.is_empty(),
+            matches!(name, "formulas" | "displays" | "ats" | "brackets" | "headings"),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn equations_outside_numbered_chapters_have_no_number_to_bear() {
+    let book = Book::new("unnumbered", "# A\n", "# B\n", "# C\n\n$$\na\n$$ {#eq:x}\n");
+    let faults = book.faults();
+    assert!(
+        faults.len() == 1 && faults[0].starts_with("error: book/c.md:3: eq:x needs a number"),
+        "{faults:?}"
+    );
+}
+
+#[test]
+fn labels_cited_in_code_must_exist() {
+    let book = Book::new("code", "# A\n", "# B\n", "# C\n");
+    fs::create_dir_all(book.root.join("src")).unwrap();
+    fs::write(book.root.join("src/lib.rs"), "\n\n\nfn f() {} // eq:nowhere\n").unwrap();
+    let faults = book.faults();
+    assert_eq!(faults, ["error: src/lib.rs:4: no page defines the label eq:nowhere"]);
+}
+
+#[test]
+fn a_page_that_the_summary_does_not_name_is_a_fault() {
+    let book = Book::new("stray", "# A\n", "# B\n", "# C\n");
+    fs::create_dir_all(book.root.join("book/more")).unwrap();
+    fs::write(book.root.join("book/more/stray.md"), "# Nobody reads this\n").unwrap();
+    let said = "error: book/more/stray.md: SUMMARY.md does not name this page: add it there, or move it out of book/";
+    assert_eq!(book.faults(), [said]);
+}
+
+/// Checking, building and testing read SUMMARY.md alike (`press/dialect/src/pages.rs`).
+#[test]
+fn a_page_may_have_any_name_that_does_not_lead_away_or_belong_to_the_site() {
+    for (link, file) in [
+        ("01-intro/index.md", "01-intro/index.md"),
+        ("loop/index.md", "loop/index.md"),
+        ("v1.0.md", "v1.0.md"),
+        ("./b.md", "b.md"),
+        ("a/b.md", "a/b.md"),
+        ("<b c.md>", "b c.md"),
+        ("b%20c.md", "b c.md"),
+        ("b.md \"tip\"", "b.md"),
+        ("", "b.md"),
+        ("api.md", "api.md"),
+    ] {
+        let book = Book::new("names", "# A\n", "# B\n", "# C\n");
+        let path = book.root.join("book").join(file);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, "# N\n").unwrap();
+        let rest = if file == "b.md" { "" } else { "- [B](b.md)\n" };
+        let named = if link.is_empty() {
+            "- [Draft]()\n- [B](b.md)\n".into()
+        } else {
+            format!("- [N]({link})\n{rest}")
+        };
+        fs::write(book.root.join("book/SUMMARY.md"), format!("- [A](a.md)\n{named}- [C](c.md)\n")).unwrap();
+        assert_eq!(book.faults(), [""; 0], "{link}");
+    }
+    let away = "is no page in book/: the way there goes down from it, without `..`";
+    let taken = "cannot have this name: the site has a page of its own there";
+    for (link, words) in [
+        ("../outside.md", away),
+        ("x/../b.md", away),
+        ("print.md", taken),
+        ("toc.md", taken),
+        ("404.md", taken),
+        ("api/index.md", taken),
+    ] {
+        let book = Book::new("names", "# A\n", "# B\n", "# C\n");
+        fs::write(book.root.join("outside.md"), "# N\n").unwrap();
+        fs::write(
+            book.root.join("book/SUMMARY.md"),
+            format!("- [A](a.md)\n- [B](b.md)\n- [C](c.md)\n- [N]({link})\n"),
+        )
+        .unwrap();
+        let [fault] = &book.faults()[..] else { panic!("{link}: one fault, not {:?}", book.faults()) };
+        assert!(fault.starts_with("error: book/SUMMARY.md:4: ") && fault.ends_with(words), "{link}: {fault}");
+    }
+    let book = Book::new("names", "# A\n", "# B\n", "# C\n");
+    fs::write(book.root.join("book/SUMMARY.md"), "# [A](a.md)\n\n- [B](b.md)\n- [C](c.md)\n").unwrap();
+    assert_eq!(
+        book.faults(),
+        ["error: book/SUMMARY.md:1: mdBook does not read a.md as a page where it stands here"]
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_a_folder_is_not_followed_round_in_a_circle() {
+    let book = Book::new("circle", "# A\n", "# B\n", "# C\n");
+    for name in ["one", "two"] {
+        std::os::unix::fs::symlink(".", book.root.join("book").join(name)).unwrap();
+    }
+    let said = ["one", "two"].map(|name| {
+        format!(
+            "error: book/{name}: a link to a folder could lead round in a circle: put the folder itself here"
+        )
+    });
+    assert_eq!(book.faults(), said);
+}
+
+#[test]
+fn two_curves_of_one_name_are_a_fault_of_their_figure() {
+    let book = Book::new("twins", "# A\n\n![A.](fig:machine)\n", "# B\n", "# C\n");
+    let mut drawn = drawn();
+    drawn.figures[0].svg = "<svg><path id=\"fig-machine-gain\"/><path id=\"fig-machine-gain\"/></svg>".into();
+    let faults = check(&book.root, &drawn).unwrap_err().to_string();
+    let said = "error: book/a/figures.rs: the id `fig-machine-gain` stands twice in the figure fig:machine: has it two \
+                curves of one name?";
+    assert!(faults.contains(said) && !faults.contains("stands on the page already"), "{faults}");
+}
+
+#[test]
+fn every_number_of_the_source_has_a_row_in_the_ledger_and_every_row_an_equation() {
+    let book = Book::new("ledger", "# A\n\n$$\na\n$$ {#eq:x source=\"1 3\"}\n", "# B\n", "# C\n");
+    assert_eq!(book.faults(), [""; 0], "a book without a ledger");
+    fs::write(
+        book.root.join("book/ledger.md"),
+        "# Ledger\n\n| a |\n|---|\n| @source:1 |\n| @source:2 |\n\nTable: T.\n",
+    )
+    .unwrap();
+    fs::write(book.root.join("book/SUMMARY.md"), "- [A](a.md)\n- [B](b.md)\n- [C](c.md)\n- [L](ledger.md)\n")
+        .unwrap();
+    let expected = [
+        "error: book/a.md:3: the ledger has no row for equation (3) of the source",
+        "error: book/ledger.md:6: no equation carries the source's number (2)",
+    ];
+    assert_eq!(book.faults(), expected);
+}
+
+#[test]
+fn a_scene_opens_its_chapter_and_is_set_from_its_page_alone() {
+    let b = "# B\n\n[Set](scene:plate?spin=3) or see @scene:plate.\n";
+    let book = Book::new("scene-elsewhere", "# A\n\n![A plate.](scene:plate)\n", b, "# C\n");
+    let said = "error: book/b.md:3: scene:plate stands on another page: refer to it as @scene:plate";
+    assert_eq!(book.faults(), [said]);
+    for (n, pages) in [["# A\n", b, "# C\n"], ["# A\n", "# B\n", b]].into_iter().enumerate() {
+        let [a, b, c] = pages.map(|page| page.replace(b, "# B\n\n![A plate.](scene:plate)\n"));
+        let faults = Book::new(&format!("scene-moved-{n}"), &a, &b, &c).faults();
+        assert!(faults.iter().any(|fault| fault.contains("opens the chapter in a.md")), "{faults:?}");
+    }
+}
+
+#[test]
+fn a_scene_that_contradicts_itself_is_a_fault() {
+    type Spoil = fn(&mut Scene);
+    let cases: [(Spoil, &str); 8] = [
+        (|scene| scene.question.clear(), "the scene plate asks nothing"),
+        (|scene| scene.name = "Plate".into(), "digits and hyphens, not `Plate`"),
+        (|scene| scene.controls[0].name = "t".into(), "cannot have the name `t`"),
+        (|scene| scene.controls[1].name = "spin".into(), "cannot have the name `spin`"),
+        (|scene| scene.controls[2].words.clear(), "nothing says what the control `camera`"),
+        (|scene| scene.controls[3].start = 0.5, "starts with `cones=0.5`, which must be from 0 to 1"),
+        (
+            |scene| scene.presets[0].1 = "spun=4".into(),
+            "the preset “fast” of the scene plate: the scene plate has no",
+        ),
+        (|_| (), "no page shows this scene: ![Caption.](scene:plate)"),
+    ];
+    let book = Book::new("spoiled", "# A\n\n![A.](fig:machine)\n", "# B\n", "# C\n");
+    for (spoil, words) in cases {
+        let mut drawn = drawn();
+        spoil(&mut drawn.scenes[0]);
+        let faults = check(&book.root, &drawn).unwrap_err().to_string();
+        assert!(
+            faults.contains("error: book/a/scene.rs: ") && faults.contains(words),
+            "{words}: {faults}"
+        );
+    }
+}
+
+#[test]
+fn a_style_sheet_of_the_book_loads_nothing_from_a_network() {
+    let book = Book::new("sheet", "# A\n", "# B\n", "# C\n");
+    fs::create_dir_all(book.root.join("book/theme")).unwrap();
+    fs::write(
+        book.root.join("book/theme/x.css"),
+        "p {\n  background: URL( 'https://example.org/x.png' );\n}\n",
+    )
+    .unwrap();
+    let said = "error: book/theme/x.css:2: the style sheet loads https://example.org/x.png from a network";
+    assert_eq!(book.faults(), [said]);
+}
+
+#[test]
+fn what_cannot_be_read_is_a_fault_at_its_line() {
+    let book = Book::new("unreadable", "# A\n", "# B\n", "# C\n");
+    let write = |file: &str, text: &[u8]| fs::write(book.root.join(file), text).unwrap();
+    write("book/b.md", b"# B\n\nCaf\xe9.\n");
+    assert_eq!(book.faults(), ["error: book/b.md:3: this line is not UTF-8: save the file in that encoding"]);
+    fs::remove_file(book.root.join("book/b.md")).unwrap();
+    assert_eq!(book.faults(), ["error: book/SUMMARY.md:4: there is no page book/b.md"]);
+    write("book/b.md", b"# B\n");
+    write("book/SUMMARY.md", b"# Summary\n\n- [A](a.md)\n- [B](b.md)\n- [Again](./a.md)\n");
+    let faults = book.faults();
+    assert_eq!(faults, ["error: book/SUMMARY.md:5: book/a.md is named a second time"]);
+    write("book/SUMMARY.md", b"# Summary\n\n- [A](a.md)\n- B\n");
+    let faults = book.faults();
+    assert!(faults.len() == 1 && faults[0].starts_with("error: book/SUMMARY.md:4: "), "{faults:?}");
+    write("book/SUMMARY.md", "# Summary\n\n- [A](a.md)\n- [\u{202e}B](b.md)\n- [C](c.md)\n".as_bytes());
+    let faults = book.faults();
+    assert!(faults.len() == 1 && faults[0].starts_with("error: book/SUMMARY.md:4: "), "{faults:?}");
+    write("book.toml", b"[book]\ntitle = \"T\nsrc = \"book\"\n");
+    let faults = book.faults();
+    assert!(faults.len() == 1 && faults[0].starts_with("error: book.toml:2: "), "{faults:?}");
+}
+
+#[test]
+fn all_faults_of_a_run_are_reported_in_order() {
+    let book = Book::new("many", "# A\n\n$5\n\n@eq:none\n", "# B\n\n```\n```\n", "# C\n\n@cite:none\n");
+    let faults = book.faults();
+    let places: Vec<&str> = faults.iter().filter_map(|fault| fault.split(": ").nth(1)).collect();
+    assert_eq!(places, ["book/a.md:3", "book/a.md:5", "book/b.md:3", "book/c.md:3"], "{faults:#?}");
+}
