@@ -225,6 +225,7 @@ fn shared(root: &Path, compiler: &Path) -> io::Result<DefaultHasher> {
         "press/snippets/src/printable.rs",
         "press/src/answers.rs",
         "press/src/library.rs",
+        "press/src/markdown.rs",
         "press/src/module.rs",
         "press/src/pages.rs",
         "press/src/printed.rs",
