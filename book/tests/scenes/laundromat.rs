@@ -20,7 +20,8 @@ fn washer(settings: &[(&str, f64)]) -> Player {
 /// The numbers beside the picture: turns a minute, lead, shaft, centre of mass, force, what is left of the balance.
 fn readings(player: &Player, time: f64) -> Vec<f64> {
     let number = |text: &String| {
-        let plain = text.replace('−', "-").replace("·10<sup>", "e").replace("</sup>", "");
+        let plain =
+            text.replace('−', "-").replace("·10<sup>", "e").replace("10<sup>", "1e").replace("</sup>", "");
         let number = plain.trim_end_matches(|c: char| !c.is_ascii_digit());
         number.parse().unwrap_or(f64::NAN)
     };

@@ -13,7 +13,8 @@ fn scene(settings: &[(&str, f64)]) -> Player {
 }
 
 fn number(reading: &str) -> f64 {
-    let plain = reading.replace('−', "-").replace("·10<sup>", "e").replace("</sup>", "");
+    let plain =
+        reading.replace('−', "-").replace("·10<sup>", "e").replace("10<sup>", "1e").replace("</sup>", "");
     let end = plain.find(|sign: char| !"0123456789.-e".contains(sign)).unwrap_or(plain.len());
     plain[..end].parse().unwrap_or_else(|_| panic!("{reading}"))
 }

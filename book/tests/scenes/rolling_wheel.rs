@@ -24,7 +24,13 @@ fn set(settings: &[(&str, f64)]) -> Player {
 /// The number that is written in a reading.
 fn reading(player: &Player, which: usize, time: f64) -> f64 {
     let text = player.readings(time).expect("readings").swap_remove(which);
-    let number = text.split('\u{a0}').next().expect("a number").replace('−', "-").replace("·10<sup>", "e");
+    let number = text
+        .split('\u{a0}')
+        .next()
+        .expect("a number")
+        .replace('−', "-")
+        .replace("·10<sup>", "e")
+        .replace("10<sup>", "1e");
     number.replace("</sup>", "").replace('°', "").parse().unwrap_or(f64::NAN)
 }
 

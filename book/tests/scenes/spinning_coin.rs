@@ -25,7 +25,13 @@ fn set(settings: &[(&str, f64)]) -> Player {
 fn reading(player: &Player, words: &str, time: f64) -> f64 {
     let place = scene().readings.iter().position(|reading| reading.words.starts_with(words)).expect(words);
     let text = player.readings(time).expect("readings").swap_remove(place);
-    let number = text.split('\u{a0}').next().expect("a number").replace('−', "-").replace("·10<sup>", "e");
+    let number = text
+        .split('\u{a0}')
+        .next()
+        .expect("a number")
+        .replace('−', "-")
+        .replace("·10<sup>", "e")
+        .replace("10<sup>", "1e");
     number.replace("</sup>", "").replace('°', "").parse().unwrap_or(f64::NAN)
 }
 

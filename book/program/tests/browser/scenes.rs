@@ -205,7 +205,8 @@ fn alike(one: &str, other: &str) -> bool {
 
 /// A reading as a number; NaN for words.
 fn number(reading: &str) -> f64 {
-    let plain = reading.replace('−', "-").replace("·10<sup>", "e").replace("</sup>", "");
+    let plain =
+        reading.replace('−', "-").replace("·10<sup>", "e").replace("10<sup>", "1e").replace("</sup>", "");
     let end = plain.find(|letter: char| !"-.e0123456789".contains(letter)).unwrap_or(plain.len());
     plain[..end].parse().unwrap_or(f64::NAN)
 }
