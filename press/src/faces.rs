@@ -1,6 +1,8 @@
 //! What the faces of the book can show: the characters to which `press/drawing/font/cut.py` cuts them down.
 
+use crate::html::{attribute, text, tokens};
 use crate::maths::accents::italic;
+use html5gum::Token;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
@@ -76,18 +78,26 @@ fn is_unseen(c: char) -> bool {
 
 /// What is wrong with MathML: the first character that its face lacks.
 pub(crate) fn check_mathml(mathml: &str) -> Result<(), String> {
-    for piece in mathml.split('<').skip(1) {
-        let (tag, text) = piece.split_once('>').unwrap_or((piece, ""));
-        let text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
-        let face = if tag.starts_with("mtext") { Face::Text } else { Face::Maths };
-        let mut characters = text.chars();
-        let shown = match (characters.next(), characters.next()) {
-            (Some(c), None) if tag.starts_with("mi") && !tag.contains("mathvariant=\"normal\"") => {
-                italic(c).to_string()
+    let (mut face, mut is_variable) = (Face::Maths, false);
+    for token in tokens(mathml) {
+        match token {
+            Token::StartTag(tag) => {
+                face = if &**tag.name == b"mtext" { Face::Text } else { Face::Maths };
+                is_variable =
+                    &**tag.name == b"mi" && attribute(&tag, "mathvariant").as_deref() != Some("normal");
             }
-            _ => text,
-        };
-        face.check(&shown).map_err(|(_, message)| message)?;
+            Token::EndTag(_) => (face, is_variable) = (Face::Maths, false),
+            Token::String(words) => {
+                let shown = text(&words);
+                let mut characters = shown.chars();
+                let shown = match (characters.next(), characters.next()) {
+                    (Some(c), None) if is_variable => italic(c).to_string(),
+                    _ => shown,
+                };
+                face.check(&shown).map_err(|(_, message)| message)?;
+            }
+            _ => {}
+        }
     }
     Ok(())
 }

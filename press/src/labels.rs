@@ -128,8 +128,8 @@ impl Registry {
                 }
                 if let Item::Figure { .. } = &placed.item {
                     let figure = figures.iter().find(|figure| figure.id == label.written());
-                    let ids: BTreeSet<&str> = figure.iter().flat_map(|figure| figure.ids()).collect();
-                    claimed.extend(ids.into_iter().map(|id| (id.to_owned(), line)));
+                    let ids: BTreeSet<String> = figure.iter().flat_map(|figure| figure.ids()).collect();
+                    claimed.extend(ids.into_iter().map(|id| (id, line)));
                 }
             }
             for (id, line) in claimed {
@@ -203,7 +203,7 @@ impl Registry {
         for figure in figures {
             let mut ids = BTreeSet::new();
             for id in figure.ids() {
-                if !ids.insert(id) {
+                if !ids.insert(id.clone()) {
                     let message = format!(
                         "the id `{id}` stands twice in the figure {}: has it two curves of one name?",
                         figure.id

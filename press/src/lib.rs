@@ -104,6 +104,7 @@ mod edition;
 mod effort;
 mod faces;
 mod head;
+mod html;
 mod labels;
 mod library;
 mod licence;

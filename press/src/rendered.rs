@@ -1,6 +1,7 @@
 //! What the pages show: the figures of the book and the tables of the library, as the build script of the crate `book`
 //! rendered them, and its live scenes.
 
+use crate::html;
 use std::path::Path;
 use std::{fs, io};
 
@@ -155,8 +156,8 @@ impl Rendered {
 
 impl Figure {
     /// The ids in its SVG.
-    pub(crate) fn ids(&self) -> impl Iterator<Item = &str> {
-        self.svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next())
+    pub(crate) fn ids(&self) -> impl Iterator<Item = String> {
+        html::ids(&self.svg)
     }
 
     /// The file that draws it: `book/laundromat/figures.rs`, or `book/figures.rs` for one on a page without a number.
