@@ -1,8 +1,8 @@
 //! What is wrong with the pages, found without building the book.
 
-use crate::api::Library;
 use crate::book::{Page, from_disk};
 use crate::fault::Faults;
+use crate::package::Package;
 use crate::rendered::Rendered;
 use crate::{effort, render, site, summary};
 use std::fs;
@@ -34,7 +34,8 @@ pub(crate) fn rendered(
     site::check_style_sheets(root, source, &mut faults);
     let mut drawn = drawn.clone();
     drawn.tables.push((effort::TABLE.to_owned(), effort::table(pages)));
-    match render::render(pages, &drawn, &Library::read(root), &code(root)) {
+    let library = Package::read(root).and_then(|package| package.library).map(|library| library.name);
+    match render::render(pages, &drawn, library.as_deref().unwrap_or_default(), &code(root)) {
         Ok(texts) if faults.is_empty() => Ok(texts),
         Ok(_) => Err(faults),
         Err(found) => {

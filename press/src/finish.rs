@@ -5,6 +5,7 @@ use crate::fault::{Faults, Lines};
 use crate::head::{self, SiteMetadata};
 use crate::licence::Licence;
 use crate::mdbook::For;
+use crate::package::Package;
 use crate::preprocess::Failed;
 use crate::render::escaped;
 use crate::rendered::Rendered;
@@ -55,13 +56,14 @@ fn finished(site: &Path, context: &RenderContext, hidden: &[String], drawn: &Ren
     remove_programs(site)?;
     scripts::lighten(site, &context.config)?;
     drawn.write_all(&site.join("figures"))?;
+    let package = Package::read(&context.root);
     let is_hasty = For::of(&context.config) == For::Hasty;
     if is_hasty {
         outcome::remove(&site.join(PRINT))?;
-    } else {
-        api::add(site, &context.root)?;
+    } else if let Some(package) = &package {
+        api::add(site, &context.root, package)?;
     }
-    let mut pages = complete_pages(site, context, hidden)?;
+    let mut pages = complete_pages(site, context, package.as_ref(), hidden)?;
     module::add(site, &context.root, &pages)?;
     let index = search::rename(site, &mut pages)?;
     for (page, html) in &pages {
@@ -96,6 +98,7 @@ fn finished(site: &Path, context: &RenderContext, hidden: &[String], drawn: &Ren
 fn complete_pages(
     site: &Path,
     context: &RenderContext,
+    package: Option<&Package>,
     hidden: &[String],
 ) -> io::Result<BTreeMap<String, String>> {
     let html = context.config.html_config().unwrap_or_default();
@@ -113,17 +116,19 @@ fn complete_pages(
     }
     let metadata = SiteMetadata {
         book: &title,
-        edition: &edition(&context.root),
+        edition: &edition(&context.root, package),
         address: known,
         picture: picture.is_some().then_some(PREVIEW),
         licence: licence.as_ref(),
     };
+    let doc = package.map(api::folder).unwrap_or_default();
     let mut pages = BTreeMap::new();
     let copies = ["index.html", PRINT].map(str::to_owned);
     for page in copies.into_iter().chain(site::pages(context.book.iter())) {
         let file = site.join(&page);
         if file.is_file() {
             let mut html = head::with_metadata(&fs::read_to_string(file)?, &page, &metadata);
+            html = api::with_links(&html, &page, &doc);
             if !hidden.is_empty() {
                 html = solutions::unlinked(&html, &page, hidden);
             }

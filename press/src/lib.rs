@@ -106,6 +106,7 @@ mod faces;
 mod head;
 mod html;
 mod labels;
+#[cfg(test)] // the build scripts use it
 mod library;
 mod licence;
 mod lost;
@@ -118,6 +119,7 @@ mod notes;
 mod numbers;
 mod outcome;
 mod outline;
+mod package;
 mod page;
 mod pages;
 mod panel;

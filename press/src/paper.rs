@@ -17,6 +17,7 @@ use crate::fault::Faults;
 use crate::html::{self, Edits, Element};
 use crate::licence::Licence;
 use crate::mdbook;
+use crate::package::Package;
 use crate::render::escaped;
 use crate::{solutions, summary};
 use mdbook_summary::SummaryItem;
@@ -117,7 +118,7 @@ impl Paper {
         Ok(Self {
             settings,
             head: head(&printed, &found),
-            edition: edition::edition(root),
+            edition: edition::edition(root, Package::read(root).as_ref()),
             day: edition::day(root),
             is_whole: chapter.is_none(),
             sheets,

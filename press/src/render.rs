@@ -1,6 +1,6 @@
 //! A page in our dialect becomes a page that mdBook understands.
 
-use crate::api::{self, Library};
+use crate::api;
 use crate::book::{Page, relative, resolve};
 use crate::fault::Faults;
 use crate::labels::Registry;
@@ -23,7 +23,7 @@ use std::fmt::Write as _;
 pub(crate) fn render(
     pages: &[Page],
     drawn: &Rendered,
-    library: &Library,
+    library: &str,
     code: &[(String, String)],
 ) -> Result<Vec<String>, Faults> {
     let mut faults = Faults::default();
@@ -32,7 +32,7 @@ pub(crate) fn render(
     let registry = Registry::build(pages, &scans, drawn, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
     let maths = Maths::new(pages, &mut faults);
-    let places = places::places(&library.name, code);
+    let places = places::places(library, code);
     let mut cited = Cited::new();
     let mut live = 0;
     let mut rendered = Vec::with_capacity(pages.len());
@@ -127,7 +127,7 @@ struct Printer<'a, 'f> {
     registry: &'a Registry,
     maths: &'a Maths,
     drawn: &'a Rendered,
-    library: &'a Library,
+    library: &'a str,
     /// Where the library's comments name equations.
     places: &'a BTreeMap<String, Vec<Place>>,
     /// Every label that some page mentions.
@@ -249,7 +249,7 @@ impl Printer<'_, '_> {
         shown.push_str(&code[done..]);
         let panel = self.panel(&shown);
         snippets::with_folded_checks(&snippets::without_ranges(&shown), panel.as_deref())
-            + &self.uses(code).unwrap_or_default()
+            + &api::uses(self.library, code).map_or(String::new(), |line| format!("\n\n{line}\n"))
     }
 
     /// The panel of a snippet that has live numbers.
@@ -260,19 +260,6 @@ impl Printer<'_, '_> {
             *self.live += 1;
             panel::panel(&answers, *self.live - 1, self.page.path.split('/').next().unwrap_or_default())
         })
-    }
-
-    /// A line below a snippet that leads to the documentation of the library items that it imports.
-    fn uses(&self, code: &str) -> Option<String> {
-        let used = self.library.used(code);
-        if used.is_empty() {
-            return None;
-        }
-        let up = "../".repeat(self.page.path.matches('/').count());
-        let links = used
-            .iter()
-            .map(|(name, page)| format!("<a href=\"{up}{}/{page}\"><code>{name}</code></a>", api::FOLDER));
-        Some(format!("\n\n<p class=\"uses\">In the library: {}</p>\n", links.collect::<Vec<_>>().join(", ")))
     }
 
     fn inline(&mut self, tex: &str, offset: usize) -> Option<String> {
@@ -671,7 +658,7 @@ mod tests {
     /// What becomes of one page, which is chapter 1.
     fn printed(text: &str) -> String {
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text.to_owned());
-        let printed = render(&[page], &Rendered::default(), &Library::default(), &[]);
+        let printed = render(&[page], &Rendered::default(), "", &[]);
         printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
     }
 
@@ -792,7 +779,7 @@ mod tests {
         let print = |chapter, part: Option<&str>| {
             let text = "# A {#sec:a}\n".to_owned();
             let page = Page::new("book", "a.md".to_owned(), chapter, part.map(str::to_owned), text);
-            render(&[page], &Rendered::default(), &Library::default(), &[]).unwrap_or_default().remove(0)
+            render(&[page], &Rendered::default(), "", &[]).unwrap_or_default().remove(0)
         };
         let kicker = |class: &str, words: &str| {
             format!("<p class=\"{class}\" style=\"--chapter: 4\">{words}</p>\n\n# A {{#sec-a}}\n")
@@ -833,7 +820,7 @@ mod tests {
         let text = "# A\n\n![A *plate*.](scene:plate)\n\n[Set $x$](scene:plate?spin=3&kick=0).\n".to_owned();
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
         let print = |drawn: &Rendered| {
-            let printed = render(std::slice::from_ref(&page), drawn, &Library::default(), &[]);
+            let printed = render(std::slice::from_ref(&page), drawn, "", &[]);
             printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
         };
         let x = maths("$x$");
@@ -884,7 +871,7 @@ mod tests {
         let drawn = Rendered { figures: vec![figure], ..Rendered::default() };
         let text = "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n".to_owned();
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text);
-        let printed = render(&[page], &drawn, &Library::default(), &[]);
+        let printed = render(&[page], &drawn, "", &[]);
         let printed = printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0);
         let at = |words: &str| printed.find(words).unwrap_or_else(|| panic!("{words} in {printed}"));
         assert!(at("It’s so.<a class=\"note-mark\"") < at("</figcaption>"));
