@@ -1,7 +1,9 @@
 //! Where the library's comments name the equations of the book, and the links from there to the pages and back.
 
 use crate::api::FOLDER;
+use crate::html::{Edits, tokens};
 use crate::page::Kind;
+use html5gum::Token;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fs, io};
@@ -140,43 +142,32 @@ fn link_folder(folder: &Path, up: &str, homes: &BTreeMap<&str, &str>) -> io::Res
 
 /// A page of rustdoc with links to where `homes` has the labels that its text names.
 fn linked(html: &str, up: &str, homes: &BTreeMap<&str, &str>) -> String {
-    let mut out = String::with_capacity(html.len());
-    let mut rest = html;
-    let mut inside = String::new(); // of a link, or of what is no text
-    while let Some(open) = rest.find('<') {
-        let (text, tag) = rest.split_at(open);
-        if inside.is_empty() {
-            push_linked(&mut out, text, up, homes);
-        } else {
-            out.push_str(text);
-        }
-        let end = tag.find('>').map_or(tag.len(), |at| at + 1);
-        let name = tag[1..end].split(|c: char| c.is_whitespace() || c == '>').next().unwrap_or_default();
-        if inside.is_empty() && matches!(name, "a" | "script" | "style" | "title" | "textarea") {
-            inside = format!("/{name}");
-        } else if name == inside {
-            inside.clear();
-        }
-        out.push_str(&tag[..end]);
-        rest = &tag[end..];
-    }
-    out + rest
-}
-
-fn push_linked(out: &mut String, text: &str, up: &str, homes: &BTreeMap<&str, &str>) {
-    let mut written = 0;
-    let mut labels = found(text);
-    labels.sort_by_key(|&(at, ..)| at);
-    for (at, kind, name) in labels {
-        let id = format!("{}-{name}", kind.prefix());
-        if let Some(page) = homes.get(id.as_str()) {
-            let end = at + kind.prefix().len() + 1 + name.len();
-            out.push_str(&text[written..at]);
-            out.push_str(&format!("<a href=\"{up}{page}#{id}\">{}</a>", &text[at..end]));
-            written = end;
+    let mut edits = Edits::default();
+    let mut inside = None; // the name of a link, or of what is no text
+    for token in tokens(html) {
+        match token {
+            Token::StartTag(tag)
+                if inside.is_none()
+                    && matches!(&**tag.name, b"a" | b"script" | b"style" | b"title" | b"textarea") =>
+            {
+                inside = Some(tag.name);
+            }
+            Token::EndTag(tag) if inside.as_ref() == Some(&tag.name) => inside = None,
+            Token::String(words) if inside.is_none() => {
+                let start = words.span.start;
+                for (at, kind, name) in found(&html[start..words.span.end]) {
+                    let id = format!("{}-{name}", kind.prefix());
+                    if let Some(page) = homes.get(id.as_str()) {
+                        let label = format!("{}:{name}", kind.prefix());
+                        let link = format!("<a href=\"{up}{page}#{id}\">{label}</a>");
+                        edits.replace(start + at..start + at + label.len(), link);
+                    }
+                }
+            }
+            _ => {}
         }
     }
-    out.push_str(&text[written..]);
+    edits.applied(html)
 }
 
 #[cfg(test)]
@@ -206,9 +197,12 @@ mod tests {
         assert_eq!(
             linked(html, "../../", &homes),
             format!(
-                "<title>eq:rate</title><a title=\"eq:rate\" href=x>eq:rate</a> <code>{link}</code>, eq:unknown. <script>eq:rate</script>eq:rate-"
+                "<title>eq:rate</title><a title=\"eq:rate\" href=x>eq:rate</a> <code>{link}</code>, eq:unknown. <script>eq:rate</script>{link}-"
             )
         );
-        assert_eq!(linked("<p>see eq:rate", "", &homes), "<p>see eq:rate"); // an unfinished page stays
+        assert_eq!(
+            linked("<p>a &lt; b, eq:rate", "", &homes),
+            "<p>a &lt; b, <a href=\"tops/index.html#eq-rate\">eq:rate</a>"
+        );
     }
 }
