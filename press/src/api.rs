@@ -15,8 +15,8 @@ const ENTRANCE: &str = "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<meta charset=\"
     <meta http-equiv=\"refresh\" content=\"0; url=LIBRARY/index.html\">\n<title>The library</title>\n\
     <p><a href=\"LIBRARY/index.html\">The library</a></p>\n</html>\n";
 
-/// What stands below a snippet that imports something of `library`: a line that [`with_links`] fills once rustdoc has said
-/// which pages there are.
+/// What stands below a snippet that imports something of `library`: a line that [`with_links`] fills once rustdoc has
+/// said which pages there are.
 pub(crate) fn uses(library: &str, code: &str) -> Option<String> {
     let items = imported(library, code);
     (!items.is_empty()).then(|| format!("<p class=\"uses\" data-items=\"{}\"></p>", items.join(" ")))
@@ -39,8 +39,8 @@ pub(crate) fn with_links(html: &str, path: &str, doc: &Path) -> String {
     edits.applied(html)
 }
 
-/// The name of an item, and its page among those in `doc`: `a/struct.B.html` for `a::B`. What has no page of its own, as
-/// a module, or what another crate documents, has none.
+/// The name of an item, and its page among those in `doc`: `a/struct.B.html` for `a::B`. There is none for a module,
+/// and none for what another crate documents.
 fn page<'a>(doc: &Path, item: &'a str) -> Option<(&'a str, String)> {
     let (module, name) = item.rsplit_once("::")?;
     let folder = module.replace("::", "/");

@@ -81,8 +81,8 @@ pub(crate) fn with_metadata(html: &str, path: &str, site: &SiteMetadata<'_>) -> 
     edits.applied(html)
 }
 
-/// Leads from the foot of every page of a finished site, the spans with the class `downloads`, to files in its root, each
-/// with what it is called.
+/// Leads from the foot of every page of a finished site, its span with the class `downloads`, to files in the root,
+/// each with what it is called.
 pub(crate) fn add_downloads(site: &Path, files: &[(&str, &str)]) -> io::Result<()> {
     fn add(folder: &Path, up: &str, files: &[(&str, &str)]) -> io::Result<()> {
         let link = |(name, file): &(&str, &str)| format!(" · <a href=\"{up}{file}\">{name}</a>");

@@ -76,8 +76,8 @@ impl Sheet {
         });
     }
 
-    /// Its HTML for a PDF: the lines that lead from exercises to hints and solutions, and back, have the numbers of pages,
-    /// and panels tell their widths to the style sheet, by which those of one row shrink alike.
+    /// Its HTML for a PDF: the lines that lead from exercises to hints and solutions, and back, have the numbers of
+    /// pages, and panels tell their widths to the style sheet, by which those of one row shrink alike.
     pub(super) fn for_pdf(&self, numbers: &BTreeMap<String, usize>) -> String {
         let found = html::named(&self.html, &["p", "a", "svg"]);
         let mut edits = Edits::default();

@@ -1,5 +1,6 @@
 //! Files over HTTP, for a browser on this machine. Each connection has a thread and is asked once: browsers open some
-//! that they may not need, and nobody should wait behind those.
+//! that they may not need, and nobody should wait behind those. That is why connections are our own; a library reads
+//! the requests.
 
 use httparse::{EMPTY_HEADER, Request, Status};
 use percent_encoding::percent_decode_str;
