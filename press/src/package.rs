@@ -48,7 +48,7 @@ impl Package {
             version: text(&package["version"])?,
             library: library.and_then(|target| {
                 let sources = Path::new(target["src_path"].as_str()?).parent()?.to_owned();
-                Some(Library { name: text(&target["name"])?.replace('-', "_"), sources })
+                Some(Library { name: text(&target["name"])?, sources })
             }),
             target: text(&metadata["target_directory"])?.into(),
         })
