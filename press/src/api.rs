@@ -24,6 +24,9 @@ pub(crate) fn uses(library: &str, code: &str) -> Option<String> {
 
 /// The page at `path` of the site with links, below each snippet, to the pages of `doc` for what it imports.
 pub(crate) fn with_links(html: &str, path: &str, doc: &Path) -> String {
+    if !html.contains("data-items") {
+        return html.to_owned(); // most pages have no snippet
+    }
     let up = "../".repeat(path.matches('/').count());
     let mut edits = Edits::default();
     for line in html::named(html, &["p"]) {

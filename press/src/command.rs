@@ -257,11 +257,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn orders_are_well_formed() {
-        <Order as clap::CommandFactory>::command().debug_assert();
-    }
-
-    #[test]
     fn a_pdf_is_ordered_by_chapter_and_file_in_any_order() {
         let asked = |words: &str| chapter_and_file(words.split_whitespace().map(str::to_owned).collect());
         let both = (Some("coin-toss".to_owned()), Some("a.pdf".to_owned()));
