@@ -1,7 +1,7 @@
-//! The library items that a snippet uses, and where rustdoc documents them.
+//! The documentation of the library, and the pages of it to which a snippet leads.
 
-use std::collections::BTreeMap;
-use std::ffi::OsString;
+use crate::html::{self, Edits};
+use crate::package::{Library, Package};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::SystemTime;
@@ -15,71 +15,58 @@ const ENTRANCE: &str = "<!DOCTYPE html>\n<html lang=\"en-GB\">\n<meta charset=\"
     <meta http-equiv=\"refresh\" content=\"0; url=LIBRARY/index.html\">\n<title>The library</title>\n\
     <p><a href=\"LIBRARY/index.html\">The library</a></p>\n</html>\n";
 
-/// The kinds of items that have a page of their own, as the language and as rustdoc name them.
-const KINDS: [(&str, &str); 5] =
-    [("struct", "struct"), ("enum", "enum"), ("fn", "fn"), ("trait", "trait"), ("const", "constant")];
-
-/// The library of the book: the package in the project's root, if it is one.
-#[derive(Debug, Default)]
-pub(crate) struct Library {
-    /// Its name, as Rust and rustdoc write it.
-    pub(crate) name: String,
-    /// Which items it makes public: name → rustdoc's word for its kind.
-    kinds: BTreeMap<String, &'static str>,
+/// What stands below a snippet that imports something of `library`: a line that [`with_links`] fills once rustdoc has
+/// said which pages there are.
+pub(crate) fn uses(library: &str, code: &str) -> Option<String> {
+    let items = imported(library, code);
+    (!items.is_empty()).then(|| format!("<p class=\"uses\" data-items=\"{}\"></p>", items.join(" ")))
 }
 
-impl Library {
-    /// Reads the library, a package whose sources lie in `root/src`.
-    pub(crate) fn read(root: &Path, package: &str) -> Self {
-        let mut library = Self { name: in_rust(package), kinds: BTreeMap::new() };
-        library.collect(&root.join("src"));
-        library
+/// The page at `path` of the site with links, below each snippet, to the pages of `doc` for what it imports.
+pub(crate) fn with_links(html: &str, path: &str, doc: &Path) -> String {
+    if !html.contains("data-items") {
+        return html.to_owned(); // most pages have no snippet
     }
+    let up = "../".repeat(path.matches('/').count());
+    let mut edits = Edits::default();
+    for line in html::named(html, &["p"]) {
+        let Some(items) = line.get("data-items") else { continue };
+        let links = items.split(' ').filter_map(|item| {
+            let (name, page) = page(doc, item)?;
+            Some(format!("<a href=\"{up}{FOLDER}/{page}\"><code>{name}</code></a>"))
+        });
+        let links = links.collect::<Vec<_>>().join(", ");
+        let filled = format!("<p class=\"uses\">In the library: {links}</p>");
+        edits.replace(line.whole.clone(), if links.is_empty() { String::new() } else { filled });
+    }
+    edits.applied(html)
+}
 
-    fn collect(&mut self, folder: &Path) {
-        for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-            let path = entry.path();
-            if path.is_dir() {
-                self.collect(&path);
-            } else if let Ok(text) = fs::read_to_string(&path) {
-                for line in text.lines().filter_map(|line| line.strip_prefix("pub ")) {
-                    for (keyword, kind) in KINDS {
-                        if let Some(rest) = line.strip_prefix(keyword).and_then(|rest| rest.strip_prefix(' '))
-                        {
-                            let end =
-                                rest.find(|c: char| !(c.is_alphanumeric() || c == '_')).unwrap_or(rest.len());
-                            self.kinds.insert(rest[..end].to_owned(), kind);
-                        }
-                    }
-                }
+/// The name of an item, and its page among those in `doc`: `a/struct.B.html` for `a::B`. There is none for a module,
+/// and none for what another crate documents.
+fn page<'a>(doc: &Path, item: &'a str) -> Option<(&'a str, String)> {
+    let (module, name) = item.rsplit_once("::")?;
+    let folder = module.replace("::", "/");
+    let files = fs::read_dir(doc.join(&folder)).ok()?.flatten();
+    let mut files = files.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let end = format!("{name}.html");
+    let file = files.find(|file| file.split_once('.').is_some_and(|(_, rest)| rest == end))?;
+    Some((name, format!("{folder}/{file}")))
+}
+
+/// The items that `code` imports from a library, each once, in their order.
+fn imported(library: &str, code: &str) -> Vec<String> {
+    let lines = code.lines().map(|line| line.strip_prefix("# ").unwrap_or(line).trim());
+    let plain = lines.collect::<Vec<_>>().join(" ");
+    let mut items = Vec::new();
+    for (at, _) in plain.match_indices(&format!("use {library}::")) {
+        for item in expanded(plain[at + 4..].split(';').next().unwrap_or_default()) {
+            if !items.contains(&item) {
+                items.push(item);
             }
         }
     }
-
-    /// The items that `code` imports from the library, in the order of the imports: (name, page below [`FOLDER`]).
-    pub(crate) fn used(&self, code: &str) -> Vec<(String, String)> {
-        let plain: String = code
-            .lines()
-            .map(|line| line.strip_prefix("# ").unwrap_or(line).trim())
-            .collect::<Vec<_>>()
-            .join(" ");
-        let mut used = Vec::new();
-        for (at, _) in plain.match_indices(&format!("use {}::", self.name)) {
-            let tree = plain[at + 4..].split(';').next().unwrap_or_default();
-            for path in expanded(tree) {
-                let Some((module, name)) = path.rsplit_once("::") else {
-                    continue;
-                };
-                if let Some(kind) = self.kinds.get(name) {
-                    let page = format!("{}/{kind}.{name}.html", module.replace("::", "/"));
-                    if !used.iter().any(|(_, known)| *known == page) {
-                        used.push((name.to_owned(), page));
-                    }
-                }
-            }
-        }
-        used
-    }
+    items
 }
 
 /// All paths of an import: `a::{b, c::{d, e}}` → `a::b`, `a::c::d`, `a::c::e`.
@@ -106,48 +93,28 @@ fn expanded(tree: &str) -> Vec<String> {
     parts.into_iter().flat_map(expanded).map(|path| format!("{prefix}{path}")).collect()
 }
 
-/// The name of a package as Rust and rustdoc write it.
-fn in_rust(package: &str) -> String {
-    package.replace('-', "_")
-}
-
 /// Where rustdoc leaves its pages.
-fn written(root: &Path) -> io::Result<PathBuf> {
-    let metadata = Command::new(cargo())
-        .args(["metadata", "--no-deps", "--format-version", "1"])
-        .current_dir(root)
-        .stdin(Stdio::null())
-        .stderr(Stdio::inherit())
-        .output()?;
-    let metadata: serde_json::Value = serde_json::from_slice(&metadata.stdout)?;
-    let target = metadata["target_directory"].as_str();
-    Ok(Path::new(target.ok_or_else(|| io::Error::other("cargo names no target folder"))?).join("doc"))
-}
-
-fn cargo() -> OsString {
-    env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
+pub(crate) fn folder(package: &Package) -> PathBuf {
+    package.target.join("doc")
 }
 
 /// Whether the documentation of the library in `root` was written after its sources, if there is one.
-pub(crate) fn is_current(root: &Path, package: &str) -> bool {
-    if !root.join("src").is_dir() {
-        return true; // a book without a library
-    }
-    written(root).and_then(|doc| is_newer(&doc.join(in_rust(package)), &root.join("src"))).unwrap_or(false)
+pub(crate) fn is_current(root: &Path) -> bool {
+    let Some(package) = Package::read(root) else { return true };
+    package.library.as_ref().is_none_or(|library| {
+        is_newer(&folder(&package).join(&library.name), &library.sources).unwrap_or(false)
+    })
 }
 
-/// Runs rustdoc on the library in `root`, if there is one, and copies its pages into the site.
-pub(crate) fn add(site: &Path, root: &Path, package: &str) -> io::Result<()> {
-    if !root.join("src").is_dir() {
-        return Ok(());
-    }
-    let library = in_rust(package);
-    let doc = written(root)?;
-    let sources = format!("src/{library}"); // where rustdoc puts them
-    remove_outdated(&doc, [&library, &sources], &root.join("src"))?;
-    let documented = Command::new(cargo())
+/// Runs rustdoc on the library of a package, if it has one, and copies its pages into the site.
+pub(crate) fn add(site: &Path, root: &Path, package: &Package) -> io::Result<()> {
+    let Some(Library { name: library, sources }) = &package.library else { return Ok(()) };
+    let doc = folder(package);
+    let code = format!("src/{library}"); // where rustdoc puts it
+    remove_outdated(&doc, [library, &code], sources)?;
+    let documented = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
         // Of this package alone: for all that is built here rustdoc would read the mdBook of the press, too.
-        .args(["doc", "--quiet", "--no-deps", "--lib", "--package", package])
+        .args(["doc", "--quiet", "--no-deps", "--lib", "--package", &package.name])
         .current_dir(root)
         .stdin(Stdio::null())
         .stderr(Stdio::inherit())
@@ -156,10 +123,10 @@ pub(crate) fn add(site: &Path, root: &Path, package: &str) -> io::Result<()> {
         return Err(io::Error::other(format!("`cargo doc` failed for the library {library}")));
     }
     // The library's pages and what they share; other crates may have left theirs beside them.
-    for part in [&library, &sources, "static.files", "search.index", "trait.impl", "type.impl"] {
+    for part in [library, &*code, "static.files", "search.index", "trait.impl", "type.impl"] {
         copy(&doc.join(part), &site.join(FOLDER).join(part))?;
     }
-    fs::write(site.join(FOLDER).join("index.html"), ENTRANCE.replace("LIBRARY", &library))?;
+    fs::write(site.join(FOLDER).join("index.html"), ENTRANCE.replace("LIBRARY", library))?;
     for entry in fs::read_dir(&doc)? {
         let entry = entry?;
         let name = entry.file_name();
@@ -237,15 +204,32 @@ mod tests {
     }
 
     #[test]
-    fn a_snippet_links_to_the_items_it_imports() {
-        let mut items = Library { name: "mechanics".to_owned(), ..Library::default() };
-        items.kinds.insert("Machine".to_owned(), "struct");
-        items.kinds.insert("rk4".to_owned(), "fn");
-        let code = "# use mechanics::integrate::rk4;\n# use mechanics::scenes::laundromat::{Machine,\n#     Unknown};\nrk4();";
-        let pages: Vec<String> = items.used(code).into_iter().map(|(_, page)| page).collect();
+    fn a_snippet_links_to_the_items_it_imports_by_what_rustdoc_calls_them() {
+        let code = "# use spin::tops::{rk4, Rule, tops};\n# use spin::plates::{Rule,\n#     Unknown};\n# use other::A;\nrk4();";
+        let line = uses("spin", code).unwrap();
         assert_eq!(
-            pages,
-            ["mechanics/integrate/fn.rk4.html", "mechanics/scenes/laundromat/struct.Machine.html"]
+            line,
+            "<p class=\"uses\" data-items=\"spin::tops::rk4 spin::tops::Rule spin::tops::tops spin::plates::Rule \
+             spin::plates::Unknown\"></p>"
         );
+        assert_eq!(uses("spin", "use other::A;"), None);
+        let doc = env::temp_dir().join(format!("press-api-{}", std::process::id()));
+        let pages =
+            ["tops/fn.rk4.html", "tops/enum.Rule.html", "tops/tops/index.html", "plates/struct.Rule.html"];
+        for page in pages.map(|page| doc.join("spin").join(page)) {
+            fs::create_dir_all(page.parent().unwrap()).unwrap();
+            fs::write(page, "").unwrap();
+        }
+        let linked = with_links(&line, "a/b.html", &doc);
+        let targets: Vec<String> =
+            html::named(&linked, &["a"]).iter().map(|link| link.get("href").unwrap().to_owned()).collect();
+        let expected = [pages[0], pages[1], pages[3]].map(|page| format!("../api/spin/{page}"));
+        assert_eq!(targets, expected, "{linked}");
+        assert!(
+            linked.starts_with("<p class=\"uses\">In the library: <a")
+                && linked.contains("<code>rk4</code></a>, <a")
+        );
+        assert_eq!(with_links(&line, "a/b.html", &doc.join("none")), "");
+        fs::remove_dir_all(doc).unwrap();
     }
 }

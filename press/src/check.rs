@@ -1,6 +1,5 @@
 //! What is wrong with the pages, found without building the book.
 
-use crate::api::Library;
 use crate::book::Page;
 use crate::disk::from_disk;
 use crate::fault::Faults;
@@ -35,12 +34,7 @@ pub(crate) fn rendered(
     site::check_style_sheets(root, source, &mut faults);
     let mut drawn = drawn.clone();
     drawn.tables.push((effort::TABLE.to_owned(), effort::table(pages)));
-    match render::render(
-        pages,
-        &drawn,
-        &Library::read(root, drawn.book.library),
-        &code(root, drawn.book.code),
-    ) {
+    match render::render(pages, &drawn, &drawn.book.library.replace('-', "_"), &code(root, drawn.book.code)) {
         Ok(texts) if faults.is_empty() => Ok(texts),
         Ok(_) => Err(faults),
         Err(found) => {

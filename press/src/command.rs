@@ -5,23 +5,64 @@ use crate::mdbook::{self, For};
 use crate::paper::{self, Paper};
 use crate::rendered::Rendered;
 use crate::{check, head, new, outcome, serve};
+use clap::{CommandFactory as _, FromArgMatches as _, Parser};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::Command;
 use std::{env, fs};
 
-const HELP: &str = "\
-cargo book serve [--open] [-p PORT]     the book in the browser, following your edits (http://localhost:3000)
-cargo book build [-d FOLDER] [--paper]  the site, in target/book/html; with links to its PDF and EPUB, which lie in it
-cargo book test                         the snippets of all pages
-cargo book check                        what is wrong with the pages, fast
-cargo book figures FOLDER               every figure as a standalone SVG file
-cargo book pdf [FILE.pdf]               the whole book for paper, its solutions at the end (needs Chromium)
-cargo book pdf CHAPTER [--solutions] …  a handout of one chapter, by its folder or number; by default in target/book
-cargo book epub [FILE.epub]             the whole book for readers of EPUBs
-cargo book new FOLDER [--git URL]       a book of three pages that is yours to change; it depends on this press, where it lies or by git
-cargo book measure [OPTION …]           runs the library beside its peers, for the report \"Speed and accuracy\"; --help says more";
+// The comments that document it are what `cargo book help` says.
+/// The book: shown, checked, printed
+#[derive(Debug, Parser)]
+#[command(name = "cargo book", bin_name = "cargo book")]
+enum Order {
+    /// The book in the browser, following your edits
+    Serve(serve::Options),
+    /// The site, in target/book/html
+    Build {
+        /// The folder in which the site becomes a folder `html`
+        #[arg(short, long, value_name = "FOLDER")]
+        dest_dir: Option<String>,
+        /// With links to its PDF and its EPUB, which lie in it (needs Chromium)
+        #[arg(long)]
+        paper: bool,
+    },
+    /// Tests the snippets of all pages
+    Test,
+    /// Says what is wrong with the pages, fast
+    Check,
+    /// Every figure as a standalone SVG file
+    Figures { folder: PathBuf },
+    /// The whole book for paper, its solutions at the end, or a handout of one chapter (needs Chromium)
+    Pdf {
+        /// A chapter, by its folder or number, and the file to write; by default the whole book, into target/book
+        #[arg(value_name = "CHAPTER or FILE.pdf", num_args = 0..=2)]
+        what: Vec<String>,
+        /// The handout with the solutions of the chapter
+        #[arg(long)]
+        solutions: bool,
+    },
+    /// The whole book for readers of EPUBs
+    Epub {
+        #[arg(value_name = "FILE.epub", value_parser = epub_file)]
+        file: Option<PathBuf>,
+    },
+    /// A book of three pages that is yours to change; it depends on this press, where it lies
+    New {
+        folder: PathBuf,
+        /// It depends on the press in this repository
+        #[arg(long, value_name = "URL")]
+        git: Option<String>,
+    },
+}
+
+fn epub_file(name: &str) -> Result<PathBuf, String> {
+    if name.ends_with(".epub") {
+        Ok(name.into())
+    } else {
+        Err("the name of an EPUB ends with .epub".to_owned())
+    }
+}
 
 /// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before
 /// exiting with status 1.
@@ -29,19 +70,33 @@ cargo book measure [OPTION …]           runs the library beside its peers, for
 /// # Errors
 /// A message for the reader, complete.
 pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), String> {
-    let (name, rest) =
-        arguments.split_first().map_or(("help", &[][..]), |(name, rest)| (name.as_str(), rest));
-    match name {
-        "serve" => serve::run(root, rest, &drawn.book).map_err(|message| format!("{message}\n\n{HELP}")),
-        "build" => build(root, rest),
-        "test" => {
-            none_left(name, rest)?;
+    let help = ["help".to_owned()];
+    let arguments = if arguments.is_empty() { &help } else { arguments };
+    let own = drawn.book.commands;
+    if let Some(command) = own.iter().find(|command| command.name == arguments[0]) {
+        return (command.run)(root, &arguments[1..]);
+    }
+    let more: String = own.iter().map(|own| format!("  {:<8} {}\n", own.name, own.help)).collect();
+    let more = if own.is_empty() { more } else { format!("Of this book:\n{more}") };
+    let said = Order::command().after_help(more);
+    let said = said.try_get_matches_from([&["cargo book".to_owned()], arguments].concat());
+    let order = match said.and_then(|said| Order::from_arg_matches(&said)) {
+        Ok(order) => order,
+        Err(help) if !help.use_stderr() => {
+            say(help.to_string().trim_end());
+            return Ok(());
+        }
+        Err(error) => return Err(error.to_string().trim_end().to_owned()),
+    };
+    match order {
+        Order::Serve(options) => serve::run(root, &options, &drawn.book),
+        Order::Build { dest_dir, paper } => build(root, dest_dir.as_deref(), paper),
+        Order::Test => {
             // Of a page that it cannot read mdBook tells no line.
             from_disk(root).map_err(|faults| faults.to_string())?;
             mdbook::test(root)
         }
-        "check" => {
-            none_left(name, rest)?;
+        Order::Check => {
             let pages = check::check(root, drawn).map_err(|faults| faults.to_string())?;
             say(&format!(
                 "{pages} pages, {} figures, {} scenes: nothing wrong; `cargo book test` runs the snippets",
@@ -50,40 +105,21 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
             ));
             Ok(())
         }
-        "figures" => {
-            let [folder] = rest else {
-                return Err(format!("`cargo book figures` takes one folder\n\n{HELP}"));
-            };
-            let folder = PathBuf::from(folder);
+        Order::Figures { folder } => {
             let count =
                 drawn.write_all(&folder).map_err(|error| format!("error: {}: {error}", folder.display()))?;
             say(&format!("{count} figures in {}", folder.display()));
             Ok(())
         }
-        "pdf" => pdf(root, rest),
-        "epub" => epub(root, rest),
-        "new" => {
-            let (folder, git) = match rest {
-                [folder] if !folder.starts_with('-') => (folder, None),
-                [folder, git, address] if git == "--git" => (folder, Some(&**address)),
-                [git, address, folder] if git == "--git" => (folder, Some(&**address)),
-                _ => {
-                    return Err(format!(
-                        "error: `cargo book new` takes a folder, and perhaps --git URL\n\n{HELP}"
-                    ));
-                }
-            };
+        Order::Pdf { what, solutions } => pdf(root, what, solutions),
+        Order::Epub { file } => epub(root, file.as_deref()),
+        Order::New { folder, git } => {
             let folder = env::current_dir().map_err(|error| format!("error: {error}"))?.join(folder);
-            new::book(root, &folder, git).map_err(|error| format!("error: {}: {error}", folder.display()))?;
+            new::book(root, &folder, git.as_deref())
+                .map_err(|error| format!("error: {}: {error}", folder.display()))?;
             say(&format!("a book in {}: `cargo book serve` there shows it", folder.display()));
             Ok(())
         }
-        "measure" => measure(root, rest),
-        "help" | "--help" | "-h" => {
-            say(HELP);
-            Ok(())
-        }
-        other => Err(format!("error: `cargo book {other}` does not exist\n\n{HELP}")),
     }
 }
 
@@ -95,24 +131,7 @@ fn say(line: &str) {
 /// Where the site for paper is built.
 const PAPER: &str = "target/press/paper";
 
-fn none_left(name: &str, rest: &[String]) -> Result<(), String> {
-    match rest.first() {
-        None => Ok(()),
-        Some(extra) => Err(format!("error: `cargo book {name}` takes no argument `{extra}`\n\n{HELP}")),
-    }
-}
-
-fn build(root: &Path, rest: &[String]) -> Result<(), String> {
-    let (mut folder, mut with_paper) = (None, false);
-    let mut rest = rest.iter();
-    while let Some(argument) = rest.next() {
-        match argument.as_str() {
-            "--paper" => with_paper = true,
-            "-d" | "--dest-dir" if rest.len() > 0 => folder = rest.next().map(String::as_str),
-            one if one.starts_with("--dest-dir=") => folder = one.strip_prefix("--dest-dir="),
-            wrong => return Err(format!("error: `cargo book build` takes no argument `{wrong}`\n\n{HELP}")),
-        }
-    }
+fn build(root: &Path, folder: Option<&str>, with_paper: bool) -> Result<(), String> {
     let folder = mdbook::destination(root, folder)?;
     let browser = with_paper.then(paper::browser).transpose()?;
     // It is made beside its place, to which it comes at once when it is whole.
@@ -145,63 +164,35 @@ fn add_paper(root: &Path, browser: &Path, site: &Path) -> Result<(), String> {
     head::add_downloads(site, &[("PDF", &pdf), ("EPUB", &epub)]).map_err(cannot)
 }
 
-/// The peers are a package of their own, outside the workspace, so that nothing else ever builds them.
-fn measure(root: &Path, rest: &[String]) -> Result<(), String> {
-    let status = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["run", "--quiet", "--release", "--locked"])
-        .args(["--manifest-path", "benches/peers/Cargo.toml", "--target-dir", "target/peers", "--"])
-        .args(rest)
-        .current_dir(root)
-        .status()
-        .map_err(|error| format!("error: Cargo cannot be run: {error}"))?;
-    if status.success() { Ok(()) } else { Err("nothing was measured".to_owned()) }
-}
-
-/// What `cargo book pdf` is asked for.
-#[derive(Debug, Default, PartialEq, Eq)]
-struct Order {
-    chapter: Option<String>,
-    solutions: bool,
-    file: Option<PathBuf>,
-}
-
-impl Order {
-    fn read(rest: &[String]) -> Result<Self, String> {
-        let mut order = Self::default();
-        for argument in rest {
-            match argument.as_str() {
-                "--solutions" => order.solutions = true,
-                file if file.ends_with(".pdf") && order.file.is_none() => order.file = Some(file.into()),
-                chapter
-                    if !chapter.starts_with('-') && !chapter.ends_with(".pdf") && order.chapter.is_none() =>
-                {
-                    order.chapter = Some(chapter.to_owned());
-                }
-                other => {
-                    return Err(format!("error: `cargo book pdf` takes no argument `{other}`\n\n{HELP}"));
-                }
-            }
+/// A chapter and a file, in any order, each at most once.
+fn chapter_and_file(what: Vec<String>) -> Result<(Option<String>, Option<String>), String> {
+    let (mut chapter, mut file) = (None, None);
+    for word in what {
+        let place = if word.ends_with(".pdf") { &mut file } else { &mut chapter };
+        if let Some(first) = place.replace(word) {
+            let second = place.as_deref().unwrap_or_default();
+            return Err(format!("error: `cargo book pdf` takes `{first}` or `{second}`, not both"));
         }
-        Ok(order)
     }
+    Ok((chapter, file))
 }
 
 /// The site is built once more for paper, with stills in place of live scenes; the one in target/book stays as it is.
-fn pdf(root: &Path, rest: &[String]) -> Result<(), String> {
-    let order = Order::read(rest)?;
+fn pdf(root: &Path, what: Vec<String>, solutions: bool) -> Result<(), String> {
+    let (chapter, file) = chapter_and_file(what)?;
     let (_, pages) = from_disk(root).map_err(|faults| faults.to_string())?;
-    let chapter = order.chapter.map(|asked| paper::chapter(&pages, &asked)).transpose()?;
+    let chapter = chapter.map(|asked| paper::chapter(&pages, &asked)).transpose()?;
     let browser = paper::browser()?;
     let cannot = |error: io::Error| format!("error: {error}");
     build_for_paper(root)?;
-    let paper = Paper::read(root, &root.join(PAPER).join("html"), chapter.as_deref(), order.solutions)
-        .map_err(cannot)?;
+    let paper =
+        Paper::read(root, &root.join(PAPER).join("html"), chapter.as_deref(), solutions).map_err(cannot)?;
     let name = match &chapter {
-        Some(chapter) if order.solutions => format!("{chapter}-with-solutions"),
+        Some(chapter) if solutions => format!("{chapter}-with-solutions"),
         Some(chapter) => chapter.clone(),
         None => paper.file_name(),
     };
-    let target = match &order.file {
+    let target = match &file {
         Some(file) => env::current_dir().map_err(cannot)?.join(file),
         None => mdbook::destination(root, None)?.join(format!("{name}.pdf")),
     };
@@ -234,12 +225,7 @@ fn print(root: &Path, browser: &Path, paper: &Paper, target: &Path) -> Result<()
     Ok(())
 }
 
-fn epub(root: &Path, rest: &[String]) -> Result<(), String> {
-    let file = match rest {
-        [] => None,
-        [file] if file.ends_with(".epub") => Some(file),
-        _ => return Err(format!("error: `cargo book epub` takes one file, FILE.epub\n\n{HELP}")),
-    };
+fn epub(root: &Path, file: Option<&Path>) -> Result<(), String> {
     build_for_paper(root)?;
     let cannot = |error: io::Error| format!("error: {error}");
     let site = root.join(PAPER).join("html");
@@ -264,20 +250,35 @@ fn build_for_paper(root: &Path) -> Result<(), String> {
 mod tests {
     use super::*;
 
-    fn order(arguments: &str) -> Result<Order, String> {
-        Order::read(&arguments.split_whitespace().map(str::to_owned).collect::<Vec<_>>())
+    #[test]
+    fn a_pdf_is_ordered_by_chapter_and_file_in_any_order() {
+        let asked = |words: &str| chapter_and_file(words.split_whitespace().map(str::to_owned).collect());
+        let both = (Some("coin-toss".to_owned()), Some("a.pdf".to_owned()));
+        assert_eq!(asked(""), Ok((None, None)));
+        assert_eq!(asked("4"), Ok((Some("4".to_owned()), None)));
+        assert_eq!(asked("a.pdf coin-toss").as_ref(), Ok(&both));
+        assert_eq!(asked("coin-toss a.pdf"), Ok(both));
+        for wrong in ["a b", "a.pdf b.pdf"] {
+            let (first, second) = wrong.split_once(' ').unwrap();
+            assert!(asked(wrong).unwrap_err().contains(&format!("`{first}` or `{second}`")), "{wrong}");
+        }
     }
 
     #[test]
-    fn a_pdf_is_ordered_by_chapter_solutions_and_file_in_any_order() {
-        let chapter = |name: &str| Some(name.to_owned());
-        assert_eq!(order(""), Ok(Order::default()));
-        assert_eq!(order("4"), Ok(Order { chapter: chapter("4"), ..Order::default() }));
-        let all = Order { chapter: chapter("coin-toss"), solutions: true, file: Some("a.pdf".into()) };
-        assert_eq!(order("--solutions a.pdf coin-toss").as_ref(), Ok(&all));
-        assert_eq!(order("coin-toss a.pdf --solutions"), Ok(all));
-        for (wrong, named) in [("--solution", "--solution"), ("a b", "b"), ("a.pdf b.pdf", "b.pdf")] {
-            assert!(order(wrong).unwrap_err().contains(&format!("takes no argument `{named}`")), "{wrong}");
+    fn an_order_that_is_none_is_named() {
+        let said = |words: &str| {
+            let words: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
+            run(Path::new(".."), &words, &Rendered::default()).unwrap_err()
+        };
+        for (wrong, named) in [
+            ("chek", "unrecognized subcommand 'chek'"),
+            ("check all", "unexpected argument 'all'"),
+            ("pdf --solution", "unexpected argument '--solution'"),
+            ("serve -p x", "invalid value 'x' for '--port <PORT>'"),
+            ("figures", "<FOLDER>"),
+            ("epub book.zip", "ends with .epub"),
+        ] {
+            assert!(said(wrong).starts_with("error: ") && said(wrong).contains(named), "{}", said(wrong));
         }
     }
 

@@ -1,5 +1,6 @@
 //! What the faces of the book can show: the characters to which `press/drawing/font/cut.py` cuts them down.
 
+use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
@@ -75,17 +76,18 @@ fn is_unseen(c: char) -> bool {
 
 /// What is wrong with MathML: the first character that its face lacks.
 pub(crate) fn check_mathml(mathml: &str) -> Result<(), String> {
-    for piece in mathml.split('<').skip(1) {
-        let (tag, text) = piece.split_once('>').unwrap_or((piece, ""));
-        let text = text.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
-        let face = if tag.starts_with("mtext") { Face::Text } else { Face::Maths };
-        let mut characters = text.chars();
+    let document = Document::parse(mathml).map_err(|error| format!("this is no MathML: {error}"))?;
+    for text in document.descendants().filter(Node::is_text) {
+        let element = text.parent_element();
+        let is = |name: &str| element.is_some_and(|element| element.has_tag_name(name));
+        let is_upright = element.is_some_and(|element| element.attribute("mathvariant") == Some("normal"));
+        let words = text.text().unwrap_or_default();
+        let mut characters = words.chars();
         let shown = match (characters.next(), characters.next()) {
-            (Some(c), None) if tag.starts_with("mi") && !tag.contains("mathvariant=\"normal\"") => {
-                italic(c).to_string()
-            }
-            _ => text,
+            (Some(c), None) if is("mi") && !is_upright => italic(c).to_string(),
+            _ => words.to_owned(),
         };
+        let face = if is("mtext") { Face::Text } else { Face::Maths };
         face.check(&shown).map_err(|(_, message)| message)?;
     }
     Ok(())
@@ -116,49 +118,14 @@ mod tests {
     use super::*;
     use std::fs;
 
-    /// The characters of the table `cmap` of a font.
-    fn held(cmap: ttf_parser::cmap::Table<'_>) -> BTreeSet<char> {
+    /// The characters of a font.
+    fn held(font: &[u8]) -> BTreeSet<char> {
+        let cmap = ttf_parser::Face::parse(font, 0).unwrap().tables().cmap.unwrap();
         let mut held = BTreeSet::new();
         for table in cmap.subtables.into_iter().filter(ttf_parser::cmap::Subtable::is_unicode) {
             table.codepoints(|code| held.extend(char::from_u32(code)));
         }
         held
-    }
-
-    /// The table `cmap` out of a font of the pages. WOFF2 names its tables, with their lengths, and packs all in one.
-    fn packed_cmap(woff2: &[u8]) -> Vec<u8> {
-        fn number(bytes: &mut impl Iterator<Item = u8>) -> usize {
-            let mut value = 0;
-            loop {
-                let byte = usize::from(bytes.next().unwrap());
-                value = value << 7 | byte & 0x7f;
-                if byte < 0x80 {
-                    return value;
-                }
-            }
-        }
-        assert_eq!(&woff2[..4], b"wOF2");
-        let mut bytes = woff2[48..].iter().copied();
-        let (mut before, mut place) = (0, None);
-        for _ in 0..u16::from_be_bytes([woff2[12], woff2[13]]) {
-            let flags = bytes.next().unwrap();
-            let (tag, version) = (flags & 0x3f, flags >> 6);
-            if tag == 0x3f {
-                bytes.by_ref().take(4).for_each(drop); // a tag in full
-            }
-            let mut length = number(&mut bytes);
-            if matches!(tag, 10 | 11) != (version != 0) {
-                length = number(&mut bytes); // of a table in another form, as `glyf` and `loca` are
-            }
-            if tag == 0 {
-                place = Some(before..before + length);
-            }
-            before += length;
-        }
-        let mut tables = Vec::new();
-        let packed: Vec<u8> = bytes.collect();
-        brotli_decompressor::BrotliDecompress(&mut packed.as_slice(), &mut tables).unwrap();
-        tables[place.unwrap()].to_vec()
     }
 
     #[test]
@@ -169,8 +136,7 @@ mod tests {
         ];
         let mut fonts = Vec::new();
         for (name, face, font) in label_fonts {
-            let font = ttf_parser::Face::parse(font, 0).unwrap();
-            fonts.push((name.to_owned(), face, held(font.tables().cmap.unwrap())));
+            fonts.push((name.to_owned(), face, held(font)));
         }
         for file in fs::read_dir("theme/fonts").unwrap() {
             let path = file.unwrap().path();
@@ -181,8 +147,8 @@ mod tests {
                     "book-code" => Face::Code,
                     _ => Face::Text,
                 };
-                let cmap = packed_cmap(&fs::read(&path).unwrap());
-                fonts.push((name, face, held(ttf_parser::cmap::Table::parse(&cmap).unwrap())));
+                let font = wuff::decompress_woff2(&fs::read(&path).unwrap()).unwrap();
+                fonts.push((name, face, held(&font)));
             }
         }
         assert_eq!(fonts.len(), 10);
@@ -210,7 +176,7 @@ mod tests {
             check_mathml("<math><mi>ω</mi><mi>sin</mi><mi mathvariant=\"normal\">Ω</mi></math>"),
             Ok(())
         );
-        assert_eq!(check_mathml("<mtext>if a</mtext><mo>&lt;</mo>"), Ok(()));
+        assert_eq!(check_mathml("<math><mtext>if a</mtext><mo>&lt;</mo></math>"), Ok(()));
         // There is no upright ω, and no Γ in italics.
         for lacking in
             ["<mi mathvariant=\"normal\">ω</mi>", "<mi class=\"q-spin\">Γ</mi>", "<mtext>α</mtext>"]

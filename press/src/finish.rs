@@ -2,10 +2,11 @@
 
 use crate::edition::edition;
 use crate::fault::{Faults, Lines};
-use crate::head::{self, Said};
+use crate::head::{self, SiteMetadata};
 use crate::html::escaped;
 use crate::licence::Licence;
 use crate::mdbook::For;
+use crate::package::Package;
 use crate::preprocess::Failed;
 use crate::rendered::Rendered;
 use crate::{api, lost, module, outcome, places, scripts, search, site, solutions, theme};
@@ -27,9 +28,8 @@ pub(crate) const PRINT: &str = "print.html";
 pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
     let mut context = RenderContext::from_json(input)
         .map_err(|error| Failed::Other(format!("this is not a request of mdBook 0.5: {error:#}")))?;
-    if solutions::are_hidden(&context.config).map_err(Failed::Other)? {
-        solutions::leave_out(&mut context.book);
-    }
+    let is_without_solutions = solutions::are_hidden(&context.config).map_err(Failed::Other)?;
+    let hidden = if is_without_solutions { solutions::leave_out(&mut context.book) } else { Vec::new() };
     let site =
         context.destination.parent().map(|folder| folder.join("html")).filter(|folder| folder.is_dir());
     let Some(site) = site else {
@@ -39,7 +39,7 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
         Failed::Other(format!("the site in {} cannot be finished: {error}", site.display()))
     };
     let unfinished = outcome::put_aside(&site).map_err(cannot)?;
-    match finished(&unfinished, &context, drawn) {
+    match finished(&unfinished, &context, &hidden, drawn) {
         Ok(faults) if faults.is_empty() => outcome::bring_back(&unfinished, &site).map_err(cannot),
         other => {
             let failed = other.map_or_else(cannot, Failed::Faults);
@@ -49,19 +49,20 @@ pub fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
     }
 }
 
-/// Finishes the site; what is wrong with it.
-fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Result<Faults> {
+/// Finishes the site, in which nothing leads to pages that are `hidden`; what is wrong with it.
+fn finished(site: &Path, context: &RenderContext, hidden: &[String], drawn: &Rendered) -> io::Result<Faults> {
     theme::remove_sources(site, &context.config)?;
     remove_programs(site)?;
     scripts::lighten(site, &context.config)?;
     drawn.write_all(&site.join("figures"))?;
+    let package = Package::read(&context.root);
     let is_hasty = For::of(&context.config) == For::Hasty;
     if is_hasty {
         outcome::remove(&site.join(PRINT))?;
-    } else {
-        api::add(site, &context.root, drawn.book.library)?;
+    } else if let Some(package) = &package {
+        api::add(site, &context.root, package)?;
     }
-    let mut pages = complete_pages(site, context)?;
+    let mut pages = complete_pages(site, context, package.as_ref(), hidden)?;
     module::add(site, &context.root, &pages)?;
     let index = search::rename(site, &mut pages)?;
     for (page, html) in &pages {
@@ -93,7 +94,12 @@ fn finished(site: &Path, context: &RenderContext, drawn: &Rendered) -> io::Resul
 
 /// The pages of the book, by their paths in the site, each of which says now what it is, where it is and of which
 /// edition. Helps those who ask for one that is not there.
-fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<BTreeMap<String, String>> {
+fn complete_pages(
+    site: &Path,
+    context: &RenderContext,
+    package: Option<&Package>,
+    hidden: &[String],
+) -> io::Result<BTreeMap<String, String>> {
     let html = context.config.html_config().unwrap_or_default();
     let title = context.config.book.title.clone().unwrap_or_default();
     let picture =
@@ -107,19 +113,24 @@ fn complete_pages(site: &Path, context: &RenderContext) -> io::Result<BTreeMap<S
     if let Some(licence) = &licence {
         licence.add(site, &context.root)?;
     }
-    let said = Said {
+    let metadata = SiteMetadata {
         book: &title,
-        edition: &edition(&context.root),
+        edition: &edition(&context.root, package),
         address: known,
         picture: picture.is_some().then_some(PREVIEW),
         licence: licence.as_ref(),
     };
+    let doc = package.map(api::folder).unwrap_or_default();
     let mut pages = BTreeMap::new();
     let copies = ["index.html", PRINT].map(str::to_owned);
     for page in copies.into_iter().chain(site::pages(context.book.iter())) {
         let file = site.join(&page);
         if file.is_file() {
-            let html = head::completed(&fs::read_to_string(file)?, &page, &said);
+            let mut html = head::with_metadata(&fs::read_to_string(file)?, &page, &metadata);
+            html = api::with_links(&html, &page, &doc);
+            if !hidden.is_empty() {
+                html = solutions::unlinked(&html, &page, hidden);
+            }
             pages.insert(page, html);
         }
     }

@@ -1,14 +1,13 @@
 //! What a page says of itself to those who have not opened it (search engines, previews of links), and which edition
 //! it belongs to.
 
-use crate::html::escaped;
+use crate::html::{self, Edits, escaped};
 use crate::licence::Licence;
-use html5gum::{Token, Tokenizer};
 use std::path::Path;
 use std::{fs, io};
 
 /// What is said on all pages.
-pub(crate) struct Said<'a> {
+pub(crate) struct SiteMetadata<'a> {
     /// The title of the book.
     pub(crate) book: &'a str,
     /// Version and commit; may be empty.
@@ -21,57 +20,68 @@ pub(crate) struct Said<'a> {
     pub(crate) picture: Option<&'a str>,
 }
 
-/// Where the page's template takes a description, and where the edition.
-const DESCRIPTION: &str = "<meta name=\"description\" content=\"";
-const EDITION: &str = "<span class=\"edition\"></span>";
-/// Where the licence stands: at the foot, and in words on the title page.
-const LICENCE: &str = "<span class=\"licence\"></span>";
-const RIGHTS: &str = "<span class=\"rights\"></span>";
-/// Where links to the whole book in other forms go.
-const DOWNLOADS: &str = "<span class=\"downloads\"></span>";
 /// The most that a description says, characters.
 const LONGEST: usize = 200;
 /// A paragraph of fewer characters is a remark.
 const SHORTEST: usize = 40;
 
-/// The page `html`, which stands at `path` below the root of the site, with what it says of itself.
-pub(crate) fn completed(html: &str, path: &str, said: &Said<'_>) -> String {
-    let mut html = html.to_owned();
-    if let Some(begin) = html.find(DESCRIPTION).map(|at| at + DESCRIPTION.len())
-        && let Some(end) = html[begin..].find("\">").map(|at| begin + at)
-    {
-        let words = first_words(&html).unwrap_or_else(|| html[begin..end].to_owned());
-        let title = between(&html, "<title>", "</title>").unwrap_or(said.book).to_owned();
-        let mut head = format!("{words}\">\n");
+/// The page `html`, which stands at `path` below the root of the site, with what it says of itself: the description and
+/// what previews of links show in the head, and the spans of the theme with the classes `edition`, `licence` and, in
+/// words on the title page, `rights`.
+pub(crate) fn with_metadata(html: &str, path: &str, site: &SiteMetadata<'_>) -> String {
+    let found = html::named(html, &["meta", "title", "main", "h1", "p", "span"]);
+    let mut edits = Edits::default();
+    if let Some(description) = found.iter().find(|element| element.get("name") == Some("description")) {
+        let main = found.iter().find(|element| element.name == "main");
+        let headed = main.and_then(|main| found.iter().find(|title| title.name == "h1" && main.holds(title)));
+        let texts = found
+            .iter()
+            .skip_while(|element| headed.is_none_or(|title| element.start_tag.end < title.whole.end));
+        let mut texts = texts.filter(|element| element.name == "p" && element.get("class").is_none());
+        let words = texts.find_map(|text| first_words(&html[text.inside.clone()]));
+        let words = words.as_deref().unwrap_or(description.get("content").unwrap_or_default());
+        let title = found.iter().find(|element| element.name == "title");
+        let title =
+            title.map_or_else(|| site.book.to_owned(), |title| html::words(&html[title.inside.clone()]));
+        let mut head = format!("<meta name=\"description\" content=\"{}\">", escaped(words));
         let mut property = |name: &str, content: &str| {
-            head += &format!("        <meta property=\"og:{name}\" content=\"{content}\">\n");
+            head += &format!("\n        <meta property=\"og:{name}\" content=\"{}\">", escaped(content));
         };
         property("type", "article");
-        property("site_name", &escaped(said.book));
+        property("site_name", site.book);
         property("title", &title);
-        property("description", &words);
-        if let Some(address) = said.address {
+        property("description", words);
+        if let Some(address) = site.address {
             property("url", &format!("{address}{path}"));
-            if let Some(picture) = said.picture {
+            if let Some(picture) = site.picture {
                 property("image", &format!("{address}{picture}"));
-                head += "        <meta name=\"twitter:card\" content=\"summary_large_image\">\n";
+                head += "\n        <meta name=\"twitter:card\" content=\"summary_large_image\">";
             }
-            head += &format!("        <link rel=\"canonical\" href=\"{address}{path}\">\n");
+            head += &format!("\n        <link rel=\"canonical\" href=\"{address}{path}\">");
         }
-        html.replace_range(begin..end + 3, &head);
+        edits.replace(description.whole.clone(), head);
     }
-    let edition = if said.edition.is_empty() { String::new() } else { format!(" {}", escaped(said.edition)) };
-    let words = said.licence.map_or(String::new(), |licence| escaped(&licence.words));
-    let address = said.licence.and_then(|licence| licence.address(&"../".repeat(path.matches('/').count())));
+    let edition = if site.edition.is_empty() { String::new() } else { format!(" {}", escaped(site.edition)) };
+    let words = site.licence.map_or(String::new(), |licence| escaped(&licence.words));
+    let address = site.licence.and_then(|licence| licence.address(&"../".repeat(path.matches('/').count())));
     let link = match address {
         Some(address) => format!(" · <a rel=\"license\" href=\"{}\">{words}</a>", escaped(&address)),
         None if words.is_empty() => String::new(),
         None => format!(" · {words}"),
     };
-    html.replace(EDITION, &edition).replace(LICENCE, &link).replace(RIGHTS, &words)
+    for span in found.iter().filter(|element| element.name == "span") {
+        match span.get("class") {
+            Some("edition") => edits.replace(span.whole.clone(), &*edition),
+            Some("licence") => edits.replace(span.whole.clone(), &*link),
+            Some("rights") => edits.replace(span.whole.clone(), &*words),
+            _ => {}
+        }
+    }
+    edits.applied(html)
 }
 
-/// Leads from the foot of every page of a finished site to files in its root, each with what it is called.
+/// Leads from the foot of every page of a finished site, its span with the class `downloads`, to files in the root,
+/// each with what it is called.
 pub(crate) fn add_downloads(site: &Path, files: &[(&str, &str)]) -> io::Result<()> {
     fn add(folder: &Path, up: &str, files: &[(&str, &str)]) -> io::Result<()> {
         let link = |(name, file): &(&str, &str)| format!(" · <a href=\"{up}{file}\">{name}</a>");
@@ -82,9 +92,11 @@ pub(crate) fn add_downloads(site: &Path, files: &[(&str, &str)]) -> io::Result<(
                 add(&path, &format!("../{up}"), files)?;
             } else if path.extension().is_some_and(|ending| ending == "html") {
                 let page = fs::read_to_string(&path)?;
-                if page.contains(DOWNLOADS) {
-                    fs::write(&path, page.replace(DOWNLOADS, &links))?;
+                let mut edits = Edits::default();
+                for span in html::named(&page, &["span"]).iter().filter(|span| span.is("span", "downloads")) {
+                    edits.replace(span.whole.clone(), &*links);
                 }
+                fs::write(&path, edits.applied(&page))?;
             }
         }
         Ok(())
@@ -92,35 +104,15 @@ pub(crate) fn add_downloads(site: &Path, files: &[(&str, &str)]) -> io::Result<(
     add(site, "", files)
 }
 
-fn between<'a>(html: &'a str, start: &str, end: &str) -> Option<&'a str> {
-    let rest = &html[html.find(start)? + start.len()..];
-    rest.find(end).map(|at| &rest[..at])
-}
-
-/// The first paragraph of the text that says something, shortened, as the value of an attribute.
+/// The words of a paragraph that says something, shortened.
 fn first_words(html: &str) -> Option<String> {
-    let main = &html[html.find("<main>")?..];
-    let text = &main[main.find("</h1>")?..];
-    let mut paragraphs = text.split("<p>").skip(1).filter_map(|rest| rest.split("</p>").next()).map(plain);
-    let words = paragraphs.find(|words| words.chars().count() >= SHORTEST)?;
-    if words.chars().count() <= LONGEST {
-        return Some(escaped(&words));
-    }
-    let end = words.char_indices().nth(LONGEST).map_or(words.len(), |(at, _)| at);
-    let end = words[..end].rfind(' ').unwrap_or(end);
-    Some(escaped(words[..end].trim_end_matches([',', ';', ':', '.'])) + " …")
-}
-
-/// The words of some HTML.
-pub(crate) fn plain(html: &str) -> String {
-    let mut words = String::new();
-    for token in Tokenizer::new(html) {
-        let Ok(token) = token;
-        if let Token::String(text) = token {
-            words += &String::from_utf8_lossy(&text);
-        }
-    }
-    words.split_whitespace().collect::<Vec<_>>().join(" ")
+    let words = html::words(html);
+    let end = match words.char_indices().nth(LONGEST) {
+        _ if words.chars().count() < SHORTEST => return None,
+        None => return Some(words),
+        Some((end, _)) => words[..end].rfind(' ').unwrap_or(end),
+    };
+    Some(words[..end].trim_end_matches([',', ';', ':', '.']).to_owned() + " …")
 }
 
 #[cfg(test)]
@@ -133,14 +125,14 @@ mod tests {
 
     #[test]
     fn a_page_says_what_it_is_about_and_where_it_is() {
-        let said = Said {
+        let said = SiteMetadata {
             book: "Tops",
             edition: "1.0, abc",
             address: None,
             picture: Some("preview.png"),
             licence: None,
         };
-        let page = completed(PAGE, "tops/index.html", &said);
+        let page = with_metadata(PAGE, "tops/index.html", &said);
         assert!(
             page.contains(
                 "name=\"description\" content=\"A top &quot;stands&quot;, and a coin does &amp; falls.\">"
@@ -155,8 +147,11 @@ mod tests {
             !page.contains("og:image") && !page.contains("canonical"),
             "an address is needed for these: {page}"
         );
-        let page =
-            completed(PAGE, "tops/index.html", &Said { address: Some("https://example.org/t/"), ..said });
+        let page = with_metadata(
+            PAGE,
+            "tops/index.html",
+            &SiteMetadata { address: Some("https://example.org/t/"), ..said },
+        );
         assert!(page.contains("og:image\" content=\"https://example.org/t/preview.png\""), "{page}");
         assert!(page.contains("canonical\" href=\"https://example.org/t/tops/index.html\""), "{page}");
     }
@@ -166,9 +161,18 @@ mod tests {
         let said = |table: &str, path: &str| {
             let config = format!("[preprocessor.press]\n{table}").parse().unwrap();
             let licence = Licence::read(&config).unwrap();
-            let said =
-                Said { book: "", edition: "", address: None, picture: None, licence: licence.as_ref() };
-            completed(&format!("<p>{RIGHTS}</p>Tops{LICENCE}"), path, &said)
+            let said = SiteMetadata {
+                book: "",
+                edition: "",
+                address: None,
+                picture: None,
+                licence: licence.as_ref(),
+            };
+            with_metadata(
+                "<p><span class=\"rights\"></span></p>Tops<span class=\"licence\"></span>",
+                path,
+                &said,
+            )
         };
         assert_eq!(said("", "a.html"), "<p></p>Tops");
         assert_eq!(said("licence = \"You & I\"", "a.html"), "<p>You &amp; I</p>Tops · You &amp; I");
@@ -181,7 +185,7 @@ mod tests {
         let site = std::env::temp_dir().join(format!("press-downloads-{}", std::process::id()));
         fs::create_dir_all(site.join("tops")).unwrap();
         for page in ["index.html", "tops/index.html"] {
-            fs::write(site.join(page), format!("<p>Tops{DOWNLOADS}</p>")).unwrap();
+            fs::write(site.join(page), "<p>Tops<span class=\"downloads\"></span></p>").unwrap();
         }
         add_downloads(&site, &[("PDF", "tops.pdf"), ("EPUB", "tops.epub")]).unwrap();
         for (page, up) in [("index.html", ""), ("tops/index.html", "../")] {
@@ -194,9 +198,10 @@ mod tests {
     #[test]
     fn long_words_end_at_a_word() {
         let long = PAGE.replace("More", "").replace("falls.", &"falls, ".repeat(60));
-        let said = Said { book: "Tops", edition: "", address: None, picture: None, licence: None };
-        let page = completed(&long, "tops.html", &said);
-        let words = between(&page, DESCRIPTION, "\">").unwrap();
+        let said = SiteMetadata { book: "Tops", edition: "", address: None, picture: None, licence: None };
+        let page = with_metadata(&long, "tops.html", &said);
+        let found = html::named(&page, &["meta"]);
+        let words = found[0].get("content").unwrap();
         assert!(words.ends_with("falls …") && words.len() < LONGEST + 30, "{words}");
         assert!(page.ends_with("<footer>Tops</footer>"));
     }

@@ -1,6 +1,10 @@
-//! Text as HTML.
+//! HTML, written, read and edited. What no edit touches stays as it is, byte for byte.
 
+use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
 use live::numbers::tied;
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Text in which nothing is markup any more.
 pub(crate) fn escaped(text: &str) -> String {
@@ -10,4 +14,243 @@ pub(crate) fn escaped(text: &str) -> String {
 /// The same, its numbers tied to their units.
 pub(crate) fn prose(text: &str) -> String {
     escaped(&tied(text))
+}
+
+/// An element and where its parts stand in the HTML that holds it.
+#[derive(Debug, Clone)]
+pub(crate) struct Element {
+    pub(crate) name: String,
+    /// The value of each attribute, and its place from the name to the closing quote.
+    attributes: BTreeMap<String, (String, Range<usize>)>,
+    pub(crate) start_tag: Range<usize>,
+    /// What is between its tags.
+    pub(crate) inside: Range<usize>,
+    /// The element with its tags.
+    pub(crate) whole: Range<usize>,
+}
+
+impl Element {
+    /// The value of an attribute.
+    pub(crate) fn get(&self, attribute: &str) -> Option<&str> {
+        self.attributes.get(attribute).map(|(value, _)| value.as_str())
+    }
+
+    /// Where an attribute with its value stands.
+    pub(crate) fn place(&self, attribute: &str) -> Option<Range<usize>> {
+        self.attributes.get(attribute).map(|(_, place)| place.clone())
+    }
+
+    /// Whether an element has this name and, among its classes, this one.
+    pub(crate) fn is(&self, name: &str, class: &str) -> bool {
+        self.name == name && self.get("class").is_some_and(|all| all.split(' ').any(|one| one == class))
+    }
+
+    /// Whether another element stands between its tags.
+    pub(crate) fn holds(&self, other: &Self) -> bool {
+        self.inside.start <= other.whole.start && other.whole.end <= self.inside.end
+    }
+}
+
+/// What HTML consists of, in its order: tags, texts, comments.
+pub(crate) fn tokens(html: &str) -> impl Iterator<Item = Token<usize>> {
+    let mut emitter = DefaultEmitter::new_with_span();
+    emitter.naively_switch_states(true); // what stands in a script or a style sheet is no HTML
+    Tokenizer::new_with_emitter(html, emitter).map(|Ok(token)| token)
+}
+
+/// Bytes of a token as text.
+pub(crate) fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// The value of an attribute of a tag.
+pub(crate) fn attribute(tag: &StartTag<usize>, name: &str) -> Option<String> {
+    tag.attributes.get(name.as_bytes()).map(|value| text(value))
+}
+
+/// The elements of HTML that have no end tag.
+pub(crate) const VOID: [&str; 13] =
+    ["area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"];
+
+/// The elements whose start tags are `wanted`, in the order of these.
+pub(crate) fn elements(html: &str, wanted: impl Fn(&StartTag<usize>) -> bool) -> Vec<Element> {
+    let mut found: Vec<Element> = Vec::new();
+    // The names of the elements that are open, and which of them are in `found`.
+    let mut open: Vec<(Vec<u8>, Option<usize>)> = Vec::new();
+    for token in tokens(html) {
+        match token {
+            Token::StartTag(tag) => {
+                let end = tag.span.end;
+                let wanted = wanted(&tag).then(|| {
+                    found.push(Element {
+                        name: text(&tag.name),
+                        attributes: attributes(html, &tag),
+                        start_tag: tag.span.start..end,
+                        inside: end..end,
+                        whole: tag.span.start..end,
+                    });
+                    found.len() - 1
+                });
+                let is_void = VOID.iter().any(|name| name.as_bytes() == &**tag.name);
+                if !tag.self_closing && !is_void {
+                    open.push((tag.name.0, wanted));
+                }
+            }
+            Token::EndTag(tag) => {
+                // What is still open within an element ends with it.
+                let Some(from) = open.iter().rposition(|(name, _)| *name == *tag.name) else { continue };
+                for (depth, (_, place)) in open.drain(from..).enumerate() {
+                    if let Some(place) = place {
+                        found[place].inside.end = tag.span.start;
+                        found[place].whole.end = if depth == 0 { tag.span.end } else { tag.span.start };
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    for place in open.into_iter().filter_map(|(_, place)| place) {
+        (found[place].inside.end, found[place].whole.end) = (html.len(), html.len());
+    }
+    found
+}
+
+fn attributes(html: &str, tag: &StartTag<usize>) -> BTreeMap<String, (String, Range<usize>)> {
+    let of = |(key, value): (&html5gum::HtmlString, &html5gum::Spanned<html5gum::HtmlString>)| {
+        // The reader counts a quote behind a value, also where there is none.
+        let (start, mut end) = (value.span.start, value.span.end);
+        if !value.is_empty() && !html[..end].ends_with(['"', '\'']) {
+            end -= 1;
+        }
+        (text(key), (text(value), start..end))
+    };
+    tag.attributes.iter().map(of).collect()
+}
+
+/// The elements with one of these names.
+pub(crate) fn named(html: &str, names: &[&str]) -> Vec<Element> {
+    elements(html, |tag| names.iter().any(|name| name.as_bytes() == &**tag.name))
+}
+
+/// All ids, in the order of their elements.
+pub(crate) fn ids(html: &str) -> impl Iterator<Item = String> {
+    tokens(html).filter_map(|token| match token {
+        Token::StartTag(tag) => attribute(&tag, "id"),
+        _ => None,
+    })
+}
+
+/// The words of some HTML, without its tags.
+pub(crate) fn words(html: &str) -> String {
+    let texts = tokens(html).filter_map(|token| match token {
+        Token::String(words) => Some(text(&words)),
+        _ => None,
+    });
+    texts.collect::<String>().split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// What is to be changed in some HTML.
+#[derive(Debug, Default)]
+pub(crate) struct Edits(Vec<(Range<usize>, String)>);
+
+impl Edits {
+    pub(crate) fn replace(&mut self, place: Range<usize>, by: impl Into<String>) {
+        self.0.push((place, by.into()));
+    }
+
+    pub(crate) fn insert(&mut self, at: usize, html: impl Into<String>) {
+        self.replace(at..at, html);
+    }
+
+    pub(crate) fn remove(&mut self, place: Range<usize>) {
+        self.replace(place, "");
+    }
+
+    /// The HTML with all changes. A change within a place that is replaced goes with it.
+    pub(crate) fn applied(mut self, html: &str) -> String {
+        self.0.sort_by_key(|(place, _)| (place.start, !place.is_empty(), Reverse(place.end)));
+        let mut out = String::with_capacity(html.len());
+        let mut done = 0;
+        for (place, by) in self.0 {
+            if place.start >= done {
+                out += &html[done..place.start];
+                out += &by;
+                done = place.end;
+            }
+        }
+        out + &html[done..]
+    }
+}
+
+/// HTML whose links lead nowhere where `is_dead` says so of their targets: they are only words then. A line that does
+/// nothing but lead to a solution, or to a hint, loses the link, and goes with its last one.
+pub(crate) fn unlinked(html: &str, is_dead: impl Fn(&str) -> bool) -> String {
+    let found = named(html, &["a", "p"]);
+    let lines: Vec<&Element> = found.iter().filter(|element| element.is("p", "turn")).collect();
+    let (mut edits, mut alive) = (Edits::default(), Vec::new());
+    for link in found.iter().filter(|element| element.name == "a") {
+        let (Some(target), Some(place)) = (link.get("href"), link.place("href")) else { continue };
+        if !is_dead(target) {
+            alive.push(link);
+        } else if lines.iter().any(|line| line.holds(link)) {
+            edits.remove(link.whole.clone());
+        } else if link.attributes.len() == 1 {
+            edits.remove(link.start_tag.clone());
+            edits.remove(link.inside.end..link.whole.end);
+        } else {
+            edits.remove(place);
+        }
+    }
+    for line in lines.iter().filter(|line| !alive.iter().any(|link| line.holds(link))) {
+        edits.remove(line.whole.clone());
+    }
+    edits.applied(html)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elements_know_their_places() {
+        let html = "<p class='a b' id=x>A <b>b<br>c</p><script>\"<p>\"</script><P hidden>d";
+        let parts = |element: &Element| {
+            [&element.start_tag, &element.inside, &element.whole].map(|part| &html[part.clone()])
+        };
+        let found = named(html, &["p", "b"]);
+        assert_eq!(
+            parts(&found[0]),
+            ["<p class='a b' id=x>", "A <b>b<br>c", "<p class='a b' id=x>A <b>b<br>c</p>"]
+        );
+        assert_eq!(parts(&found[1]), ["<b>", "b<br>c", "<b>b<br>c"]);
+        assert_eq!(parts(&found[2]), ["<P hidden>", "d", "<P hidden>d"]);
+        assert!(found.len() == 3 && found[0].holds(&found[1]) && !found[1].holds(&found[0]));
+        assert!(found[0].is("p", "b") && !found[0].is("p", "a b"));
+        let places = ["class", "id"].map(|key| &html[found[0].place(key).unwrap()]);
+        assert_eq!((found[0].get("id"), places), (Some("x"), ["class='a b'", "id=x"]));
+        assert_eq!(ids(html).collect::<Vec<_>>(), ["x"]);
+        assert_eq!(words("<p>A &amp; <i>b</i>\n c</p>"), "A & b c");
+    }
+
+    #[test]
+    fn edits_leave_the_rest_as_it_is() {
+        let mut edits = Edits::default();
+        edits.replace(3..4, "D");
+        edits.remove(5..9);
+        edits.replace(6..7, "lost");
+        edits.insert(5, "[");
+        edits.insert(0, ">");
+        assert_eq!(edits.applied("abcdefghijk"), ">abcDe[jk");
+    }
+
+    #[test]
+    fn a_dead_link_is_its_words_and_a_line_without_links_goes() {
+        let html = "<p class=\"turn\"><a href=\"s.html#a\">Solution</a></p>\n<p>See <a href=\"s.html\">all</a>, \
+                    <a class=\"x\" href=\"s.html\">one</a> and <a href=\"b.html\">b</a>.</p><p class=\"turn\"><a href=\"s.html\">S</a> \
+                    <a href=\"#h\">H</a></p>";
+        assert_eq!(
+            unlinked(html, |target| target.starts_with("s.html")),
+            "\n<p>See all, <a class=\"x\" >one</a> and <a href=\"b.html\">b</a>.</p><p class=\"turn\"> <a href=\"#h\">H</a></p>"
+        );
+    }
 }

@@ -101,8 +101,8 @@ impl Registry {
                 }
                 if let Item::Figure { .. } = &placed.item {
                     let figure = figures.iter().find(|figure| figure.id == label.written());
-                    let ids: BTreeSet<&str> = figure.iter().flat_map(|figure| figure.ids()).collect();
-                    claimed.extend(ids.into_iter().map(|id| (id.to_owned(), line)));
+                    let ids: BTreeSet<String> = figure.iter().flat_map(|figure| figure.ids()).collect();
+                    claimed.extend(ids.into_iter().map(|id| (id, line)));
                 }
             }
             for (id, line) in claimed {

@@ -117,6 +117,7 @@ mod new;
 mod notes;
 mod outcome;
 mod outline;
+mod package;
 mod page;
 mod panel;
 mod places;
@@ -151,7 +152,7 @@ use std::{env, fs};
 pub struct Book {
     /// The package of its library: `pendulum`.
     pub library: &'static str,
-    /// The folders of its project in which comments of Rust files cite labels: `src`, `tests`, `book`.
+    /// The folders of its project in which comments of Rust files cite labels, that of the library's sources first.
     pub code: &'static [&'static str],
     /// The folder into which its build script has rendered figures and tables: `env!("OUT_DIR")`.
     pub drawn: &'static str,
@@ -159,6 +160,19 @@ pub struct Book {
     pub scenes: &'static [(&'static str, &'static Scene)],
     /// The package that has its snippets as tests, and that browsers run.
     pub snippets: &'static str,
+    /// What else `cargo book` can do for it.
+    pub commands: &'static [Command],
+}
+
+/// A command of a book's own: `cargo book measure`.
+#[derive(Debug, Clone, Copy)]
+pub struct Command {
+    /// Its name.
+    pub name: &'static str,
+    /// What it does, in a line.
+    pub help: &'static str,
+    /// Does it, in the project's root, with the arguments behind the name; an error is words for the caller.
+    pub run: fn(&Path, &[String]) -> Result<(), String>,
 }
 
 /// The press as a program: called by mdBook as preprocessor (without arguments) and renderer (`finish`), and by people

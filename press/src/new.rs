@@ -1,10 +1,10 @@
 //! A new book: the example, in a workspace that depends on the press and holds no copy of it.
 
 use serde_json::Value;
-use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::{env, fs};
 
 macro_rules! files {
     ($($name:literal),* $(,)?) => {
@@ -55,8 +55,8 @@ const CRATES: [(&str, &str, &str); 5] = [
     ("press", "", ""),
 ];
 
-/// Writes a new book into `folder`, which depends on the press of the one in `root`: by its path, or by the address
-/// `git` of its repository.
+/// Writes a new book into `folder`, which depends on the press as the one in `root` does, or by the address `git` of its
+/// repository.
 ///
 /// # Errors
 /// If the folder holds something, or something cannot be written; if Cargo does not say where the press lies.
@@ -64,15 +64,13 @@ pub(crate) fn book(root: &Path, folder: &Path, git: Option<&str>) -> io::Result<
     if folder.exists() && fs::read_dir(folder)?.next().is_some() {
         return Err(io::Error::new(ErrorKind::AlreadyExists, "the folder is not empty"));
     }
-    let (press, workspace) = press(root)?;
-    let dependency = |(name, below, more): (&str, &str, &str)| match git {
-        Some(address) => format!("{name} = {{ git = {}{more} }}\n", Value::from(address)),
-        None => {
-            format!("{name} = {{ path = {}{more} }}\n", Value::from(&*press.join(below).to_string_lossy()))
-        }
+    let (by, place) = git.map_or_else(|| press(root), |address| Ok(("git", address.to_owned())))?;
+    let dependency = |(name, below, more): (&str, &str, &str)| {
+        let place =
+            if by == "path" { Path::new(&place).join(below).display().to_string() } else { place.clone() };
+        format!("{name} = {{ {by} = {}{more} }}\n", Value::from(place))
     };
-    let workspace_manifest =
-        WORKSPACE.replace("PRESS\n", &format!("{}\n{MANIFEST}\n", CRATES.map(dependency).concat()));
+    let manifest = format!("{}\n{MANIFEST}\n", CRATES.map(dependency).concat());
     let put = |name: &str, text: &str| {
         let file = folder.join(name);
         fs::create_dir_all(file.parent().unwrap_or(folder))?;
@@ -81,29 +79,32 @@ pub(crate) fn book(root: &Path, folder: &Path, git: Option<&str>) -> io::Result<
     for (name, text) in FILES {
         put(name, text)?;
     }
-    put("Cargo.toml", &workspace_manifest)?;
+    put("Cargo.toml", &WORKSPACE.replace("PRESS\n", &manifest))?;
     put(".cargo/config.toml", SETTINGS)?;
     // The press is tried with these versions of what it uses.
-    if workspace.join("Cargo.lock").is_file() {
-        fs::copy(workspace.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+    let workspace = cargo(root, &["locate-project", "--workspace", "--message-format", "plain"])?;
+    let lock = Path::new(workspace.trim()).with_file_name("Cargo.lock");
+    if lock.is_file() {
+        fs::copy(lock, folder.join("Cargo.lock"))?;
     }
     Ok(())
 }
 
-/// Where the press of a book lies, and the workspace of that book.
-fn press(root: &Path) -> io::Result<(std::path::PathBuf, std::path::PathBuf)> {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let said = Command::new(cargo)
-        .args(["metadata", "--format-version", "1", "--offline"])
-        .current_dir(root)
-        .stdin(Stdio::null())
-        .stderr(Stdio::inherit())
-        .output()?;
-    let said: Value = serde_json::from_slice(&said.stdout)?;
-    let packages = said["packages"].as_array().into_iter().flatten();
-    let own = packages.filter(|package| package["name"] == env!("CARGO_PKG_NAME"));
-    let manifest = own.filter_map(|package| package["manifest_path"].as_str()).next();
-    let folder = manifest.and_then(|manifest| Path::new(manifest).parent());
-    let folder = folder.ok_or_else(|| io::Error::other("cargo does not say where the press lies"))?;
-    Ok((folder.to_owned(), said["workspace_root"].as_str().unwrap_or_default().into()))
+/// How the book in `root` depends on the press: by a path or by the address of a repository.
+fn press(root: &Path) -> io::Result<(&'static str, String)> {
+    let name = env!("CARGO_PKG_NAME");
+    let said = cargo(root, &["tree", "--package", name, "--depth", "0", "--prefix", "none", "--offline"])?;
+    let place = said.split_once('(').and_then(|(_, rest)| rest.split(')').next());
+    let place = place.ok_or_else(|| io::Error::other("cargo does not say where the press lies"))?;
+    Ok(match place.split_once('#') {
+        Some((address, _)) => ("git", address.split('?').next().unwrap_or(address).to_owned()),
+        None => ("path", place.to_owned()),
+    })
+}
+
+/// What Cargo answers.
+fn cargo(root: &Path, arguments: &[&str]) -> io::Result<String> {
+    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let said = Command::new(cargo).args(arguments).current_dir(root).stdin(Stdio::null()).output()?;
+    String::from_utf8(said.stdout).map_err(io::Error::other)
 }

@@ -5,7 +5,6 @@
 //! pages and its exercises below it, their hints behind the last of them, and the solutions in an appendix. What needs
 //! a number of a page is written twice: the first print says where everything has come to stand.
 
-mod archive;
 mod epub;
 mod pdf;
 mod sheet;
@@ -15,10 +14,10 @@ pub use pdf::{browser, numbers, print};
 use crate::book::{self, Page};
 use crate::edition;
 use crate::fault::Faults;
-use crate::head::plain;
-use crate::html::escaped;
+use crate::html::{self, Edits, Element, escaped};
 use crate::licence::Licence;
 use crate::mdbook;
+use crate::package::Package;
 use crate::{disk, solutions, summary};
 use mdbook_summary::SummaryItem;
 use sheet::{Kind, Sheet};
@@ -27,12 +26,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::{fs, io};
 
-/// What stands in print.html around the pages, as the theme writes it, and between two of them, as mdBook does.
-const FIRST: &str = "<!-- pages -->";
-const LAST: &str = "<!-- end of pages -->";
-const BETWEEN: &str = "<div style=\"break-before: page; page-break-before: always;\"></div>";
-
-/// Where the number of a page belongs, behind the id that it is asked for; as long as such a number.
+/// What stands for the number of a page that is not known yet; as long as such a number.
 const UNKNOWN: &str = "000";
 
 /// A book or a handout, taken from a built site and ready to be printed.
@@ -98,8 +92,8 @@ impl Paper {
             pages.retain(|page| !solutions::stand_on(&page.text));
         }
         let printed = fs::read_to_string(site.join("print.html"))?;
-        let within = printed.split_once(FIRST).and_then(|(_, rest)| rest.split_once(LAST));
-        let pieces: Vec<&str> = within.map(|(pages, _)| pages.split(BETWEEN).collect()).unwrap_or_default();
+        let found = html::named(&printed, &["link", "script", "main", "ul", "div"]);
+        let pieces = pieces(&printed, &found);
         if pieces.len() != pages.len() {
             let message = format!("print.html holds {} pages, SUMMARY.md {}", pieces.len(), pages.len());
             return Err(io::Error::other(message));
@@ -115,15 +109,15 @@ impl Paper {
             // Below the pages that belong to no chapter at the end: what one looks up comes last.
             sheets.sort_by_key(|sheet| sheet.kind == Kind::Solutions);
         }
-        let ids: BTreeSet<String> = sheets.iter().flat_map(Sheet::ids).collect();
+        let ids: BTreeSet<String> = sheets.iter().flat_map(|sheet| html::ids(&sheet.html)).collect();
         for sheet in &mut sheets {
             sheet.keep_links(&ids);
         }
         let settings = Settings::read(root)?;
         Ok(Self {
             settings,
-            head: head(&printed),
-            edition: edition::edition(root),
+            head: head(&printed, &found),
+            edition: edition::edition(root, Package::read(root).as_ref()),
             day: edition::day(root),
             is_whole: chapter.is_none(),
             sheets,
@@ -138,11 +132,9 @@ impl Paper {
             Some(first) if !self.is_whole => format!("{} – {}", first.plain_title(), self.settings.title),
             _ => self.settings.title.clone(),
         };
-        let head = self
-            .head
-            .replace("href=\"", &format!("href=\"{site}"))
-            .replace("src=\"", &format!("src=\"{site}"));
-        let mut body = if self.is_whole { self.title_page() + &self.contents() } else { String::new() };
+        let head = moved(&self.head, site);
+        let mut body =
+            if self.is_whole { self.title_page() + &self.contents(numbers) } else { String::new() };
         let mut running = String::new();
         for (n, sheets) in self.chapters().iter().enumerate() {
             let _ = write!(running, "{}", self.running_head(n, sheets[0]));
@@ -158,26 +150,23 @@ impl Paper {
                     body,
                     "<section class=\"{}\">\n{}\n</section>",
                     sheet.class(),
-                    sheet::numbered(&sheet.html)
+                    sheet.for_pdf(numbers)
                 );
             }
             body += "</section>\n";
         }
-        // Panels of one row shrink alike, for which the style sheet has to know their widths.
-        let body = body.replace("style=\"max-width:", "style=\"--own:");
-        let page = format!(
+        format!(
             "<!DOCTYPE html>\n<html lang=\"{}\" class=\"light\">\n<head>\n<meta charset=\"UTF-8\">\n<title>{title}</title>\n\
              {head}<style>\n{running}</style>\n</head>\n<body>\n<div class=\"content paper\">\n<main>\n{body}</main>\n</div>\n\
              {HIGHLIGHT}</body>\n</html>\n",
             self.settings.language
-        );
-        filled(&page, numbers)
+        )
     }
 
     /// The title of the book as the name of a file: `things-that-spin`.
     #[must_use]
     pub fn file_name(&self) -> String {
-        let words = plain(&self.settings.title).to_lowercase();
+        let words = html::words(&self.settings.title).to_lowercase();
         let words: Vec<&str> =
             words.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
         words.join("-")
@@ -211,7 +200,7 @@ impl Paper {
         let number = first.number.map_or(String::new(), |number| format!("{number}\u{2002}"));
         let number = if first.kind == Kind::Solutions { String::new() } else { number };
         let [book, chapter] =
-            [plain(&self.settings.title), number + &first.plain_title()].map(|words| quoted(&words));
+            [html::words(&self.settings.title), number + &first.plain_title()].map(|words| quoted(&words));
         format!(
             "@page chapter-{n} {{ @top-left {{ content: {book}; }} @top-right {{ content: {chapter}; }} }}\n"
         )
@@ -243,47 +232,48 @@ impl Paper {
     }
 
     /// The chapters, their sections and further pages, and where they begin.
-    fn contents(&self) -> String {
-        let mut lines = String::new();
-        let mut line = |class: &str, id: &str, count: &str, words: &str| {
-            let _ = writeln!(
-                lines,
+    fn contents(&self, numbers: &BTreeMap<String, usize>) -> String {
+        let line = |class: &str, id: &str, count: &str, words: &str| {
+            format!(
                 "<li class=\"{class}\"><a href=\"#{id}\"><span class=\"count\">{count}</span><span>{words}</span>\
-                 <span class=\"dots\"></span><span class=\"on\" data-of=\"{id}\"></span></a></li>"
-            );
+                 <span class=\"dots\"></span>{}</a></li>\n",
+                page_number(id, numbers)
+            )
         };
-        let mut part = None;
-        let mut parts = Vec::new();
+        let mut lines = String::new();
+        let mut part = &None;
         let mut has_appendix = false;
         for sheet in &self.sheets {
             if sheet.kind == Kind::Solutions && !has_appendix {
                 has_appendix = true;
-                line("of-chapter", APPENDIX, "", "Solutions");
+                lines += &line("of-chapter", APPENDIX, "", "Solutions");
             }
             let Some((first, sections)) = sheet.headings.split_first() else {
                 continue;
             };
             if sheet.is_leaf() {
                 let words = if sheet.kind == Kind::Exercises { "Exercises" } else { &first.words };
-                line("of-leaf", &first.id, "", words);
+                lines += &line("of-leaf", &first.id, "", words);
                 continue;
             }
             let number = sheet.number.map_or(String::new(), |number| number.to_string());
-            if sheet.part != part {
-                part.clone_from(&sheet.part);
-                parts.push((first.id.clone(), part.clone().unwrap_or_default()));
+            if sheet.part != *part {
+                part = &sheet.part;
+                let _ = writeln!(lines, "<li class=\"of-part\">{}</li>", part.as_deref().unwrap_or_default());
             }
-            line("of-chapter", &first.id, &number, &first.words);
+            lines += &line("of-chapter", &first.id, &number, &first.words);
             for (n, section) in sections.iter().filter(|_| sheet.number.is_some()).enumerate() {
-                line("of-section", &section.id, &format!("{number}.{}", n + 1), &section.words);
+                lines += &line("of-section", &section.id, &format!("{number}.{}", n + 1), &section.words);
             }
-        }
-        for (id, words) in parts {
-            let at = format!("<li class=\"of-chapter\"><a href=\"#{id}\">");
-            lines = lines.replacen(&at, &format!("<li class=\"of-part\">{words}</li>\n{at}"), 1);
         }
         format!("<section class=\"list\">\n<p class=\"title\">Contents</p>\n<ul>\n{lines}</ul>\n</section>\n")
     }
+}
+
+/// The number of the page on which an id stands.
+fn page_number(id: &str, numbers: &BTreeMap<String, usize>) -> String {
+    let number = numbers.get(id).map_or_else(|| UNKNOWN.to_owned(), usize::to_string);
+    format!("<span class=\"on\" data-of=\"{id}\">{number}</span>")
 }
 
 /// The id of the title above all solutions.
@@ -339,32 +329,50 @@ impl Settings {
     }
 }
 
+/// The pages in print.html, behind its list of chapters; mdBook puts an element between two of them.
+fn pieces<'a>(printed: &'a str, found: &[Element]) -> Vec<&'a str> {
+    let (Some(main), Some(list)) = (
+        found.iter().find(|element| element.name == "main"),
+        found.iter().find(|element| element.is("ul", "contents")),
+    ) else {
+        return Vec::new();
+    };
+    let is_between = |element: &&Element| {
+        element.get("style").is_some_and(|style| style.starts_with("break-before: page"))
+            && main.holds(element)
+    };
+    let between = found.iter().filter(is_between).map(|element| element.whole.clone());
+    let (starts, ends): (Vec<_>, Vec<_>) = between.map(|place| (place.end, place.start)).unzip();
+    let starts = [list.whole.end].into_iter().chain(starts);
+    starts.zip(ends.into_iter().chain([main.inside.end])).map(|(start, end)| &printed[start..end]).collect()
+}
+
 /// What of the head of print.html paper needs: style sheets, the face of the text, and the script that colours code.
-fn head(printed: &str) -> String {
-    let lines = printed.lines().map(str::trim);
-    let needed = lines.filter(|line| {
-        line.starts_with("<link rel=\"stylesheet\"")
-            || line.starts_with("<link rel=\"preload\"")
-            || line.starts_with("<script src=\"highlight")
-    });
-    needed.map(|line| format!("{line}\n")).collect()
+fn head(printed: &str, found: &[Element]) -> String {
+    let is_needed = |element: &&Element| match element.name.as_str() {
+        "link" => matches!(element.get("rel"), Some("stylesheet" | "preload")),
+        "script" => element.get("src").is_some_and(|source| source.starts_with("highlight")),
+        _ => false,
+    };
+    found.iter().filter(is_needed).map(|element| format!("{}\n", &printed[element.whole.clone()])).collect()
+}
+
+/// What stands in the head of a page of the site, for a page elsewhere.
+fn moved(head: &str, site: &str) -> String {
+    let mut edits = Edits::default();
+    for element in html::named(head, &["link", "script"]) {
+        for key in ["href", "src"] {
+            if let (Some(place), Some(target)) = (element.place(key), element.get(key)) {
+                edits.replace(place, format!("{key}=\"{site}{target}\""));
+            }
+        }
+    }
+    edits.applied(head)
 }
 
 /// Words as CSS writes them.
 fn quoted(words: &str) -> String {
     format!("\"{}\"", words.replace('\\', "\\\\").replace('"', "\\\""))
-}
-
-/// Writes the numbers of pages where they belong.
-fn filled(page: &str, numbers: &BTreeMap<String, usize>) -> String {
-    let mut parts = page.split("data-of=\"");
-    let mut filled = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (id, rest) = part.split_once("\"></span>").unwrap_or((part, ""));
-        let number = numbers.get(id).map_or_else(|| UNKNOWN.to_owned(), usize::to_string);
-        let _ = write!(filled, "data-of=\"{id}\">{number}</span>{rest}");
-    }
-    filled
 }
 
 #[cfg(test)]
@@ -400,11 +408,9 @@ mod tests {
     }
 
     #[test]
-    fn numbers_stand_where_they_belong_and_unknown_ones_keep_their_room() {
-        let page = "<span class=\"on\" data-of=\"a\"></span> <span class=\"on\" data-of=\"b\"></span>.";
+    fn a_page_that_is_not_known_keeps_the_room_of_its_number() {
         let numbers = BTreeMap::from([("a".to_owned(), 17)]);
-        let expected =
-            "<span class=\"on\" data-of=\"a\">17</span> <span class=\"on\" data-of=\"b\">000</span>.";
-        assert_eq!(filled(page, &numbers), expected);
+        assert_eq!(page_number("a", &numbers), "<span class=\"on\" data-of=\"a\">17</span>");
+        assert_eq!(page_number("b", &numbers), "<span class=\"on\" data-of=\"b\">000</span>");
     }
 }

@@ -1,16 +1,12 @@
 //! Where the library's comments name the equations of the book, and the links from there to the pages and back.
 
 use crate::api::FOLDER;
+use crate::html::{Edits, tokens};
 use crate::page::LabelKind;
-use html5gum::{DefaultEmitter, HtmlString, Token, Tokenizer};
+use html5gum::Token;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fs, io};
-
-/// The folder of the library's sources, in the project.
-const SOURCES: &str = "src/";
-/// The elements in which no link can stand.
-const SEALED: [&[u8]; 5] = [b"a", b"script", b"style", b"title", b"textarea"];
 
 /// Something of the library whose comment names an equation.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -38,11 +34,16 @@ impl CodePlace {
 }
 
 /// Where the comments of the library name equations: the name of the equation → its places, one an item. `code` holds
-/// files with their texts; those of the library lie in `src`.
-pub(crate) fn places(library: &str, code: &[(String, String)]) -> BTreeMap<String, Vec<CodePlace>> {
+/// files with their texts; those of the library lie in the folder `sources`.
+pub(crate) fn places(
+    library: &str,
+    sources: &str,
+    code: &[(String, String)],
+) -> BTreeMap<String, Vec<CodePlace>> {
     let mut places: BTreeMap<String, Vec<CodePlace>> = BTreeMap::new();
     for (file, text) in code {
-        let Some(file) = file.strip_prefix(SOURCES) else {
+        let below = file.strip_prefix(sources).and_then(|file| file.strip_prefix('/'));
+        let Some(file) = below.filter(|_| !sources.is_empty()) else {
             continue;
         };
         let lines: Vec<&str> = text.lines().collect();
@@ -143,42 +144,32 @@ fn link_folder(folder: &Path, up: &str, homes: &BTreeMap<&str, &str>) -> io::Res
 
 /// A page of rustdoc with links to where `homes` has the labels that its text names.
 fn linked(html: &str, up: &str, homes: &BTreeMap<&str, &str>) -> String {
-    let (mut out, mut done) = (String::with_capacity(html.len()), 0);
-    let mut inside: Option<HtmlString> = None; // a link, or what is no text
-    let mut emitter = DefaultEmitter::<usize>::new_with_span();
-    emitter.naively_switch_states(true); // a script is no HTML
-    for token in Tokenizer::new_with_emitter(html, emitter) {
-        let Ok(token) = token;
+    let mut edits = Edits::default();
+    let mut inside = None; // the name of a link, or of what is no text
+    for token in tokens(html) {
         match token {
-            Token::StartTag(tag) if inside.is_none() && SEALED.contains(&tag.name.as_slice()) => {
+            Token::StartTag(tag)
+                if inside.is_none()
+                    && matches!(&**tag.name, b"a" | b"script" | b"style" | b"title" | b"textarea") =>
+            {
                 inside = Some(tag.name);
             }
             Token::EndTag(tag) if inside.as_ref() == Some(&tag.name) => inside = None,
-            Token::String(text) if inside.is_none() => {
-                out.push_str(&html[done..text.span.start]);
-                push_linked(&mut out, &html[text.span.start..text.span.end], up, homes);
-                done = text.span.end;
+            Token::String(words) if inside.is_none() => {
+                let start = words.span.start;
+                for (at, kind, name) in found(&html[start..words.span.end]) {
+                    let id = format!("{}-{name}", kind.prefix());
+                    if let Some(page) = homes.get(id.as_str()) {
+                        let label = format!("{}:{name}", kind.prefix());
+                        let link = format!("<a href=\"{up}{page}#{id}\">{label}</a>");
+                        edits.replace(start + at..start + at + label.len(), link);
+                    }
+                }
             }
             _ => {}
         }
     }
-    out + &html[done..]
-}
-
-fn push_linked(out: &mut String, text: &str, up: &str, homes: &BTreeMap<&str, &str>) {
-    let mut written = 0;
-    let mut labels = found(text);
-    labels.sort_by_key(|&(at, ..)| at);
-    for (at, kind, name) in labels {
-        let id = format!("{}-{name}", kind.prefix());
-        if let Some(page) = homes.get(id.as_str()) {
-            let end = at + kind.prefix().len() + 1 + name.len();
-            out.push_str(&text[written..at]);
-            out.push_str(&format!("<a href=\"{up}{page}#{id}\">{}</a>", &text[at..end]));
-            written = end;
-        }
-    }
-    out.push_str(&text[written..]);
+    edits.applied(html)
 }
 
 #[cfg(test)]
@@ -192,7 +183,7 @@ mod tests {
                     /// Its size, eq:more.\npub size: f64,\n";
         let code =
             [("src/tops/top.rs".to_owned(), text.to_owned()), ("tests/top.rs".to_owned(), text.to_owned())];
-        let found = places("spin", &code);
+        let found = places("spin", "src", &code);
         let words = |name: &str| found[name].iter().map(CodePlace::words).collect::<Vec<_>>();
         assert_eq!(words("rate"), ["rate in spin/tops/top.rs, line 1", "other in spin/tops/top.rs, line 8"]);
         // What documents an item comes first.
@@ -210,6 +201,10 @@ mod tests {
             format!(
                 "<title>eq:rate</title><a title=\"eq:rate\" href=x>eq:rate</a> <code>{link}</code>, eq:unknown. <script>eq:rate</script>{link}-"
             )
+        );
+        assert_eq!(
+            linked("<p>a &lt; b, eq:rate", "", &homes),
+            "<p>a &lt; b, <a href=\"tops/index.html#eq-rate\">eq:rate</a>"
         );
     }
 }

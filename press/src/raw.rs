@@ -2,6 +2,7 @@
 
 use crate::faces::Face;
 use crate::fault::Reporter;
+use crate::html::VOID;
 use crate::page::LabelKind;
 use crate::signs;
 use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
@@ -10,9 +11,6 @@ use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
 const ELEMENTS: [&str; 14] =
     ["a", "abbr", "b", "br", "details", "div", "em", "kbd", "p", "small", "span", "sub", "summary", "sup"];
 const ATTRIBUTES: [&str; 7] = ["class", "dir", "href", "id", "lang", "open", "title"];
-/// The elements of HTML that have no end tag.
-const VOID: [&str; 13] =
-    ["area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"];
 /// How many elements may stand open: what reads them later does not bear any number.
 const DEEPEST: usize = 30;
 

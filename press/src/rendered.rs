@@ -1,7 +1,7 @@
 //! What the pages show: the figures of the book and the tables of the library, as its build script has rendered them,
 //! and its live scenes.
 
-use crate::{Book, stills};
+use crate::{Book, html, stills};
 use std::path::Path;
 use std::{fs, io};
 
@@ -163,8 +163,8 @@ impl Rendered {
 
 impl Figure {
     /// The ids in its SVG.
-    pub(crate) fn ids(&self) -> impl Iterator<Item = &str> {
-        self.svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next())
+    pub(crate) fn ids(&self) -> impl Iterator<Item = String> {
+        html::ids(&self.svg)
     }
 
     /// The name of its file: `machine.svg`.

@@ -5,9 +5,10 @@
 //! is elasticlunr's, so that mdBook's scripts search it; only what they cut off at both ends of a word, anything but
 //! Latin letters, is kept, so that `ω` is a word. Solutions and hints are not found, but their exercises.
 
+use crate::html::{attribute, text, tokens};
 use elasticlunr::lang::{English, Language};
 use elasticlunr::{IndexBuilder, Pipeline};
-use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
+use html5gum::{StartTag, Token};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::book::BookItem;
 use serde_json::{Value, json};
@@ -15,6 +16,7 @@ use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
+use unicode_normalization::UnicodeNormalization;
 
 const BEGINNING: &str = "window.search = Object.assign(window.search, JSON.parse('";
 const END: &str = "'));";
@@ -216,38 +218,16 @@ fn words(text: &str) -> Vec<String> {
 /// A letter without its accent.
 fn plain(c: char) -> char {
     match c {
-        'à'..='å' => 'a',
-        'ç' | 'ć' | 'č' => 'c',
-        'è'..='ë' | 'ě' => 'e',
-        'ì'..='ï' => 'i',
-        'ñ' | 'ń' => 'n',
-        'ò'..='ö' | 'ø' | 'ő' => 'o',
-        'ù'..='ü' | 'ű' => 'u',
-        'š' | 'ś' => 's',
-        'ž' | 'ż' => 'z',
+        'ø' => 'o',
         'ł' => 'l',
-        'ř' => 'r',
-        _ => c,
+        _ => c.nfd().next().unwrap_or(c),
     }
 }
 
 /// The letter or digit that one types for one of a mathematical alphabet.
 fn upright(c: char) -> char {
-    let code = u32::from(c);
-    let typed = match code {
-        0x1d400..=0x1d6a3 => match (code - 0x1d400) % 52 {
-            n @ 0..=25 => 0x41 + n,
-            n => 0x61 + n - 26,
-        },
-        0x1d6a8..=0x1d7c9 => match (code - 0x1d6a8) % 58 {
-            n @ 0..=24 => 0x391 + n,
-            n @ 26..=50 => 0x3b1 + n - 26,
-            _ => code,
-        },
-        0x1d7ce..=0x1d7ff => 0x30 + (code - 0x1d7ce) % 10,
-        _ => code,
-    };
-    char::from_u32(typed).unwrap_or(c)
+    let is_mathematical = matches!(c, '\u{1d400}'..='\u{1d7ff}');
+    if is_mathematical { c.nfkc().next().unwrap_or(c) } else { c }
 }
 
 /// What is no text, or none of its place.
@@ -260,17 +240,12 @@ const IN_LINE: [&str; 12] =
 
 /// The sections of a built page.
 fn sections(html: &str) -> Vec<Section> {
-    let main =
-        html.split_once("<main").map_or(html, |(_, rest)| rest.split("</main>").next().unwrap_or(rest));
     let mut reader = Reader::default();
-    let mut emitter = DefaultEmitter::<()>::default();
-    emitter.naively_switch_states(true);
-    for token in Tokenizer::new_with_emitter(main.split_once('>').map_or(main, |(_, rest)| rest), emitter) {
-        let Ok(token) = token;
+    for token in tokens(html) {
         match token {
             Token::StartTag(tag) => reader.start(&tag),
-            Token::EndTag(tag) => reader.end(&String::from_utf8_lossy(&tag.name)),
-            Token::String(text) => reader.text(&String::from_utf8_lossy(&text)),
+            Token::EndTag(tag) => reader.end(&text(&tag.name)),
+            Token::String(words) => reader.text(&text(&words)),
             _ => {}
         }
     }
@@ -285,6 +260,7 @@ fn sections(html: &str) -> Vec<Section> {
 #[derive(Debug, Default)]
 struct Reader {
     sections: Vec<Section>,
+    in_main: bool,
     in_heading: bool,
     in_maths: bool,
     /// The element that is left out, and how often it is open.
@@ -294,11 +270,13 @@ struct Reader {
 }
 
 impl Reader {
-    fn start(&mut self, tag: &StartTag<()>) {
-        let name = String::from_utf8_lossy(&tag.name).into_owned();
-        let attribute = |key: &str| {
-            tag.attributes.get(key.as_bytes()).map(|value| String::from_utf8_lossy(value).into_owned())
-        };
+    fn start(&mut self, tag: &StartTag<usize>) {
+        let name = text(&tag.name);
+        self.in_main |= name == "main";
+        if !self.in_main {
+            return;
+        }
+        let attribute = |key: &str| attribute(tag, key);
         if let Some((open, depth)) = &mut self.left_out {
             *depth += u32::from(*open == name && !tag.self_closing);
             return;
@@ -337,6 +315,7 @@ impl Reader {
             }
             return;
         }
+        self.in_main &= name != "main";
         self.in_heading &= !matches!(name, "h1" | "h2" | "h3");
         self.in_maths &= name != "math";
         self.space(name);
@@ -363,7 +342,7 @@ impl Reader {
     }
 
     fn text(&mut self, text: &str) {
-        if let (None, Some(section)) = (&self.left_out, self.sections.last_mut()) {
+        if let (true, None, Some(section)) = (self.in_main, &self.left_out, self.sections.last_mut()) {
             let into = if self.in_heading { &mut section.title } else { &mut section.text };
             if self.in_maths {
                 let is_accent = |c: &char| "ˆ˜˙¨¯→\u{302}\u{303}\u{304}\u{307}\u{308}\u{20d7}".contains(*c);
@@ -414,7 +393,7 @@ mod tests {
 
     #[test]
     fn letters_of_formulas_are_those_of_the_keyboard() {
-        assert_eq!("𝑳𝝎𝛀𝟑𝖨x𝐱𝚤ℎ".chars().map(upright).collect::<String>(), "LωΩ3Ixx𝚤ℎ");
+        assert_eq!("𝑳𝝎𝛀𝟑𝖨x𝐱ϕ".chars().map(upright).collect::<String>(), "LωΩ3Ixxϕ");
     }
 
     #[test]

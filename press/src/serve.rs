@@ -21,57 +21,36 @@ use std::thread::JoinHandle;
 use std::{fs, io, thread};
 use watch::{PAUSE, Watcher};
 
-/// What one can ask for.
-#[derive(Debug, PartialEq, Eq)]
-struct Order {
-    host: String,
+/// Where and how the book is served, as one asks for it of mdBook.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Options {
+    /// The name or address that it is served at
+    #[arg(short = 'n', long, default_value = "localhost")]
+    hostname: String,
+    #[arg(short, long, default_value_t = 3000)]
     port: u16,
-    folder: Option<String>,
+    /// The folder in which the site is made
+    #[arg(short, long, value_name = "FOLDER")]
+    dest_dir: Option<String>,
+    /// Opens it in the browser
+    #[arg(short, long)]
     open: bool,
-}
-
-impl Order {
-    fn read(arguments: &[String]) -> Result<Self, String> {
-        let mut order = Self { host: "localhost".to_owned(), port: 3000, folder: None, open: false };
-        let mut rest = arguments.iter();
-        while let Some(argument) = rest.next() {
-            let (name, within) = match argument.split_once('=') {
-                Some((name, value)) if name.starts_with("--") => (name, Some(value.to_owned())),
-                _ => (argument.as_str(), None),
-            };
-            let mut value = || {
-                within.clone().or_else(|| rest.next().cloned()).ok_or(format!("error: {name} names nothing"))
-            };
-            match name {
-                "-o" | "--open" => order.open = true,
-                "-n" | "--hostname" => order.host = value()?,
-                "-d" | "--dest-dir" => order.folder = Some(value()?),
-                "-p" | "--port" => {
-                    let port = value()?;
-                    order.port = port.parse().map_err(|_| format!("error: `{port}` is no port"))?;
-                }
-                _ => return Err(format!("error: `cargo book serve` takes no argument `{argument}`")),
-            }
-        }
-        Ok(order)
-    }
 }
 
 /// Serves the book in `root` until it is stopped.
 ///
 /// # Errors
 /// If it cannot begin: what is asked for is nonsense, or the port is taken.
-pub(crate) fn run(root: &Path, arguments: &[String], book: &Book) -> Result<(), String> {
-    let order = Order::read(arguments)?;
+pub(crate) fn run(root: &Path, options: &Options, book: &Book) -> Result<(), String> {
     // Before anything is built, which takes a while.
-    let listeners = listeners(&order)?;
-    let made = Made { root, book, folder: mdbook::destination(root, order.folder.as_deref())? };
+    let listeners = listeners(options)?;
+    let made = Made { root, book, folder: mdbook::destination(root, options.dest_dir.as_deref())? };
     let site = Arc::new(Site::new(vec![made.folder.join("html"), made.folder.join("kept")]));
     for listener in listeners {
         let site = Arc::clone(&site);
         thread::spawn(move || http::answer(&listener, &site));
     }
-    let address = format!("http://{}:{}", order.host, order.port);
+    let address = format!("http://{}:{}", options.hostname, options.port);
     eprintln!("Printing the pages");
     let mut watcher = Watcher::new(mdbook::made_of(root)?);
     let mut is_first = true;
@@ -83,7 +62,7 @@ pub(crate) fn run(root: &Path, arguments: &[String], book: &Book) -> Result<(), 
         let is_shown = site.while_built(|| report(made.build(press.as_deref(), For::Hasty)));
         if is_first {
             eprintln!("The book is at {address}; it follows your edits until you press Ctrl+C");
-            if order.open {
+            if options.open {
                 open(&address);
             }
             is_first = false;
@@ -173,8 +152,7 @@ impl Made<'_> {
 
     /// Whether what a hasty build leaves out would be made as it is.
     fn is_current(&self) -> bool {
-        api::is_current(self.root, self.book.library)
-            && !matches!(self.modules().found(For::Author), Ok(Module::Stale))
+        api::is_current(self.root) && !matches!(self.modules().found(For::Author), Ok(Module::Stale))
     }
 
     fn build(&self, press: Option<&str>, for_whom: For) -> Result<(), String> {
@@ -216,12 +194,12 @@ fn report(outcome: Result<(), String>) -> bool {
 }
 
 /// Where it is listened: `localhost` may be two addresses.
-fn listeners(order: &Order) -> Result<Vec<TcpListener>, String> {
-    let place = format!("{}:{}", order.host, order.port);
+fn listeners(options: &Options) -> Result<Vec<TcpListener>, String> {
+    let place = format!("{}:{}", options.hostname, options.port);
     let cannot = |error: io::Error| match error.kind() {
         io::ErrorKind::AddrInUse => format!(
             "error: something else is served at {place} already; `cargo book serve -p {}` takes another port",
-            order.port.checked_add(1).unwrap_or(3000)
+            options.port.checked_add(1).unwrap_or(3000)
         ),
         _ => format!("error: nothing can be served at {place}: {error}"),
     };
@@ -265,34 +243,12 @@ fn open(address: &str) {
 mod tests {
     use super::*;
 
-    fn order(arguments: &str) -> Result<Order, String> {
-        Order::read(&arguments.split_whitespace().map(str::to_owned).collect::<Vec<_>>())
-    }
-
-    #[test]
-    fn host_port_and_folder_are_asked_for_as_of_mdbook() {
-        let usual = order("").unwrap();
-        assert_eq!((usual.host.as_str(), usual.port, usual.open), ("localhost", 3000, false));
-        let other = order("-o -p 3001 --hostname=0.0.0.0 -d a/b").unwrap();
-        assert_eq!(
-            (other.host.as_str(), other.port, other.folder.as_deref()),
-            ("0.0.0.0", 3001, Some("a/b"))
-        );
-        assert!(other.open);
-        for (wrong, said) in [("-p", "-p names nothing"), ("-p x", "`x` is no port"), ("a", "argument `a`")] {
-            assert!(order(wrong).unwrap_err().contains(said), "{wrong}");
-        }
-    }
-
     #[test]
     fn a_port_that_is_taken_is_said_before_anything_is_built() {
         let taken = TcpListener::bind("127.0.0.1:0").unwrap();
         let port = taken.local_addr().unwrap().port();
-        let said = run(
-            Path::new("."),
-            &["-n".into(), "127.0.0.1".into(), "-p".into(), port.to_string()],
-            &Book::default(),
-        );
+        let options = Options { hostname: "127.0.0.1".to_owned(), port, dest_dir: None, open: false };
+        let said = run(Path::new("."), &options, &Book::default());
         assert!(said.unwrap_err().contains(&format!("`cargo book serve -p {}`", port + 1)));
     }
 }

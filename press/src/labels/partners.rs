@@ -65,7 +65,7 @@ impl Registry {
         for figure in figures {
             let mut ids = BTreeSet::new();
             for id in figure.ids() {
-                if !ids.insert(id) {
+                if !ids.insert(id.clone()) {
                     let message = format!(
                         "the id `{id}` stands twice in the figure {}: has it two curves of one name?",
                         figure.id

@@ -1,18 +1,16 @@
 //! The book as an EPUB: the same sheets, each a file of XHTML.
 
 use super::Paper;
-use super::archive::Archive;
 use super::sheet::Kind;
-use crate::head::plain;
-use crate::html::escaped;
-use html5gum::{StartTag, Token, Tokenizer};
+use crate::html::{self, VOID, attribute, escaped, text};
+use html5gum::{StartTag, Token};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::fs::{self, File};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::{fs, io};
-
-/// Elements that hold nothing.
-const VOID: [&str; 6] = ["br", "hr", "img", "input", "wbr", "col"];
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
 
 /// Names that XML writes with capitals, where HTML does not care.
 const CAPITALS: [&str; 12] = [
@@ -46,13 +44,16 @@ impl Paper {
             fs::create_dir_all(folder)?;
         }
         let names: Vec<String> = (0..self.sheets.len()).map(|n| format!("page-{n:02}.xhtml")).collect();
-        let places =
-            self.sheets.iter().zip(&names).flat_map(|(sheet, name)| sheet.ids().map(move |id| (id, name)));
+        let places = self
+            .sheets
+            .iter()
+            .zip(&names)
+            .flat_map(|(sheet, name)| html::ids(&sheet.html).map(move |id| (id, name)));
         let places: BTreeMap<String, &String> = places.collect();
-        let mut archive = Archive::default();
+        let mut archive = ZipWriter::new(File::create(target)?);
         // The type of the file comes first, and readable.
-        archive.store("mimetype", b"application/epub+zip");
-        archive.pack("META-INF/container.xml", CONTAINER.as_bytes());
+        add(&mut archive, "mimetype", b"application/epub+zip")?;
+        add(&mut archive, "META-INF/container.xml", CONTAINER)?;
         let mut items = String::new();
         let mut spine = String::new();
         let title = format!(
@@ -62,20 +63,19 @@ impl Paper {
             self.edition_in_words(),
             self.settings.licence,
         );
-        let title = self.document(&plain(&self.settings.title), &title);
-        archive.pack("book/title.xhtml", title.as_bytes());
+        add(&mut archive, "book/title.xhtml", self.document(&html::words(&self.settings.title), &title))?;
         for (sheet, name) in self.sheets.iter().zip(&names) {
             let body = xhtml(&sheet.html, |id| places.get(id).map(|place| format!("{place}#{id}")));
             let body = format!("<section class=\"{}\">\n{body}\n</section>\n", sheet.class());
             roxmltree::Document::parse(&body)
                 .map_err(|error| io::Error::other(format!("“{}” is no XML: {error}", sheet.plain_title())))?;
             let page = self.document(&sheet.plain_title(), &body);
-            archive.pack(&format!("book/{name}"), page.as_bytes());
             let holds =
                 [("mathml", "<math"), ("svg", "<svg")].into_iter().filter(|(_, mark)| page.contains(mark));
             let holds: Vec<&str> = holds.map(|(name, _)| name).collect();
             let holds =
                 if holds.is_empty() { String::new() } else { format!(" properties=\"{}\"", holds.join(" ")) };
+            add(&mut archive, &format!("book/{name}"), &page)?;
             let id = name.trim_end_matches(".xhtml");
             let _ = writeln!(
                 items,
@@ -83,17 +83,18 @@ impl Paper {
             );
             let _ = writeln!(spine, "<itemref idref=\"{id}\"/>");
         }
-        archive.pack("book/style.css", (STYLE.to_owned() + &roles(site)?).as_bytes());
-        archive.pack("book/contents.xhtml", self.navigation(&names).as_bytes());
+        add(&mut archive, "book/style.css", STYLE.to_owned() + &roles(site)?)?;
+        add(&mut archive, "book/contents.xhtml", self.navigation(&names))?;
         for (family, path) in fonts(site)? {
-            archive.store(&format!("book/fonts/{family}.woff2"), &fs::read(path)?);
+            add(&mut archive, &format!("book/fonts/{family}.woff2"), fs::read(path)?)?;
             let _ = writeln!(
                 items,
                 "<item id=\"font-{family}\" href=\"fonts/{family}.woff2\" media-type=\"font/woff2\"/>"
             );
         }
-        archive.pack("book/package.opf", self.package(&items, &spine).as_bytes());
-        fs::write(target, archive.finish())
+        add(&mut archive, "book/package.opf", self.package(&items, &spine))?;
+        archive.finish()?;
+        Ok(())
     }
 
     /// A file of XHTML.
@@ -164,6 +165,16 @@ impl Paper {
     }
 }
 
+/// Adds a file without a date, packed if it is none of those that are packed already or have to be read as they are.
+fn add(archive: &mut ZipWriter<File>, name: &str, bytes: impl AsRef<[u8]>) -> io::Result<()> {
+    let is_packed = name != "mimetype" && !name.ends_with(".woff2");
+    let method = if is_packed { CompressionMethod::Deflated } else { CompressionMethod::Stored };
+    let options =
+        SimpleFileOptions::default().last_modified_time(DateTime::default()).compression_method(method);
+    archive.start_file(name, options)?;
+    archive.write_all(bytes.as_ref())
+}
+
 /// What the roles of drawings look like: every figure that stands alone says it of all of them.
 fn roles(site: &Path) -> io::Result<String> {
     let mut figures: Vec<_> =
@@ -174,8 +185,8 @@ fn roles(site: &Path) -> io::Result<String> {
         return Ok(String::new());
     };
     let drawn = fs::read_to_string(figure)?;
-    let roles = drawn.split_once("<style>").and_then(|(_, rest)| rest.split_once("</style>"));
-    Ok(roles.map_or(String::new(), |(roles, _)| roles.to_owned()))
+    let styles = html::named(&drawn, &["style"]);
+    Ok(styles.first().map_or(String::new(), |style| drawn[style.inside.clone()].to_owned()))
 }
 
 /// The fonts of the site, by the names of their files without the digits that mdBook adds.
@@ -201,16 +212,11 @@ fn xhtml(html: &str, place: impl Fn(&str) -> Option<String>) -> String {
     let mut hidden = 0_u32;
     // Whether an element of style stands around each of those that are open.
     let mut styled = Vec::new();
-    for token in Tokenizer::new(html) {
-        let Ok(token) = token;
+    for token in html::tokens(html) {
         match token {
             Token::StartTag(tag) => {
-                let name = String::from_utf8_lossy(&tag.name).into_owned();
-                let class = tag
-                    .attributes
-                    .get(&b"class"[..])
-                    .map(|class| String::from_utf8_lossy(class).into_owned());
-                if hidden > 0 || class.as_deref() == Some("boring") {
+                let name = text(&tag.name);
+                if hidden > 0 || attribute(&tag, "class").as_deref() == Some("boring") {
                     hidden += u32::from(!tag.self_closing);
                     continue;
                 }
@@ -229,13 +235,12 @@ fn xhtml(html: &str, place: impl Fn(&str) -> Option<String>) -> String {
                     hidden -= 1;
                     continue;
                 }
-                let name = String::from_utf8_lossy(&tag.name).into_owned();
-                let _ = write!(xml, "</{}>", capitals(&name));
+                let _ = write!(xml, "</{}>", capitals(&text(&tag.name)));
                 if styled.pop() == Some(true) {
                     xml += "</mstyle>";
                 }
             }
-            Token::String(text) if hidden == 0 => xml += &escaped(&String::from_utf8_lossy(&text)),
+            Token::String(words) if hidden == 0 => xml += &escaped(&text(&words)),
             _ => {}
         }
     }
@@ -243,19 +248,16 @@ fn xhtml(html: &str, place: impl Fn(&str) -> Option<String>) -> String {
 }
 
 /// The element of style that has to stand around an element of mathematics.
-fn style(name: &str, tag: &StartTag<()>) -> String {
-    let has = |key: &&&str| tag.attributes.contains_key(key.as_bytes());
-    let keys: Vec<_> = OF_STYLE.iter().filter(has).filter(|_| !matches!(name, "math" | "mstyle")).collect();
-    let value = |key: &str| {
-        tag.attributes
-            .get(key.as_bytes())
-            .map_or(String::new(), |value| String::from_utf8_lossy(value).into_owned())
-    };
-    let attributes: String = keys.iter().map(|key| format!(" {key}=\"{}\"", escaped(&value(key)))).collect();
-    if keys.is_empty() { String::new() } else { format!("<mstyle{attributes}>") }
+fn style(name: &str, tag: &StartTag<usize>) -> String {
+    if matches!(name, "math" | "mstyle") {
+        return String::new();
+    }
+    let values = OF_STYLE.iter().filter_map(|key| Some((key, attribute(tag, key)?)));
+    let attributes: String = values.map(|(key, value)| format!(" {key}=\"{}\"", escaped(&value))).collect();
+    if attributes.is_empty() { attributes } else { format!("<mstyle{attributes}>") }
 }
 
-fn start(xml: &mut String, name: &str, tag: &StartTag<()>, place: &impl Fn(&str) -> Option<String>) {
+fn start(xml: &mut String, name: &str, tag: &StartTag<usize>, place: &impl Fn(&str) -> Option<String>) {
     let _ = write!(xml, "<{}", capitals(name));
     match name {
         "svg" => *xml += " xmlns=\"http://www.w3.org/2000/svg\"",
@@ -263,8 +265,7 @@ fn start(xml: &mut String, name: &str, tag: &StartTag<()>, place: &impl Fn(&str)
         _ => {}
     }
     for (key, value) in &tag.attributes {
-        let key = String::from_utf8_lossy(key).into_owned();
-        let mut value = String::from_utf8_lossy(value).into_owned();
+        let (key, mut value) = (text(key), text(value));
         let is_style = OF_STYLE.contains(&key.as_str()) && !matches!(name, "math" | "mstyle");
         let is_dead = key == "download" && !tag.attributes.contains_key(&b"href"[..]);
         if key.starts_with("data-") || is_style || is_dead {

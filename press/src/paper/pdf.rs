@@ -1,5 +1,8 @@
 //! Printing by a headless Chromium, and reading where in the PDF everything stands.
 
+use hayro_syntax::Pdf;
+use hayro_syntax::object::{Array, Dict, ObjectIdentifier};
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -64,94 +67,34 @@ pub fn print(browser: &Path, page: &Path, target: &Path, profile: &Path) -> Resu
         .stdin(Stdio::null())
         .output()
         .map_err(|error| format!("error: Chromium cannot be run: {error}"))?;
-    let mut pdf = fs::read(target).unwrap_or_default();
-    if pdf.is_empty() {
-        return Err(format!("error: Chromium printed nothing:\n{}", String::from_utf8_lossy(&output.stderr)));
-    }
-    mend_outline(&mut pdf);
-    fs::write(target, pdf).map_err(|error| cannot(target, &error))
-}
-
-/// Chromium writes the words of a heading twice into the outline where it had to push it to the top of a page. They are
-/// cut to their half. Spaces take the place of the rest, because the PDF says at which byte each of its parts begins.
-fn mend_outline(pdf: &mut [u8]) {
-    const KEY: &[u8] = b"/Title ";
-    let mut at = 0;
-    while let Some(found) = pdf[at..].windows(KEY.len()).position(|window| window == KEY) {
-        at += found + KEY.len();
-        // A text in parentheses, or in hexadecimal digits behind a mark of their order.
-        let (start, end) = match pdf.get(at) {
-            Some(b'(') => (at + 1, b')'),
-            Some(b'<') if pdf[at + 1..].starts_with(b"FEFF") => (at + 5, b'>'),
-            _ => continue,
-        };
-        let mut stop = start;
-        while pdf.get(stop).is_some_and(|byte| *byte != end) {
-            stop += if pdf[stop] == b'\\' { 2 } else { 1 };
-        }
-        if stop >= pdf.len() {
-            return;
-        }
-        let half = (stop - start) / 2;
-        if half > 0 && pdf[start..start + half] == pdf[start + half..stop] {
-            pdf[start + half..=stop].fill(b' ');
-            pdf[start + half] = end;
-        }
-        at = stop;
+    match fs::metadata(target) {
+        Ok(pdf) if pdf.len() > 0 => Ok(()),
+        _ => Err(format!("error: Chromium printed nothing:\n{}", String::from_utf8_lossy(&output.stderr))),
     }
 }
 
 /// The address of a file.
-pub(super) fn address(path: &Path) -> String {
-    let mut address = "file://".to_owned();
-    for byte in path.to_string_lossy().bytes() {
-        match byte {
-            b'/' | b'-' | b'_' | b'.' | b'~' => address.push(byte as char),
-            _ if byte.is_ascii_alphanumeric() => address.push(byte as char),
-            _ => address += &format!("%{byte:02X}"),
-        }
-    }
-    address
+fn address(path: &Path) -> String {
+    const ESCAPED: AsciiSet =
+        NON_ALPHANUMERIC.remove(b'/').remove(b'-').remove(b'_').remove(b'.').remove(b'~');
+    format!("file://{}", utf8_percent_encode(&path.to_string_lossy(), &ESCAPED))
 }
 
-/// On which page each place stands to which a link leads, by its id.
-///
-/// This reads what Chromium writes, and no other PDF: pages in their order, and one table of places, uncompressed.
+/// On which page each place stands to which a link leads, by its id; nothing where the PDF has no table of places.
 #[must_use]
 pub fn numbers(pdf: &[u8]) -> BTreeMap<String, usize> {
-    // A PDF is bytes, of which only the ASCII is read here.
-    let text: String = pdf.iter().map(|byte| if byte.is_ascii() { *byte as char } else { '?' }).collect();
-    let object = |before: &str| -> Option<usize> {
-        before.strip_suffix(" 0 obj\n<<")?.rsplit('\n').next()?.parse().ok()
+    let Ok(pdf) = Pdf::new(pdf.to_vec()) else { return BTreeMap::new() };
+    let pages = pdf.pages().iter().enumerate().filter_map(|(n, page)| Some((page.raw().obj_id()?, n + 1)));
+    let pages: BTreeMap<ObjectIdentifier, usize> = pages.collect();
+    let catalog: Option<Dict<'_>> = pdf.xref().get(pdf.xref().root_id());
+    let places: Dict<'_> = catalog.and_then(|catalog| catalog.get("Dests")).unwrap_or_else(Dict::empty);
+    let number = |target: &Array<'_>| {
+        let page = target.raw_iter().next()?.as_obj_ref()?;
+        pages.get(&page.into()).copied()
     };
-    let pages =
-        text.match_indices("/Type /Page\n").filter_map(|(at, _)| object(&text[at.saturating_sub(40)..at]));
-    let pages: BTreeMap<usize, usize> = pages.enumerate().map(|(n, object)| (object, n + 1)).collect();
-    let table = text.split("/Dests ").nth(1).and_then(|rest| rest.split(" 0 R").next());
-    let table = table.and_then(|number| text.split(&format!("\n{number} 0 obj\n<<")).nth(1));
-    let places = table.and_then(|rest| rest.split(">>\nendobj").next()).unwrap_or_default();
-    let places = places.split(']').filter_map(|place| {
-        let (name, target) = place.trim().strip_prefix('/')?.split_once(" [")?;
-        let page = pages.get(&target.split(' ').next()?.parse().ok()?)?;
-        Some((unescaped(name), *page))
-    });
+    let places =
+        places.keys().filter_map(|name| Some((name.as_str().to_owned(), number(&places.get(&name)?)?)));
     places.collect()
-}
-
-/// A name of PDF: `a#20b` is `a b`.
-fn unescaped(name: &str) -> String {
-    let mut parts = name.split('#');
-    let mut bytes = parts.next().unwrap_or_default().as_bytes().to_vec();
-    for part in parts {
-        match part.get(..2).and_then(|digits| u8::from_str_radix(digits, 16).ok()) {
-            Some(byte) => {
-                bytes.push(byte);
-                bytes.extend_from_slice(&part.as_bytes()[2..]);
-            }
-            None => bytes.extend_from_slice(part.as_bytes()),
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 #[cfg(test)]
@@ -160,26 +103,14 @@ mod tests {
 
     #[test]
     fn the_pages_of_places_are_read() {
-        let pdf = "%PDF-1.4\n2 0 obj\n<</Type /Page\n/Contents 7 0 R>>\nendobj\n8 0 obj\n<</Type /Page\n/Parent 13 0 R>>\n\
-                   endobj\n13 0 obj\n<</Type /Pages\n/Kids [2 0 R 8 0 R]>>\nendobj\n14 0 obj\n<</a-b [8 0 R /XYZ 6 826.1 0]\n\
-                   /c#20d [2 0 R /XYZ 0 1 0]>>\nendobj\n15 0 obj\n<</Type /Catalog\n/Dests 14 0 R>>\nendobj\n";
+        let pdf = "%PDF-1.4\n2 0 obj\n<</Type /Page /Parent 13 0 R>>\nendobj\n8 0 obj\n<</Type /Page /Parent 13 0 R>>\n\
+                   endobj\n13 0 obj\n<</Type /Pages /Count 2 /MediaBox [0 0 9 9] /Kids [2 0 R 8 0 R]>>\nendobj\n14 0 obj\n\
+                   <</a-b [8 0 R /XYZ 6 826.1 0] /c#20d [2 0 R /XYZ 0 1 0]>>\nendobj\n\
+                   15 0 obj\n<</Type /Catalog /Pages 13 0 R /Dests 14 0 R>>\nendobj\ntrailer <</Root 15 0 R>>\n";
         let expected = BTreeMap::from([("a-b".to_owned(), 2), ("c d".to_owned(), 1)]);
         assert_eq!(numbers(pdf.as_bytes()), expected);
+        assert_eq!(numbers(pdf.replace("/Dests", "/Other").as_bytes()), BTreeMap::new());
         assert_eq!(numbers(b"%PDF-1.7 of another kind"), BTreeMap::new());
-    }
-
-    #[test]
-    fn an_entry_of_the_outline_says_its_words_once() {
-        for (printed, mended) in [
-            ("<</Title (PrefacePreface)\n>>", "<</Title (Preface)       \n>>"),
-            ("/Title (a\\)a\\)) /Title (aba)", "/Title (a\\))    /Title (aba)"),
-            ("/Title <FEFF00C900C9> /Title <FEFF00C9>", "/Title <FEFF00C9>     /Title <FEFF00C9>"),
-            ("/Title () /Title (open", "/Title () /Title (open"),
-        ] {
-            let mut pdf = printed.as_bytes().to_vec();
-            mend_outline(&mut pdf);
-            assert_eq!(String::from_utf8(pdf).unwrap(), mended);
-        }
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! One page of the book, as it goes onto paper.
 
+use super::page_number;
 use crate::book::Page;
-use crate::head::plain;
-use std::collections::BTreeSet;
+use crate::html::{self, Edits, Element};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 /// What a page is for.
@@ -42,7 +43,8 @@ impl Sheet {
             Some("solutions.md") => Kind::Solutions,
             _ => Kind::Text,
         };
-        let headings = ["<h1 id=\"", "<h2 id=\""].iter().flat_map(|tag| headings(html, tag)).collect();
+        let found = html::named(html, &["h1", "h2", "a"]);
+        let headings = ["h1", "h2"].iter().flat_map(|level| headings(html, &found, level)).collect();
         let html = if kind == Kind::Exercises { hints_last(html) } else { html.to_owned() };
         let html = if page.part.is_some() { lowered(&html) } else { html };
         Self { number: page.chapter, part, kind, is_leaf: page.part.is_some(), headings, html }
@@ -63,123 +65,95 @@ impl Sheet {
 
     /// Its title without markup.
     pub(super) fn plain_title(&self) -> String {
-        plain(self.headings.first().map_or("", |heading| &heading.words))
-    }
-
-    pub(super) fn ids(&self) -> impl Iterator<Item = String> {
-        let ids = self.html.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next());
-        ids.map(str::to_owned)
+        html::words(self.headings.first().map_or("", |heading| &heading.words))
     }
 
     /// Takes away the addresses of links that lead to nothing on this paper and into no network.
     pub(super) fn keep_links(&mut self, ids: &BTreeSet<String>) {
-        let mut parts = self.html.split("<a ");
-        let mut html = parts.next().unwrap_or_default().to_owned();
-        for part in parts {
-            let (tag, rest) = part.split_once('>').unwrap_or((part, ""));
-            let target =
-                tag.split_once("href=\"").and_then(|(_, rest)| rest.split('"').next()).unwrap_or_default();
-            let is_alive = match target.strip_prefix('#') {
-                Some(id) => ids.contains(id),
-                None => ["https://", "http://", "mailto:"].iter().any(|start| target.starts_with(start)),
-            };
-            let tag = if is_alive { tag.to_owned() } else { tag.replace(&format!("href=\"{target}\""), "") };
-            let _ = write!(html, "<a {tag}>{rest}");
+        self.html = html::unlinked(&self.html, |target| match target.strip_prefix('#') {
+            Some(id) => !ids.contains(id),
+            None => !["https://", "http://", "mailto:"].iter().any(|start| target.starts_with(start)),
+        });
+    }
+
+    /// Its HTML for a PDF: the lines that lead from exercises to hints and solutions, and back, have the numbers of
+    /// pages, and panels tell their widths to the style sheet, by which those of one row shrink alike.
+    pub(super) fn for_pdf(&self, numbers: &BTreeMap<String, usize>) -> String {
+        let found = html::named(&self.html, &["p", "a", "svg"]);
+        let mut edits = Edits::default();
+        for line in found.iter().filter(|element| element.is("p", "turn")) {
+            for link in found.iter().filter(|element| element.name == "a" && line.holds(element)) {
+                if let Some(id) = link.get("href").and_then(|target| target.strip_prefix('#')) {
+                    edits.insert(link.inside.end, format!(", page {}", page_number(id, numbers)));
+                }
+            }
         }
-        self.html = html;
-        // A line that leads to a solution is nothing where there is none.
-        self.html = without(&self.html, "<p class=\"turn\">", "</p>", |line| !line.contains("href="));
+        for panel in found.iter().filter(|element| element.name == "svg") {
+            let width = panel.get("style").and_then(|style| style.strip_prefix("max-width:"));
+            if let (Some(width), Some(place)) = (width, panel.place("style")) {
+                edits.replace(place, format!("style=\"--own:{width}\""));
+            }
+        }
+        edits.applied(&self.html)
     }
 }
 
-/// All headings whose tag begins so.
-fn headings<'a>(html: &'a str, tag: &'a str) -> impl Iterator<Item = Heading> + 'a {
-    html.split(tag).skip(1).filter_map(|rest| {
-        let (id, rest) = rest.split_once('"')?;
-        let (inside, _) = rest.split_once("</h")?;
-        let words = inside.split_once("<a class=\"header\"")?.1.split_once('>')?.1.strip_suffix("</a>")?;
-        Some(Heading { id: id.to_owned(), words: words.to_owned() })
+/// The headings of a level, among the elements that were `found`.
+fn headings<'a>(html: &'a str, found: &'a [Element], level: &'a str) -> impl Iterator<Item = Heading> + 'a {
+    found.iter().filter(move |element| element.name == level).filter_map(|heading| {
+        let link = found.iter().find(|link| link.is("a", "header") && heading.holds(link))?;
+        Some(Heading { id: heading.get("id")?.to_owned(), words: html[link.inside.clone()].to_owned() })
     })
 }
 
 /// All headings a level lower, as those of a page below a chapter's; its title keeps its look.
 fn lowered(html: &str) -> String {
-    let mut html = html.to_owned();
-    for level in (1..6).rev() {
-        let class = if level == 1 { " class=\"page-title\"" } else { "" };
-        html = html.replace(&format!("<h{level} "), &format!("<h{}{class} ", level + 1));
-        html = html.replace(&format!("</h{level}>"), &format!("</h{}>", level + 1));
+    let mut edits = Edits::default();
+    for (level, name) in ["h1", "h2", "h3", "h4", "h5"].into_iter().enumerate() {
+        for heading in html::named(html, &[name]) {
+            let class = if level == 0 { " class=\"page-title\"" } else { "" };
+            let start = heading.start_tag.start;
+            edits.replace(start..start + "<h1".len(), format!("<h{}{class}", level + 2));
+            edits.replace(heading.inside.end..heading.whole.end, format!("</h{}>", level + 2));
+        }
     }
-    html
+    edits.applied(html)
 }
 
 /// Moves the hints of all exercises behind the last one, each with its number; on paper nothing folds.
 fn hints_last(html: &str) -> String {
-    const HINT: &str = "<details>\n<summary>Hint</summary>";
-    let mut exercises = html.split("<h2 id=\"ex-");
-    let mut text = exercises.next().unwrap_or_default().to_owned();
-    let mut hints = String::new();
-    for exercise in exercises {
-        let (name, rest) = exercise.split_once('"').unwrap_or((exercise, ""));
-        // “Exercise 4.1. Twice as hard”
-        let heading = plain(
-            rest.split_once('>').map_or("", |(_, rest)| rest.split("</h2>").next().unwrap_or_default()),
-        );
-        let number =
-            heading.trim_start_matches(|c: char| !c.is_ascii_digit()).split(' ').next().unwrap_or_default();
-        let mut rest = rest.to_owned();
+    let found = html::named(html, &["h2", "details", "summary", "p"]);
+    let (mut edits, mut hints) = (Edits::default(), String::new());
+    let exercises =
+        found.iter().filter_map(|heading| Some((heading, heading.get("id")?.strip_prefix("ex-")?)));
+    for (heading, name) in exercises {
+        let rest = found.iter().skip_while(|element| element.whole.start < heading.whole.end);
+        let own: Vec<&Element> = rest.take_while(|element| element.name != "h2").collect();
         let mut words = String::new();
-        while let Some((before, hint, after)) = rest.split_once(HINT).and_then(|(before, tail)| {
-            let (hint, after) = tail.split_once("</details>")?;
-            Some((before.to_owned(), hint.to_owned(), after.to_owned()))
-        }) {
-            words += &hint;
-            rest = before + after.trim_start_matches('\n');
+        for details in own.iter().filter(|element| element.name == "details") {
+            let summary = own.iter().find(|element| element.name == "summary" && details.holds(element));
+            if let Some(summary) = summary.filter(|summary| &html[summary.inside.clone()] == "Hint") {
+                words += &html[summary.whole.end..details.inside.end];
+                edits.remove(details.whole.clone());
+            }
         }
-        if !words.is_empty() {
-            let _ = writeln!(
-                hints,
-                "<div class=\"hint\" id=\"hint-{name}\"><a class=\"number\" href=\"#ex-{name}\">{}</a>{words}</div>",
-                number.trim_end_matches('.')
-            );
-            let turn = "<p class=\"turn\">";
-            rest = rest.replacen(turn, &format!("{turn}<a href=\"#hint-{name}\">Hint</a> "), 1);
+        if words.is_empty() {
+            continue;
         }
-        let _ = write!(text, "<h2 id=\"ex-{name}\"{rest}");
-    }
-    if hints.is_empty() {
-        return text;
-    }
-    format!("{text}\n<h2 class=\"hints\">Hints</h2>\n{hints}")
-}
-
-/// The lines that lead from exercises to hints and solutions, and back, with the numbers of pages.
-pub(super) fn numbered(html: &str) -> String {
-    let mut parts = html.split("<p class=\"turn\">");
-    let mut numbered = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let (line, rest) = part.split_once("</p>").unwrap_or((part, ""));
-        numbered += "<p class=\"turn\">";
-        for link in line.split("<a href=\"#").skip(1) {
-            let (id, words) = link.split_once("\">").unwrap_or_default();
-            let words = words.split("</a>").next().unwrap_or_default();
-            let page = format!("page <span class=\"on\" data-of=\"{id}\"></span>");
-            let _ = write!(numbered, "<a href=\"#{id}\">{words}, {page}</a> ");
-        }
-        let _ = write!(numbered, "</p>{rest}");
-    }
-    numbered
-}
-
-/// A text without those of its pieces from a mark to the next end of which something is true.
-fn without(html: &str, from: &str, to: &str, is_out: impl Fn(&str) -> bool) -> String {
-    let mut parts = html.split(from);
-    let mut left = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        match part.split_once(to) {
-            Some((inside, rest)) if is_out(inside) => left += rest,
-            _ => left += &format!("{from}{part}"),
+        // “Exercise 4.1. Twice as hard”
+        let title = html::words(&html[heading.inside.clone()]);
+        let number = title.split(' ').find(|word| word.starts_with(|c: char| c.is_ascii_digit()));
+        let number = number.unwrap_or_default().trim_end_matches('.');
+        let _ = writeln!(
+            hints,
+            "<div class=\"hint\" id=\"hint-{name}\"><a class=\"number\" href=\"#ex-{name}\">{number}</a>{words}</div>"
+        );
+        if let Some(turn) = own.iter().find(|element| element.is("p", "turn")) {
+            edits.insert(turn.inside.start, format!("<a href=\"#hint-{name}\">Hint</a> "));
         }
     }
-    left
+    if !hints.is_empty() {
+        edits.insert(html.len(), format!("\n<h2 class=\"hints\">Hints</h2>\n{hints}"));
+    }
+    edits.applied(html)
 }

@@ -145,7 +145,13 @@ mod tests {
     #[test]
     fn a_note_of_a_caption_stands_below_the_figure() {
         let [svg, standalone] = [String::new(), String::new()];
-        let figure = Figure { id: "fig:x".to_owned(), source: "book/a/figures.rs".to_owned(), svg, standalone, wide: false };
+        let figure = Figure {
+            id: "fig:x".to_owned(),
+            source: "book/a/figures.rs".to_owned(),
+            svg,
+            standalone,
+            wide: false,
+        };
         let drawn = Rendered { figures: vec![figure], ..Rendered::default() };
         let printed = printed_with(&drawn, "# A\n\n![It's so.](fig:x)[^a]\n\n[^a]: A.\n");
         let at = |words: &str| printed.find(words).unwrap_or_else(|| panic!("{words} in {printed}"));

@@ -46,7 +46,6 @@ impl Printer<'_, '_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::api::Library;
     use crate::book::Page;
     use crate::render::render;
     use crate::rendered::Rendered;
@@ -56,7 +55,7 @@ mod tests {
         let print = |chapter, part: Option<&str>| {
             let text = "# A {#sec:a}\n".to_owned();
             let page = Page::new("book", "a.md".to_owned(), chapter, part.map(str::to_owned), text);
-            render(&[page], &Rendered::default(), &Library::default(), &[]).unwrap_or_default().remove(0)
+            render(&[page], &Rendered::default(), "", &[]).unwrap_or_default().remove(0)
         };
         let kicker = |class: &str, words: &str| {
             format!("<p class=\"{class}\" style=\"--chapter: 4\">{words}</p>\n\n# A {{#sec-a}}\n")

@@ -10,7 +10,6 @@ mod snippets;
 mod tables;
 mod words;
 
-use crate::api::Library;
 use crate::book::Page;
 use crate::fault::Faults;
 use crate::labels::Registry;
@@ -32,7 +31,7 @@ use std::collections::BTreeMap;
 pub(crate) fn render(
     pages: &[Page],
     drawn: &Rendered,
-    library: &Library,
+    library: &str,
     code: &[(String, String)],
 ) -> Result<Vec<String>, Faults> {
     let mut faults = Faults::default();
@@ -41,7 +40,7 @@ pub(crate) fn render(
     let registry = Registry::build(pages, &scans, drawn, &mut faults);
     check_citations_in_code(&registry, code, &mut faults);
     let maths = Maths::new(pages, &scans, &mut faults);
-    let places = places::places(&library.name, code);
+    let places = places::places(library, drawn.book.code.first().copied().unwrap_or_default(), code);
     let mut cited = Cited::new();
     let mut live = 0;
     let mut printed = Vec::with_capacity(pages.len());
@@ -106,7 +105,7 @@ struct Printer<'a, 'f> {
     registry: &'a Registry,
     maths: &'a Maths,
     drawn: &'a Rendered,
-    library: &'a Library,
+    library: &'a str,
     /// Where the library's comments name equations.
     places: &'a BTreeMap<String, Vec<CodePlace>>,
     /// Every label that some page mentions.
@@ -213,7 +212,7 @@ mod tests {
     /// The same, of a page that shows what is `drawn`.
     pub(super) fn printed_with(drawn: &Rendered, text: &str) -> String {
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text.to_owned());
-        let printed = render(&[page], drawn, &Library::default(), &[]);
+        let printed = render(&[page], drawn, "", &[]);
         printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
     }
 

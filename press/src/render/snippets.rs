@@ -26,7 +26,8 @@ impl Printer<'_, '_> {
         }
         shown.push_str(&code[done..]);
         let panel = self.panel(&shown);
-        with_folded_checks(&without_ranges(&shown), panel.as_deref()) + &self.uses(code).unwrap_or_default()
+        with_folded_checks(&without_ranges(&shown), panel.as_deref())
+            + &api::uses(self.library, code).map_or(String::new(), |line| format!("\n\n{line}\n"))
     }
 
     /// The panel of a snippet that has live numbers.
@@ -37,19 +38,6 @@ impl Printer<'_, '_> {
             *self.live += 1;
             panel::panel(&answers, *self.live - 1, self.page.path.split('/').next().unwrap_or_default())
         })
-    }
-
-    /// A line below a snippet that leads to the documentation of the library items that it imports.
-    fn uses(&self, code: &str) -> Option<String> {
-        let used = self.library.used(code);
-        if used.is_empty() {
-            return None;
-        }
-        let up = "../".repeat(self.page.path.matches('/').count());
-        let links = used
-            .iter()
-            .map(|(name, page)| format!("<a href=\"{up}{}/{page}\"><code>{name}</code></a>", api::FOLDER));
-        Some(format!("\n\n<p class=\"uses\">In the library: {}</p>\n", links.collect::<Vec<_>>().join(", ")))
     }
 }
 

@@ -1,6 +1,7 @@
 //! One built page of the site, read.
 
-use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
+use crate::html::{attribute, text, tokens};
+use html5gum::{StartTag, Token};
 use std::collections::BTreeSet;
 
 /// What one built page holds.
@@ -26,13 +27,10 @@ pub(super) fn examine(html: &str) -> Built {
     // text is in.
     let mut svg: Option<(bool, bool)> = None;
     let mut element = String::new();
-    let mut emitter = DefaultEmitter::new_with_span();
-    emitter.naively_switch_states(true); // a script is no HTML
-    for token in Tokenizer::new_with_emitter(html, emitter) {
-        let Ok(token) = token;
+    for token in tokens(html) {
         match token {
             Token::StartTag(tag) => {
-                let name = String::from_utf8_lossy(&tag.name).into_owned();
+                let name = text(&tag.name);
                 start(&mut built, &name, &tag);
                 element.clone_from(&name);
                 match name.as_str() {
@@ -52,14 +50,13 @@ pub(super) fn examine(html: &str) -> Built {
                     _ => {}
                 }
             }
-            Token::String(text) if element == "style" => {
-                let css = String::from_utf8_lossy(&text).into_owned();
-                built.targets.extend(remote_in_css(&css).map(|target| (target, "style")));
+            Token::String(css) if element == "style" => {
+                built.targets.extend(remote_in_css(&text(&css)).map(|target| (target, "style")));
             }
-            Token::String(text)
+            Token::String(words)
                 if svg.is_some()
                     && matches!(element.as_str(), "title" | "desc")
-                    && !text.trim_ascii().is_empty() =>
+                    && !words.trim_ascii().is_empty() =>
             {
                 let (title, description) = svg.unwrap_or_default();
                 svg = Some((title || element == "title", description || element == "desc"));
@@ -77,21 +74,14 @@ pub(super) fn examine(html: &str) -> Built {
                     _ => {}
                 }
             }
-            Token::String(text) if verbatim == 0 => {
-                let text = String::from_utf8_lossy(&text).into_owned();
-                built.unresolved.extend(unresolved(&text));
-            }
+            Token::String(words) if verbatim == 0 => built.unresolved.extend(unresolved(&text(&words))),
             _ => {}
         }
     }
     built
 }
 
-fn attribute(tag: &StartTag<()>, name: &str) -> Option<String> {
-    tag.attributes.get(name.as_bytes()).map(|value| String::from_utf8_lossy(value).into_owned())
-}
-
-fn start(built: &mut Built, name: &str, tag: &StartTag<()>) {
+fn start(built: &mut Built, name: &str, tag: &StartTag<usize>) {
     if let Some(id) = attribute(tag, "id")
         && !built.ids.insert(id.clone())
     {

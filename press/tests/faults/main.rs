@@ -13,8 +13,13 @@ use std::path::PathBuf;
 /// The only figure, the only table and the only scene that these books can show.
 fn drawn() -> Rendered {
     let [svg, standalone] = [String::new(), String::new()];
-    let figure =
-        Figure { id: "fig:machine".to_owned(), source: "book/a/figures.rs".to_owned(), svg, standalone, wide: false };
+    let figure = Figure {
+        id: "fig:machine".to_owned(),
+        source: "book/a/figures.rs".to_owned(),
+        svg,
+        standalone,
+        wide: false,
+    };
     let tables = vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())];
     let book = press::Book { code: &["src"], ..press::Book::default() };
     Rendered { book, figures: vec![figure], tables, scenes: vec![scene()], ..Rendered::default() }
@@ -310,10 +315,7 @@ fn a_scene_that_contradicts_itself_is_a_fault() {
         let mut drawn = drawn();
         spoil(&mut drawn.scenes[0]);
         let faults = check(&book.root, &drawn).unwrap_err().to_string();
-        assert!(
-            faults.contains("error: book/a/scene.rs: ") && faults.contains(words),
-            "{words}: {faults}"
-        );
+        assert!(faults.contains("error: book/a/scene.rs: ") && faults.contains(words), "{words}: {faults}");
     }
 }
 

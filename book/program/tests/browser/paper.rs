@@ -2,6 +2,8 @@
 
 use super::driver::{self, Browser};
 use crate::{folder, root, site};
+use hayro_syntax::Pdf;
+use hayro_syntax::object::{self as pdf, Array, Dict, Name};
 use press::paper::{self, Paper};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
@@ -122,10 +124,10 @@ fn a_handout_is_a_pdf_with_outline_and_links_and_its_places_are_read() {
         let handout = Paper::read(root(), crate::site(), Some("air-drag"), solutions).unwrap();
         fs::write(&page, handout.html(&site, &BTreeMap::new())).unwrap();
         paper::print(&browser, &page, &file, &profile).unwrap();
-        pdfs.push(Pdf::read(&fs::read(&file).unwrap()));
+        pdfs.push(Handout::read(&fs::read(&file).unwrap()));
     }
     let [without, with] = [&pdfs[0], &pdfs[1]];
-    let has = |pdf: &Pdf, title: &str| pdf.outline.iter().any(|(_, words)| words.contains(title));
+    let has = |pdf: &Handout, title: &str| pdf.outline.iter().any(|(_, words)| words.contains(title));
     for pdf in [without, with] {
         assert_eq!(pdf.title, "Frisbee and pencil – Things That Spin");
         assert_eq!(pdf.outline.iter().filter(|(depth, _)| *depth == 0).count(), 1, "{:?}", pdf.outline);
@@ -136,23 +138,23 @@ fn a_handout_is_a_pdf_with_outline_and_links_and_its_places_are_read() {
         );
         let mut titles = pdf.outline.iter().map(|(_, words)| words.split_at_checked(words.len() / 2));
         assert!(!titles.any(|halves| halves.is_some_and(|(one, other)| one == other)), "{:?}", pdf.outline);
-        assert!(pdf.outline.len() > 20 && pdf.pages.len() > 10, "{:?}", pdf.outline);
+        assert!(pdf.outline.len() > 20 && pdf.pages > 10, "{:?}", pdf.outline);
         for name in &pdf.links {
             assert!(pdf.places.contains_key(name), "{name}");
         }
         assert!(pdf.links.len() > 30 && pdf.addresses.iter().all(|address| address.starts_with("http")));
-        assert_eq!(pdf.places, paper::numbers(&pdf.bytes));
+        let at = |id: &str| pdf.places.get(id).copied().unwrap_or_else(|| panic!("no place of {id}"));
+        let order = ["sec-drag-why", "sec-drag-decay", "sec-drag-room", "sec-drag-further"].map(at);
+        assert!(order[0] < 4 && order[3] > 6 && order.is_sorted(), "{order:?} of {}", pdf.pages);
     }
     assert!(!has(without, "Solution") && has(with, "Solutions: Frisbee and pencil"));
-    assert!(with.pages.len() > without.pages.len());
+    assert!(with.pages > without.pages);
 }
 
-/// A PDF as Chromium writes it, its objects by their numbers.
-struct Pdf {
-    bytes: Vec<u8>,
+/// What a reader finds in a PDF.
+struct Handout {
     title: String,
-    /// The objects of its pages, in their order.
-    pages: Vec<usize>,
+    pages: usize,
     /// Depth and title of each entry.
     outline: Vec<(usize, String)>,
     /// Where links lead to, within and without.
@@ -162,83 +164,43 @@ struct Pdf {
     places: BTreeMap<String, usize>,
 }
 
-impl Pdf {
+impl Handout {
     fn read(bytes: &[u8]) -> Self {
-        let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
-        let mut objects = BTreeMap::new();
-        for part in text.split("\nendobj\n") {
-            if let Some((before, body)) = part.split_once(" 0 obj\n")
-                && let Ok(number) = before.rsplit('\n').next().unwrap().parse::<usize>()
-            {
-                objects.insert(number, body);
-            }
-        }
-        let object =
-            |number: usize| objects.get(&number).copied().unwrap_or_else(|| panic!("no object {number}"));
-        let refers = |body: &str, key: &str| -> Option<usize> {
-            let rest = body.split(&format!("/{key} ")).nth(1)?;
-            rest.split(' ').next()?.parse().ok()
-        };
-        let trailer = text.rsplit("trailer").next().unwrap();
-        let catalog = object(refers(trailer, "Root").unwrap());
-        let mut pages = Vec::new();
-        let mut left = vec![refers(catalog, "Pages").unwrap()];
-        while let Some(node) = left.pop() {
-            match object(node).split_once("/Kids [") {
-                Some((_, kids)) => {
-                    let kids = kids
-                        .split(']')
-                        .next()
-                        .unwrap()
-                        .split(" 0 R")
-                        .filter_map(|kid| kid.trim().parse().ok());
-                    left.extend(kids.collect::<Vec<usize>>().into_iter().rev());
-                }
-                None => pages.push(node),
-            }
-        }
+        let pdf = Pdf::new(bytes.to_vec()).expect("a PDF");
+        let catalog: Dict = pdf.xref().get(pdf.xref().root_id()).expect("a catalog");
         let mut outline = Vec::new();
-        let mut left = vec![(0, refers(object(refers(catalog, "Outlines").expect("an outline")), "First"))];
-        while let Some((depth, node)) = left.pop() {
-            let Some(node) = node.map(object) else {
-                continue;
-            };
-            outline.push((depth, string(node.split("/Title ").nth(1).unwrap())));
-            left.push((depth, refers(node, "Next")));
-            left.push((depth + 1, refers(node, "First")));
+        let mut left = vec![(0, catalog.get::<Dict>("Outlines").expect("an outline").get::<Dict>("First"))];
+        while let Some((depth, entry)) = left.pop() {
+            let Some(entry) = entry else { continue };
+            outline.push((depth, words(entry.get::<pdf::String>("Title").expect("a title").as_bytes())));
+            left.push((depth, entry.get("Next")));
+            left.push((depth + 1, entry.get("First")));
         }
-        let places = object(refers(catalog, "Dests").expect("places")).split(']').filter_map(|place| {
-            let (name, target) = place.split_once('/')?.1.split_once(" [")?;
-            let page: usize = target.split(' ').next()?.parse().ok()?;
-            Some((name.to_owned(), 1 + pages.iter().position(|it| *it == page).expect("a page")))
-        });
-        let places = places.collect();
-        let notes: Vec<&str> =
-            objects.values().copied().filter(|body| body.contains("/Subtype /Link")).collect();
-        let link = |body: &&str| {
-            body.split("/Dest /").nth(1).map(|rest| rest.split_whitespace().next().unwrap().to_owned())
-        };
-        let address =
-            |body: &&str| body.split("/URI (").nth(1).map(|rest| rest.split(')').next().unwrap().to_owned());
+        let (mut links, mut addresses) = (BTreeSet::new(), BTreeSet::new());
+        for page in pdf.pages().iter() {
+            let notes = page.raw().get::<Array>("Annots").unwrap_or_default();
+            for note in notes.iter::<Dict>() {
+                links.extend(note.get::<Name>("Dest").map(|place| place.as_str().to_owned()));
+                let address = note.get::<Dict>("A").and_then(|action| action.get::<pdf::String>("URI"));
+                addresses.extend(address.map(|address| words(address.as_bytes())));
+            }
+        }
         Self {
-            bytes: bytes.to_vec(),
-            title: string(object(refers(trailer, "Info").unwrap()).split("/Title ").nth(1).unwrap()),
+            title: words(pdf.metadata().title.as_deref().expect("a title")),
+            pages: pdf.pages().len(),
             outline,
-            links: notes.iter().filter_map(link).collect(),
-            addresses: notes.iter().filter_map(address).collect(),
-            places,
-            pages,
+            links,
+            addresses,
+            places: paper::numbers(bytes),
         }
     }
 }
 
-/// A string of a PDF: `(in Latin letters)` or `<FEFF…>`, UTF-16 in hexadecimal digits.
-fn string(written: &str) -> String {
-    if let Some(digits) = written.strip_prefix('<') {
-        let digits = digits.split('>').next().unwrap().as_bytes();
-        let number = |digits: &[u8]| u16::from_str_radix(std::str::from_utf8(digits).unwrap(), 16).unwrap();
-        let units: Vec<u16> = digits.chunks(4).skip(1).map(number).collect();
-        return String::from_utf16(&units).unwrap();
-    }
-    written.trim_start_matches('(').split(")\n").next().unwrap().replace("\\(", "(").replace("\\)", ")")
+/// A string of a PDF, in Latin letters or UTF-16.
+fn words(bytes: &[u8]) -> String {
+    let Some(wide) = bytes.strip_prefix(b"\xfe\xff") else {
+        return String::from_utf8(bytes.to_vec()).expect("ASCII");
+    };
+    let units: Vec<u16> = wide.chunks(2).map(|unit| u16::from_be_bytes([unit[0], unit[1]])).collect();
+    String::from_utf16(&units).expect("UTF-16")
 }

@@ -7,5 +7,6 @@ fn main() -> std::process::ExitCode {
         drawn: env!("OUT_DIR"),
         scenes: pendulum_pages::scenes::SCENES,
         snippets: "pendulum-snippets",
+        commands: &[],
     })
 }

@@ -490,7 +490,7 @@ fn a_new_book_depends_on_the_press_and_holds_no_copy_of_it() {
         assert!(wanted.iter().all(|(name, text)| ours.get(name) == Some(text)), "{entry}");
     }
     let resolved = Command::new(env!("CARGO"))
-        .args(["metadata", "--offline", "--format-version", "1"])
+        .args(["tree", "--offline", "--workspace"])
         .current_dir(&by_path)
         .stdin(Stdio::null())
         .output()
