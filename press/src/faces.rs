@@ -95,15 +95,16 @@ pub(crate) fn check_mathml(mathml: &str) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use read_fonts::tables::cmap::Cmap;
+    use read_fonts::types::GlyphId;
+    use read_fonts::{FontData, FontRead, FontRef, TableProvider};
     use std::fs;
 
     /// The characters of the table `cmap` of a font.
-    fn held(cmap: ttf_parser::cmap::Table<'_>) -> BTreeSet<char> {
-        let mut held = BTreeSet::new();
-        for table in cmap.subtables.into_iter().filter(ttf_parser::cmap::Subtable::is_unicode) {
-            table.codepoints(|code| held.extend(char::from_u32(code)));
-        }
-        held
+    fn held(cmap: &Cmap<'_>) -> BTreeSet<char> {
+        let (_, _, table) = cmap.best_subtable().expect("a table of Unicode");
+        let shown = table.iter().filter(|(_, glyph)| *glyph != GlyphId::NOTDEF); // its end mark has no glyph
+        shown.filter_map(|(code, _)| char::from_u32(code)).collect()
     }
 
     /// The table `cmap` out of a font of the pages. WOFF2 names its tables, with their lengths, and packs all in one.
@@ -150,8 +151,8 @@ mod tests {
         ];
         let mut fonts = Vec::new();
         for (name, face, font) in label_fonts {
-            let font = ttf_parser::Face::parse(font, 0).unwrap();
-            fonts.push((name.to_owned(), face, held(font.tables().cmap.unwrap())));
+            let font = FontRef::new(font).unwrap();
+            fonts.push((name.to_owned(), face, held(&font.cmap().unwrap())));
         }
         for file in fs::read_dir("../book/theme/fonts").unwrap() {
             let path = file.unwrap().path();
@@ -163,7 +164,7 @@ mod tests {
                     _ => Face::Text,
                 };
                 let cmap = packed_cmap(&fs::read(&path).unwrap());
-                fonts.push((name, face, held(ttf_parser::cmap::Table::parse(&cmap).unwrap())));
+                fonts.push((name, face, held(&Cmap::read(FontData::new(&cmap)).unwrap())));
             }
         }
         assert_eq!(fonts.len(), 10);
