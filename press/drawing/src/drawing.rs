@@ -1,5 +1,6 @@
 //! The display list.
 
+use crate::axis::Axes;
 use crate::flaw::{self, Flaw};
 use crate::label::{Label, LabelError, Side};
 use crate::point::{Point, Rect, at};
@@ -68,30 +69,6 @@ pub struct Item {
     pub shape: Shape,
     /// Its name, unique in the drawing; becomes an id of the SVG, after the figure's.
     pub name: Option<String>,
-}
-
-/// A scale of a plot, from the value at its beginning to that at its end.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scale {
-    /// The value at its beginning: left or below.
-    pub from: f64,
-    /// The value at its end: right or above.
-    pub to: f64,
-    /// Whether equal distances are equal ratios.
-    pub logarithmic: bool,
-}
-
-/// The axes of a plot: what the places of its curves mean.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Axes {
-    /// The rectangle of the plot, px; the axes run along its lower and its left edge.
-    pub frame: Rect,
-    /// The scale from left to right.
-    pub x: Scale,
-    /// The scale from below to above.
-    pub y: Scale,
-    /// The names of the curves that are drawn over them.
-    pub curves: Vec<String>,
 }
 
 /// A figure: shapes with roles, in the order in which they are painted.

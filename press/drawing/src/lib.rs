@@ -15,6 +15,7 @@
 //! | `role` | what a shape means |
 //! | `drawing` | the display list |
 //! | `label` | words and mathematics, measured and set without any font on the reader's machine |
+//! | `axis` | scales of plots, and where ticks stand on their axes |
 //! | [`kit`] | arrows, angles, dimensions, springs, dampers, fixed points |
 //! | `clip`, `simplify` | polylines cut at a frame and thinned below what can be seen |
 //! | `ink` | what a drawing covers: an SVG is cut to it |
@@ -37,6 +38,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod axis;
 mod clip;
 mod drawing;
 mod flaw;
@@ -52,8 +54,9 @@ mod style;
 mod svg;
 mod trace;
 
+pub use axis::{Axes, Axis, InvalidAxis, Scale};
 pub use clip::clip;
-pub use drawing::{Axes, Drawing, Item, Scale, Shape};
+pub use drawing::{Drawing, Item, Shape};
 pub use flaw::Flaw;
 pub use ink::MARGIN;
 pub use label::{Glyph, Label, LabelError, Piece, Segment, Side, Symbol, with_symbols};

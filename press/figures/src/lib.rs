@@ -25,9 +25,8 @@ type Table = (&'static str, fn() -> String);
 // them off the files.
 include!(concat!(env!("OUT_DIR"), "/figures.rs"));
 
-pub use axis::Axis;
-pub use drawing::{Drawing, Room};
-pub use failure::{Failure, InvalidAxis};
+pub use drawing::{Axis, Drawing, Room};
+pub use failure::Failure;
 pub use look::Look;
 pub use plot::Plot;
 pub use room::in_both;
@@ -168,8 +167,7 @@ mod tests {
     fn curve(id: &str, values: &[(f64, f64)]) -> Outcome {
         let mut drawing = empty(id);
         let frame = Rect::new(30.0, 10.0, 60.0, 60.0);
-        let mut plot =
-            Plot::new(&mut drawing, frame, Axis::linear(1.0, 10.0, 3.0)?, Axis::log(1.0, 10.0, 1)?)?;
+        let mut plot = Plot::new(&mut drawing, frame, Axis::linear(1.0, 10.0, 3.0), Axis::log(1.0, 10.0, 1))?;
         plot.curve("body", values.iter().copied(), Stroke::Curve, Hue::Blue);
         Ok(drawing)
     }

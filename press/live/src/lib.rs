@@ -24,8 +24,9 @@ mod written;
 include!(concat!(env!("OUT_DIR"), "/scenes.rs"));
 
 pub use control::{Control, Kind, Settings};
+pub use drawing::Axis;
 pub use drawing::Room;
-pub use graph::{Axis, Graph, point_at, value_at};
+pub use graph::{Graph, point_at, value_at};
 pub use player::Player;
 pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene};
 pub use written::{tied, written};

@@ -1,6 +1,6 @@
 //! The pinned hoop, the rolling wheel and the spinning coin: formulas and equations of motion written out here.
 
-use crate::{PIXELS, curve, lies_on, place};
+use crate::{PIXELS, curve, lies_on};
 use std::f64::consts::PI;
 
 /// One Runge-Kutta step.
@@ -312,8 +312,8 @@ fn the_track_of_the_contact_is_that_of_all_wobbles_integrated() {
             turns += 1;
             if turns <= 2 {
                 let end = half.points[if turns == 1 { 0 } else { half.points.len() - 1 }];
-                let found = place(&half.axes, contact(next));
-                let off = (found.0 - end.0).hypot(found.1 - end.1);
+                let found = half.axes.point(contact(next));
+                let off = (found.x - end.0).hypot(found.y - end.1);
                 assert!(off < 0.2, "{turns}: {off}"); // a step is 0.1 px
             }
         }

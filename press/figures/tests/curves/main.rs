@@ -15,7 +15,7 @@ mod methods;
 mod report;
 mod turning_plates;
 
-use drawing::{Axes, Piece, Point, Role, Scale, Shape};
+use drawing::{Axes, Piece, Point, Role, Shape, at};
 use figures::{Figure, all};
 use roxmltree::Document;
 use std::sync::OnceLock;
@@ -79,28 +79,10 @@ fn corners(data: &str) -> Vec<(f64, f64)> {
     steps.chunks_exact(2).map(corner).collect()
 }
 
-/// The value at a part of a scale.
-fn value(scale: Scale, part: f64) -> f64 {
-    let Scale { from, to, logarithmic } = scale;
-    if logarithmic { from * (to / from).powf(part) } else { from + (to - from) * part }
-}
-
-/// Which part of a scale leads to a value.
-fn part(scale: Scale, value: f64) -> f64 {
-    let Scale { from, to, logarithmic } = scale;
-    if logarithmic { (value / from).ln() / (to / from).ln() } else { (value - from) / (to - from) }
-}
-
-/// Where a pair of values belongs, px.
-fn place(axes: &Axes, (x, y): (f64, f64)) -> (f64, f64) {
-    let frame = axes.frame;
-    (frame.left + frame.width() * part(axes.x, x), frame.bottom - frame.height() * part(axes.y, y))
-}
-
 impl Curve {
     /// How far from the curve a pair of values lies, px.
     fn distance(&self, pair: (f64, f64)) -> f64 {
-        let (x, y) = place(&self.axes, pair);
+        let Point { x, y } = self.axes.point(pair);
         let from = |pair: &[(f64, f64)]| {
             let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
             let (dx, dy) = (x1 - x0, y1 - y0);
@@ -112,22 +94,16 @@ impl Curve {
 
     /// Its corners as values.
     fn values(&self) -> Vec<(f64, f64)> {
-        let frame = self.axes.frame;
-        let pair = |&(x, y): &(f64, f64)| {
-            let parts = ((x - frame.left) / frame.width(), (frame.bottom - y) / frame.height());
-            (value(self.axes.x, parts.0), value(self.axes.y, parts.1))
-        };
-        self.points.iter().map(pair).collect()
+        self.points.iter().map(|&(x, y)| self.axes.values(at(x, y))).collect()
     }
 
     /// Its value at x, on the straight line between two corners.
     fn value(&self, x: f64) -> f64 {
-        let Axes { frame, y, .. } = self.axes;
-        let (across, _) = place(&self.axes, (x, y.to));
+        let across = self.axes.point((x, self.axes.y.to)).x;
         let pair = self.points.windows(2).find(|pair| pair[0].0 <= across && across <= pair[1].0);
         let Some(&[(x0, y0), (x1, y1)]) = pair else { panic!("the curve does not reach {x}") };
         let height = y0 + (y1 - y0) * (across - x0) / (x1 - x0);
-        value(y, (frame.bottom - height) / frame.height())
+        self.axes.values(at(across, height)).1
     }
 }
 
@@ -136,9 +112,9 @@ fn lies_on(figure: &str, name: &str, formula: impl Fn(f64) -> f64) {
     let curve = curve(figure, name);
     let mut checked = 0;
     for step in 1..400 {
-        let x = value(curve.axes.x, (f64::from(step) + 0.37) / 400.0);
+        let x = curve.axes.x.value((f64::from(step) + 0.37) / 400.0);
         let y = formula(x);
-        let part = part(curve.axes.y, y);
+        let part = curve.axes.y.part(y);
         if part > 0.0 && part < 1.0 {
             let off = curve.distance((x, y));
             assert!(off < PIXELS, "{figure} {name}: {off} px off at {x}");
@@ -172,7 +148,7 @@ fn the_numbers_at_ticks_stand_where_their_values_belong() {
         for axes in part.axes() {
             let frame = axes.frame;
             for &(shown, middle) in &ticks {
-                let (x, y) = place(axes, (shown, shown));
+                let Point { x, y } = axes.point((shown, shown));
                 let (below, beside) = (middle.y - frame.bottom, frame.left - middle.x);
                 let near = (frame.left - 9.0..frame.right + 9.0).contains(&middle.x)
                     && (10.0..20.0).contains(&below);

@@ -297,7 +297,7 @@ fn the_brick_stands_where_its_program_has_it() {
     let axes = &part.axes()[0];
     let square = |a: f64, b: f64| a * a + b * b;
     let [small, middle, large] = [square(0.1, 0.06), square(0.2, 0.06), square(0.2, 0.1)];
-    let wanted = crate::place(axes, (small / large, middle / large));
+    let wanted = axes.point((small / large, middle / large));
     let discs = part.items().iter().filter_map(|item| match item.shape {
         Shape::Circle { centre, .. } if item.role == Role::Area(drawing::Fill::Solid, Hue::Blue) => {
             Some(centre)
@@ -305,7 +305,7 @@ fn the_brick_stands_where_its_program_has_it() {
         _ => None,
     });
     let nearest =
-        discs.map(|centre| (centre.x - wanted.0).hypot(centre.y - wanted.1)).fold(f64::MAX, f64::min);
+        discs.map(|centre| (centre.x - wanted.x).hypot(centre.y - wanted.y)).fold(f64::MAX, f64::min);
     assert!(nearest < 0.01, "{nearest} px off");
     lies_on("possible-moments", "flat", |first| 1.0 - first);
 }
