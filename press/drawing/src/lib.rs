@@ -13,6 +13,7 @@
 //! |---|---|
 //! | [`point`](Point) | points and rectangles |
 //! | `role` | what a shape means |
+//! | `shape` | shapes with their roles |
 //! | `drawing` | the display list |
 //! | `label` | words and mathematics, measured and set without any font on the reader's machine |
 //! | `axis` | scales of plots, and where ticks stand on their axes |
@@ -48,6 +49,7 @@ mod label;
 mod layout;
 mod point;
 mod role;
+mod shape;
 mod simplify;
 pub mod space;
 mod style;
@@ -56,7 +58,7 @@ mod trace;
 
 pub use axis::{Axes, Axis, InvalidAxis, Scale};
 pub use clip::clip;
-pub use drawing::{Drawing, Item, Shape};
+pub use drawing::Drawing;
 pub use flaw::Flaw;
 pub use ink::MARGIN;
 pub use label::{Glyph, Label, LabelError, Piece, Segment, Side, Symbol, with_symbols};
@@ -65,4 +67,5 @@ pub use label::{TEX_COMMANDS, symbols_of};
 pub use layout::{GAP, NARROW, PANEL, Room};
 pub use point::{Point, Rect, at};
 pub use role::{Fill, Hue, Role, Stroke};
+pub use shape::{Item, Shape};
 pub use simplify::{TOLERANCE, simplify};

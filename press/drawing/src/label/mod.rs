@@ -30,6 +30,7 @@ pub use tex::TEX_COMMANDS;
 pub use typesetter::symbols_of;
 
 use crate::point::{Point, Rect, at};
+use std::borrow::Cow;
 
 /// Mathematics is set this much larger than words, whose letters are tall for their size.
 const MATHEMATICS: f64 = 1.1;
@@ -303,7 +304,7 @@ impl Label {
         source: &str,
         ink: &mut Option<Rect>,
     ) -> Result<(), LabelError> {
-        let set = symbol::find(part, source)?;
+        let set = set(part, source)?;
         let size = MATHEMATICS * self.size;
         let x0 = self.width;
         let mut segments = Vec::new();
@@ -336,6 +337,20 @@ impl Label {
         }
         self.width += set.width * size;
         Ok(())
+    }
+}
+
+/// A formula of a label, set: out of the table, where there is one, or by the typesetter.
+fn set(formula: &str, label: &str) -> Result<Cow<'static, Symbol>, LabelError> {
+    let not_set = || LabelError::NotSet { label: label.into(), formula: formula.into() };
+    match symbol::table() {
+        Some(table) => {
+            table.iter().find(|symbol| symbol.source == formula).map(Cow::Borrowed).ok_or_else(not_set)
+        }
+        #[cfg(feature = "typesetter")]
+        None => typesetter::set(formula, label).map(Cow::Owned),
+        #[cfg(not(feature = "typesetter"))]
+        None => Err(not_set()),
     }
 }
 
