@@ -12,9 +12,9 @@ use std::fmt::Write as _;
 const FONT: &str = "font/math.otf";
 
 /// Everything that the TeX subset of the labels can ask for, beside the alphabets.
-const SYMBOLS: &str = "+−×·±∓=<>≤≥≪≫≈≃∼∝≠≡∞→←↔∂∇√()[]{}|,;:.!/°′″…⋯⟨⟩∠⊥∥";
-/// Combining accents: hat, tilde, bar, dot, two dots, vector arrow.
-const ACCENTS: &str = "\u{302}\u{303}\u{304}\u{307}\u{308}\u{20d7}";
+const SYMBOLS: &str = "+−×·±=<>≤≥≪≫≈∼≠∞→∂√()[]|,;:.!/°′⊥";
+/// Combining accents: hat, dot, two dots.
+const ACCENTS: &str = "\u{302}\u{307}\u{308}";
 /// First and last of: letters, digits, Greek, and the mathematical alphabets (italic, bold, bold italic;
 /// Latin, Greek, digits).
 const ALPHABETS: [(u32, u32); 10] = [

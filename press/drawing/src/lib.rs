@@ -63,7 +63,7 @@ pub use flaw::Flaw;
 pub use ink::MARGIN;
 pub use label::{Glyph, Label, LabelError, Piece, Segment, Side, Symbol, with_symbols};
 #[cfg(feature = "typesetter")]
-pub use label::{TEX_COMMANDS, symbols_of};
+pub use label::{symbols_of, tex_commands};
 pub use layout::{GAP, NARROW, PANEL, Room};
 pub use point::{Point, Rect, at};
 pub use role::{Fill, Hue, Role, Stroke};

@@ -2,7 +2,7 @@
 //!
 //! A label is written as words with mathematics between `$` signs, in a subset of TeX: letters and digits,
 //! Greek, `^` and `_` (nested too), primes, accents, `\mathbf`, `\boldsymbol`, `\sqrt{}`, `\tfrac{}{}`,
-//! `\text{}`, relations and operations ([`TEX_COMMANDS`]). Among the words, `^{…}` raises what it holds:
+//! `\text{}`, relations and operations ([`tex_commands`]). Among the words, `^{…}` raises what it holds:
 //! `10^{-4}`. Whatever is not understood is an error.
 //!
 //! Mathematics becomes outlines of the math font's glyphs, set by the `typesetter` (a feature of the crate)
@@ -25,7 +25,7 @@ mod words;
 pub use error::LabelError;
 pub use symbol::{Glyph, Symbol, with_symbols};
 #[cfg(feature = "typesetter")]
-pub use tex::TEX_COMMANDS;
+pub use tex::tex_commands;
 #[cfg(feature = "typesetter")]
 pub use typesetter::symbols_of;
 
