@@ -15,7 +15,7 @@ mod methods;
 mod report;
 mod turning_plates;
 
-use drawing::{Axes, Piece, Point, Role, Shape, at};
+use drawing::{Axes, Drawing, Hue, Piece, Point, Role, Shape, Stroke, at};
 use figures::{Figure, all};
 use roxmltree::Document;
 use std::sync::OnceLock;
@@ -29,6 +29,27 @@ fn figures() -> &'static [Figure] {
     FIGURES.get_or_init(|| all().expect("every figure can be drawn"))
 }
 
+/// The figure with this id without its `fig:`.
+fn find(figure: &str) -> &'static Figure {
+    let found = figures().iter().find(|other| other.id.strip_prefix("fig:") == Some(figure));
+    found.unwrap_or_else(|| panic!("no figure {figure}"))
+}
+
+/// The drawings of a figure.
+fn parts(figure: &str) -> Vec<&'static Drawing> {
+    find(figure).drawing.parts()
+}
+
+/// The polylines of a drawing with this role, in the order in which they were painted.
+fn lines(part: &Drawing, stroke: Stroke, hue: Hue) -> Vec<&[Point]> {
+    let items = part.items().iter().filter(|item| item.role == Role::Line(stroke, hue));
+    let points = items.filter_map(|item| match &item.shape {
+        Shape::Polyline(points) => Some(&points[..]),
+        _ => None,
+    });
+    points.collect()
+}
+
 /// A curve over the axes of its plot.
 struct Curve {
     /// Its corners, px.
@@ -38,14 +59,13 @@ struct Curve {
 
 /// The curve with this name, of the figure with this id without its `fig:`.
 fn curve(figure: &str, name: &str) -> Curve {
-    let id = format!("fig:{figure}");
-    let figure = figures().iter().find(|other| other.id == id).unwrap_or_else(|| panic!("no figure {id}"));
+    let figure = find(figure);
     let carries = |axes: &&Axes| axes.curves.iter().any(|curve| curve == name);
     let parts = figure.drawing.parts();
     let (part, axes) = parts
         .into_iter()
         .find_map(|part| Some((part, part.axes().iter().find(carries)?)))
-        .unwrap_or_else(|| panic!("{id} has no curve {name}"));
+        .unwrap_or_else(|| panic!("{} has no curve {name}", figure.id));
     let document = Document::parse(&figure.svg).expect("valid XML");
     let id = format!("{}-{name}", part.id().replace(':', "-"));
     let node =

@@ -1,27 +1,11 @@
 //! The figures of the chapters on turning and on the wobble plate: curves lie on formulas that are written
 //! out here, and arrows point and turn as they should.
 
-use crate::{curve, figures, lies_on};
+use crate::{curve, lies_on, lines, parts};
 use drawing::space::{Camera, View};
 use drawing::{Drawing, Fill, Hue, Point, Role, Shape, Stroke, at};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
-
-/// The drawings of a figure.
-fn parts(figure: &str) -> Vec<&'static Drawing> {
-    let id = format!("fig:{figure}");
-    figures().iter().find(|other| other.id == id).expect("the figure").drawing.parts()
-}
-
-/// The polylines of a drawing with this role, in the order in which they were painted.
-fn lines(part: &Drawing, stroke: Stroke, hue: Hue) -> Vec<&[Point]> {
-    let items = part.items().iter().filter(|item| item.role == Role::Line(stroke, hue));
-    let points = items.filter_map(|item| match &item.shape {
-        Shape::Polyline(points) => Some(&points[..]),
-        _ => None,
-    });
-    points.collect()
-}
 
 /// From the first point of a line to its last, to the right and upwards, px.
 fn step(line: &[Point]) -> (f64, f64) {
