@@ -156,8 +156,8 @@ pub(crate) fn two_clocks(id: &str) -> Outcome {
                 let omega = top.at(time)?;
                 Ok((omega.x.hypot(omega.y), omega.z))
             };
-            let across = Axis::linear(0.0, 0.6, 0.2)?.titled(r"wobble part $\omega_\perp/\omega_{3,0}$");
-            let along = Axis::linear(0.0, 1.0, 0.2)?.titled(r"spin part $\omega_3/\omega_{3,0}$");
+            let across = Axis::linear(0.0, 0.6, 0.2).titled(r"wobble part $\omega_\perp/\omega_{3,0}$");
+            let along = Axis::linear(0.0, 1.0, 0.2).titled(r"spin part $\omega_3/\omega_{3,0}$");
             let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 156.0, 260.0), across, along)?;
             let tips =
                 linear_steps(0.0, 12.0, 1200).map(parts).collect::<Result<Vec<_>, InvalidQuantity>>()?;
@@ -206,8 +206,8 @@ pub(crate) fn tangent(id: &str) -> Outcome {
          against time times C over I1, from 0 to 6. Three straight lines from 0.3: for a thin disc falling \
          by a factor of twenty, for a ball level, for a thick rod rising by a factor of four hundred.",
     );
-    let time = Axis::linear(0.0, 6.0, 1.0)?.minor(0.2).titled(r"time $Ct/I_1$");
-    let value = Axis::log(1e-3, 1e3, 1)?.titled(r"$\tan\theta$");
+    let time = Axis::linear(0.0, 6.0, 1.0).minor(0.2).titled(r"time $Ct/I_1$");
+    let value = Axis::log(1e-3, 1e3, 1).titled(r"$\tan\theta$");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 252.0), time, value)?;
     plot.level(1.0, Stroke::Reference);
     for (ratio, place, side, name) in [
@@ -235,8 +235,8 @@ pub(crate) fn spin_tangent(id: &str) -> Outcome {
          the origin; for a ratio of the moments of one and a half a square root; for a ball level at one; \
          for a ratio of a half it rises without limit as the spin goes to zero.",
     );
-    let spin = Axis::linear(0.0, 1.0, 0.2)?.minor(0.05).titled(r"spin that is left $\omega_3/\omega_{3,0}$");
-    let value = Axis::linear(0.0, 2.0, 0.5)?.minor(0.1).titled(r"$\tan\theta/\tan\theta_0$");
+    let spin = Axis::linear(0.0, 1.0, 0.2).minor(0.05).titled(r"spin that is left $\omega_3/\omega_{3,0}$");
+    let value = Axis::linear(0.0, 2.0, 0.5).minor(0.1).titled(r"$\tan\theta/\tan\theta_0$");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 252.0), spin, value)?;
     for ratio in [2.0, 1.5, 1.0, 0.5] {
         let top = body(ratio, 1.0, Vector3::new(1.0, 0.0, 1.0))?;
@@ -270,8 +270,8 @@ pub(crate) fn wobble_turns(id: &str) -> Outcome {
     // As many turns in all: (I₃ − I₁) I₃ ω₃ / (2π I₁ C) with I₃ = 2 I₁.
     let drag = 2.0 / (TURNS * TAU);
     let top = body(2.0, drag, Vector3::new(1.0, 0.0, 1.0))?;
-    let across = || Axis::linear(-1.0, 1.0, 0.5).map(|axis| axis.minor(0.1));
-    let (x, y) = (across()?.titled(r"$\omega_1/\omega_{1,0}$"), across()?.titled(r"$\omega_2/\omega_{1,0}$"));
+    let across = Axis::linear(-1.0, 1.0, 0.5).minor(0.1);
+    let (x, y) = (across.titled(r"$\omega_1/\omega_{1,0}$"), across.titled(r"$\omega_2/\omega_{1,0}$"));
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 310.0, 310.0), x, y)?;
     let times: Vec<f64> = linear_steps(0.0, 12.0 / drag, 4000).collect();
     let values: Vec<(f64, f64)> = top.sample(&times)?.into_iter().map(|omega| (omega.x, omega.y)).collect();
@@ -310,21 +310,19 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
         (direction.x, direction.y)
     });
     let enlarged: Vec<(f64, f64)> = momenta.iter().map(|(x, y)| (1e3 * x, 1e3 * y)).collect();
-    let panel = |[title, description, axis, name]: [&str; 4],
-                 reach: f64,
-                 minor: f64,
-                 curves: &[Named<'_>]| {
-        let mut drawing = Drawing::new("", 212.0, 250.0).titled(title, description);
-        let across = || Axis::linear(-reach, reach, reach).map(|axis| axis.minor(minor));
-        let mut plot =
-            Plot::new(&mut drawing, Rect::new(42.0, 34.0, 156.0, 156.0), across()?, across()?.titled(axis))?;
-        for &(curve, values, hue) in curves {
-            plot.curve(curve, values.iter().copied(), Stroke::Orbit, hue);
-            plot.markers(&values[..1], Marker::Disc, hue);
-        }
-        drawing.label(at(120.0, 238.0), Side::Over, name, Hue::Ink)?;
-        Ok::<Drawing, Cause>(drawing)
-    };
+    let panel =
+        |[title, description, axis, name]: [&str; 4], reach: f64, minor: f64, curves: &[Named<'_>]| {
+            let mut drawing = Drawing::new("", 212.0, 250.0).titled(title, description);
+            let across = Axis::linear(-reach, reach, reach).minor(minor);
+            let mut plot =
+                Plot::new(&mut drawing, Rect::new(42.0, 34.0, 156.0, 156.0), across, across.titled(axis))?;
+            for &(curve, values, hue) in curves {
+                plot.curve(curve, values.iter().copied(), Stroke::Orbit, hue);
+                plot.markers(&values[..1], Marker::Disc, hue);
+            }
+            drawing.label(at(120.0, 238.0), Side::Over, name, Hue::Ink)?;
+            Ok::<Drawing, Cause>(drawing)
+        };
     let board = panel(
         [
             "The angular velocity on board",
@@ -378,8 +376,8 @@ pub(crate) fn fates(id: &str) -> Outcome {
              through the ball, which is on it, to needles, below it and nearly along it. A pencil lies below \
              the border, a pencil with a straw and a Frisbee above it, a disc with a rough rim below.",
         );
-        let moments = Axis::log(1e-3, 10.0, 1)?.titled(r"$I_3/I_1$");
-        let drags = Axis::log(0.1, 1000.0, 1)?.titled(r"$C_1/C_3$");
+        let moments = Axis::log(1e-3, 10.0, 1).titled(r"$I_3/I_1$");
+        let drags = Axis::log(0.1, 1000.0, 1).titled(r"$C_1/C_3$");
         let frame = Rect::new(56.0, 34.0, room.of(340.0, 262.0), 306.0);
         let mut plot = Plot::new(&mut drawing, frame, moments, drags)?;
         plot.region((2.0, 0.1), (10.0, 1000.0), Hue::Muted);

@@ -312,12 +312,12 @@ fn at_end(map: &mut Graph<'_>, value: (f64, f64), text: &str) -> Result<(), Caus
 }
 
 const MAP: (Axis<'_>, Axis<'_>) = (
-    Axis::log([RATIOS[0], RATIOS[1], 1.0], r"$I_3/I_1$"),
-    Axis::log([DRAGS[0], DRAGS[1], 1.0], r"$C_1/C_3$"),
+    Axis::log(RATIOS[0], RATIOS[1], 1).titled(r"$I_3/I_1$"),
+    Axis::log(DRAGS[0], DRAGS[1], 1).titled(r"$C_1/C_3$"),
 );
 const PARTS: (Axis<'_>, Axis<'_>) = (
-    Axis::linear([0.0, 1.0, 0.5], r"$\boldsymbol{L}$ across"),
-    Axis::linear([0.0, 1.0, 0.5], r"$\boldsymbol{L}$ along the axis"),
+    Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ across"),
+    Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ along the axis"),
 );
 
 fn map_frame(room: Room) -> Rect {

@@ -352,8 +352,8 @@ pub(crate) fn bias(id: &str) -> Outcome {
          steeply; and reaches one with an upright tangent at the ratio one half, from which on it is one. \
          The measured 0.508 lies near the beginning, at the ratio 0.079.",
     );
-    let twist = Axis::linear(0.0, 0.6, 0.1)?.minor(0.02).titled(r"twist over tumble, $\omega_3/\omega_1$");
-    let probability = Axis::linear(0.5, 1.0, 0.1)?.minor(0.02).titled("probability of the same face");
+    let twist = Axis::linear(0.0, 0.6, 0.1).minor(0.02).titled(r"twist over tumble, $\omega_3/\omega_1$");
+    let probability = Axis::linear(0.5, 1.0, 0.1).minor(0.02).titled("probability of the same face");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 252.0), twist, probability)?;
     plot.region((0.5, 0.5), (0.6, 1.0), Hue::Blue);
     let of = |ratio: f64| Ok::<_, InvalidQuantity>(tossed(1.0, ratio)?.same_face_probability());
@@ -417,8 +417,8 @@ pub(crate) fn gimbal(id: &str) -> Outcome {
         let state = rk4(free, 0.0, start.to_array(), seconds, steps)?;
         quaternions.push((tilt, angle_between(&Turning::from_array(state).axis_3_world(), &exact)));
     }
-    let tilt = Axis::log(1e-6, 0.1, 1)?.titled(r"tilt of the hand $\alpha_0$, rad");
-    let error = Axis::log(1e-8, 10.0, 1)?.titled("error of the normal, rad");
+    let tilt = Axis::log(1e-6, 0.1, 1).titled(r"tilt of the hand $\alpha_0$, rad");
+    let error = Axis::log(1e-8, 10.0, 1).titled("error of the normal, rad");
     let mut plot = Plot::new(&mut drawing, Rect::new(56.0, 34.0, 320.0, 262.0), tilt, error)?;
     plot.series("angles", &angles, Marker::Disc, Hue::Orange);
     plot.series("quaternion", &quaternions, Marker::Square, Hue::Blue);
@@ -462,8 +462,8 @@ fn sorted_people() -> Outcome {
     let mut people = people_counted()?;
     let share = |counted: &Counted| f64::from(counted.same) / counted.tosses();
     people.sort_by(|one, other| share(one).total_cmp(&share(other)));
-    let rank = Axis::linear(0.0, 48.0, 12.0)?.minor(4.0).titled("people, sorted");
-    let probability = Axis::linear(0.46, 0.62, 0.02)?.titled("part of tosses with the same face");
+    let rank = Axis::linear(0.0, 48.0, 12.0).minor(4.0).titled("people, sorted");
+    let probability = Axis::linear(0.46, 0.62, 0.02).titled("part of tosses with the same face");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 262.0), rank, probability)?;
     plot.level(0.5, Stroke::Axis);
     let same = f64::from(people.iter().map(|counted| counted.same).sum::<u32>());
@@ -514,8 +514,8 @@ fn likely_spreads() -> Outcome {
         )
     };
     let top = of(FITTED_SPREAD)?;
-    let spread = Axis::linear(0.06, 0.14, 0.02)?.minor(0.01).titled(r"spread $S$ of twist over tumble");
-    let likelihood = Axis::linear(-8.0, 0.0, 2.0)?.minor(1.0).titled("log-likelihood, from its top");
+    let spread = Axis::linear(0.06, 0.14, 0.02).minor(0.01).titled(r"spread $S$ of twist over tumble");
+    let likelihood = Axis::linear(-8.0, 0.0, 2.0).minor(1.0).titled("log-likelihood, from its top");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 262.0), spread, likelihood)?;
     let values: Vec<(f64, f64)> = linear_steps(0.06, 0.14, 80)
         .map(|spread| Ok::<_, InvalidQuantity>((spread, of(spread)? - top)))

@@ -283,9 +283,9 @@ impl Throw {
     fn draw_heights(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let frame =
             moment.room.of(Rect::new(48.0, 364.0, 320.0, 104.0), Rect::new(48.0, 562.0, 310.0, 100.0));
-        let y = Axis::linear([-1.0, 1.0, 1.0], r"height of the normal, $n_z$");
+        let y = Axis::linear(-1.0, 1.0, 1.0).titled(r"height of the normal, $n_z$");
         let mut graph =
-            Graph::new(drawing, frame, Axis::linear([0.0, 1.0, 0.25], "part of a precession"), y)?;
+            Graph::new(drawing, frame, Axis::linear(0.0, 1.0, 0.25).titled("part of a precession"), y)?;
         let made = self.made(moment.time);
         self.tosses.draw(&mut graph, made);
         graph.level(0.0, Stroke::Reference, Hue::Ink);
@@ -364,8 +364,8 @@ fn sphere(moment: &Moment) -> Result<Camera, SpaceError> {
 
 /// The plot of probabilities: its frame on the page, ψ to the right and p upwards.
 fn probability(room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
-    let x = Axis::linear([0.0, 90.0, 45.0], r"$\psi$, degrees");
-    let y = Axis::linear([0.5, 1.0, 0.25], r"heads, $p$");
+    let x = Axis::linear(0.0, 90.0, 45.0).titled(r"$\psi$, degrees");
+    let y = Axis::linear(0.5, 1.0, 0.25).titled(r"heads, $p$");
     (room.of(Rect::new(444.0, 364.0, 170.0, 104.0), Rect::new(60.0, 744.0, 220.0, 84.0)), x, y)
 }
 

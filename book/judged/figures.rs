@@ -77,14 +77,10 @@ fn runge_kutta(simulator: f64) -> Result<Vec<(f64, f64)>, Cause> {
 pub(crate) fn judged_brick(id: &str) -> Outcome {
     let (moments, start) = brick()?;
     let top = FreeTop::new(moments, start)?;
-    let panel = |title: &str| -> Result<(Drawing, Axis, Axis), Cause> {
-        let time = Axis::linear(0.0, 30.0, 10.0)?.titled("time, s");
-        let apart = Axis::log(LEAST, 1.0, 3)?.titled(title);
-        Ok((Drawing::new("", 390.0, 330.0), time, apart))
-    };
+    let (time, difference) = (Axis::linear(0.0, 30.0, 10.0).titled("time, s"), Axis::log(LEAST, 1.0, 3));
     let frame = Rect::new(56.0, 34.0, 290.0, 250.0);
-    let (mut raw, time, difference) = panel("from the closed form, °/s")?;
-    let mut plot = Plot::new(&mut raw, frame, time, difference)?;
+    let mut raw = Drawing::new("", 390.0, 330.0);
+    let mut plot = Plot::new(&mut raw, frame, time, difference.titled("from the closed form, °/s"))?;
     let looks = [
         (6.0, "six", Stroke::Curve, Hue::Orange, (30.4, 4e-3)),
         (2.0, "two", Stroke::Second, Hue::Pink, (30.4, 4e-4)),
@@ -97,8 +93,8 @@ pub(crate) fn judged_brick(id: &str) -> Outcome {
         plot.curve(name, values, stroke, hue);
         plot.label(place, Side::Right, &format!("{simulator}"), hue)?;
     }
-    let (mut explained, time, difference) = panel("from what explains it, °/s")?;
-    let mut plot = Plot::new(&mut explained, frame, time, difference)?;
+    let mut explained = Drawing::new("", 390.0, 330.0);
+    let mut plot = Plot::new(&mut explained, frame, time, difference.titled("from what explains it, °/s"))?;
     let late = apart(6.0, |time| Ok(top.at(time + 5e-4)?.omega_body))?;
     let stepped = |simulator: f64, step: f64| -> Result<Vec<(f64, f64)>, Cause> {
         let by_steps = two_step(step)?;
@@ -136,8 +132,8 @@ pub(crate) fn judged_toutatis(id: &str) -> Outcome {
          a quarter of a period apart, with a period of 5.4 days. Seventeen markers of each lie near their curves, most within six degrees a day; two of the first component lie 44 off, on days 28 and 35.",
     );
     let top = toutatis()?;
-    let day = Axis::linear(22.0, 40.0, 4.0)?.titled("days since 9 November 1992");
-    let rate = Axis::linear(-80.0, 60.0, 20.0)?.titled("degrees a day");
+    let day = Axis::linear(22.0, 40.0, 4.0).titled("days since 9 November 1992");
+    let rate = Axis::linear(-80.0, 60.0, 20.0).titled("degrees a day");
     let mut plot = Plot::new(&mut drawing, Rect::new(56.0, 34.0, 310.0, 250.0), day, rate)?;
     let looks = rows(include_str!("toutatis.csv"), 1)?;
     let parts = [
@@ -175,8 +171,8 @@ pub(crate) fn judged_coin(id: &str) -> Outcome {
         ..Rolling::UPRIGHT
     };
     let contact = coin.wobble(start, &Taylor::new(1e-16)?)?.at(0.5)?.contact(radius);
-    let step = Axis::log(1e-5, 1e-2, 1)?.titled("step, s");
-    let apart = Axis::log(1e-9, 1e-4, 1)?.titled("from the library, m");
+    let step = Axis::log(1e-5, 1e-2, 1).titled("step, s");
+    let apart = Axis::log(1e-9, 1e-4, 1).titled("from the library, m");
     let mut plot = Plot::new(&mut drawing, Rect::new(56.0, 34.0, 310.0, 250.0), step, apart)?;
     let found: Vec<_> = rows(include_str!("coin.csv"), 0)?
         .iter()

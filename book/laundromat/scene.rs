@@ -95,9 +95,9 @@ const KICK: Complex<f64> = Complex::new(0.4, 0.0);
 /// Where the tub strikes its housing: the largest distance of the shaft from O, in units of b.
 const LARGEST_SWING: f64 = 12.0;
 
-const SPIN_AXIS: Axis<'_> = Axis::linear([0.0, MOST_SPIN, 10.0], r"spin $\Omega$, rad/s");
-const FORCE_AXIS: Axis<'_> = Axis::linear([0.0, 400.0, 100.0], "force on the floor, N");
-const LEAD_AXIS: Axis<'_> = Axis::linear([-45.0, 225.0, 90.0], r"lead $\phi_0$, °");
+const SPIN_AXIS: Axis<'_> = Axis::linear(0.0, MOST_SPIN, 10.0).titled(r"spin $\Omega$, rad/s");
+const FORCE_AXIS: Axis<'_> = Axis::linear(0.0, 400.0, 100.0).titled("force on the floor, N");
+const LEAD_AXIS: Axis<'_> = Axis::linear(-45.0, 225.0, 90.0).titled(r"lead $\phi_0$, °");
 
 /// The places and weights of Gauss's rule with six points, on the interval from 0 to 1.
 const GAUSS: [(f64, f64); 6] = [
@@ -189,7 +189,7 @@ impl Washer {
             let steady = steady(&still.with_spin(spin).ok()?, is_radial)?;
             Some(still.total_mass() * spin * spin * steady.centre_of_mass_radius())
         };
-        let point = |spin: f64| (spin, force(spin).unwrap_or(f64::INFINITY).min(FORCE_AXIS.to));
+        let point = |spin: f64| (spin, force(spin).unwrap_or(f64::INFINITY).min(FORCE_AXIS.scale.to));
         let steady = spins.into_iter().map(point).collect();
         Ok(Self { course, on_drum, forces, leads, quietest, steady, words })
     }
@@ -203,8 +203,8 @@ impl Washer {
             _ => 2.0,
         };
         [
-            Axis::linear([0.0, end, if end > 12.0 { 5.0 } else { 2.0 }], "time, s"),
-            Axis::linear([0.0, most, step], r"shaft from $O$, cm"),
+            Axis::linear(0.0, end, if end > 12.0 { 5.0 } else { 2.0 }).titled("time, s"),
+            Axis::linear(0.0, most, step).titled(r"shaft from $O$, cm"),
         ]
     }
 
@@ -250,7 +250,7 @@ impl Washer {
     fn draw_plots(&self, moment: &Moment, state: &State, drawing: &mut Drawing) -> Result<(), Cause> {
         let (course, [force, lead, swing]) = (&self.course, frames(moment.room));
         let natural = course.machine.natural_frequency();
-        let spin = Axis { title: "", ..SPIN_AXIS.unnumbered() };
+        let spin = SPIN_AXIS.unlabelled().titled("");
         let mut plot = Graph::new(drawing, force, spin, FORCE_AXIS)?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
         plot.label((natural, 350.0), Side::Left, r"$\omega_0$", Hue::Muted)?;

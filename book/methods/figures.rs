@@ -224,8 +224,8 @@ pub(crate) fn method_amplitude(id: &str) -> Outcome {
          2.83. DOP853 stays near one up to 4, falls to 0.7 at 5.5 and rises through one just before 6.",
     );
     let swing = |_: f64, &[x, v]: &[f64; 2]| [v, -x];
-    let product = Axis::linear(0.0, 7.0, 1.0)?.minor(0.2).titled(r"$z = \omega h$");
-    let factor = Axis::linear(0.4, 1.6, 0.2)?.minor(0.05).titled("factor of the amplitude in one step");
+    let product = Axis::linear(0.0, 7.0, 1.0).minor(0.2).titled(r"$z = \omega h$");
+    let factor = Axis::linear(0.4, 1.6, 0.2).minor(0.05).titled("factor of the amplitude in one step");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 330.0, 230.0), product, factor)?;
     plot.level(1.0, Stroke::Reference);
     plot.upright(2.0 * SQRT_2, Stroke::Dotted);
@@ -266,8 +266,8 @@ pub(crate) fn method_order(id: &str) -> Outcome {
     let (moments, start) = book()?;
     let duration = 30.0;
     let exact = FreeTop::new(moments, start)?.at(duration)?;
-    let step = Axis::log(1e-3, 10.0, 1)?.titled(r"step $h$, s");
-    let error = Axis::log(1e-15, 10.0, 3)?.titled("error of the attitude after 30 s, rad");
+    let step = Axis::log(1e-3, 10.0, 1).titled(r"step $h$, s");
+    let error = Axis::log(1e-15, 10.0, 3).titled("error of the attitude after 30 s, rad");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 300.0), step, error)?;
     for (method, name, look, (level, side, words)) in Fixed::ALL {
         let mut values = Vec::new();
@@ -298,9 +298,9 @@ pub(crate) fn method_steps(id: &str) -> Outcome {
     let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
     let top = hoop.free_motion()?;
     let span = 150.0;
-    let time = || Axis::linear(0.0, span, 30.0).map(|axis| axis.minor(10.0));
-    let omega = Axis::linear(-0.4, 0.4, 0.4)?.minor(0.1).titled(r"$\omega_1$, in $\omega_0$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 320.0, 100.0), time()?.unlabelled(), omega)?;
+    let time = Axis::linear(0.0, span, 30.0).minor(10.0);
+    let omega = Axis::linear(-0.4, 0.4, 0.4).minor(0.1).titled(r"$\omega_1$, in $\omega_0$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 320.0, 100.0), time.unlabelled(), omega)?;
     plot.level(0.0, Stroke::Reference);
     let values = linear_steps(0.0, span, 1500)
         .map(|time| Ok((time, top.at(time)?.omega_body.x)))
@@ -317,8 +317,8 @@ pub(crate) fn method_steps(id: &str) -> Outcome {
         ControlFlow::Continue(())
     })?;
     lengths.pop(); // cut short by the end
-    let length = Axis::log(0.1, 10.0, 1)?.titled(r"step, in $1/\omega_0$");
-    let time = time()?.titled(r"time, in $1/\omega_0$");
+    let length = Axis::log(0.1, 10.0, 1).titled(r"step, in $1/\omega_0$");
+    let time = time.titled(r"time, in $1/\omega_0$");
     let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 176.0, 320.0, 160.0), time, length)?;
     plot.series("steps", &lengths, Look::DOP853.marker, Look::DOP853.hue);
     plot.label((40.0, 0.2), Side::Right, "a marker for each step", Hue::Pink)?;
@@ -436,8 +436,8 @@ pub(crate) fn method_energy(id: &str) -> Outcome {
         "Both scales are logarithmic: rounds from 1 to 10000, and the largest relative error of the energy so far. RK4 and DOP853 rise along straight lines of slope one, \
          those of the two splittings stay level.",
     );
-    let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds");
-    let error = Axis::log(1e-10, 1.0, 2)?.titled("largest relative error of the energy so far");
+    let rounds = Axis::log(1.0, 1e4, 1).titled("time, in rounds");
+    let error = Axis::log(1e-10, 1.0, 2).titled("largest relative error of the energy so far");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 250.0), rounds, error)?;
     for (method, name, look, place) in LONG_RUN {
         plot.curve(name, errors(method, 10_000)?.energy, look.stroke, look.hue);
@@ -453,8 +453,8 @@ pub(crate) fn method_attitude(id: &str) -> Outcome {
         "Both scales are logarithmic: rounds from 1 to 10000, and the largest error of the attitude so far, up to half a turn. RK4 and DOP853 rise with slope two, \
          the two splittings with slope one; Strang's begins highest and ends beside RK4 at half a turn, that of Blanes and Moan is the lowest in the end.",
     );
-    let rounds = Axis::log(1.0, 1e4, 1)?.titled("time, in rounds");
-    let error = Axis::log(1e-8, 10.0, 1)?.titled("largest error of the attitude so far, rad");
+    let rounds = Axis::log(1.0, 1e4, 1).titled("time, in rounds");
+    let error = Axis::log(1e-8, 10.0, 1).titled("largest error of the attitude so far, rad");
     let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 320.0, 250.0), rounds, error)?;
     plot.level(PI, Stroke::Reference);
     for (method, name, look, place) in LONG_RUN {

@@ -159,8 +159,8 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
          zero at 71.57 degrees, where a ring marks it, and rises to one third. The point at theta minus 90 degrees starts at one, rises a little and falls to \
          one third. A dashed curve, the root of the squares, runs between the two and meets neither but at the ends.",
     );
-    let angle = Axis::linear(0.0, 90.0, 15.0)?.minor(5.0).titled(r"angle $\theta$, degrees");
-    let speed = Axis::linear(0.0, 1.2, 0.2)?.minor(0.05).titled(r"speed, in $a\omega_0$");
+    let angle = Axis::linear(0.0, 90.0, 15.0).minor(5.0).titled(r"angle $\theta$, degrees");
+    let speed = Axis::linear(0.0, 1.2, 0.2).minor(0.05).titled(r"speed, in $a\omega_0$");
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 236.0), angle, speed)?;
     type Velocity = fn(&Pinning) -> f64;
     let curves: [(Velocity, &str); 2] =
@@ -196,8 +196,8 @@ pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
          the axis, the nearer to zero the nearer theta is to 90 degrees. A separatrix, two arches from 0 to 180 degrees, encloses them. Outside two \
          curves run on above and below without turning.",
     );
-    let angle = Axis::linear(-30.0, 210.0, 30.0)?.titled(r"$\chi$, degrees");
-    let rate = Axis::linear(-1.0, 1.0, 0.5)?.minor(0.1).titled(r"$\dot\chi/W$");
+    let angle = Axis::linear(-30.0, 210.0, 30.0).titled(r"$\chi$, degrees");
+    let rate = Axis::linear(-1.0, 1.0, 0.5).minor(0.1).titled(r"$\dot\chi/W$");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 325.0, 246.0), angle, rate)?;
     plot.level(0.0, Stroke::Axis);
     // The separatrix, where the energy is that of the balance at χ = 0: χ̇² = W² sin² χ/2.
@@ -391,8 +391,8 @@ pub(crate) fn flip(id: &str) -> Outcome {
     );
     let hoop = pinning(Shape::Hoop, NEARLY)?;
     let top = hoop.free_motion()?;
-    let time = Axis::linear(0.0, 120.0, 30.0)?.minor(10.0).titled(r"time, in $1/\omega_0$");
-    let omega = Axis::linear(-0.4, 0.4, 0.2)?.minor(0.05).titled(r"angular velocity, in $\omega_0$");
+    let time = Axis::linear(0.0, 120.0, 30.0).minor(10.0).titled(r"time, in $1/\omega_0$");
+    let omega = Axis::linear(-0.4, 0.4, 0.2).minor(0.05).titled(r"angular velocity, in $\omega_0$");
     let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 320.0, 216.0), time, omega)?;
     plot.level(0.0, Stroke::Reference);
     for (axis, name, stroke) in [(1, "diameter", Stroke::Orbit), (0, "tangent", Stroke::Curve)] {
@@ -430,8 +430,8 @@ fn from_the_hoop(id: &str) -> Outcome {
     let hoop = pinning(Shape::Hoop, 60.0)?;
     let top = hoop.free_motion()?;
     let period = top.period().ok_or("it swings")?;
-    let side = || Axis::linear(-0.5, 0.5, 0.5).map(|axis| axis.minor(0.1));
-    let (x, y) = (side()?.titled(r"along $\hat{\mathbf{1}}$"), side()?.titled(r"along $\hat{\mathbf{3}}$"));
+    let side = Axis::linear(-0.5, 0.5, 0.5).minor(0.1);
+    let (x, y) = (side.titled(r"along $\hat{\mathbf{1}}$"), side.titled(r"along $\hat{\mathbf{3}}$"));
     let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 196.0, 196.0), x, y)?;
     let moments = hoop.moments_about_pin();
     let mut curve = |name: &str, hue: Hue, of: &dyn Fn(&Vector3<f64>) -> Vector3<f64>| {
@@ -470,8 +470,8 @@ fn from_the_room(id: &str) -> Outcome {
         .collect::<Result<Vec<(f64, f64)>, InvalidQuantity>>()?;
     let reach = values.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     let least = values.iter().map(|(x, y)| x.hypot(*y)).fold(f64::INFINITY, f64::min);
-    let side = || Axis::linear(-0.5, 0.5, 0.5).map(|axis| axis.minor(0.1));
-    let (x, y) = (side()?.titled(r"$\omega_x/\omega_0$"), side()?.titled(r"$\omega_y/\omega_0$"));
+    let side = Axis::linear(-0.5, 0.5, 0.5).minor(0.1);
+    let (x, y) = (side.titled(r"$\omega_x/\omega_0$"), side.titled(r"$\omega_y/\omega_0$"));
     let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 196.0, 196.0), x, y)?;
     for (radius, name) in [(least, "circle-inner"), (reach, "circle-outer")] {
         let circle =
@@ -586,8 +586,8 @@ pub(crate) fn waits(id: &str) -> Outcome {
              Dots of a program that steps in the room lie on the hoop's line down to a gap of 1e-15 and then stay near 150. A ring \
              at a gap of 6e-17 and 160 ends what a program can do that is told the angle.",
         );
-        let gap = Axis::log(1e-20, 1.0, room.of(4, 5))?.titled(r"gap of the pin, $\cos\theta$");
-        let time = Axis::linear(0.0, 300.0, 50.0)?.minor(10.0).titled(r"time, in $1/\omega_0$");
+        let gap = Axis::log(1e-20, 1.0, room.of(4, 5)).titled(r"gap of the pin, $\cos\theta$");
+        let time = Axis::linear(0.0, 300.0, 50.0).minor(10.0).titled(r"time, in $1/\omega_0$");
         let frame = Rect::new(52.0, 34.0, room.of(580.0, 320.0), 290.0);
         let mut plot = Plot::new(&mut drawing, frame, gap, time)?;
         plot.curve("hoop", curve(Shape::Hoop, 1e-20)?, Stroke::Curve, Hue::Orange);

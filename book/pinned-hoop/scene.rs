@@ -168,9 +168,9 @@ fn plane(room: Room) -> (Point, f64) {
 /// How long it waits, against how far the pin is from a right angle.
 fn plot(room: Room, shape: Shape) -> (Rect, Axis<'static>, Axis<'static>) {
     let frame = room.of(Rect::new(412.0, 325.0, 200.0, 130.0), Rect::new(42.0, 500.0, 290.0, 92.0));
-    let gap = Axis::log([GAPS[0], 100.0, 2.0], r"$90° - \theta$, degrees");
+    let gap = Axis::log(GAPS[0], 100.0, 2).titled(r"$90° - \theta$, degrees");
     let most = if shape == Shape::Disk { 90.0 } else { 60.0 };
-    (frame, gap, Axis::linear([0.0, most, 0.5 * most], "wait, s"))
+    (frame, gap, Axis::linear(0.0, most, 0.5 * most).titled("wait, s"))
 }
 
 impl Pinned {

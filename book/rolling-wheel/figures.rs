@@ -277,8 +277,8 @@ pub(crate) fn turn_rate(id: &str) -> Outcome {
         "The square of the turn rate, in g over a, against b over a from minus 0.2 to 0.8, for a disc leaning by 20, 45 and 70 degrees. Each curve falls from infinity at its own \
          bound, a small negative b marked by a dotted line of the same hue, towards zero. Where b is positive the larger lean has the larger rate; left of zero the curves cross.",
     );
-    let b = Axis::linear(-0.2, 0.8, 0.2)?.minor(0.05).titled("radius of the centre’s circle $b/a$");
-    let rate = Axis::linear(0.0, 20.0, 5.0)?.minor(1.0).titled(r"$\Omega^2$, in $g/a$");
+    let b = Axis::linear(-0.2, 0.8, 0.2).minor(0.05).titled("radius of the centre’s circle $b/a$");
+    let rate = Axis::linear(0.0, 20.0, 5.0).minor(1.0).titled(r"$\Omega^2$, in $g/a$");
     let mut plot = Plot::new(&mut drawing, Rect::new(36.0, 34.0, 330.0, 246.0), b, rate)?;
     let disc = wheel(MomentFactors::DISK)?;
     for degrees in LEANS {
@@ -321,8 +321,8 @@ pub(crate) fn tongue(id: &str) -> Outcome {
         "The lean in degrees, from 0 to 25, against b over a from 0 to 4, with a curve for a hoop and one for a disc; below each the motion is unstable, and the region below the disc’s is shaded. Each rises from zero steeply to a tip near \
          19 degrees at small b, and comes down along a falling curve towards large b.",
     );
-    let b = Axis::linear(0.0, 4.0, 1.0)?.minor(0.2).titled("radius of the centre’s circle $b/a$");
-    let lean = Axis::linear(0.0, 25.0, 5.0)?.minor(1.0).titled(r"lean $\theta$, degrees");
+    let b = Axis::linear(0.0, 4.0, 1.0).minor(0.2).titled("radius of the centre’s circle $b/a$");
+    let lean = Axis::linear(0.0, 25.0, 5.0).minor(1.0).titled(r"lean $\theta$, degrees");
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 246.0), b, lean)?;
     for (moments, name, hue, place) in [
         (MomentFactors::DISK, "disc", Hue::Blue, (0.85, 15.2)),
@@ -361,8 +361,8 @@ pub(crate) fn tongue_tips(id: &str) -> Outcome {
          below each its wheel is unstable. The tips of hoop and disc are near 19 degrees at half a radius, that of a disc with weights on its axle is at 25.8 degrees, that of two beads on \
          an axle at 40.5 degrees and six radii. Dashed lines at 17.6 and 45 degrees bound all tips.",
     );
-    let b = Axis::log(0.01, 1e4, 1)?.titled("radius of the centre’s circle $b/a$");
-    let lean = Axis::linear(0.0, 50.0, 10.0)?.minor(5.0).titled(r"lean $\theta$, degrees");
+    let b = Axis::log(0.01, 1e4, 1).titled("radius of the centre’s circle $b/a$");
+    let lean = Axis::linear(0.0, 50.0, 10.0).minor(5.0).titled(r"lean $\theta$, degrees");
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 262.0), b, lean)?;
     for (name, label, place, moments, hue) in COMPARED {
         let wheel = wheel(moments)?;
@@ -396,8 +396,8 @@ pub(crate) fn near_flat_turn(id: &str) -> Outcome {
         "The angle in degrees, from 270 to 500, against the turn at the start over that of steady rolling, from a ten-thousandth to one on a logarithmic scale. For the disc it rises \
          from the level of 402.5 degrees to 465 degrees, for the hoop from 311.8 to 360; below a hundredth both curves lie on their levels. A dotted line marks 360 degrees.",
     );
-    let part = Axis::log(1e-4, 1.0, 1)?.titled("turn at the start, in that of steady rolling");
-    let angle = Axis::linear(270.0, 500.0, 50.0)?.minor(10.0).titled("angle of the contact, degrees");
+    let part = Axis::log(1e-4, 1.0, 1).titled("turn at the start, in that of steady rolling");
+    let angle = Axis::linear(270.0, 500.0, 50.0).minor(10.0).titled("angle of the contact, degrees");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 320.0, 236.0), part, angle)?;
     plot.level(360.0, Stroke::Dotted);
     let tilt = 0.05;
@@ -433,8 +433,8 @@ pub(crate) fn potential(id: &str) -> Outcome {
     );
     let disc = wheel(MomentFactors::DISK)?;
     let (constants, energy) = (disc.constants(&WOBBLING), disc.energy(&WOBBLING));
-    let lean = Axis::linear(-30.0, 40.0, 10.0)?.minor(2.0).titled(r"lean $\theta$, degrees");
-    let height = Axis::linear(1.54, 1.66, 0.02)?.titled(r"potential $V$, in $mga$");
+    let lean = Axis::linear(-30.0, 40.0, 10.0).minor(2.0).titled(r"lean $\theta$, degrees");
+    let height = Axis::linear(1.54, 1.66, 0.02).titled(r"potential $V$, in $mga$");
     let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 320.0, 246.0), lean, height)?;
     plot.level(energy, Stroke::Reference);
     let values = linear_steps(-30.0, 40.0, 400)

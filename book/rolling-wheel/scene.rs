@@ -94,8 +94,8 @@ impl Layout {
 }
 
 /// The axes of the map.
-const CIRCLES: Axis<'_> = Axis::linear([-0.5, 4.0, 1.0], r"circle $b/a$");
-const LEANS: Axis<'_> = Axis::linear([0.0, 60.0, 20.0], r"lean $\theta$, °");
+const CIRCLES: Axis<'_> = Axis::linear(-0.5, 4.0, 1.0).titled(r"circle $b/a$");
+const LEANS: Axis<'_> = Axis::linear(0.0, 60.0, 20.0).titled(r"lean $\theta$, °");
 
 impl Rolled {
     /// b/a and the lean, degrees, of a state: where it stands on the map. For a wheel that does not turn b is infinite.
@@ -392,7 +392,7 @@ impl Motion for Rolled {
         let (leans, heights) = self.well_axes();
         vec![
             point_at(map, &CIRCLES, &LEANS, (self.circle, self.lean.to_degrees())),
-            point_at(well, &leans, &heights, (leans.to, self.energy_of_rate(self.push))),
+            point_at(well, &leans, &heights, (leans.scale.to, self.energy_of_rate(self.push))),
         ]
     }
 
@@ -463,13 +463,13 @@ impl Rolled {
             _ => 10.0,
         };
         let [from, to] = [((low - before) / step).floor() * step, ((high + after) / step).ceil() * step];
-        let leans = Axis::linear([from.max(-90.0), to.min(90.0), step], r"lean $\theta$, °");
+        let leans = Axis::linear(from.max(-90.0), to.min(90.0), step).titled(r"lean $\theta$, °");
         let level = self.energy_of_rate(self.push);
         let depth = self.liveliest.max(level).max(2e-3);
         let [low, high] = [(level - 1.3 * self.liveliest).min(-0.25 * depth), level + 0.8 * depth];
         let step = nice_step((high - low) / 3.0);
         let [low, high] = [(low / step).floor() * step, (high / step).ceil() * step];
-        (leans, Axis::linear([low, high, step], r"potential $V$, in $mga$"))
+        (leans, Axis::linear(low, high, step).titled(r"potential $V$, in $mga$"))
     }
 
     /// The potential of the lean as it is now, the level of the energy, and the lean that rolls in it.
@@ -486,7 +486,7 @@ impl Rolled {
         let zero = self.wheel.energy(now) / unit - level;
         let height = |lean: f64| self.wheel.potential(&constants, FRAC_PI_2 - lean) / unit - zero;
         let values = (0..=90).map(|k| {
-            let degrees = leans.from + (leans.to - leans.from) * f64::from(k) / 90.0;
+            let degrees = leans.scale.value(f64::from(k) / 90.0);
             (degrees, height(degrees.to_radians().clamp(-1.57, 1.57)))
         });
         let values: Vec<(f64, f64)> = values.collect();
@@ -496,9 +496,9 @@ impl Rolled {
         let here = (now.lean().to_degrees(), height(now.lean()));
         well.curve([here, (here.0, level)], Stroke::Outline, Hue::Muted);
         well.dot(here, 5.0, Hue::Blue);
-        let end = well.at((leans.to, kick));
+        let end = well.at((leans.scale.to, kick));
         well.drawing().label(end, Side::BelowLeft, r"$E$", Hue::Muted)?;
-        well.grip((leans.to, kick), Hue::Ink);
+        well.grip((leans.scale.to, kick), Hue::Ink);
         Ok(())
     }
 }

@@ -384,17 +384,11 @@ pub(crate) fn nodding(id: &str) -> Outcome {
     let (states, _) = Dop853::new(1e-11)?.sample(free, 0.0, struck.at(0.0)?.to_array(), &times)?;
     let simulated: Vec<Turning> = states.into_iter().map(Turning::from_array).collect();
 
-    let turns = |title: &str| -> Result<Axis, Cause> {
-        let axis = Axis::linear(0.0, 4.0, 1.0)?.minor(0.25);
-        Ok(if title.is_empty() { axis.unlabelled() } else { axis.titled(title) })
-    };
-    let side = |title: &str| -> Result<Axis, Cause> {
-        Ok(Axis::linear(-1.0, 1.0, 1.0)?.marked(&[(-1.0, "−1"), (0.0, "0"), (1.0, "1")]).titled(title))
-    };
+    let (turns, side) = (Axis::linear(0.0, 4.0, 1.0).minor(0.25), Axis::linear(-1.0, 1.0, 1.0));
     let nods = 4.0 * struck.nodding_rate() / SPIN;
     let nodded = format!(r"in the room, $\hat{{\mathbf{{3}}}}$ about $\boldsymbol{{L}}$: ${nods:.1}$ nods");
-    let upper = side(&nodded)?;
-    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 340.0, 130.0), turns("")?, upper)?;
+    let upper = side.titled(&nodded);
+    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 340.0, 130.0), turns.unlabelled(), upper)?;
     let wave = |rate: f64| linear_steps(0.0, 4.0, 800).map(move |t| (t, (rate * t * period).cos()));
     plot.curve("claimed", wave(SPIN), Stroke::DashedCurve, Hue::Muted);
     let exact = linear_steps(0.0, 4.0, 800)
@@ -406,8 +400,8 @@ pub(crate) fn nodding(id: &str) -> Outcome {
     plot.markers(&dots, Marker::Disc, Hue::Blue);
     plot.label((4.06, 1.1), Side::AboveLeft, "dashed: once a turn", Hue::Muted)?;
 
-    let lower = side(r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$: $4$ turns")?;
-    let time = turns("time, turns of the old spin")?;
+    let lower = side.titled(r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$: $4$ turns");
+    let time = turns.titled("time, turns of the old spin");
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 246.0, 340.0, 130.0), time, lower)?;
     let exact = linear_steps(0.0, 4.0, 800)
         .map(|t| Ok((t, on_board(&struck.at(t * period)?.omega_body))))

@@ -124,10 +124,10 @@ impl Layout {
     }
 }
 
-const TIME_AXIS: Axis<'_> = Axis::linear([0.0, DURATION, 10.0], "time, s");
-const NARROW_TIME_AXIS: Axis<'_> = Axis::linear([0.0, DURATION, 20.0], "time, s");
+const TIME_AXIS: Axis<'_> = Axis::linear(0.0, DURATION, 10.0).titled("time, s");
+const NARROW_TIME_AXIS: Axis<'_> = Axis::linear(0.0, DURATION, 20.0).titled("time, s");
 /// Two waves one above the other, and their middles.
-const WAVES_AXIS: Axis<'_> = Axis::linear([1.0, 7.4, 10.0], "");
+const WAVES_AXIS: Axis<'_> = Axis::linear(1.0, 7.4, 10.0);
 const MIDDLES: [f64; 2] = [5.2, 2.1];
 
 fn time_axis(room: Room) -> Axis<'static> {
@@ -287,7 +287,7 @@ impl Nodding {
     /// Where the time of the second blow stands in the graph.
     fn fire_place(&self, layout: &Layout, room: Room) -> Point {
         let axis = time_axis(room);
-        let part = (self.blows.second.time - axis.from) / (axis.to - axis.from);
+        let part = axis.scale.part(self.blows.second.time);
         at(layout.graph.left + part * layout.graph.width(), layout.graph.bottom)
     }
 

@@ -127,8 +127,8 @@ fn draw_problem(
     prefix: &str,
     titles: bool,
 ) -> Result<(), Cause> {
-    let mut error = Axis::log(1e-16, 1.0, 4)?;
-    let mut cost = Axis::log(1e-3, 1e5, 2)?;
+    let mut error = Axis::log(1e-16, 1.0, 4);
+    let mut cost = Axis::log(1e-3, 1e5, 2);
     if titles {
         (error, cost) = (error.titled("largest error"), cost.titled("time, ms"));
     }
@@ -220,8 +220,8 @@ pub(crate) fn speed_dots(id: &str) -> Outcome {
     let count = PROBLEMS.len();
     let marks: Vec<_> =
         PROBLEMS.iter().enumerate().map(|(place, (problem, _))| ((count - place) as f64, *problem)).collect();
-    let ratio = Axis::log(0.5, 1e6, 1)?.titled("time, in that of the library’s best method");
-    let problems = Axis::linear(0.4, count as f64 + 0.6, 1.0)?.marked(&marks);
+    let ratio = Axis::log(0.5, 1e6, 1).titled("time, in that of the library’s best method");
+    let problems = Axis::linear(0.4, count as f64 + 0.6, 1.0).marked(&marks);
     let frame = Rect::new(88.0, 16.0, 286.0, 316.0);
     let mut plot = Plot::new(&mut drawing, frame, ratio, problems)?;
     plot.upright(1.0, Stroke::Dotted);
@@ -284,8 +284,8 @@ pub(crate) fn speed_work(id: &str) -> Outcome {
     for (place, (problem, _)) in PROBLEMS.into_iter().enumerate() {
         let mut drawing = Drawing::new("", 206.0, 220.0);
         let frame = Rect::new(42.0, 44.0, 136.0, 130.0);
-        let mut error = Axis::log(1e-12, 1.0, 4)?;
-        let mut evaluations = Axis::log(1e3, 1e8, 1)?;
+        let mut error = Axis::log(1e-12, 1.0, 4);
+        let mut evaluations = Axis::log(1e3, 1e8, 1);
         if place == 0 {
             (error, evaluations) = (error.titled("largest error"), evaluations.titled("evaluations"));
         }

@@ -313,8 +313,8 @@ fn spin_down_whole(id: &str) -> Outcome {
         "The tilt against time for four laws of loss",
         "The tilt from 0.1 rad to zero over about a hundred seconds, for p of 2, 5/4, 1 and 1/2. All four end at 100 s with an upright tangent, the more suddenly the larger p.",
     );
-    let time = Axis::linear(0.0, 100.0, 25.0)?.minor(5.0).titled("time, s");
-    let tilt = Axis::linear(0.0, 0.1, 0.02)?.minor(0.005).titled(r"tilt $\alpha$, rad");
+    let time = Axis::linear(0.0, 100.0, 25.0).minor(5.0).titled("time, s");
+    let tilt = Axis::linear(0.0, 0.1, 0.02).minor(0.005).titled(r"tilt $\alpha$, rad");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 200.0, 226.0), time, tilt)?;
     for (power, _) in LAWS {
         let down = going_down(power)?;
@@ -341,8 +341,8 @@ fn spin_down_end(id: &str) -> Outcome {
         "Both scales logarithmic: the tilt against the time left, from ten microseconds to 100 s. Four straight lines with the slopes 1/3, 4/9, 1/2 and 2/3. A dot on each marks where the fall would \
          outrun g: for p = 2 at a millisecond and a half, for p = 1/2 at ninety microseconds.",
     );
-    let left = Axis::log(1e-5, 100.0, 2)?.titled("time left, s");
-    let tilt = Axis::log(1e-6, 0.1, 1)?.titled(r"tilt $\alpha$, rad");
+    let left = Axis::log(1e-5, 100.0, 2).titled("time left, s");
+    let tilt = Axis::log(1e-6, 0.1, 1).titled(r"tilt $\alpha$, rad");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 196.0, 226.0), left, tilt)?;
     for (power, name) in LAWS {
         let down = going_down(power)?;
@@ -370,9 +370,8 @@ pub(crate) fn circle_opens(id: &str) -> Outcome {
         "The radius of the centre's circle, in thousandths of the radius of the disk, against the tilt from 0 to 0.1. From zero at 0.1 it grows, as the tilt falls, to 2.1 at a tilt of 0.04, and \
          goes back to zero with the tilt; ten dots on it are ten seconds apart. The motion with its film of air and the law of slow sinking agree.",
     );
-    let tilt = Axis::linear(0.0, 0.1, 0.02)?.minor(0.005).titled(r"tilt $\alpha$, rad");
-    let radius =
-        Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled(r"radius of the centre’s circle, in $a/1000$");
+    let tilt = Axis::linear(0.0, 0.1, 0.02).minor(0.005).titled(r"tilt $\alpha$, rad");
+    let radius = Axis::linear(0.0, 2.5, 0.5).minor(0.1).titled(r"radius of the centre’s circle, in $a/1000$");
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 246.0), tilt, radius)?;
     let disk = EulersDisk::in_air(disc(0.1)?.parameters(), 1.78e-5)?;
     let sinking = disk.sinking(disk.steady(0.1)?, &Taylor::new(1e-12)?)?;

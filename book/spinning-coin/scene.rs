@@ -207,8 +207,8 @@ impl Layout {
 }
 
 /// The axes of the rates.
-const TILTS: Axis<'_> = Axis::log([1e-7, 1.6, 2.0], r"tilt $\alpha$, rad");
-const RATES: Axis<'_> = Axis::log([1e-4, 1e5, 3.0], "rate, rad/s");
+const TILTS: Axis<'_> = Axis::log(1e-7, 1.6, 2).titled(r"tilt $\alpha$, rad");
+const RATES: Axis<'_> = Axis::log(1e-4, 1e5, 3).titled("rate, rad/s");
 
 impl Spinning {
     fn draw_stage(&self, moment: &Moment, now: &Now, drawing: &mut Drawing) -> Result<(), Cause> {

@@ -500,8 +500,8 @@ pub(crate) fn possible_moments(id: &str) -> Outcome {
         sorted.sort_by(f64::total_cmp);
         (sorted[0] / sorted[2], sorted[1] / sorted[2])
     };
-    let first = Axis::linear(0.0, 1.0, 0.5)?.minor(0.1).titled("$I_1/I_3$");
-    let second = Axis::linear(0.0, 1.0, 0.5)?.minor(0.1).titled("$I_2/I_3$, where $I_3$ is the largest");
+    let first = Axis::linear(0.0, 1.0, 0.5).minor(0.1).titled("$I_1/I_3$");
+    let second = Axis::linear(0.0, 1.0, 0.5).minor(0.1).titled("$I_2/I_3$, where $I_3$ is the largest");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 40.0, 300.0, 300.0), first, second)?;
     let corners = [(0.0, 1.0), (1.0, 0.0), (1.0, 1.0)].map(|corner| plot.at(corner));
     plot.drawing().polygon(corners.to_vec(), Fill::Ground, Hue::Blue);

@@ -293,8 +293,8 @@ impl Throw {
         let window = moment.room.of(DURATION, 0.5 * DURATION);
         let from = window * (moment.time / window).floor().clamp(0.0, DURATION / window - 1.0);
         let frame = moment.room.of(Rect::new(40.0, 394.0, 580.0, 44.0), Rect::new(40.0, 624.0, 322.0, 44.0));
-        let time = Axis::linear([from, from + window, 0.5], "time, s");
-        let mut graph = Graph::new(drawing, frame, time, Axis::linear([-1.0, 1.0, 2.0], ""))?;
+        let time = Axis::linear(from, from + window, 0.5).titled("time, s");
+        let mut graph = Graph::new(drawing, frame, time, Axis::linear(-1.0, 1.0, 2.0))?;
         let [_, spin] = self.rates();
         let is_turning = spin > 0.0;
         if is_turning {
@@ -343,8 +343,8 @@ impl Throw {
 
 /// The plane of the arrows: its frame on the page, spin about a diameter to the right and about the axis upwards.
 fn plane(room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
-    let x = Axis::linear([0.0, MOST, 5.0], r"$\omega_1$, rad/s");
-    let y = Axis::linear([0.0, 2.0 * MOST, 10.0], r"along $\hat{\mathbf{3}}$, rad/s");
+    let x = Axis::linear(0.0, MOST, 5.0).titled(r"$\omega_1$, rad/s");
+    let y = Axis::linear(0.0, 2.0 * MOST, 10.0).titled(r"along $\hat{\mathbf{3}}$, rad/s");
     (room.of(Rect::new(450.0, 40.0, 130.0, 260.0), Rect::new(130.0, 366.0, 90.0, 180.0)), x, y)
 }
 

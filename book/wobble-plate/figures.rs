@@ -286,8 +286,8 @@ fn heights() -> Outcome {
     );
     let engine = with_pistons(plate(TILT)?, 4, 1.0)?;
     let stroke = engine.pistons().distance() * engine.plate().tilt().tan();
-    let phase = Axis::linear(0.0, 360.0, 90.0)?.minor(30.0).titled(r"phase $\omega t$, degrees");
-    let height = Axis::linear(-1.2, 1.2, 0.5)?.minor(0.1).titled(r"height over $r\tan\alpha$");
+    let phase = Axis::linear(0.0, 360.0, 90.0).minor(30.0).titled(r"phase $\omega t$, degrees");
+    let height = Axis::linear(-1.2, 1.2, 0.5).minor(0.1).titled(r"height over $r\tan\alpha$");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 70.0, 250.0, 240.0), phase, height)?;
     plot.level(0.0, Stroke::Reference);
     for (n, place, side) in [
@@ -330,8 +330,8 @@ pub(crate) fn residual(id: &str) -> Outcome {
         );
         let step = room.of(0.5, 0.5);
         let mass =
-            Axis::linear(0.0, 2.0, step)?.minor(0.1).titled("mass of all pistons, in units of what balances");
-        let torque = Axis::linear(0.0, 40.0, 10.0)?.minor(2.0).titled("torque on the frame, N·m");
+            Axis::linear(0.0, 2.0, step).minor(0.1).titled("mass of all pistons, in units of what balances");
+        let torque = Axis::linear(0.0, 40.0, 10.0).minor(2.0).titled("torque on the frame, N·m");
         let frame = Rect::new(52.0, 34.0, room.of(580.0, 320.0), 260.0);
         let mut plot = Plot::new(&mut drawing, frame, mass, torque)?;
         let ends = |limit: f64| 40.0_f64.min(limit);
@@ -383,9 +383,9 @@ pub(crate) fn sharing(id: &str) -> Outcome {
             push * engine.contact(n, phase).dot(&uphill) / unit
         };
         let mut drawing = Drawing::new("", 340.0, 330.0).titled(title, description);
-        let phase = Axis::linear(0.0, 360.0, 90.0)?.minor(30.0).titled(r"phase $\omega t$, degrees");
+        let phase = Axis::linear(0.0, 360.0, 90.0).minor(30.0).titled(r"phase $\omega t$, degrees");
         let torque =
-            Axis::linear(0.0, 2.2, 0.5)?.minor(0.1).titled(r"steepening over $mr^2\omega^2\tan\alpha$");
+            Axis::linear(0.0, 2.2, 0.5).minor(0.1).titled(r"steepening over $mr^2\omega^2\tan\alpha$");
         let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 52.0, 270.0, 200.0), phase, torque)?;
         let degrees = || linear_steps(0.0, 360.0, 240);
         for n in 1..=if count == 2 { 1 } else { count } {
@@ -469,8 +469,8 @@ pub(crate) fn any_thickness(id: &str) -> Outcome {
              from 1.68 kilograms to nothing at the root of three, 1.73, where a dot marks it, and runs on below zero as a dashed curve. Above it \
              four tilted plates from the side: a thin one, one as thick as its radius, one of 1.73 radii, and one of 2.3, on their shafts.",
         );
-        let thickness = Axis::linear(0.0, 2.4, 0.4)?.minor(0.1).titled(r"thickness of the plate, $h/R$");
-        let mass = Axis::linear(-1.5, 3.0, 0.5)?.minor(0.1).titled("mass of all pistons, kg");
+        let thickness = Axis::linear(0.0, 2.4, 0.4).minor(0.1).titled(r"thickness of the plate, $h/R$");
+        let mass = Axis::linear(-1.5, 3.0, 0.5).minor(0.1).titled("mass of all pistons, kg");
         let frame = Rect::new(56.0, 34.0, room.of(576.0, 316.0), 290.0);
         let mut plot = Plot::new(&mut drawing, frame, thickness, mass)?;
         plot.level(0.0, Stroke::Reference);
@@ -521,8 +521,8 @@ pub(crate) fn any_faults(id: &str) -> Outcome {
          round a circle of radius ten, counter-clockwise. With one of them a tenth too heavy it goes to and fro on an upright line through the middle, to 6.7 on either side. With one 6 degrees from its place it runs \
          clockwise round a circle of radius seven.",
     );
-    let side = || Axis::linear(-12.0, 12.0, 4.0).map(|axis| axis.minor(1.0));
-    let (x, y) = (side()?.titled(r"$\tau_x$, %"), side()?.titled(r"$\tau_y$, %"));
+    let side = Axis::linear(-12.0, 12.0, 4.0).minor(1.0);
+    let (x, y) = (side.titled(r"$\tau_x$, %"), side.titled(r"$\tau_y$, %"));
     let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 300.0, 300.0), x, y)?;
     for (name, values) in [("all-heavy", &all), ("one-heavy", &one), ("one-aside", &aside)] {
         plot.curve(name, values.iter().copied(), Stroke::Curve, Hue::Purple);

@@ -125,8 +125,8 @@ impl Layout {
     }
 }
 
-const MASS_AXIS: Axis<'_> = Axis::linear([0.0, 3.4, 1.0], "all pistons, kg");
-const TORQUE_AXIS: Axis<'_> = Axis::linear([0.0, 50.0, 20.0], "torque on the frame, N·m");
+const MASS_AXIS: Axis<'_> = Axis::linear(0.0, 3.4, 1.0).titled("all pistons, kg");
+const TORQUE_AXIS: Axis<'_> = Axis::linear(0.0, 50.0, 20.0).titled("torque on the frame, N·m");
 
 fn plate(tilt: f64, thickness: f64) -> Result<Plate, Cause> {
     let parameters = PlateParameters { mass: PLATE_MASS, radius: RADIUS, thickness, tilt };
@@ -434,8 +434,8 @@ impl Shaking {
     fn mass_grip(&self, layout: &Layout, phase: f64) -> Point {
         let Rect { left, top, right, bottom } = layout.graph;
         let torque = self.engine.frame_torque(phase, self.spin).norm();
-        let part = (torque / TORQUE_AXIS.to).min(1.0);
-        at(left + self.mass / MASS_AXIS.to * (right - left), bottom - part * (bottom - top))
+        let part = (torque / TORQUE_AXIS.scale.to).min(1.0);
+        at(left + self.mass / MASS_AXIS.scale.to * (right - left), bottom - part * (bottom - top))
     }
 
     fn phase(&self, time: f64) -> f64 {

@@ -116,16 +116,16 @@ pub(crate) fn italic(c: char) -> char {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use read_fonts::types::GlyphId;
+    use read_fonts::{FontRef, TableProvider};
     use std::fs;
 
     /// The characters of a font.
     fn held(font: &[u8]) -> BTreeSet<char> {
-        let cmap = ttf_parser::Face::parse(font, 0).unwrap().tables().cmap.unwrap();
-        let mut held = BTreeSet::new();
-        for table in cmap.subtables.into_iter().filter(ttf_parser::cmap::Subtable::is_unicode) {
-            table.codepoints(|code| held.extend(char::from_u32(code)));
-        }
-        held
+        let cmap = FontRef::new(font).unwrap().cmap().unwrap();
+        let (_, _, table) = cmap.best_subtable().expect("a table of Unicode");
+        let shown = table.iter().filter(|(_, glyph)| *glyph != GlyphId::NOTDEF); // its end mark has no glyph
+        shown.filter_map(|(code, _)| char::from_u32(code)).collect()
     }
 
     #[test]

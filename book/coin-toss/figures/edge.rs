@@ -89,8 +89,8 @@ fn against_thickness() -> Outcome {
          straight lines. The upper, for a coin in any attitude, reaches one third at 0.354; the lower, for a \
          coin that tumbles about a level axis, at 0.577. A nickel, at 0.092, has 0.092 and 0.058.",
     );
-    let thickness = Axis::linear(0.0, 1.0, 0.2)?.minor(0.05).titled("thickness over diameter, $h/2a$");
-    let chance = Axis::linear(0.0, 0.8, 0.2)?.minor(0.05).titled("chance of the edge");
+    let thickness = Axis::linear(0.0, 1.0, 0.2).minor(0.05).titled("thickness over diameter, $h/2a$");
+    let chance = Axis::linear(0.0, 0.8, 0.2).minor(0.05).titled("chance of the edge");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 254.0, 232.0), thickness, chance)?;
     plot.level(1.0 / 3.0, Stroke::Reference);
     let tumble = leaning(90.0)?;
@@ -122,8 +122,8 @@ fn against_angle() -> Result<Drawing, Cause> {
          degrees, rises to a sharp peak of 0.27 at 47.6 degrees, and falls to 0.058 at 90 degrees, a tumble. \
          The dashed curve of the limit of thin coins joins it on the right of the peak.",
     );
-    let angle = Axis::linear(40.0, 90.0, 10.0)?.minor(5.0).titled(r"$\psi$, degrees");
-    let chance = Axis::linear(0.0, 0.4, 0.1)?.minor(0.02).titled("chance of the edge, nickel");
+    let angle = Axis::linear(40.0, 90.0, 10.0).minor(5.0).titled(r"$\psi$, degrees");
+    let chance = Axis::linear(0.0, 0.4, 0.1).minor(0.02).titled("chance of the edge, nickel");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 254.0, 232.0), angle, chance)?;
     let sine = edge_at_random(coin(NICKEL))?;
     // The borders, where the curve has corners: the lowest normal, cos 2ψ, is ±sin β.

@@ -31,8 +31,8 @@ pub(crate) fn locked(id: &str) -> Outcome {
              and leaves the plot after a quarter of a second. The free motion swings about the steady radius and comes \
              back to it within two seconds.",
         );
-        let time = Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled("time, s");
-        let radius = Axis::linear(0.0, 5.0, 1.0)?.minor(0.5).titled("distance of the shaft from $O$, $r/b$");
+        let time = Axis::linear(0.0, 2.5, 0.5).minor(0.1).titled("time, s");
+        let radius = Axis::linear(0.0, 5.0, 1.0).minor(0.5).titled("distance of the shaft from $O$, $r/b$");
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 234.0);
         let mut plot = Plot::new(&mut drawing, frame, time, radius)?;
         plot.level(steady.radius() / b, Stroke::Reference);

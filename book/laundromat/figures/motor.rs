@@ -36,8 +36,8 @@ pub(crate) fn motor_line(id: &str) -> Outcome {
              Two more lines, broken, end at 40 too. The upper starts at 7.5 and touches the hill at its top, the lower \
              starts at 0.84 and touches the floor of the valley at 18.",
         );
-        let spin = Axis::linear(0.0, IDLE, 10.0)?.minor(2.0).titled(r"spin $\dot\phi$, rad/s");
-        let torque = Axis::linear(0.0, 8.0, 2.0)?.minor(0.5).titled("torque, N·m");
+        let spin = Axis::linear(0.0, IDLE, 10.0).minor(2.0).titled(r"spin $\dot\phi$, rad/s");
+        let torque = Axis::linear(0.0, 8.0, 2.0).minor(0.5).titled("torque, N·m");
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 292.0);
         let mut plot = Plot::new(&mut drawing, frame, spin, torque)?;
         plot.curve("shaking", shaking.iter().copied(), Stroke::Curve, Hue::Orange);
@@ -104,8 +104,8 @@ pub(crate) fn motor_hysteresis(id: &str) -> Outcome {
              lower branch to its end and then on the upper. Crosses, while it is lowered, lie on the upper branch back to 1, and then on the lower.",
         );
         let torque =
-            Axis::linear(0.0, 9.0, 1.0)?.titled(r"stall torque of the motor $\tau_\text{stall}$, N·m");
-        let spin = Axis::linear(0.0, 40.0, 10.0)?.minor(2.0).titled(r"spin $\dot\phi$, rad/s");
+            Axis::linear(0.0, 9.0, 1.0).titled(r"stall torque of the motor $\tau_\text{stall}$, N·m");
+        let spin = Axis::linear(0.0, 40.0, 10.0).minor(2.0).titled(r"spin $\dot\phi$, rad/s");
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 312.0);
         let mut plot = Plot::new(&mut drawing, frame, torque, spin)?;
         plot.curve("stuck", stuck.iter().copied(), Stroke::Outline, Hue::Muted);

@@ -46,8 +46,8 @@ pub(crate) fn polar_fault(id: &str) -> Outcome {
              coordinates the error grows from below 1e-9 at ten centimetres to almost 1e-2 at half a millimetre; nearer to O the \
              program returned no number. In x and y it is 3e-11 at every distance.",
         );
-        let distance = Axis::log(1e-5, 1e-1, 1)?.titled("distance of the pass from $O$, m");
-        let error = Axis::log(1e-12, 1.0, 2)?.titled("error of the position after the pass, m");
+        let distance = Axis::log(1e-5, 1e-1, 1).titled("distance of the pass from $O$, m");
+        let error = Axis::log(1e-12, 1.0, 2).titled("error of the position after the pass, m");
         let mut plot =
             Plot::new(&mut drawing, Rect::new(62.0, 34.0, room.of(576.0, 312.0), 274.0), distance, error)?;
         plot.upright(speed * step, Stroke::Dotted);
@@ -87,8 +87,8 @@ pub(crate) fn eigenvalues(id: &str) -> Outcome {
     let mut drawn = Vec::new();
     for (panel, name, matrix, words) in panels {
         let mut drawing = Drawing::new("", 350.0, 440.0).titled("Eigenvalues as the spin grows", words);
-        let real = Axis::linear(-0.4, 0.2, 0.2)?.minor(0.1).titled(r"$\text{Re}\,\lambda/\omega_0$");
-        let imaginary = Axis::linear(-4.2, 4.2, 2.0)?.minor(1.0).titled(r"$\text{Im}\,\lambda/\omega_0$");
+        let real = Axis::linear(-0.4, 0.2, 0.2).minor(0.1).titled(r"$\text{Re}\,\lambda/\omega_0$");
+        let imaginary = Axis::linear(-4.2, 4.2, 2.0).minor(1.0).titled(r"$\text{Im}\,\lambda/\omega_0$");
         let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 54.0, 246.0, 334.0), real, imaginary)?;
         plot.region((0.0, -4.2), (0.2, 4.2), Hue::Orange);
         plot.reference((0.0, -4.2), (0.0, 4.2), Stroke::Outline);

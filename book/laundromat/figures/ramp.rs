@@ -47,8 +47,8 @@ pub(crate) fn start(id: &str) -> Outcome {
          while the drum speeds up evenly to 310 turns a minute in 13 seconds. It is small at first, swells to more than five centimetres \
          at five seconds, and shrinks to nearly two centimetres, ever faster.",
     );
-    let time = Axis::linear(0.0, end, 5.0)?.minor(1.0).titled("time, s");
-    let swing = Axis::linear(-6.0, 6.0, 2.0)?.minor(1.0).titled("displacement to one side, cm");
+    let time = Axis::linear(0.0, end, 5.0).minor(1.0).titled("time, s");
+    let swing = Axis::linear(-6.0, 6.0, 2.0).minor(1.0).titled("displacement to one side, cm");
     let mut plot = Plot::new(&mut trace, Rect::new(44.0, 34.0, 276.0, 244.0), time, swing)?;
     plot.level(0.0, Stroke::Dotted);
     let side = |way: Vec<(f64, Complex<f64>)>| way.into_iter().map(|(t, z)| (t, z.re)).collect::<Values>();
@@ -82,10 +82,10 @@ pub(crate) fn ramp(id: &str) -> Outcome {
              three rates. All three follow the curve of the steady motion at first. The slowest ramp reaches 29 at a spin of 1.06, the next \
              13 at 1.2, the fastest 5 at 1.7, and each then beats with the load, ever faster and ever less.",
         );
-        let spin = Axis::linear(0.0, 2.5, 0.5)?.minor(0.1).titled(r"spin reached $\dot\phi/\omega_0$");
+        let spin = Axis::linear(0.0, 2.5, 0.5).minor(0.1).titled(r"spin reached $\dot\phi/\omega_0$");
         let title =
             room.of("distance of the shaft from $O$, in units of $b$", "distance from $O$, in units of $b$");
-        let radius = Axis::linear(0.0, 30.0, 10.0)?.minor(2.0).titled(title);
+        let radius = Axis::linear(0.0, 30.0, 10.0).minor(2.0).titled(title);
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 312.0);
         let mut plot = Plot::new(&mut drawing, frame, spin, radius)?;
         plot.upright(1.0, Stroke::Dotted);
@@ -137,8 +137,8 @@ pub(crate) fn ramp_map(id: &str) -> Outcome {
              then runs straight down. The half above the diagonal is called the damper's, that below the motor's. Three \
              rings near the lower edge, at the damping 0.02, are the ramps of the figure before.",
         );
-        let acceleration = Axis::log(slowest, quickest, 1)?.titled(r"acceleration $\alpha/\omega_0^2$");
-        let damping = Axis::log(lightest, heaviest, 1)?.titled(r"damping $\Gamma/\omega_0$");
+        let acceleration = Axis::log(slowest, quickest, 1).titled(r"acceleration $\alpha/\omega_0^2$");
+        let damping = Axis::log(lightest, heaviest, 1).titled(r"damping $\Gamma/\omega_0$");
         let mut plot = Plot::new(
             &mut drawing,
             Rect::new(58.0, 34.0, room.of(580.0, 316.0), 384.0),
@@ -259,8 +259,8 @@ pub(crate) fn cornu(id: &str) -> Outcome {
         "The largest swing over the swing that is left behind, from 1.1 to 1.3, against the root of the acceleration over the natural frequency, from 0 to \
          0.2. The curve begins at 1.17 and rises to 1.3 along a straight broken line, which it leaves by a hair at the right.",
     );
-    let root = Axis::linear(0.0, 0.2, 0.1)?.minor(0.02).titled(r"$\sqrt\alpha/\omega_0$");
-    let factor = Axis::linear(1.1, 1.3, 0.1)?.minor(0.02).titled("largest swing over what is left");
+    let root = Axis::linear(0.0, 0.2, 0.1).minor(0.02).titled(r"$\sqrt\alpha/\omega_0$");
+    let factor = Axis::linear(1.1, 1.3, 0.1).minor(0.02).titled("largest swing over what is left");
     let mut plot = Plot::new(&mut right, Rect::new(58.0, 34.0, 262.0, 244.0), root, factor)?;
     let line = [0.0, 0.2].map(|root| (root, limit + 0.75 * FRAC_PI_2.sqrt().recip() * root));
     plot.curve("line", line, Stroke::DashedCurve, Hue::Orange);

@@ -24,13 +24,13 @@ pub(crate) fn steady(id: &str) -> Outcome {
              it rises from 0 to 180 degrees, steeply for small damping, and all four curves pass 90 degrees at the natural \
              frequency.",
         );
-        let spin = || Axis::linear(0.0, 3.0, room.of(0.5, 1.0)).map(|axis| axis.minor(0.1));
+        let spin = Axis::linear(0.0, 3.0, room.of(0.5, 1.0)).minor(0.1);
         let width = room.of(580.0, 316.0);
         let upper = Rect::new(58.0, 34.0, width, 262.0);
         let lower = Rect::new(58.0, 356.0, width, 152.0);
 
-        let radius = Axis::linear(0.0, 5.5, 1.0)?.minor(0.5).titled(r"radius of the shaft’s circle $r_0/b$");
-        let mut plot = Plot::new(&mut drawing, upper, spin()?.unlabelled(), radius)?;
+        let radius = Axis::linear(0.0, 5.5, 1.0).minor(0.5).titled(r"radius of the shaft’s circle $r_0/b$");
+        let mut plot = Plot::new(&mut drawing, upper, spin.unlabelled(), radius)?;
         if room == Room::Wide {
             plot.upright(1.0, Stroke::Dotted); // on a phone two labels stand there
         }
@@ -46,13 +46,10 @@ pub(crate) fn steady(id: &str) -> Outcome {
         plot.label((1.75, 0.9), Side::Below, "$1.4$", Hue::Pink)?;
         plot.label((0.03, 1.0), Side::AboveRight, "$r_0 = b$", Hue::Muted)?;
 
-        let lead = Axis::linear(0.0, 180.0, 90.0)?.minor(30.0).marked(&[
-            (0.0, "0°"),
-            (90.0, "90°"),
-            (180.0, "180°"),
-        ]);
+        let lead =
+            Axis::linear(0.0, 180.0, 90.0).minor(30.0).marked(&[(0.0, "0°"), (90.0, "90°"), (180.0, "180°")]);
         let lead = lead.titled(r"lead of the load $\phi_0$");
-        let mut plot = Plot::new(&mut drawing, lower, spin()?.titled(r"spin $\Omega/\omega_0$"), lead)?;
+        let mut plot = Plot::new(&mut drawing, lower, spin.titled(r"spin $\Omega/\omega_0$"), lead)?;
         plot.upright(1.0, Stroke::Dotted);
         plot.level(90.0, Stroke::Dotted);
         for (damping, hue) in DAMPINGS {
@@ -85,9 +82,9 @@ pub(crate) fn centring(id: &str) -> Outcome {
              thousand natural frequencies: the true radius falls as one over the spin, that of the spring alone as one over its square.",
         );
         let width = room.of(580.0, 316.0);
-        let spin = Axis::linear(0.0, 3.0, room.of(0.5, 1.0))?.minor(0.1).titled(r"spin $\Omega/\omega_0$");
+        let spin = Axis::linear(0.0, 3.0, room.of(0.5, 1.0)).minor(0.1).titled(r"spin $\Omega/\omega_0$");
         let radius =
-            Axis::linear(0.0, 3.4, 1.0)?.minor(0.5).titled(r"radius of the centre of mass $r_\text{cm}/b$");
+            Axis::linear(0.0, 3.4, 1.0).minor(0.5).titled(r"radius of the centre of mass $r_\text{cm}/b$");
         let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 34.0, width, 230.0), spin, radius)?;
         plot.upright(SQRT_2, Stroke::Dotted);
         for (damping, _) in [DAMPINGS[1], DAMPINGS[3]] {
@@ -112,8 +109,8 @@ pub(crate) fn centring(id: &str) -> Outcome {
         plot.label((2.6, 0.56), Side::Above, "$1.4$", Hue::Pink)?;
         plot.label((0.62, 0.4), Side::Over, "spring alone", Hue::Muted)?;
 
-        let spin = Axis::log(1.0, 1000.0, 1)?.titled(r"spin $\Omega/\omega_0$");
-        let radius = Axis::log(1e-6, 10.0, 2)?.titled(r"$r_\text{cm}/b$ at high spin");
+        let spin = Axis::log(1.0, 1000.0, 1).titled(r"spin $\Omega/\omega_0$");
+        let radius = Axis::log(1e-6, 10.0, 2).titled(r"$r_\text{cm}/b$ at high spin");
         let mut plot = Plot::new(&mut drawing, Rect::new(58.0, 348.0, width, 204.0), spin, radius)?;
         let high = |damping: f64, quantity: &dyn Fn(&Machine) -> Result<f64, InvalidQuantity>| {
             log_steps(1.0, 1000.0, 900)
@@ -163,8 +160,8 @@ pub(crate) fn floor_force(id: &str) -> Outcome {
              three tenths, it has a peak of 176, is least with 74 newtons at 25 radians a second, marked by a dot, and climbs back to 197. \
              For a damping of one the peak is lowest and the climb steepest.",
         );
-        let spin = Axis::linear(0.0, 125.0, room.of(25.0, 25.0))?.minor(5.0).titled(r"spin $\Omega$, rad/s");
-        let newtons = Axis::linear(0.0, 400.0, 100.0)?.minor(20.0).titled("force on the floor, N");
+        let spin = Axis::linear(0.0, 125.0, room.of(25.0, 25.0)).minor(5.0).titled(r"spin $\Omega$, rad/s");
+        let newtons = Axis::linear(0.0, 400.0, 100.0).minor(20.0).titled("force on the floor, N");
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 272.0);
         let mut plot = Plot::new(&mut drawing, frame, spin, newtons)?;
         plot.upright(NATURAL, Stroke::Dotted);
@@ -200,8 +197,8 @@ pub(crate) fn torque(id: &str) -> Outcome {
              is none: the torque keeps \
              growing with the spin.",
         );
-        let spin = Axis::linear(0.0, 3.0, room.of(0.5, 1.0))?.minor(0.1).titled(r"spin $\Omega/\omega_0$");
-        let torque = Axis::linear(0.0, 4.5, 1.0)?.minor(0.5).titled(r"torque of the motor $\tau$, N·m");
+        let spin = Axis::linear(0.0, 3.0, room.of(0.5, 1.0)).minor(0.1).titled(r"spin $\Omega/\omega_0$");
+        let torque = Axis::linear(0.0, 4.5, 1.0).minor(0.5).titled(r"torque of the motor $\tau$, N·m");
         let frame = Rect::new(58.0, 34.0, room.of(580.0, 316.0), 244.0);
         let mut plot = Plot::new(&mut drawing, frame, spin, torque)?;
         for (damping, hue) in DAMPINGS {

@@ -84,8 +84,8 @@ pub(crate) fn whirl_growth(id: &str) -> Outcome {
              it rises through zero at 4, with as much on board at 2, and with all of it on board at 1, from minus 0.15 to 0.58 at the right edge. \
              A broken line, for a damper that feels only the radius, passes zero at 1 too but rises half as steeply at first.",
         );
-        let spin = Axis::linear(0.0, most, 1.0)?.minor(0.5).titled(r"spin $\Omega/\omega_0$");
-        let rate = Axis::linear(-0.4, 0.6, 0.2)?.minor(0.1).titled(r"growth rate over $\omega_0$");
+        let spin = Axis::linear(0.0, most, 1.0).minor(0.5).titled(r"spin $\Omega/\omega_0$");
+        let rate = Axis::linear(-0.4, 0.6, 0.2).minor(0.1).titled(r"growth rate over $\omega_0$");
         let frame = Rect::new(62.0, 34.0, room.of(576.0, 312.0), 342.0);
         let mut plot = Plot::new(&mut drawing, frame, spin, rate)?;
         plot.region((0.0, 0.0), (most, 0.6), Hue::Orange);

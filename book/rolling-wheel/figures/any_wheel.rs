@@ -30,8 +30,8 @@ pub(crate) fn tip_of_shape(id: &str) -> Outcome {
          towards larger I1 the tip is higher. Above the straight line I3 = 2 I1, on which the flat wheels hoop, coin and wheel with a heavy hub lie and next to which lies the wheel of a \
          bicycle, there are no bodies. A thick disc and a ball lie a little to the right of the line, a disc with weights on its axle far to the right.",
     );
-    let across = Axis::log(0.02, 4.0, 1)?.titled("$I_1$, about a diameter, in $ma^2$");
-    let along = Axis::log(0.05, 2.0, 1)?.titled("$I_3$, about the axle, in $ma^2$");
+    let across = Axis::log(0.02, 4.0, 1).titled("$I_1$, about a diameter, in $ma^2$");
+    let along = Axis::log(0.05, 2.0, 1).titled("$I_3$, about the axle, in $ma^2$");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 320.0, 262.0), across, along)?;
     let corners = [(0.02, 0.05), (0.025, 0.05), (1.0, 2.0), (0.02, 2.0)].map(|corner| plot.at(corner));
     plot.drawing().polygon(corners.to_vec(), Fill::Ground, Hue::Ink);
@@ -95,8 +95,8 @@ pub(crate) fn ways_down(id: &str) -> Outcome {
          right, from straight rolling, and climb to the left over the tongue; three come from the left, from spinning upright, go out to a third of a radius and turn back. Between the two sheaves thin lines \
          begin on the edge of the tongue. No line leads into it. A full motion from one degree first runs along its line and then swings about it.",
     );
-    let b = Axis::log(0.01, 100.0, 1)?.titled("radius of the centre’s circle $b/a$");
-    let lean = Axis::linear(0.0, 80.0, 20.0)?.minor(5.0).titled(r"lean $\theta$, degrees");
+    let b = Axis::log(0.01, 100.0, 1).titled("radius of the centre’s circle $b/a$");
+    let lean = Axis::linear(0.0, 80.0, 20.0).minor(5.0).titled(r"lean $\theta$, degrees");
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 272.0), b, lean)?;
     let disc = wheel(MomentFactors::DISK)?;
     let shown = |&(b, lean): &(f64, f64)| (0.01..=100.0).contains(&b) && lean <= 80.0;

@@ -30,8 +30,8 @@ pub(crate) fn four_exponents(id: &str) -> Outcome {
         "The exponent against the tilt, from a millionth to a tenth, on a logarithmic scale. Four curves lie on the dashed levels 1/3, 4/9, 1/2 and 2/3 from the right, where the motion \
          begins, and turn up one after the other: for p = 2 at some five thousandths, for p = 1/2 at some forty millionths. A pink dot below each marks where the law would fall with g.",
     );
-    let tilt = Axis::log(1e-6, 0.1, 1)?.titled(r"tilt $\alpha$, rad");
-    let exponent = Axis::linear(0.0, 1.0, 0.2)?.minor(0.05).titled("exponent of the tilt");
+    let tilt = Axis::log(1e-6, 0.1, 1).titled(r"tilt $\alpha$, rad");
+    let exponent = Axis::linear(0.0, 1.0, 0.2).minor(0.05).titled("exponent of the tilt");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 325.0, 246.0), tilt, exponent)?;
     for (power, name) in LAWS {
         let law = 1.0 / (power + 1.0);
@@ -72,8 +72,8 @@ fn support(id: &str) -> Outcome {
         "The support, in weights, against the tilt, in units of that at which each law falls with g, from 0.5 to 10. By the laws, dashed, it goes down through zero at one. In the motions it dips \
          to 0.73 for p = 2, and less for smaller p, and rises above one again; all stay above the bound, a fifth.",
     );
-    let tilt = Axis::log(0.1, 10.0, 1)?.titled("tilt, where the law falls with $g$: 1");
-    let weight = Axis::linear(0.0, 2.0, 0.5)?.minor(0.1).titled("support, in weights");
+    let tilt = Axis::log(0.1, 10.0, 1).titled("tilt, where the law falls with $g$: 1");
+    let weight = Axis::linear(0.0, 2.0, 0.5).minor(0.1).titled("support, in weights");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 200.0, 226.0), tilt, weight)?;
     for (power, _) in LAWS {
         let (_, last) = law_ends(power)?;
@@ -102,8 +102,8 @@ fn contact(id: &str) -> Outcome {
         "The speed of the contact, in speeds of sound, against the tilt, both logarithmic. The law of slow sinking, dashed, is one straight line for all losses and passes Mach 1 at twelve \
          millionths. The four motions leave it one after the other, p = 2 first, and turn down: none reaches Mach 1.",
     );
-    let tilt = Axis::log(1e-6, 0.1, 1)?.titled(r"tilt $\alpha$, rad");
-    let mach = Axis::log(0.01, 10.0, 1)?.titled("contact, in speeds of sound");
+    let tilt = Axis::log(1e-6, 0.1, 1).titled(r"tilt $\alpha$, rad");
+    let mach = Axis::log(0.01, 10.0, 1).titled("contact, in speeds of sound");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 196.0, 226.0), tilt, mach)?;
     let steady = log_steps(1e-6, 0.1, 80)
         .map(|tilt| Ok((tilt, disc(tilt)?.contact_speed() / SOUND)))

@@ -1,26 +1,23 @@
 //! The curves of the free tops, read back from the SVG, lie on formulas that are
 //! written out here.
 
-use crate::{PIXELS, curve, figures, lies_on};
+use crate::{PIXELS, curve, find, lies_on, lines, parts};
 use drawing::space::View;
 use drawing::{Drawing, Fill, Hue, Piece, Point, Role, Shape, Stroke, at};
+use mechanics::inertia::Body;
+use mechanics::integrate::Dop853;
+use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
+use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
-
-/// The lines of a hue and a stroke.
-fn lines(drawing: &Drawing, wanted: (Stroke, Hue)) -> Vec<Vec<Point>> {
-    let is_wanted = |role: Role| matches!(role, Role::Line(stroke, hue) if (stroke, hue) == wanted);
-    drawing.items().iter().filter(|item| is_wanted(item.role)).map(|item| item.shape.points()).collect()
-}
 
 #[test]
 fn the_circles_are_blue_down_to_the_equator_and_no_further() {
-    let figure = figures().iter().find(|figure| figure.id == "fig:above").expect("the circles");
-    let parts = figure.drawing.parts();
-    let [edge_on, face_on] = parts[..] else { panic!("two drawings") };
+    let [edge_on, face_on] = parts("above")[..] else { panic!("two drawings") };
     // Edge-on: chords of the sphere, from the pole to 2ψ, the part above the equator in blue.
-    let [blue, grey] = [Hue::Blue, Hue::Muted].map(|hue| lines(edge_on, (Stroke::Curve, hue)));
+    let [blue, grey] = [Hue::Blue, Hue::Muted].map(|hue| lines(edge_on, Stroke::Curve, hue));
     let pole = blue[0][0];
-    let south = grey.iter().flatten().max_by(|one, other| one.y.total_cmp(&other.y)).expect("lowest");
+    let south =
+        grey.iter().copied().flatten().max_by(|one, other| one.y.total_cmp(&other.y)).expect("lowest");
     let radius = 0.5 * (south.y - pole.y);
     let on_sphere = |angle: f64| pole + at(angle.sin(), 1.0 - angle.cos()) * radius;
     assert_eq!((blue.len(), grey.len()), (5, 3));
@@ -37,7 +34,8 @@ fn the_circles_are_blue_down_to_the_equator_and_no_further() {
     }
     // Face-on: the blue part of the circle is that of eq:same-face for 60°, whose cotangent squared is 1/3.
     let length = |hue: Hue| -> f64 {
-        let lines = lines(face_on, (Stroke::Curve, hue));
+        let items = face_on.items().iter().filter(|item| item.role == Role::Line(Stroke::Curve, hue));
+        let lines: Vec<Vec<Point>> = items.map(|item| item.shape.points()).collect();
         lines.iter().flat_map(|line| line.windows(2)).map(|ends| (ends[1] - ends[0]).length()).sum()
     };
     let (above, below) = (length(Hue::Blue), length(Hue::Muted));
@@ -71,11 +69,9 @@ fn the_edge_has_its_part_of_the_sphere_and_of_the_circle() {
 
 #[test]
 fn the_bands_of_the_two_coins_are_thirds() {
-    let figure = figures().iter().find(|figure| figure.id == "fig:edge-band").expect("the coins");
-    let parts = figure.drawing.parts();
-    let [area, arc] = parts[..] else { panic!("two drawings") };
+    let [area, arc] = parts("edge-band")[..] else { panic!("two drawings") };
     for (part, share) in [(area, 1.0_f64 / 3.0), (arc, 0.5)] {
-        let sides = lines(part, (Stroke::Curve, Hue::Pink));
+        let sides = lines(part, Stroke::Curve, Hue::Pink);
         assert_eq!(sides.len(), 2);
         let ends = [sides[0][0], *sides[0].last().expect("an arc")];
         let [bottom, top] = ends.map(|end| end.y);
@@ -178,8 +174,7 @@ fn faces(film: &Drawing) -> Vec<(Point, Hue)> {
 
 #[test]
 fn the_film_shows_the_face_that_is_up() {
-    let figure = figures().iter().find(|figure| figure.id == "fig:toss-film").expect("the film");
-    let layouts = figure.drawing.all_parts();
+    let layouts = find("toss-film").drawing.all_parts();
     assert_eq!(layouts.len(), 2, "one for wide pages, one for narrow ones");
     for film in layouts {
         let faces = faces(film);
@@ -250,14 +245,9 @@ fn star_trails_are_circles_about_one_axis_or_two() {
         ("after", 130, 1.0 / 18.0, &struck),
         ("turn", 26, 1.0, &struck),
     ] {
-        let figure = figures().iter().find(|figure| figure.id == "fig:crew-sky").expect("the sky");
         let drawn = |star: &u32| {
             let name = format!("{name}-{star}");
-            figure
-                .drawing
-                .parts()
-                .iter()
-                .any(|part| part.axes().iter().any(|axes| axes.curves.contains(&name)))
+            parts("crew-sky").iter().flat_map(|part| part.axes()).any(|axes| axes.curves.contains(&name))
         };
         for star in (0..of).filter(drawn) {
             let trail = curve("crew-sky", &format!("{name}-{star}"));
@@ -312,61 +302,24 @@ fn the_spiral_makes_as_many_turns_as_are_said() {
     }
 }
 
-/// The axis n and the angular momentum of a disc with drag C, in the room: n′ = ω × n, L′ = −Cω with
-/// ω = L/I₁ + (1/I₃ − 1/I₁)(L·n)n. By steps of fourth order.
-fn thrown_disc(
-    [i1, i3]: [f64; 2],
-    drag: f64,
-    mut state: [[f64; 3]; 2],
-    seconds: f64,
-    mut see: impl FnMut([[f64; 3]; 2]),
-) {
-    let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let cross = |a: [f64; 3], b: [f64; 3]| {
-        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-    };
-    let plus = |a: [[f64; 3]; 2], b: [[f64; 3]; 2], by: f64| {
-        [0, 1].map(|part| [0, 1, 2].map(|n| a[part][n] + by * b[part][n]))
-    };
-    let rates = |[axis, momentum]: [[f64; 3]; 2]| {
-        let along = (1.0 / i3 - 1.0 / i1) * dot(momentum, axis);
-        let omega = [0, 1, 2].map(|n| momentum[n] / i1 + along * axis[n]);
-        [cross(omega, axis), omega.map(|component| -drag * component)]
-    };
-    let steps = 60_000;
-    let h = seconds / f64::from(steps);
-    for step in 0..=steps {
-        if step % 60 == 0 {
-            see(state);
-        }
-        let first = rates(state);
-        let second = rates(plus(state, first, 0.5 * h));
-        let third = rates(plus(state, second, 0.5 * h));
-        let last = rates(plus(state, third, h));
-        for (rate, by) in [(first, 1.0), (second, 2.0), (third, 2.0), (last, 1.0)] {
-            state = plus(state, rate, by * h / 6.0);
-        }
-    }
-}
-
 #[test]
 fn the_axis_spirals_in_about_a_momentum_that_hardly_moves() {
-    let (i1, i3, drag) = (0.175 * 0.137_f64.powi(2) / 4.0, 0.175 * 0.137_f64.powi(2) / 2.0, 2e-3);
-    // L upright at the start, its component 1 to the right in the body: the axis leans the other way.
-    let (across, along) = (12.0 * i1, 40.0 * i3);
-    let size = across.hypot(along);
-    let start = [[-across / size, 0.0, along / size], [0.0, 0.0, size]];
-    let [omega, axis, momentum] = ["omega", "axis", "momentum"].map(|name| curve("axis-path", name));
-    let mut checked = 0;
-    thrown_disc([i1, i3], drag, start, 5.9, |[n, l]| {
-        let size = l.iter().map(|component| component * component).sum::<f64>().sqrt();
-        assert!(axis.distance((n[0], n[1])) < PIXELS, "{n:?}");
-        assert!(momentum.distance((1e3 * l[0] / size, 1e3 * l[1] / size)) < PIXELS, "{l:?}");
-        checked += 1;
-    });
-    assert!(checked > 900);
+    let (moments, omega_body) =
+        (Body::thin_disk(0.175, 0.137).expect("a disc").moments(), Vector3::new(12.0, 0.0, 40.0));
+    let top =
+        DraggedTop::new(Parameters { moments, drag: Drag::isotropic(2e-3), omega_body }).expect("a top");
+    let momentum = moments.angular_momentum(&omega_body);
+    let upright = UnitQuaternion::rotation_between(&momentum, &Vector3::z()).expect("a turn");
+    let thrown = top.thrown(upright, &Dop853::new(1e-12).unwrap()).expect("a motion");
+    let [omega, axis, direction] = ["omega", "axis", "momentum"].map(|name| curve("axis-path", name));
+    for n in 0..1000 {
+        let state = thrown.at(0.0059 * f64::from(n)).expect("a state");
+        let (n, l) = (state.axis_3_world(), state.angular_momentum_world(&moments).normalize() * 1e3);
+        assert!(axis.distance((n.x, n.y)) < PIXELS, "{n}");
+        assert!(direction.distance((l.x, l.y)) < PIXELS, "{l}");
+    }
     // On board the length of ω₁ + iω₂ in spins falls as the turns that are left do.
-    let turns = 40.0 * i3 / (TAU * drag);
+    let turns = momentum.z / (TAU * 2e-3);
     for step in 0..300 {
         let left = 1.0 - f64::from(step) / 300.0 * 0.98;
         let (sin, cos) = (TAU * turns * (1.0 - left)).sin_cos();
@@ -422,8 +375,7 @@ fn drawn_round(
 
 #[test]
 fn the_circle_of_the_frisbee_closes_and_that_of_the_pencil_opens() {
-    let figure = figures().iter().find(|figure| figure.id == "fig:drag-stills").expect("the stills");
-    for part in figure.drawing.all_parts() {
+    for part in find("drag-stills").drawing.all_parts() {
         let down = part.height() > part.width();
         let mut stills = 0;
         for item in part.items() {
@@ -480,9 +432,7 @@ fn has_arrow(drawing: &Drawing, camera: &View, hue: Hue, tip: [f64; 3]) -> bool 
 
 #[test]
 fn the_axes_of_the_station_go_round_each_other_counter_clockwise() {
-    let figure = figures().iter().find(|figure| figure.id == "fig:station-views").expect("the views");
-    let parts = figure.drawing.parts();
-    let [room, board] = parts[..] else { panic!("two views") };
+    let [room, board] = parts("station-views")[..] else { panic!("two views") };
     let camera = View {
         target: [0.0, 0.0, 0.4],
         azimuth: -1.2,
@@ -513,9 +463,7 @@ fn the_axes_of_the_station_go_round_each_other_counter_clockwise() {
 
 #[test]
 fn the_cones_touch_along_the_angular_velocity() {
-    let figure = figures().iter().find(|figure| figure.id == "fig:cones-roll").expect("the cones");
-    let parts = figure.drawing.parts();
-    let [flat, long] = parts[..] else { panic!("two pairs of cones") };
+    let [flat, long] = parts("cones-roll")[..] else { panic!("two pairs of cones") };
     for (view, ratio, degrees, aside) in [(flat, 2.0, 40.0_f64, 0.0), (long, 0.4, 20.0, -0.3)] {
         let camera = View {
             target: [aside, 0.0, 0.75],

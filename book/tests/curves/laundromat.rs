@@ -1,9 +1,9 @@
-//! The washing machine, held to formulas written out and to the library.
+//! The washing machine: what the library says of it where no figure samples it.
 
 use crate::{PIXELS, curve};
-use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters};
+use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
 use nalgebra::Complex;
+use std::f64::consts::TAU;
 
 fn machine(damping: f64, spin: f64) -> Machine {
     let damping = damping * 300.0;
@@ -19,34 +19,22 @@ fn machine(damping: f64, spin: f64) -> Machine {
 }
 
 #[test]
-fn steady_curves_lie_on_the_formula() {
-    let mut checked = 0;
+fn steady_curves_lie_on_the_library() {
     for damping in [0.2, 0.4, 0.7, 1.4] {
-        let radius = curve("steady", &format!("radius-{damping}"));
-        let lead = curve("steady", &format!("lead-{damping}"));
-        for step in 1..500 {
-            let ratio = 3.0 * f64::from(step) / 500.0 + 1e-4;
-            // eq:steady-radius and eq:steady-phase, written out here and not taken from the library.
-            let detuning = 1.0 - ratio * ratio;
-            let r = ratio * ratio / detuning.hypot(damping * ratio);
-            let phase = (damping * ratio).atan2(detuning).to_degrees();
-            assert!(radius.distance((ratio, r)) < PIXELS, "r at {ratio}");
-            assert!(lead.distance((ratio, phase)) < PIXELS, "φ at {ratio}");
-            checked += 2;
-        }
-    }
-    assert_eq!(checked, 4 * 499 * 2);
-}
-
-#[test]
-fn torque_curves_lie_on_the_library() {
-    for damping in [0.2, 0.4, 0.7, 1.4] {
-        let curve = curve("torque", &format!("torque-{damping}"));
+        let [radius, lead] = ["radius", "lead"].map(|name| curve("steady", &format!("{name}-{damping}")));
+        let torque = curve("torque", &format!("torque-{damping}"));
         for step in 1..300 {
             let ratio = 3.0 * f64::from(step) / 300.0 - 1e-3;
-            let torque = machine(damping, ratio).steady().expect("damped").motor_torque();
-            let off = curve.distance((ratio, torque));
-            assert!(off < PIXELS, "Γ = {damping} ω₀, Ω = {ratio} ω₀: {off}");
+            let machine = machine(damping, ratio);
+            let steady = machine.steady().expect("damped");
+            for (drawn, value) in [
+                (&radius, steady.radius() / machine.offset()),
+                (&lead, steady.phase().to_degrees()),
+                (&torque, steady.motor_torque()),
+            ] {
+                let off = drawn.distance((ratio, value));
+                assert!(off < PIXELS, "Γ = {damping} ω₀, Ω = {ratio} ω₀: {off}");
+            }
         }
     }
 }
@@ -81,58 +69,45 @@ fn one_mode_fills_its_ring_and_no_more() {
 }
 
 #[test]
-fn the_ramps_lie_on_an_integration_of_their_equation() {
+fn the_ramps_lie_on_their_closed_form() {
     for per_square in [0.1, 0.01, 0.001] {
         let curve = curve("ramp", &format!("ramp-{per_square}"));
-        // With ω₀ = b = 1 and Γ = 0.02: z̈ + Γż + z = (φ̇² − iφ̈) e^{iφ}, written out here.
-        let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {
-            let (spin, angle) = (per_square * t, Complex::new(0.0, 0.5 * per_square * t * t).exp());
-            let push = Complex::new(spin * spin, -per_square) * angle;
-            [vx, vy, push.re - x - 0.02 * vx, push.im - y - 0.02 * vy]
-        };
-        let times: Vec<f64> = (1..=400).map(|n| f64::from(n) * 2.49 / 400.0 / per_square).collect();
-        let (states, _) = Dop853::new(1e-10).unwrap().sample(rates, 0.0, [0.0; 4], &times).unwrap();
-        for (t, [x, y, ..]) in times.iter().zip(states) {
-            let off = curve.distance((per_square * t, x.hypot(y)));
-            assert!(off < PIXELS, "{per_square} at {t}: {off}");
+        let machine = machine(0.02, 0.0);
+        let motion = machine.ramp(100.0 * per_square, Shaft::AT_REST).expect("a ramp");
+        for n in 1..=400 {
+            let spin = 2.49 * f64::from(n) / 400.0;
+            let shaft = motion.at(0.1 * spin / per_square).expect("a time").position.norm();
+            let off = curve.distance((spin, shaft / machine.offset()));
+            assert!(off < PIXELS, "{per_square} at {spin}: {off}");
         }
     }
 }
 
 #[test]
-fn the_drum_that_speeds_up_lies_on_an_integration_of_its_equation() {
-    // z̈ + Γż + ω₀²z = b (φ̇² − iφ̈) e^{iφ} with Γ = 3, ω₀ = 10 and φ̈ = 2.5, in cm.
-    let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {
-        let push = Complex::new(0.0, 1.25 * t * t).exp() * Complex::new(6.25 * t * t, -2.5) * (100.0 / 60.0);
-        [vx, vy, push.re - 100.0 * x - 3.0 * vx, push.im - 100.0 * y - 3.0 * vy]
-    };
+fn the_drum_that_speeds_up_goes_out_and_in() {
+    let motion = machine(0.3, 0.0).ramp(2.5, Shaft::AT_REST).expect("a ramp");
+    let centimetres = |time: f64| motion.at(time).expect("a time").position * 100.0;
     let times: Vec<f64> = (1..1300).map(|n| f64::from(n) / 100.0).collect();
-    let (states, _) = Dop853::new(1e-10).unwrap().sample(rates, 0.0, [0.0; 4], &times).unwrap();
     let names = ["outwards", "inwards", "swells", "shrinks"];
     let [outwards, inwards, swells, shrinks] = names.map(|name| curve("start", name));
-    for (&t, &[x, y, ..]) in times.iter().zip(&states) {
+    for &t in &times {
+        let z = centimetres(t);
         let (path, trace) = if t <= 5.0 { (&outwards, &swells) } else { (&inwards, &shrinks) };
-        assert!(path.distance((x, y)) < PIXELS && trace.distance((t, x)) < PIXELS, "at {t} s");
+        assert!(path.distance((z.re, z.im)) < PIXELS && trace.distance((t, z.re)) < PIXELS, "at {t} s");
     }
-    let furthest = |from: f64, to: f64| {
-        let swings = times.iter().zip(&states).filter(|(t, _)| (from..to).contains(*t));
-        swings
-            .map(|(t, [x, y, ..])| (x.hypot(*y), *t))
-            .fold((0.0, 0.0), |a: (f64, f64), b| if b.0 > a.0 { b } else { a })
-    };
-    let (swing, t) = furthest(0.0, 13.0);
-    assert!((5.0..6.0).contains(&swing) && (4.9..5.1).contains(&t), "{swing} cm at {t} s");
-    assert!((2.5 * t * 60.0 / std::f64::consts::TAU - 120.0).abs() < 2.0, "turns a minute at {t} s");
-    assert!((furthest(12.8, 13.0).0 - 1.85).abs() < 0.05);
+    let swing = |t: &f64| centimetres(*t).norm();
+    let widest = times.iter().max_by(|a, b| swing(a).total_cmp(&swing(b))).expect("times");
+    assert!((5.0..6.0).contains(&swing(widest)) && (4.9..5.1).contains(widest), "{widest} s");
+    assert!((2.5 * widest * 60.0 / TAU - 120.0).abs() < 2.0, "turns a minute at {widest} s");
+    let last = times.iter().filter(|t| **t > 12.8).map(swing).fold(0.0, f64::max);
+    assert!((last - 1.85).abs() < 0.05, "{last}");
 }
 
 #[test]
 fn the_floor_feels_spring_and_damper_at_right_angles() {
-    // In newtons, with k = 3000 N/m and b a sixtieth of a metre.
     let force = |damping: f64, spin: f64| {
-        let damper = damping * 300.0 * spin;
-        let shaft = spin * spin / 60.0 / (100.0 - spin * spin).hypot(damping * 10.0 * spin);
-        shaft * 3000_f64.hypot(damper)
+        let steady = machine(damping, spin / 10.0).steady().expect("damped");
+        steady.radius() * 3000_f64.hypot(damping * 300.0 * spin)
     };
     for (damping, name) in [(0.1, "0.1-2"), (0.3, "0.3"), (1.0, "1")] {
         let drawn = curve("floor-force", &format!("force-{name}"));
@@ -158,40 +133,35 @@ fn the_floor_feels_spring_and_damper_at_right_angles() {
 
 #[test]
 fn one_kick_is_a_swing_in_the_room_and_a_rosette_on_the_drum() {
-    // The steady circle at Ω = 2.2 ω₀ with Γ = 0.2 ω₀, eq:steady-radius.
-    let (spin, damping) = (22.0_f64, 2.0);
-    let steady = spin * spin / 60.0 / (100.0 - spin * spin).hypot(damping * spin);
-    // s̈ + Γṡ + ω₀²s = 0 knows nothing of the spin.
-    let rates =
-        |_: f64, &[x, y, vx, vy]: &[f64; 4]| [vx, vy, -100.0 * x - damping * vx, -100.0 * y - damping * vy];
-    let times: Vec<f64> = (1..=200).map(|n| f64::from(n) * 0.02).collect();
-    let start = [0.0, 0.0, 10.0 * steady, 0.0]; // a kick from the steady place
-    let (states, _) = Dop853::new(1e-11).unwrap().sample(rates, 0.0, start, &times).unwrap();
+    let machine = machine(0.2, 2.2);
+    let steady = machine.steady().expect("damped").amplitude();
+    let kick = Complex::from(10.0 * steady.norm());
+    let velocity = steady * Complex::new(0.0, machine.spin()) + kick;
+    let motion = machine.transient(Shaft { position: steady, velocity }).expect("a motion");
     let [room, turning] = ["room", "turning"].map(|name| curve("frames", name));
-    for (&t, &[x, y, ..]) in times.iter().zip(&states) {
-        let on_the_drum = Complex::new(x, y) * Complex::new(0.0, -spin * t).exp();
-        assert!(room.distance((x, y)) < PIXELS, "in the room at {t} s");
+    for t in (1..=200).map(|n| f64::from(n) * 0.02) {
+        let direction = machine.load_direction(t);
+        let apart = motion.at(t).expect("a time").position - steady * direction;
+        let on_the_drum = apart * direction.conj();
+        assert!(room.distance((apart.re, apart.im)) < PIXELS, "in the room at {t} s");
         assert!(turning.distance((on_the_drum.re, on_the_drum.im)) < PIXELS, "on the drum at {t} s");
     }
 }
 
 #[test]
-fn on_a_line_of_the_map_the_largest_swing_of_an_integrated_ramp_is_the_same() {
+fn on_a_line_of_the_map_the_largest_swing_of_the_ramp_is_the_same() {
     let mut checked = 0;
     for level in [2.0, 3.0, 5.0, 10.0, 20.0, 50.0] {
         let line = curve("ramp-map", &format!("swing-{level}")).values();
         for &(per_square, damping) in line.iter().step_by(line.len() / 5) {
-            // With ω₀ = b = 1: z̈ + Γż + z = (φ̇² − iφ̈) e^{iφ}, written out here, until the spin is far beyond the
-            // resonance.
-            let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {
-                let (spin, angle) = (per_square * t, Complex::new(0.0, 0.5 * per_square * t * t).exp());
-                let push = Complex::new(spin * spin, -per_square) * angle;
-                [vx, vy, push.re - x - damping * vx, push.im - y - damping * vy]
-            };
-            let end = (1.6 + 6.0 * per_square.sqrt()) / per_square;
+            let machine = machine(damping, 0.0);
+            let motion = machine.ramp(100.0 * per_square, Shaft::AT_REST).expect("a ramp");
+            // Until the spin is far beyond the resonance.
+            let end = 0.1 * (1.6 + 6.0 * per_square.sqrt()) / per_square;
             let times: Vec<f64> = (1..=4000).map(|n| f64::from(n) * end / 4000.0).collect();
-            let (states, _) = Dop853::new(1e-9).unwrap().sample(rates, 0.0, [0.0; 4], &times).unwrap();
-            let largest = states.iter().map(|[x, y, ..]| x.hypot(*y)).fold(0.0, f64::max);
+            let shafts = motion.sample(&times).expect("times");
+            let largest =
+                shafts.iter().map(|shaft| shaft.position.norm()).fold(0.0, f64::max) / machine.offset();
             assert!((largest / level - 1.0).abs() < 4e-3, "{per_square} {damping}: {largest} for {level}");
             checked += 1;
         }
@@ -303,10 +273,9 @@ fn growth_with_friction_on_board_is_that_of_the_roots() {
         let curve = curve("whirl-growth", name);
         for step in 1..300 {
             let spin = 6.0 * f64::from(step) / 300.0 - 3e-3;
-            // The root of λ² + (Γ + Γᵢ)λ + 1 − iΓᵢΩ with the larger real part, ω₀ = 1, by the school's formula.
-            let half = 0.5 * (floor + board);
-            let root = Complex::new(half * half - 1.0, board * spin).sqrt();
-            let off = curve.distance((spin, root.re.abs() - half));
+            let machine = machine(floor, spin);
+            let growth = machine.rotor(300.0 * board).expect("a rotor").growth() / 10.0;
+            let off = curve.distance((spin, growth));
             assert!(off < PIXELS, "{name} at {spin}: {off}");
         }
     }
@@ -341,18 +310,16 @@ fn a_slow_passage_goes_along_cornus_spiral_and_overshoots() {
     let farthest = spiral.values().into_iter().map(|(x, y)| x.hypot(y)).fold(0.0, f64::max);
     assert!((farthest - 1.1707).abs() < 2e-3, "{farthest}");
 
-    // The largest swing of an integration over what the passage leaves, b√(π/2α) with ω₀ = b = 1.
+    // The largest swing over what the passage leaves, b√(π/2α) with ω₀ = b = 1.
     let overshoot = curve("cornu", "overshoot");
     let line = curve("cornu", "line");
     for root in [0.05_f64, 0.1, 0.15] {
         let rate = root * root;
-        let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {
-            let push = Complex::new(rate * rate * t * t, -rate) * Complex::new(0.0, 0.5 * rate * t * t).exp();
-            [vx, vy, push.re - x, push.im - y]
-        };
-        let times: Vec<f64> = (0..2000).map(|n| 1.0 / rate + 4.0 / root * f64::from(n) / 2000.0).collect();
-        let (states, _) = Dop853::new(1e-10).unwrap().sample(rates, 0.0, [0.0; 4], &times).unwrap();
-        let largest = states.iter().map(|[x, y, ..]| x.hypot(*y)).fold(0.0, f64::max);
+        let machine = machine(0.0, 0.0);
+        let motion = machine.ramp(100.0 * rate, Shaft::AT_REST).expect("a ramp");
+        let times: Vec<f64> = (0..2000).map(|n| 0.1 / rate + 0.4 / root * f64::from(n) / 2000.0).collect();
+        let shafts = motion.sample(&times).expect("times");
+        let largest = shafts.iter().map(|shaft| shaft.position.norm()).fold(0.0, f64::max) / machine.offset();
         let factor = largest * root * (2.0 / std::f64::consts::PI).sqrt();
         // Between two of the computed accelerations the small waves are a little higher or lower.
         assert!(overshoot.distance((root, factor)) < 1.0, "{root}: {factor}");

@@ -13,7 +13,7 @@ mod methods;
 mod report;
 mod turning_plates;
 
-use drawing::{Axes, Piece, Point, Role, Scale, Shape};
+use drawing::{Axes, Drawing, Hue, Piece, Point, Role, Shape, Stroke, at};
 use figures::{Rendered, all};
 use pages::figures::FIGURES;
 use roxmltree::Document;
@@ -28,6 +28,27 @@ fn figures() -> &'static [Rendered] {
     RENDERED.get_or_init(|| all(FIGURES).expect("every figure can be drawn"))
 }
 
+/// The figure with this id without its `fig:`.
+fn find(figure: &str) -> &'static Rendered {
+    let found = figures().iter().find(|other| other.id.strip_prefix("fig:") == Some(figure));
+    found.unwrap_or_else(|| panic!("no figure {figure}"))
+}
+
+/// The drawings of a figure.
+fn parts(figure: &str) -> Vec<&'static Drawing> {
+    find(figure).drawing.parts()
+}
+
+/// The polylines of a drawing with this role, in the order in which they were painted.
+fn lines(part: &Drawing, stroke: Stroke, hue: Hue) -> Vec<&[Point]> {
+    let items = part.items().iter().filter(|item| item.role == Role::Line(stroke, hue));
+    let points = items.filter_map(|item| match &item.shape {
+        Shape::Polyline(points) => Some(&points[..]),
+        _ => None,
+    });
+    points.collect()
+}
+
 /// A curve over the axes of its plot.
 struct Curve {
     /// Its corners, px.
@@ -37,14 +58,13 @@ struct Curve {
 
 /// The curve with this name, of the figure with this id without its `fig:`.
 fn curve(figure: &str, name: &str) -> Curve {
-    let id = format!("fig:{figure}");
-    let figure = figures().iter().find(|other| other.id == id).unwrap_or_else(|| panic!("no figure {id}"));
+    let figure = find(figure);
     let carries = |axes: &&Axes| axes.curves.iter().any(|curve| curve == name);
     let parts = figure.drawing.parts();
     let (part, axes) = parts
         .into_iter()
         .find_map(|part| Some((part, part.axes().iter().find(carries)?)))
-        .unwrap_or_else(|| panic!("{id} has no curve {name}"));
+        .unwrap_or_else(|| panic!("{} has no curve {name}", figure.id));
     let document = Document::parse(&figure.svg).expect("valid XML");
     let id = format!("{}-{name}", part.id().replace(':', "-"));
     let node =
@@ -78,28 +98,10 @@ fn corners(data: &str) -> Vec<(f64, f64)> {
     steps.chunks_exact(2).map(corner).collect()
 }
 
-/// The value at a part of a scale.
-fn value(scale: Scale, part: f64) -> f64 {
-    let Scale { from, to, logarithmic } = scale;
-    if logarithmic { from * (to / from).powf(part) } else { from + (to - from) * part }
-}
-
-/// Which part of a scale leads to a value.
-fn part(scale: Scale, value: f64) -> f64 {
-    let Scale { from, to, logarithmic } = scale;
-    if logarithmic { (value / from).ln() / (to / from).ln() } else { (value - from) / (to - from) }
-}
-
-/// Where a pair of values belongs, px.
-fn place(axes: &Axes, (x, y): (f64, f64)) -> (f64, f64) {
-    let frame = axes.frame;
-    (frame.left + frame.width() * part(axes.x, x), frame.bottom - frame.height() * part(axes.y, y))
-}
-
 impl Curve {
     /// How far from the curve a pair of values lies, px.
     fn distance(&self, pair: (f64, f64)) -> f64 {
-        let (x, y) = place(&self.axes, pair);
+        let Point { x, y } = self.axes.point(pair);
         let from = |pair: &[(f64, f64)]| {
             let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
             let (dx, dy) = (x1 - x0, y1 - y0);
@@ -111,22 +113,16 @@ impl Curve {
 
     /// Its corners as values.
     fn values(&self) -> Vec<(f64, f64)> {
-        let frame = self.axes.frame;
-        let pair = |&(x, y): &(f64, f64)| {
-            let parts = ((x - frame.left) / frame.width(), (frame.bottom - y) / frame.height());
-            (value(self.axes.x, parts.0), value(self.axes.y, parts.1))
-        };
-        self.points.iter().map(pair).collect()
+        self.points.iter().map(|&(x, y)| self.axes.values(at(x, y))).collect()
     }
 
     /// Its value at x, on the straight line between two corners.
     fn value(&self, x: f64) -> f64 {
-        let Axes { frame, y, .. } = self.axes;
-        let (across, _) = place(&self.axes, (x, y.to));
+        let across = self.axes.point((x, self.axes.y.to)).x;
         let pair = self.points.windows(2).find(|pair| pair[0].0 <= across && across <= pair[1].0);
         let Some(&[(x0, y0), (x1, y1)]) = pair else { panic!("the curve does not reach {x}") };
         let height = y0 + (y1 - y0) * (across - x0) / (x1 - x0);
-        value(y, (frame.bottom - height) / frame.height())
+        self.axes.values(at(across, height)).1
     }
 }
 
@@ -135,9 +131,9 @@ fn lies_on(figure: &str, name: &str, formula: impl Fn(f64) -> f64) {
     let curve = curve(figure, name);
     let mut checked = 0;
     for step in 1..400 {
-        let x = value(curve.axes.x, (f64::from(step) + 0.37) / 400.0);
+        let x = curve.axes.x.value((f64::from(step) + 0.37) / 400.0);
         let y = formula(x);
-        let part = part(curve.axes.y, y);
+        let part = curve.axes.y.part(y);
         if part > 0.0 && part < 1.0 {
             let off = curve.distance((x, y));
             assert!(off < PIXELS, "{figure} {name}: {off} px off at {x}");
@@ -171,7 +167,7 @@ fn the_numbers_at_ticks_stand_where_their_values_belong() {
         for axes in part.axes() {
             let frame = axes.frame;
             for &(shown, middle) in &ticks {
-                let (x, y) = place(axes, (shown, shown));
+                let Point { x, y } = axes.point((shown, shown));
                 let (below, beside) = (middle.y - frame.bottom, frame.left - middle.x);
                 let near = (frame.left - 9.0..frame.right + 9.0).contains(&middle.x)
                     && (10.0..20.0).contains(&below);

@@ -1,27 +1,11 @@
 //! The figures of the chapters on turning and on the wobble plate: curves lie on formulas that are written
 //! out here, and arrows point and turn as they should.
 
-use crate::{curve, figures, lies_on};
+use crate::{curve, lies_on, lines, parts};
 use drawing::space::{Camera, View};
 use drawing::{Drawing, Fill, Hue, Point, Role, Shape, Stroke, at};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
-
-/// The drawings of a figure.
-fn parts(figure: &str) -> Vec<&'static Drawing> {
-    let id = format!("fig:{figure}");
-    figures().iter().find(|other| other.id == id).expect("the figure").drawing.parts()
-}
-
-/// The polylines of a drawing with this role, in the order in which they were painted.
-fn lines(part: &Drawing, stroke: Stroke, hue: Hue) -> Vec<&[Point]> {
-    let items = part.items().iter().filter(|item| item.role == Role::Line(stroke, hue));
-    let points = items.filter_map(|item| match &item.shape {
-        Shape::Polyline(points) => Some(&points[..]),
-        _ => None,
-    });
-    points.collect()
-}
 
 /// From the first point of a line to its last, to the right and upwards, px.
 fn step(line: &[Point]) -> (f64, f64) {
@@ -297,7 +281,7 @@ fn the_brick_stands_where_its_program_has_it() {
     let axes = &part.axes()[0];
     let square = |a: f64, b: f64| a * a + b * b;
     let [small, middle, large] = [square(0.1, 0.06), square(0.2, 0.06), square(0.2, 0.1)];
-    let wanted = crate::place(axes, (small / large, middle / large));
+    let wanted = axes.point((small / large, middle / large));
     let discs = part.items().iter().filter_map(|item| match item.shape {
         Shape::Circle { centre, .. } if item.role == Role::Area(drawing::Fill::Solid, Hue::Blue) => {
             Some(centre)
@@ -305,7 +289,7 @@ fn the_brick_stands_where_its_program_has_it() {
         _ => None,
     });
     let nearest =
-        discs.map(|centre| (centre.x - wanted.0).hypot(centre.y - wanted.1)).fold(f64::MAX, f64::min);
+        discs.map(|centre| (centre.x - wanted.x).hypot(centre.y - wanted.y)).fold(f64::MAX, f64::min);
     assert!(nearest < 0.01, "{nearest} px off");
     lies_on("possible-moments", "flat", |first| 1.0 - first);
 }

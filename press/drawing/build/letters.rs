@@ -1,25 +1,22 @@
 //! The letters of words, as a Rust table: for pictures that must look the same without the page's sans.
 
-use crate::outline::Outline;
+use crate::outline::outline;
+use read_fonts::model::Font;
 use std::error::Error;
 use std::fmt::Write as _;
-use ttf_parser::Face;
 
 const FONT: &str = "font/open-sans.ttf";
 
 pub(crate) fn write() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed={FONT}");
-    let data = std::fs::read(FONT)?;
-    let face = Face::parse(&data, 0)?;
+    let font = Font::new(std::fs::read(FONT)?, 0).ok_or("no font")?;
     let mut out = String::from("static LETTERS: &[(char, u16, &[i16])] = &[\n");
     for character in ' '..='\u{ffff}' {
-        let Some(glyph) = face.glyph_index(character) else {
+        let Some(glyph) = font.charmap().map_unicode(character) else {
             continue;
         };
-        let advance = face.glyph_hor_advance(glyph).ok_or("a glyph without advance")?;
-        let mut outline = Outline::default();
-        face.outline_glyph(glyph, &mut outline);
-        writeln!(out, "({character:?}, {advance}, &{:?}),", outline.0)?;
+        let advance = font.glyph_metrics().h_advance(glyph);
+        writeln!(out, "({character:?}, {advance}, &{:?}),", outline(&font, glyph)?)?;
     }
     out.push_str("];\n");
     let path = std::path::Path::new(&std::env::var("OUT_DIR")?).join("letters.rs");

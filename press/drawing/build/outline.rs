@@ -1,32 +1,27 @@
 //! The outline of a glyph, as a Rust table has it.
 
-use ttf_parser::OutlineBuilder;
+use read_fonts::model::Font;
+use read_fonts::model::glyph::outline::{DrawMemory, DrawOptions, PathElement};
+use read_fonts::types::GlyphId;
+use std::error::Error;
 
-/// The outline as numbers: 0 move, 1 line, 2 quadratic, 3 cubic, 4 close, each followed by its coordinates.
-#[derive(Default)]
-pub(crate) struct Outline(pub(crate) Vec<i16>);
-
-impl Outline {
-    fn push(&mut self, command: i16, coordinates: &[f32]) {
-        self.0.push(command);
-        self.0.extend(coordinates.iter().map(|value| value.round() as i16));
+/// The outline as numbers: 0 move, 1 line, 2 quadratic, 3 cubic, 4 close, each followed by its coordinates. A glyph
+/// without ink has none.
+pub(crate) fn outline(font: &Font, glyph: GlyphId) -> Result<Vec<i16>, Box<dyn Error>> {
+    let glyph = font.outline_glyphs().get(glyph).ok_or("a glyph without outline")?;
+    let mut path = Vec::<PathElement>::new();
+    glyph.draw(&DrawOptions::new(), DrawMemory::Scratch, &mut path).map_err(|error| format!("{error:?}"))?;
+    let mut numbers = Vec::new();
+    for element in path {
+        let (command, coordinates) = match element {
+            PathElement::MoveTo { x, y } => (0, vec![x, y]),
+            PathElement::LineTo { x, y } => (1, vec![x, y]),
+            PathElement::QuadTo { cx0, cy0, x, y } => (2, vec![cx0, cy0, x, y]),
+            PathElement::CurveTo { cx0, cy0, cx1, cy1, x, y } => (3, vec![cx0, cy0, cx1, cy1, x, y]),
+            PathElement::Close => (4, Vec::new()),
+        };
+        numbers.push(command);
+        numbers.extend(coordinates.iter().map(|value| value.round() as i16));
     }
-}
-
-impl OutlineBuilder for Outline {
-    fn move_to(&mut self, x: f32, y: f32) {
-        self.push(0, &[x, y]);
-    }
-    fn line_to(&mut self, x: f32, y: f32) {
-        self.push(1, &[x, y]);
-    }
-    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
-        self.push(2, &[x1, y1, x, y]);
-    }
-    fn curve_to(&mut self, x1: f32, y1: f32, x2: f32, y2: f32, x: f32, y: f32) {
-        self.push(3, &[x1, y1, x2, y2, x, y]);
-    }
-    fn close(&mut self) {
-        self.push(4, &[]);
-    }
+    Ok(numbers)
 }

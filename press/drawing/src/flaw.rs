@@ -1,8 +1,8 @@
 //! What makes a drawing unfit to be shown.
 
-use crate::drawing::{Item, Shape};
 use crate::label::{Label, Piece, Segment};
 use crate::point::Point;
+use crate::shape::{Item, Shape};
 use std::error::Error;
 use std::fmt;
 

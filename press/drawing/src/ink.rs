@@ -1,8 +1,9 @@
 //! What a drawing covers: its SVG is cut to the ink and a margin around it.
 
-use crate::drawing::{Drawing, Item};
+use crate::drawing::Drawing;
 use crate::point::Rect;
 use crate::role::{Fill, Role};
+use crate::shape::Item;
 
 /// The room around the ink of an SVG, px.
 pub const MARGIN: f64 = 10.0;

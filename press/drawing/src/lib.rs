@@ -13,8 +13,10 @@
 //! |---|---|
 //! | [`point`](Point) | points and rectangles |
 //! | `role` | what a shape means |
+//! | `shape` | shapes with their roles |
 //! | `drawing` | the display list |
 //! | `label` | words and mathematics, measured and set without any font on the reader's machine |
+//! | `axis` | scales of plots, and where ticks stand on their axes |
 //! | [`kit`] | arrows, angles, dimensions, springs, dampers, fixed points |
 //! | `clip`, `simplify` | polylines cut at a frame and thinned below what can be seen |
 //! | `ink` | what a drawing covers: an SVG is cut to it |
@@ -37,6 +39,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod axis;
 mod clip;
 mod drawing;
 mod flaw;
@@ -46,20 +49,23 @@ mod label;
 mod layout;
 mod point;
 mod role;
+mod shape;
 mod simplify;
 pub mod space;
 mod style;
 mod svg;
 mod trace;
 
+pub use axis::{Axes, Axis, InvalidAxis, Scale};
 pub use clip::clip;
-pub use drawing::{Axes, Drawing, Item, Scale, Shape};
+pub use drawing::Drawing;
 pub use flaw::Flaw;
 pub use ink::MARGIN;
 pub use label::{Glyph, Label, LabelError, Piece, Segment, Side, Symbol, with_symbols};
 #[cfg(feature = "typesetter")]
-pub use label::{TEX_COMMANDS, symbols_of};
+pub use label::{symbols_of, tex_commands};
 pub use layout::{GAP, NARROW, PANEL, Room};
 pub use point::{Point, Rect, at};
 pub use role::{Fill, Hue, Role, Stroke};
+pub use shape::{Item, Shape};
 pub use simplify::{TOLERANCE, simplify};

@@ -1,11 +1,12 @@
 //! Drawings as SVG.
 
-use crate::drawing::{Drawing, Item, Shape};
+use crate::drawing::Drawing;
 use crate::flaw::Flaw;
 use crate::label::{Label, Piece};
 use crate::layout::{self, Pages};
 use crate::point::{Point, Rect, at};
 use crate::role::{Fill, OPAQUE, RIM, Role, STOPS};
+use crate::shape::{Item, Shape};
 use crate::trace::number;
 use crate::{style, trace};
 use std::fmt::Write as _;

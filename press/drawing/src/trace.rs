@@ -1,8 +1,8 @@
 //! The data of an SVG path, in few characters.
 
-use crate::drawing::Shape;
 use crate::label::Segment;
 use crate::point::Point;
+use crate::shape::Shape;
 use arrayvec::ArrayVec;
 
 /// Hundredths of a pixel, which cannot be seen.

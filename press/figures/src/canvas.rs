@@ -1,7 +1,6 @@
-//! A drawing as a backend of plotters: a thousandth of a pixel is its unit, roles are its colours.
+//! A drawing as a backend of plotters: a thousandth of a pixel is its unit.
 
 use drawing::{Drawing, Hue, Label, LabelError, Point, Role, Shape, Side, Stroke, at};
-use plotters::style::{RGBColor, ShapeStyle};
 use plotters_backend::text_anchor::HPos;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
@@ -22,13 +21,13 @@ pub(crate) fn point((x, y): BackendCoord) -> Point {
     at(f64::from(x) / UNITS, f64::from(y) / UNITS)
 }
 
-/// The role of a line as a colour: the places of the stroke and the hue among all.
-pub(crate) fn pen(stroke: Stroke, hue: Hue) -> ShapeStyle {
-    ShapeStyle::from(&RGBColor(stroke as u8, hue as u8, 0))
+/// The backend. It draws what the axes and lines of a plot need, all lines with one stroke and one hue: the colours of
+/// plotters mean nothing here.
+pub(crate) struct Canvas<'a> {
+    pub(crate) drawing: &'a mut Drawing,
+    pub(crate) stroke: Stroke,
+    pub(crate) hue: Hue,
 }
-
-/// The backend. It draws what the axes and lines of a plot need.
-pub(crate) struct Canvas<'a>(pub(crate) &'a mut Drawing);
 
 type Drawn = Result<(), DrawingErrorKind<LabelError>>;
 
@@ -36,7 +35,7 @@ impl DrawingBackend for Canvas<'_> {
     type ErrorType = LabelError;
 
     fn get_size(&self) -> (u32, u32) {
-        (units(self.0.width()).unsigned_abs(), units(self.0.height()).unsigned_abs())
+        (units(self.drawing.width()).unsigned_abs(), units(self.drawing.height()).unsigned_abs())
     }
 
     fn ensure_prepared(&mut self) -> Drawn {
@@ -47,19 +46,14 @@ impl DrawingBackend for Canvas<'_> {
         Ok(())
     }
 
-    fn draw_pixel(&mut self, place: BackendCoord, color: BackendColor) -> Drawn {
-        self.0.dot(point(place), 0.5, Hue::ALL[usize::from(color.rgb.1)]);
+    fn draw_pixel(&mut self, place: BackendCoord, _: BackendColor) -> Drawn {
+        self.drawing.dot(point(place), 0.5, self.hue);
         Ok(())
     }
 
-    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(
-        &mut self,
-        path: I,
-        style: &S,
-    ) -> Drawn {
-        let (stroke, hue, _) = style.color().rgb;
+    fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, _: &S) -> Drawn {
         let points: Vec<Point> = path.into_iter().map(point).collect();
-        self.0.polyline(&points, Stroke::ALL[usize::from(stroke)], Hue::ALL[usize::from(hue)]);
+        self.drawing.polyline(&points, self.stroke, self.hue);
         Ok(())
     }
 
@@ -75,7 +69,7 @@ impl DrawingBackend for Canvas<'_> {
             }
         };
         if !text.is_empty() {
-            self.0.push(Role::PlainText(Hue::Ink), Shape::Label(label));
+            self.drawing.push(Role::PlainText(Hue::Ink), Shape::Label(label));
         }
         Ok(())
     }

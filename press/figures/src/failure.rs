@@ -24,27 +24,3 @@ impl Error for Failure {
         Some(&*self.cause)
     }
 }
-
-/// An axis that no plot can have.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InvalidAxis {
-    /// Where it would begin.
-    pub from: f64,
-    /// Where it would end.
-    pub to: f64,
-    /// The distance between its ticks: a difference of values, or a number of decades.
-    pub step: f64,
-}
-
-impl fmt::Display for InvalidAxis {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            out,
-            "axis from {} to {}, ticks every {}: it must end beyond its beginning, a logarithmic one begin above zero, \
-             and ticks be a positive distance apart that gives at most a hundred",
-            self.from, self.to, self.step
-        )
-    }
-}
-
-impl Error for InvalidAxis {}

@@ -11,9 +11,8 @@ mod plot;
 mod room;
 mod sample;
 
-pub use axis::Axis;
-pub use drawing::{Drawing, Room};
-pub use failure::{Failure, InvalidAxis};
+pub use drawing::{Axis, Drawing, Room};
+pub use failure::Failure;
 pub use look::Look;
 pub use plot::Plot;
 pub use room::in_both;
@@ -251,8 +250,7 @@ mod tests {
     fn curve(id: &str, values: &[(f64, f64)]) -> Outcome {
         let mut drawing = empty(id);
         let frame = Rect::new(30.0, 10.0, 60.0, 60.0);
-        let mut plot =
-            Plot::new(&mut drawing, frame, Axis::linear(1.0, 10.0, 3.0)?, Axis::log(1.0, 10.0, 1)?)?;
+        let mut plot = Plot::new(&mut drawing, frame, Axis::linear(1.0, 10.0, 3.0), Axis::log(1.0, 10.0, 1))?;
         plot.curve("body", values.iter().copied(), Stroke::Curve, Hue::Blue);
         Ok(drawing)
     }
@@ -318,16 +316,14 @@ mod tests {
                 Ok(super::empty(id))
             }
         }
-        let [one, other] = figures![parts::two_clocks, empty_too] else { panic!("there are two") };
+        let [one, other] = figures![parts::two_clocks, empty_too];
         fn empty_too(id: &str) -> Outcome {
             Ok(empty(id))
         }
         assert_eq!([one.id(), other.id()], ["fig:two-clocks", "fig:empty-too"]);
         let again = all(&[&[*one], &[*one, *other]]).expect_err("two have one name");
-        assert!(
-            again[0].to_string().ends_with("fig:two-clocks: src/lib.rs has a figure of this name too"),
-            "{again:?}"
-        );
+        assert!(again[0].to_string().contains("fig:two-clocks: ") && again.len() == 1, "{again:?}");
+        assert!(again[0].to_string().ends_with(" has a figure of this name too"), "{again:?}");
         for name in ["Gimbal", "two__bodies", "_top", "top_"] {
             let said = Figure { name, ..*one }.render().expect_err(name).to_string();
             assert!(said.contains("the name of a figure is lower-case"), "{said}");

@@ -4,15 +4,16 @@
 //! axis; curves carry their labels beside them.
 
 use crate::Cause;
-use crate::axis::Axis;
-use crate::canvas::{Canvas, pen, point, units};
+use crate::axis::Ticks;
+use crate::canvas::{Canvas, point, units};
 use drawing::kit::{self, Marker};
 use drawing::{
-    Axes, Drawing, Fill, Flaw, Hue, Label, LabelError, Point, Rect, Role, Shape, Side, Stroke, at, clip,
+    Axes, Axis, Drawing, Fill, Flaw, Hue, InvalidAxis, Label, LabelError, Point, Rect, Role, Scale, Shape,
+    Side, Stroke, at, clip,
 };
 use plotters::coord::cartesian::{Cartesian2d, MeshLine};
 use plotters::prelude::{
-    ChartBuilder, CoordTranslate, DrawingBackend, IntoDrawingArea, LabelAreaPosition, PathElement,
+    BLACK, ChartBuilder, CoordTranslate, DrawingBackend, IntoDrawingArea, LabelAreaPosition, PathElement,
 };
 
 /// The type size of titles, px.
@@ -25,7 +26,10 @@ const MINOR: f64 = 3.0;
 pub struct Plot<'a> {
     drawing: &'a mut Drawing,
     frame: Rect,
-    axes: Cartesian2d<Axis, Axis>,
+    x: Scale,
+    y: Scale,
+    /// What leads from the parts of both scales to places in the drawing.
+    parts: Cartesian2d<Ticks, Ticks>,
 }
 
 impl<'a> Plot<'a> {
@@ -33,35 +37,41 @@ impl<'a> Plot<'a> {
     /// are drawn at once.
     ///
     /// # Errors
-    /// [`LabelError`] if a title or a tick's label cannot be set.
-    pub fn new(drawing: &'a mut Drawing, frame: Rect, x: Axis, y: Axis) -> Result<Self, Cause> {
+    /// [`InvalidAxis`] for an axis that cannot be, [`LabelError`] if a title or a tick's label cannot be set.
+    pub fn new(drawing: &'a mut Drawing, frame: Rect, x: Axis<'_>, y: Axis<'_>) -> Result<Self, Cause> {
         draw_axes(drawing, frame, &x, &y)?;
-        draw_title(drawing, x.title.as_deref(), |width| at(frame.right - width, frame.bottom + 40.0))?;
-        draw_title(drawing, y.title.as_deref(), |_| at((frame.left - 34.0).max(2.0), frame.top - 15.0))?;
-        Ok(Self::in_frame(drawing, frame, x, y))
+        draw_title(drawing, x.title, |width| at(frame.right - width, frame.bottom + 40.0))?;
+        draw_title(drawing, y.title, |_| at((frame.left - 34.0).max(2.0), frame.top - 15.0))?;
+        Ok(Self::in_frame(drawing, frame, &x, &y)?)
     }
 
     /// A plot without axes: the same values along x and along y, one unit of them `scale` px, about the point `origin`.
     ///
     /// # Errors
-    /// [`crate::InvalidAxis`] if the reach or the scale is not a positive number.
+    /// [`InvalidAxis`] if the reach or the scale is not a positive number.
     pub fn plane(
         drawing: &'a mut Drawing,
         origin: Point,
         scale: f64,
         reach: f64,
-    ) -> Result<Self, crate::InvalidAxis> {
-        Axis::linear(0.0, scale, scale)?;
+    ) -> Result<Self, InvalidAxis> {
+        Axis::linear(0.0, scale, scale).ticks()?;
         let half = scale * reach;
-        let axis = Axis::linear(-reach, reach, reach)?;
+        let axis = Axis::linear(-reach, reach, reach);
         let frame = Rect::new(origin.x - half, origin.y - half, 2.0 * half, 2.0 * half);
-        Ok(Self::in_frame(drawing, frame, axis.clone(), axis))
+        Self::in_frame(drawing, frame, &axis, &axis)
     }
 
-    fn in_frame(drawing: &'a mut Drawing, frame: Rect, x: Axis, y: Axis) -> Self {
-        drawing.add_axes(Axes { frame, x: x.scale, y: y.scale, curves: Vec::new() });
+    fn in_frame(
+        drawing: &'a mut Drawing,
+        frame: Rect,
+        x: &Axis<'_>,
+        y: &Axis<'_>,
+    ) -> Result<Self, InvalidAxis> {
         let pixels = (units(frame.left)..units(frame.right), units(frame.bottom)..units(frame.top));
-        Self { drawing, frame, axes: Cartesian2d::new(x, y, pixels) }
+        let parts = Cartesian2d::new(Ticks::of(x)?, Ticks::of(y)?, pixels);
+        drawing.add_axes(Axes::new(frame, x.scale, y.scale));
+        Ok(Self { drawing, frame, x: x.scale, y: y.scale, parts })
     }
 
     /// The drawing beneath, for what is not given by values.
@@ -76,34 +86,35 @@ impl<'a> Plot<'a> {
 
     /// Where a pair of values lies in the drawing, px; NaN for what has no place on these axes.
     pub fn at(&self, value: (f64, f64)) -> Point {
-        let place = self.place(value).map(|place| point(self.axes.translate(&(place.x, place.y))));
+        let place = self.parts_to(value).map(|parts| point(self.parts.translate(&(parts.x, parts.y))));
         place.unwrap_or(at(f64::NAN, f64::NAN))
     }
 
-    /// Where a pair of values stands on the scales.
-    fn place(&self, (x, y): (f64, f64)) -> Option<Point> {
-        Some(at(self.axes.x_spec().place(x)?, self.axes.y_spec().place(y)?))
+    /// The parts of both scales that lead to a pair of values; none for what has no place there. Values far outside,
+    /// which would leave the range of the whole numbers, come nearer: the plot cuts them at its frame anyway.
+    fn parts_to(&self, (x, y): (f64, f64)) -> Option<Point> {
+        let [x, y] = [self.x.part(x), self.y.part(y)];
+        (x.is_finite() && y.is_finite()).then(|| at(x.clamp(-100.0, 101.0), y.clamp(-100.0, 101.0)))
     }
 
-    /// Where a pair of values stands on the scales. The drawing is refused for one that has no place there.
+    /// The parts of both scales that lead to a pair of values. The drawing is refused for one that has no place there.
     fn placed(&mut self, what: &str, value: (f64, f64)) -> Option<Point> {
-        let place = self.place(value);
-        if place.is_none() {
+        let parts = self.parts_to(value);
+        if parts.is_none() {
             self.drawing.refuse(Flaw::NoNumber { what: what.to_owned(), place: value });
         }
-        place
+        parts
     }
 
     /// Draws a line through values in pieces, cut at the frame, along which plotters would go on. How many
     /// pieces there are.
     fn line(&mut self, what: &str, values: &[(f64, f64)], stroke: Stroke, hue: Hue) -> usize {
-        let places: Vec<Point> = values.iter().filter_map(|&value| self.placed(what, value)).collect();
-        let (x, y) = (self.axes.get_x_range(), self.axes.get_y_range());
-        let pieces = clip(&places, &Rect { left: x.start, top: y.start, right: x.end, bottom: y.end });
-        let area = Canvas(self.drawing).into_drawing_area().apply_coord_spec(&self.axes);
-        let pairs = |piece: &[Point]| piece.iter().map(|place| (place.x, place.y)).collect::<Vec<_>>();
-        let drawn =
-            |piece: &&Vec<Point>| area.draw(&PathElement::new(pairs(piece), pen(stroke, hue))).is_ok();
+        let parts: Vec<Point> = values.iter().filter_map(|&value| self.placed(what, value)).collect();
+        let pieces = clip(&parts, &Rect::new(0.0, 0.0, 1.0, 1.0));
+        let canvas = Canvas { drawing: self.drawing, stroke, hue };
+        let area = canvas.into_drawing_area().apply_coord_spec(&self.parts);
+        let pairs = |piece: &[Point]| piece.iter().map(|part| (part.x, part.y)).collect::<Vec<_>>();
+        let drawn = |piece: &&Vec<Point>| area.draw(&PathElement::new(pairs(piece), BLACK)).is_ok();
         pieces.iter().filter(drawn).count()
     }
 
@@ -149,14 +160,12 @@ impl<'a> Plot<'a> {
 
     /// A reference line at a value of y, across the whole plot.
     pub fn level(&mut self, y: f64, stroke: Stroke) {
-        let x = self.axes.x_spec().scale;
-        self.reference((x.from, y), (x.to, y), stroke);
+        self.reference((self.x.from, y), (self.x.to, y), stroke);
     }
 
     /// A reference line at a value of x, from the axis to the top of the plot.
     pub fn upright(&mut self, x: f64, stroke: Stroke) {
-        let y = self.axes.y_spec().scale;
-        self.reference((x, y.from), (x, y.to), stroke);
+        self.reference((x, self.y.from), (x, self.y.to), stroke);
     }
 
     /// A tinted region between two corners.
@@ -175,40 +184,35 @@ impl<'a> Plot<'a> {
     }
 }
 
-fn draw_axes(drawing: &mut Drawing, frame: Rect, x: &Axis, y: &Axis) -> Result<(), Cause> {
+fn draw_axes(drawing: &mut Drawing, frame: Rect, x: &Axis<'_>, y: &Axis<'_>) -> Result<(), Cause> {
+    let (ticks_x, ticks_y) = (Ticks::of(x)?, Ticks::of(y)?);
     let [right, below] = [drawing.width() - frame.right, drawing.height() - frame.bottom];
-    let area = Canvas(drawing).into_drawing_area();
+    let area = Canvas { drawing, stroke: Stroke::Axis, hue: Hue::Ink }.into_drawing_area();
     let mut chart = ChartBuilder::on(&area)
         .margin_top(units(frame.top))
         .margin_right(units(right))
         .set_label_area_size(LabelAreaPosition::Left, units(frame.left))
         .set_label_area_size(LabelAreaPosition::Bottom, units(below))
-        .build_cartesian_2d(x.clone(), y.clone())?;
-    chart
-        .configure_mesh()
-        .disable_mesh()
-        .axis_style(pen(Stroke::Axis, Hue::Ink))
-        .set_all_tick_mark_size(units(MAJOR))
-        .draw()?;
+        .build_cartesian_2d(ticks_x, ticks_y)?;
+    chart.configure_mesh().disable_mesh().axis_style(BLACK).set_all_tick_mark_size(units(MAJOR)).draw()?;
     // Of minor ticks plotters knows the places only.
     let length = units(MINOR);
-    let minor = |canvas: &mut Canvas<'_>, line: MeshLine<'_, Axis, Axis>| {
+    let minor = |canvas: &mut Canvas<'_>, line: MeshLine<'_, Ticks, Ticks>| {
         let ends = match line {
             MeshLine::XMesh(foot, ..) => [foot, (foot.0, foot.1 + length)],
             MeshLine::YMesh(foot, ..) => [foot, (foot.0 - length, foot.1)],
         };
-        canvas.draw_path(ends, &pen(Stroke::Tick, Hue::Ink))
+        canvas.stroke = Stroke::Tick;
+        canvas.draw_path(ends, &BLACK)
     };
     Ok(chart.plotting_area().draw_mesh(minor, 0, 0)?)
 }
 
 /// Draws the title of an axis, if it has one; its baseline starts at a place that may depend on its width.
-fn draw_title(
-    drawing: &mut Drawing,
-    title: Option<&str>,
-    place: impl Fn(f64) -> Point,
-) -> Result<(), LabelError> {
-    let Some(title) = title else { return Ok(()) };
+fn draw_title(drawing: &mut Drawing, title: &str, place: impl Fn(f64) -> Point) -> Result<(), LabelError> {
+    if title.is_empty() {
+        return Ok(());
+    }
     let label = Label::new(title, TITLE_TYPE)?;
     let start = place(label.width());
     drawing.push(Role::Text(Hue::Ink), Shape::Label(label.from_baseline(start)));

@@ -14,7 +14,7 @@ use drawing::Room;
 ///         let width = room.of(660.0, 400.0);
 ///         let mut drawing = Drawing::new(id, width, 360.0).titled("A parabola", "It goes up.");
 ///         let frame = Rect::new(50.0, 40.0, width - 80.0, 260.0);
-///         let (x, y) = (Axis::linear(0.0, 1.0, room.of(0.1, 0.5))?, Axis::linear(0.0, 1.0, 0.5)?);
+///         let (x, y) = (Axis::linear(0.0, 1.0, room.of(0.1, 0.5)), Axis::linear(0.0, 1.0, 0.5));
 ///         let mut plot = Plot::new(&mut drawing, frame, x, y)?;
 ///         plot.curve("parabola", curve.iter().copied(), Stroke::Curve, Hue::Blue);
 ///         Ok(drawing)

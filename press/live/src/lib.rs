@@ -29,9 +29,9 @@ mod written;
 #[doc(hidden)]
 pub use approx;
 pub use control::{Control, Kind, Settings};
-pub use drawing::Room;
+pub use drawing::{Axis, Room};
 pub use formulas::formulas;
-pub use graph::{Axis, Graph, point_at, value_at};
+pub use graph::{Graph, point_at, value_at};
 pub use player::Player;
 pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene};
 pub use written::written;

@@ -3,11 +3,12 @@
 
 use super::tree::{Element, Node};
 use crate::faces::italic;
-use ttf_parser::Face;
+use read_fonts::TableProvider;
+use read_fonts::model::Font;
 
 /// Browsers put an accent over the middle of a letter's box. The font knows better where an italic letter
 /// has its top; margins move the accent there and leave it as wide as it is.
-pub(super) fn centre(formula: &mut Element, font: &Face<'_>) {
+pub(super) fn centre(formula: &mut Element, font: &Font) {
     formula.visit(&mut |over| {
         if !over.is("mover") || over.attribute("accent").is_none() {
             return;
@@ -26,7 +27,7 @@ const LEANING: f32 = 0.04;
 
 /// A letter like *T* leans over the right edge of its box, and browsers set the next sign at that edge.
 /// Typesetters leave room for it, unless something is lowered there.
-pub(super) fn make_room(formula: &mut Element, font: &Face<'_>) {
+pub(super) fn make_room(formula: &mut Element, font: &Font) {
     formula.visit(&mut |row| {
         let places = match &*row.name {
             "math" | "mrow" | "mtd" | "msqrt" | "mfrac" => usize::MAX,
@@ -42,15 +43,16 @@ pub(super) fn make_room(formula: &mut Element, font: &Face<'_>) {
 }
 
 /// How far a letter leans over its box, in ems.
-fn leaning(letter: &Element, font: &Face<'_>) -> Option<f32> {
-    let glyph = font.glyph_index(shown(letter)?)?;
-    let corrections = font.tables().math?.glyph_info?.italic_corrections?;
-    Some(f32::from(corrections.get(glyph)?.value) / f32::from(font.units_per_em()))
+fn leaning(letter: &Element, font: &Font) -> Option<f32> {
+    let glyph = font.charmap().map_unicode(shown(letter)?)?;
+    let corrections =
+        font.tables().math().ok()?.math_glyph_info().ok()?.math_italics_correction_info()?.ok()?;
+    Some(corrections.correction(glyph)? as f32 / f32::from(font.units_per_em()))
 }
 
 /// Browsers raise an exponent by the height of what it stands at, accent and all; typesetters by that of the
 /// letter. So a letter with an accent and an exponent says that it is no higher than without the accent.
-pub(super) fn keep_exponents_low(formula: &mut Element, font: &Face<'_>) {
+pub(super) fn keep_exponents_low(formula: &mut Element, font: &Font) {
     formula.visit(&mut |power| {
         if !matches!(&*power.name, "msup" | "msubsup") {
             return;
@@ -68,18 +70,18 @@ pub(super) fn keep_exponents_low(formula: &mut Element, font: &Face<'_>) {
 }
 
 /// How high a letter is, in ems.
-fn height(letter: &Element, font: &Face<'_>) -> Option<f32> {
-    let glyph = font.glyph_index(shown(letter)?)?;
-    Some(f32::from(font.glyph_bounding_box(glyph)?.y_max) / f32::from(font.units_per_em()))
+fn height(letter: &Element, font: &Font) -> Option<f32> {
+    let glyph = font.charmap().map_unicode(shown(letter)?)?;
+    Some(font.glyph_metrics().extents(glyph)?.y_bearing / f32::from(font.units_per_em()))
 }
 
 /// How far the top of a letter stands to the right of the middle of its box, in ems, if one sees it. (An
 /// upright k has it on the left, but not its hat.)
-fn way(letter: &Element, font: &Face<'_>) -> Option<f32> {
-    let glyph = font.glyph_index(shown(letter)?)?;
-    let tops = font.tables().math?.glyph_info?.top_accent_attachments?;
-    let top = f32::from(tops.get(glyph)?.value);
-    let way = (top - f32::from(font.glyph_hor_advance(glyph)?) / 2.0) / f32::from(font.units_per_em());
+fn way(letter: &Element, font: &Font) -> Option<f32> {
+    let glyph = font.charmap().map_unicode(shown(letter)?)?;
+    let tops = font.tables().math().ok()?.math_glyph_info().ok()?.math_top_accent_attachment()?.ok()?;
+    let top = tops.attachment(glyph)? as f32;
+    let way = (top - font.glyph_metrics().h_advance(glyph) / 2.0) / f32::from(font.units_per_em());
     (way >= 0.02).then_some(way)
 }
 

@@ -2,11 +2,13 @@
 //! lowered behind them.
 
 use super::tree::{Element, Node};
-use ttf_parser::Face;
+use read_fonts::TableProvider;
+use read_fonts::model::Font;
+use read_fonts::tables::math::StretchAxis;
 
 /// In the middle of a row a browser takes such a bracket for a sign between two others, and gives it their air; and its
 /// box may be as wide as that of the largest bracket there is. The font knows how wide it is.
-pub(super) fn stand_close(formula: &mut Element, font: &Face<'_>) {
+pub(super) fn stand_close(formula: &mut Element, font: &Font) {
     formula.visit(&mut |bracket| {
         let Some(size) = bracket.attribute("minsize").filter(|_| bracket.is("mo")) else {
             return;
@@ -21,12 +23,13 @@ pub(super) fn stand_close(formula: &mut Element, font: &Face<'_>) {
 }
 
 /// How wide the smallest form of a bracket is that has at least this height, both in ems.
-fn width(bracket: &str, height: f32, font: &Face<'_>) -> Option<f32> {
-    let glyph = font.glyph_index(bracket.chars().next()?)?;
+fn width(bracket: &str, height: f32, font: &Font) -> Option<f32> {
+    let glyph = font.charmap().map_unicode(bracket.chars().next()?)?;
     let em = f32::from(font.units_per_em());
-    let forms = font.tables().math?.variants?.vertical_constructions.get(glyph)?.variants;
-    let form = forms.into_iter().find(|form| f32::from(form.advance_measurement) >= height * em)?;
-    Some(f32::from(font.glyph_hor_advance(form.variant_glyph)?) / em)
+    let variants = font.tables().math().ok()?.math_variants().ok()?;
+    let forms = variants.glyph_construction(glyph, StretchAxis::Vertical)?.math_glyph_variant_records();
+    let form = forms.iter().find(|form| f32::from(form.advance_measurement().to_u16()) >= height * em)?;
+    Some(font.glyph_metrics().h_advance(form.variant_glyph().into()) / em)
 }
 
 /// A browser gives `\Bigr)` its height only among other parts of a row. As the base of a power it is alone,

@@ -13,9 +13,9 @@ use crate::fault::Faults;
 use crate::page::PlacedItem;
 use letters::{CONVENTIONS, Letters};
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+use read_fonts::model::Font;
 use std::collections::BTreeSet;
 use tree::Element;
-use ttf_parser::Face;
 
 /// The mathematics font of labels, which has the measures of that of the pages.
 const FONT: &[u8] = include_bytes!("../../drawing/font/math.otf");
@@ -29,7 +29,7 @@ const LONGEST: usize = 10_000;
 /// A converter, built once a run.
 pub(crate) struct Maths {
     converter: LatexToMathML,
-    font: Face<'static>,
+    font: Font,
     letters: Letters,
 }
 
@@ -48,7 +48,7 @@ impl Maths {
         // Only a macro can make the converter fail, and there is none.
         let mut maths = Self {
             converter: LatexToMathML::new(config).unwrap_or_else(|_| unreachable!("no macros to be wrong")),
-            font: Face::parse(FONT, 0).unwrap_or_else(|_| unreachable!("the font is sound")),
+            font: Font::new(FONT, 0).unwrap_or_else(|| unreachable!("the font is sound")),
             letters: Letters::default(),
         };
         if let Some((page, items)) = pages.iter().zip(scans).find(|(page, _)| page.path == CONVENTIONS) {

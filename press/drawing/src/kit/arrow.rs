@@ -1,8 +1,9 @@
 //! Arrows, angles and dimensions, with the arrowhead of the house.
 
-use crate::drawing::{Drawing, Shape};
+use crate::drawing::Drawing;
 use crate::point::Point;
 use crate::role::{Fill, Hue, Role, Stroke};
+use crate::shape::Shape;
 
 /// The arrowhead: its length, its width and the depth of the notch at its back, px.
 pub(crate) const HEAD: (f64, f64, f64) = (10.0, 7.2, 2.2);

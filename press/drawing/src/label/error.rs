@@ -7,7 +7,7 @@ use std::fmt;
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LabelError {
-    /// A command that is not one of `TEX_COMMANDS`.
+    /// A command that is not one of `tex_commands`.
     UnknownCommand {
         /// The whole label.
         label: String,

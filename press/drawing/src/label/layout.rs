@@ -66,9 +66,7 @@ pub(super) fn set(node: &Node, depth: u8, label: &str) -> Result<Set, LabelError
             }
             Ok(row)
         }
-        Node::Space(eighteenths) => {
-            Ok(Set { width: f64::from(*eighteenths) / 18.0 * size(depth), ..Set::default() })
-        }
+        Node::Space => Ok(Set { width: 3.0 / 18.0 * size(depth), ..Set::default() }),
         Node::Row(nodes) => set_row(nodes, depth, label),
         Node::Script { base, below, above } => {
             let base = set(base, depth, label)?;
@@ -111,7 +109,7 @@ fn class(node: &Node) -> Class {
     match node {
         Node::Symbol(class, _) | Node::Word(class, _) => *class,
         Node::Script { base, .. } | Node::Accent(_, base) => class(base),
-        Node::Row(_) | Node::Root(_) | Node::Fraction(..) | Node::Space(_) => Class::Ordinary,
+        Node::Row(_) | Node::Root(_) | Node::Fraction(..) | Node::Space => Class::Ordinary,
     }
 }
 
@@ -119,13 +117,13 @@ fn set_row(nodes: &[Node], depth: u8, label: &str) -> Result<Set, LabelError> {
     let mut row = Set::default();
     let mut before: Option<Class> = None;
     for (index, node) in nodes.iter().enumerate() {
-        if let Node::Space(_) = node {
+        if let Node::Space = node {
             row.width += set(node, depth, label)?.width;
             continue;
         }
         let mut here = class(node);
         // A sign without a left neighbour, or before a relation, is no operation.
-        let after = nodes[index + 1..].iter().find(|node| !matches!(node, Node::Space(_))).map(class);
+        let after = nodes[index + 1..].iter().find(|node| !matches!(node, Node::Space)).map(class);
         let lonely = matches!(
             before,
             None | Some(Class::Binary | Class::Relation | Class::Open | Class::Punctuation | Class::Operator)

@@ -2,7 +2,7 @@
 //!
 //! A label is written as words with mathematics between `$` signs, in a subset of TeX: letters and digits,
 //! Greek, `^` and `_` (nested too), primes, accents, `\mathbf`, `\boldsymbol`, `\sqrt{}`, `\tfrac{}{}`,
-//! `\text{}`, relations and operations ([`TEX_COMMANDS`]). Among the words, `^{…}` raises what it holds:
+//! `\text{}`, relations and operations ([`tex_commands`]). Among the words, `^{…}` raises what it holds:
 //! `10^{-4}`. Whatever is not understood is an error.
 //!
 //! Mathematics becomes outlines of the math font's glyphs, set by the `typesetter` (a feature of the crate)
@@ -25,11 +25,12 @@ mod words;
 pub use error::LabelError;
 pub use symbol::{Glyph, Symbol, with_symbols};
 #[cfg(feature = "typesetter")]
-pub use tex::TEX_COMMANDS;
+pub use tex::tex_commands;
 #[cfg(feature = "typesetter")]
 pub use typesetter::symbols_of;
 
 use crate::point::{Point, Rect, at};
+use std::borrow::Cow;
 
 /// Mathematics is set this much larger than words, whose letters are tall for their size.
 const MATHEMATICS: f64 = 1.1;
@@ -303,7 +304,7 @@ impl Label {
         source: &str,
         ink: &mut Option<Rect>,
     ) -> Result<(), LabelError> {
-        let set = symbol::find(part, source)?;
+        let set = set(part, source)?;
         let size = MATHEMATICS * self.size;
         let x0 = self.width;
         let mut segments = Vec::new();
@@ -336,6 +337,20 @@ impl Label {
         }
         self.width += set.width * size;
         Ok(())
+    }
+}
+
+/// A formula of a label, set: out of the table, where there is one, or by the typesetter.
+fn set(formula: &str, label: &str) -> Result<Cow<'static, Symbol>, LabelError> {
+    let not_set = || LabelError::NotSet { label: label.into(), formula: formula.into() };
+    match symbol::table() {
+        Some(table) => {
+            table.iter().find(|symbol| symbol.source == formula).map(Cow::Borrowed).ok_or_else(not_set)
+        }
+        #[cfg(feature = "typesetter")]
+        None => typesetter::set(formula, label).map(Cow::Owned),
+        #[cfg(not(feature = "typesetter"))]
+        None => Err(not_set()),
     }
 }
 

@@ -1,6 +1,5 @@
 //! Mathematics that has been set: what the typesetter makes of a formula, or a table of such for a program without one.
 
-use super::error::LabelError;
 use std::borrow::Cow;
 use std::cell::Cell;
 
@@ -53,16 +52,7 @@ pub fn with_symbols<T>(table: &'static [Symbol], work: impl FnOnce() -> T) -> T 
     done
 }
 
-/// A formula of a label, set.
-pub(super) fn find(formula: &str, label: &str) -> Result<Cow<'static, Symbol>, LabelError> {
-    let not_set = || LabelError::NotSet { label: label.into(), formula: formula.into() };
-    match TABLE.get() {
-        Some(table) => {
-            table.iter().find(|symbol| symbol.source == formula).map(Cow::Borrowed).ok_or_else(not_set)
-        }
-        #[cfg(feature = "typesetter")]
-        None => super::typesetter::set(formula, label).map(Cow::Owned),
-        #[cfg(not(feature = "typesetter"))]
-        None => Err(not_set()),
-    }
+/// The table that labels may use, if they may use no other formula.
+pub(super) fn table() -> Option<&'static [Symbol]> {
+    TABLE.get()
 }

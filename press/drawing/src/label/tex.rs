@@ -1,4 +1,5 @@
-//! The TeX subset of the labels, read into a tree.
+//! The TeX subset of the labels, read into a tree. The converter of the pages gives MathML, which leaves it to browsers
+//! what is an operation, a relation or a bracket, and the layout of labels has to know that.
 
 use super::error::LabelError;
 
@@ -29,15 +30,14 @@ pub(super) enum Node {
     Accent(char, Box<Node>),
     Root(Box<Node>),
     Fraction(Box<Node>, Box<Node>),
-    /// A space in eighteenths of an em.
-    Space(i8),
+    /// A thin space.
+    Space,
 }
 
 /// How letters are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Alphabet {
     Italic,
-    Upright,
     Bold,
     BoldItalic,
 }
@@ -45,7 +45,7 @@ enum Alphabet {
 use Class::{Binary, Close, Open, Operator, Ordinary, Punctuation, Relation};
 
 /// Commands that stand for one character.
-const SYMBOLS: [(&str, Class, char); 62] = [
+const SYMBOLS: [(&str, Class, char); 49] = [
     ("alpha", Ordinary, 'α'),
     ("beta", Ordinary, 'β'),
     ("gamma", Ordinary, 'γ'),
@@ -81,13 +81,7 @@ const SYMBOLS: [(&str, Class, char); 62] = [
     ("Omega", Ordinary, 'Ω'),
     ("infty", Ordinary, '∞'),
     ("partial", Ordinary, '∂'),
-    ("ldots", Ordinary, '…'),
-    ("cdots", Ordinary, '⋯'),
-    ("circ", Ordinary, '°'),
-    ("angle", Ordinary, '∠'),
-    ("prime", Ordinary, '′'),
     ("pm", Binary, '±'),
-    ("mp", Binary, '∓'),
     ("times", Binary, '×'),
     ("cdot", Binary, '·'),
     ("ll", Relation, '≪'),
@@ -97,73 +91,24 @@ const SYMBOLS: [(&str, Class, char); 62] = [
     ("ne", Relation, '≠'),
     ("approx", Relation, '≈'),
     ("sim", Relation, '∼'),
-    ("simeq", Relation, '≃'),
-    ("equiv", Relation, '≡'),
-    ("propto", Relation, '∝'),
     ("to", Relation, '→'),
     ("perp", Relation, '⊥'),
-    ("parallel", Relation, '∥'),
     ("lvert", Open, '|'),
     ("rvert", Close, '|'),
-    ("langle", Open, '⟨'),
-    ("rangle", Close, '⟩'),
-    ("lbrace", Open, '{'),
 ];
 
-const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "log", "ln", "exp", "max", "min"];
+const FUNCTIONS: [&str; 10] = ["sin", "cos", "tan", "log", "ln", "exp", "max", "min", "Re", "Im"];
 
-const ACCENTS: [(&str, char); 6] = [
-    ("hat", '\u{302}'),
-    ("tilde", '\u{303}'),
-    ("bar", '\u{304}'),
-    ("dot", '\u{307}'),
-    ("ddot", '\u{308}'),
-    ("vec", '\u{20d7}'),
-];
+const ACCENTS: [(&str, char); 3] = [("hat", '\u{302}'), ("dot", '\u{307}'), ("ddot", '\u{308}')];
 
-const SPACES: [(&str, i8); 5] = [(",", 3), (":", 4), (";", 5), ("!", -3), ("quad", 18)];
+const ALPHABETS: [(&str, Alphabet); 2] = [("mathbf", Alphabet::Bold), ("boldsymbol", Alphabet::BoldItalic)];
 
-const ALPHABETS: [(&str, Alphabet); 3] =
-    [("mathrm", Alphabet::Upright), ("mathbf", Alphabet::Bold), ("boldsymbol", Alphabet::BoldItalic)];
-
-/// The commands of the TeX subset, without their backslashes, beside `\sqrt{}`, `\tfrac{}{}`, `\text{}`,
-/// `\Re` and `\Im`.
-pub const TEX_COMMANDS: [&str;
-    SYMBOLS.len() + FUNCTIONS.len() + ACCENTS.len() + SPACES.len() + ALPHABETS.len()] = {
-    let mut all = [""; SYMBOLS.len() + FUNCTIONS.len() + ACCENTS.len() + SPACES.len() + ALPHABETS.len()];
-    let mut count = 0;
-    let mut index = 0;
-    while index < SYMBOLS.len() {
-        all[count] = SYMBOLS[index].0;
-        count += 1;
-        index += 1;
-    }
-    index = 0;
-    while index < FUNCTIONS.len() {
-        all[count] = FUNCTIONS[index];
-        count += 1;
-        index += 1;
-    }
-    index = 0;
-    while index < ACCENTS.len() {
-        all[count] = ACCENTS[index].0;
-        count += 1;
-        index += 1;
-    }
-    index = 0;
-    while index < SPACES.len() {
-        all[count] = SPACES[index].0;
-        count += 1;
-        index += 1;
-    }
-    index = 0;
-    while index < ALPHABETS.len() {
-        all[count] = ALPHABETS[index].0;
-        count += 1;
-        index += 1;
-    }
-    all
-};
+/// The commands of the TeX subset, without their backslashes.
+pub fn tex_commands() -> impl Iterator<Item = &'static str> {
+    let signs = SYMBOLS.iter().map(|command| command.0).chain(FUNCTIONS);
+    let changes = ACCENTS.iter().map(|command| command.0).chain(ALPHABETS.iter().map(|command| command.0));
+    signs.chain(changes).chain([",", "sqrt", "tfrac", "text"])
+}
 
 /// Reads mathematics (what stands between two `$`). `label` is the whole label, for messages.
 pub(super) fn parse(mathematics: &str, label: &str) -> Result<Node, LabelError> {
@@ -301,14 +246,11 @@ impl<'a> Reader<'a> {
         if let Some(&(_, accent)) = ACCENTS.iter().find(|accent| accent.0 == name) {
             return Ok(Node::Accent(accent, Box::new(self.argument(&full, alphabet)?)));
         }
-        if let Some(&(_, width)) = SPACES.iter().find(|space| space.0 == name) {
-            return Ok(Node::Space(width));
-        }
         if let Some(&(_, other)) = ALPHABETS.iter().find(|entry| entry.0 == name) {
             return self.argument(&full, other);
         }
         match name {
-            "Re" | "Im" => Ok(Node::Word(Operator, name.into())),
+            "," => Ok(Node::Space),
             "sqrt" => Ok(Node::Root(Box::new(self.argument(&full, alphabet)?))),
             "tfrac" => {
                 let above = self.argument(&full, alphabet)?;
@@ -359,6 +301,6 @@ fn digit(plain: char, alphabet: Alphabet) -> char {
         Alphabet::Bold | Alphabet::BoldItalic => {
             char::from_u32(0x1d7ce + (u32::from(plain) - u32::from('0'))).unwrap_or(plain)
         }
-        Alphabet::Italic | Alphabet::Upright => plain,
+        Alphabet::Italic => plain,
     }
 }

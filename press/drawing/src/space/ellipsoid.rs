@@ -6,8 +6,8 @@ use super::ray::{Ray, Spans, below_zero};
 use super::rim;
 use super::track::Track;
 use super::vector::Vec3;
-use crate::drawing::Shape;
 use crate::role::Fill;
+use crate::shape::Shape;
 
 /// Where the light comes from: to the right on the page, up, and towards the eye.
 const LIGHT: [f64; 3] = [-0.42, 0.55, 0.72];

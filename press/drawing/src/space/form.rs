@@ -4,8 +4,8 @@ use super::camera::Camera;
 use super::ray::{Ray, Spans};
 use super::track::Track;
 use super::vector::Vec3;
-use crate::drawing::Shape;
 use crate::role::Fill;
+use crate::shape::Shape;
 use std::f64::consts::TAU;
 
 /// The geometry of a solid.

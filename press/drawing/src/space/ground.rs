@@ -2,7 +2,6 @@
 
 use super::camera::Camera;
 use super::error::{MOST_LINES, SpaceError, finite, positive};
-use super::stage::Stage;
 use super::vector::Vec3;
 use crate::drawing::Drawing;
 use crate::role::{Fill, Hue, Stroke};
@@ -15,22 +14,14 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    pub(super) fn write(&self, camera: &Camera, drawing: &mut Drawing) {
-        drawing.polygon(self.corners.map(|corner| camera.land(corner)).to_vec(), Fill::Floor, Hue::Ink);
-        for &(from, to) in &self.lines {
-            drawing.line(camera.land(from), camera.land(to), Stroke::Grid, Hue::Ink);
-        }
-    }
-}
-
-impl Stage {
-    /// Adds a horizontal piece of ground, a rectangle between two opposite corners (x, y) at a height, with
-    /// grid lines every `step` from the first corner. It is painted first and hides nothing.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, corners that enclose no area, a step that is not
-    /// positive or gives more lines than can be seen, and ground behind the eye.
-    pub fn ground(&mut self, from: [f64; 2], to: [f64; 2], height: f64, step: f64) -> Result<(), SpaceError> {
+    /// See [`Stage::ground`](super::Stage::ground).
+    pub(super) fn new(
+        camera: &Camera,
+        from: [f64; 2],
+        to: [f64; 2],
+        height: f64,
+        step: f64,
+    ) -> Result<Self, SpaceError> {
         let corner = |x: f64, y: f64| finite("corner of the ground", [x, y, height]);
         let corners = [
             corner(from[0], from[1])?,
@@ -46,7 +37,7 @@ impl Stage {
         if (sides[0] + sides[1]) / step > MOST_LINES {
             return Err(SpaceError::GridTooFine { lines: ((sides[0] + sides[1]) / step).ceil() });
         }
-        corners.into_iter().try_for_each(|corner| self.camera.check(corner))?;
+        corners.into_iter().try_for_each(|corner| camera.check(corner))?;
         let mut lines = Vec::new();
         for (side, along, across) in [
             (sides[0], corners[1] - corners[0], corners[3] - corners[0]),
@@ -59,7 +50,13 @@ impl Stage {
                 reached += step;
             }
         }
-        self.grounds.push(Ground { corners, lines });
-        Ok(())
+        Ok(Self { corners, lines })
+    }
+
+    pub(super) fn write(&self, camera: &Camera, drawing: &mut Drawing) {
+        drawing.polygon(self.corners.map(|corner| camera.land(corner)).to_vec(), Fill::Floor, Hue::Ink);
+        for &(from, to) in &self.lines {
+            drawing.line(camera.land(from), camera.land(to), Stroke::Grid, Hue::Ink);
+        }
     }
 }

@@ -8,10 +8,11 @@ use super::pierce::Junction;
 use super::solid::{Edges, Solid};
 use super::track::Track;
 use super::vector::Vec3;
-use crate::drawing::{Drawing, Shape};
+use crate::drawing::Drawing;
 use crate::kit::{self, HEAD, Heads, size};
 use crate::point::Point;
 use crate::role::{Hue, Role, Stroke};
+use crate::shape::Shape;
 use crate::simplify::{TOLERANCE, simplify};
 
 /// A curve with its looks.

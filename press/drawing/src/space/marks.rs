@@ -2,14 +2,13 @@
 
 use super::curve::Curve;
 use super::error::{SpaceError, direction, finite, positive};
-use super::stage::Stage;
+use super::stage::{Caption, Dot, Stage};
 use super::track::Track;
 use super::vector::Vec3;
-use crate::drawing::Drawing;
 use crate::kit::Heads;
 use crate::label::{Label, Side};
 use crate::point::{Point, at};
-use crate::role::{Fill, Hue, Role, Stroke};
+use crate::role::{Fill, Hue, Stroke};
 use std::f64::consts::TAU;
 
 /// The type size of a label, px; its gap from a point; its gap from the tip of an arrow or from an arc.
@@ -18,30 +17,6 @@ const GAP: f64 = 6.0;
 const TIP_GAP: f64 = 5.0;
 /// Where an arrow that turns begins and ends, rad behind and before the direction to the right.
 const OPENING: (f64, f64) = (0.45, 0.25);
-
-/// A point that is marked.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Dot {
-    Disc(f64),
-    /// A disc that is seen whatever stands before it.
-    InFront(f64),
-}
-
-/// A label where it stands on the page.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Caption {
-    pub(super) label: Label,
-    pub(super) hue: Hue,
-}
-
-impl Dot {
-    pub(super) fn write(self, drawing: &mut Drawing, centre: Point, hidden: bool, hue: Hue) {
-        match self {
-            Self::Disc(radius) if hidden => drawing.circle(centre, radius, Role::Line(Stroke::Hidden, hue)),
-            Self::Disc(radius) | Self::InFront(radius) => drawing.dot(centre, radius, hue),
-        }
-    }
-}
 
 impl Stage {
     /// Adds a vector with its name beyond the tip.

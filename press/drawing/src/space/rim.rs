@@ -3,8 +3,8 @@
 use super::camera::Camera;
 use super::track::CHORDS;
 use super::vector::Vec3;
-use crate::drawing::Shape;
 use crate::point::at;
+use crate::shape::Shape;
 use std::f64::consts::{PI, TAU};
 
 /// A polynomial in the point whose zeros are the cone that the eye spans with a circle (a cylinder for an eye

@@ -5,14 +5,40 @@ use super::curve::Curve;
 use super::error::SpaceError;
 use super::ground::Ground;
 use super::ink::{Ink, Stroked};
-use super::marks::{Caption, Dot};
 use super::order::{Body, coats};
 use super::pierce::{self, Junction};
 use super::solid::{Finish, Solid};
 use super::vector::Vec3;
-use crate::drawing::{Drawing, Shape};
+use crate::drawing::Drawing;
 use crate::kit::Heads;
+use crate::label::Label;
+use crate::point::Point;
 use crate::role::{Fill, Hue, Role, Stroke};
+use crate::shape::Shape;
+
+/// A point that is marked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Dot {
+    Disc(f64),
+    /// A disc that is seen whatever stands before it.
+    InFront(f64),
+}
+
+/// A label where it stands on the page.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Caption {
+    pub(super) label: Label,
+    pub(super) hue: Hue,
+}
+
+impl Dot {
+    pub(super) fn write(self, drawing: &mut Drawing, centre: Point, hidden: bool, hue: Hue) {
+        match self {
+            Self::Disc(radius) if hidden => drawing.circle(centre, radius, Role::Line(Stroke::Hidden, hue)),
+            Self::Disc(radius) | Self::InFront(radius) => drawing.dot(centre, radius, hue),
+        }
+    }
+}
 
 /// A scene: solids, lines and labels in space, seen by one camera.
 ///
@@ -38,7 +64,7 @@ use crate::role::{Fill, Hue, Role, Stroke};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stage {
     pub(super) camera: Camera,
-    pub(super) grounds: Vec<Ground>,
+    grounds: Vec<Ground>,
     solids: Vec<(Solid, Hue)>,
     lines: Vec<Stroked>,
     pub(super) patches: Vec<(Vec<Vec3>, Fill, Hue)>,
@@ -104,6 +130,17 @@ impl Stage {
         hue: Hue,
     ) -> Result<(), SpaceError> {
         self.arrow(Curve::segment(from, to)?, Stroke::Vector, Heads::End, hue)
+    }
+
+    /// Adds a horizontal piece of ground, a rectangle between two opposite corners (x, y) at a height, with
+    /// grid lines every `step` from the first corner. It is painted first and hides nothing.
+    ///
+    /// # Errors
+    /// [`SpaceError`] for numbers that are not finite, corners that enclose no area, a step that is not
+    /// positive or gives more lines than can be seen, and ground behind the eye.
+    pub fn ground(&mut self, from: [f64; 2], to: [f64; 2], height: f64, step: f64) -> Result<(), SpaceError> {
+        self.grounds.push(Ground::new(&self.camera, from, to, height, step)?);
+        Ok(())
     }
 
     /// Paints the scene into a drawing.

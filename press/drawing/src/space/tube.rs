@@ -6,9 +6,9 @@ use super::ray::{Ray, Spans, below_zero, slab};
 use super::rim::{self, common_arcs, steps};
 use super::track::Track;
 use super::vector::Vec3;
-use crate::drawing::Shape;
 use crate::point::Point;
 use crate::role::Fill;
+use crate::shape::Shape;
 use crate::simplify::{TOLERANCE, simplify};
 use std::f64::consts::TAU;
 

@@ -15,8 +15,8 @@ pub(crate) fn period(id: &str) -> Outcome {
          90 degrees, and rises ever more steeply, to 2.9 at 175 degrees.",
     );
     let frame = Rect::new(50.0, 15.0, 330.0, 190.0);
-    let x = Axis::linear(0.0, 180.0, 45.0)?.titled(r"amplitude $\theta_0$, degrees");
-    let y = Axis::linear(0.0, 3.0, 1.0)?.titled("$T/T_0$");
+    let x = Axis::linear(0.0, 180.0, 45.0).titled(r"amplitude $\theta_0$, degrees");
+    let y = Axis::linear(0.0, 3.0, 1.0).titled("$T/T_0$");
     let mut plot = Plot::new(&mut drawing, frame, x, y)?;
     let one = Pendulum { length: 1.0, gravity: 1.0 };
     let ratio = |degrees: f64| one.period(degrees.to_radians()) / one.period(0.0);
