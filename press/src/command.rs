@@ -1,10 +1,13 @@
 //! `cargo book`: what one can ask of the press by hand.
 
-use crate::disk::from_disk;
-use crate::mdbook::{self, For};
-use crate::paper::{self, Paper};
-use crate::rendered::Rendered;
-use crate::{check, head, new, outcome, serve};
+use crate::assets::Rendered;
+use crate::mdbook;
+use crate::mdbook::For;
+use crate::paper;
+use crate::paper::Paper;
+use crate::read::disk::from_disk;
+use crate::site::{check, page_metadata, publish};
+use crate::{new, serve};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -137,14 +140,14 @@ fn build(root: &Path, folder: Option<&str>, with_paper: bool) -> Result<(), Stri
     // It is made beside its place, to which it comes at once when it is whole.
     let (site, beside) = (folder.join("html"), folder.join("unfinished"));
     let cannot = |error: io::Error| format!("error: {}: {error}", folder.display());
-    outcome::withdraw(&site).and_then(|()| outcome::remove(&beside)).map_err(cannot)?;
+    publish::withdraw(&site).and_then(|()| publish::remove(&beside)).map_err(cannot)?;
     let fresh = beside.join("html");
     let built = from_disk(root)
         .map_err(|faults| faults.to_string())
         .and_then(|_| mdbook::build(root, &beside, For::Readers))
         .and_then(|()| browser.map_or(Ok(()), |browser| add_paper(root, &browser, &fresh)))
         .and_then(|()| fs::rename(&fresh, &site).map_err(cannot));
-    outcome::remove(&beside).map_err(cannot)?;
+    publish::remove(&beside).map_err(cannot)?;
     if built.is_ok() {
         say(&format!("The site is in {}", site.display()));
     }
@@ -161,7 +164,7 @@ fn add_paper(root: &Path, browser: &Path, site: &Path) -> Result<(), String> {
     print(root, browser, &book, &site.join(&pdf))?;
     eprintln!("Writing the EPUB");
     book.write_epub(&pages, &site.join(&epub)).map_err(cannot)?;
-    head::add_downloads(site, &[("PDF", &pdf), ("EPUB", &epub)]).map_err(cannot)
+    page_metadata::add_downloads(site, &[("PDF", &pdf), ("EPUB", &epub)]).map_err(cannot)
 }
 
 /// A chapter and a file, in any order, each at most once.

@@ -1,7 +1,22 @@
 //! The press: prints the book.
 //!
 //! It is an mdBook preprocessor (Markdown in our dialect → Markdown with MathML, numbers, figures), an mdBook
-//! renderer that finishes and checks the site, and the `cargo book` command.
+//! renderer that finishes and checks the site, and the `cargo book` command. A book calls [`main`] and says in a
+//! [`Book`] what it has.
+//!
+//! # What happens to a page
+//!
+//! | room | what it does |
+//! |---|---|
+//! | [`read`] | finds the pages, and what stands on them |
+//! | [`print`] | formulas, figures, references, panels: the page as mdBook reads it |
+//! | [`site`] | what is done before mdBook renders and after: modules of scenes, search, links, documentation, checks |
+//! | [`paper`] | the site as PDF and EPUB |
+//! | `serve` | the site while it is written |
+//! | [`command`], `new` | what people type |
+//!
+//! Each uses what stands above it here, and what is below them all: [`fault`], [`book`] (pages), [`assets`] (figures,
+//! tables, scenes), `html`, `colours`, `mdbook`.
 //!
 //! # The dialect of the pages
 //!
@@ -88,60 +103,23 @@
 //!   lead round in a circle;
 //! - numbers of the source: one that two equations claim, and one without a row in the ledger.
 
+pub mod assets;
 pub mod book;
-pub mod check;
 pub mod command;
-pub mod disk;
-pub mod effort;
 pub mod fault;
-pub mod finish;
 pub mod paper;
-pub mod preprocess;
-pub mod rendered;
-pub mod symbols;
+pub mod print;
+pub mod read;
+pub mod site;
 
-mod api;
-mod checks;
 mod colours;
-mod edition;
-mod faces;
-mod head;
 mod html;
-mod labels;
-mod licence;
-mod lost;
-mod maths;
 mod mdbook;
-mod module;
 mod new;
-mod notes;
-mod outcome;
-mod outline;
-mod package;
-mod page;
-mod panel;
-mod places;
-mod raw;
-mod references;
-mod render;
-mod scan;
-mod scenes;
-mod scripts;
-mod search;
 mod serve;
-mod signs;
-mod site;
-mod snippets;
-mod solutions;
-mod stills;
-mod summary;
-mod tables;
-mod theme;
-mod ties;
-mod written;
 
+use assets::Rendered;
 use live::Scene;
-use rendered::Rendered;
 use std::io::{self, IsTerminal, Read};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -194,7 +172,7 @@ fn run(book: &Book, arguments: &[String]) -> Result<(), String> {
         Some("supports") => Ok(()), // html and test; book.toml names them
         Some("finish") => {
             let drawn = Rendered::read(book).map_err(cannot)?;
-            finish::run(io::stdin().lock(), &drawn).map_err(|failed| failed.to_string())
+            site::postprocess::run(io::stdin().lock(), &drawn).map_err(|failed| failed.to_string())
         }
         None if !io::stdin().is_terminal() => answer(book),
         _ => command::run(&root(), arguments, &Rendered::of(book)?),
@@ -209,7 +187,7 @@ fn answer(book: &Book) -> Result<(), String> {
     if request.is_empty() {
         return command::run(&root(), &[], &drawn);
     }
-    preprocess::run(request.as_slice(), io::stdout().lock(), drawn).map_err(|failed| failed.to_string())
+    site::preprocess::run(request.as_slice(), io::stdout().lock(), drawn).map_err(|failed| failed.to_string())
 }
 
 /// The project's root: the nearest folder upwards with a book.toml, from here or from the package that Cargo runs.

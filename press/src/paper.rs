@@ -11,14 +11,17 @@ mod sheet;
 
 pub use pdf::{browser, numbers, print};
 
-use crate::book::{self, Page};
-use crate::edition;
+use crate::book;
+use crate::book::Page;
 use crate::fault::Faults;
-use crate::html::{self, Edits, Element, escaped};
-use crate::licence::Licence;
+use crate::html;
+use crate::html::{Edits, Element, escaped};
 use crate::mdbook;
-use crate::package::Package;
-use crate::{disk, solutions, summary};
+use crate::read::{disk, summary};
+use crate::site::licence::Licence;
+use crate::site::package::Package;
+use crate::site::solutions;
+use crate::site::version_stamp;
 use mdbook_summary::SummaryItem;
 use sheet::{Kind, Sheet};
 use std::collections::{BTreeMap, BTreeSet};
@@ -117,8 +120,8 @@ impl Paper {
         Ok(Self {
             settings,
             head: head(&printed, &found),
-            edition: edition::edition(root, Package::read(root).as_ref()),
-            day: edition::day(root),
+            edition: version_stamp::edition(root, Package::read(root).as_ref()),
+            day: version_stamp::day(root),
             is_whole: chapter.is_none(),
             sheets,
         })

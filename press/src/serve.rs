@@ -7,11 +7,12 @@ mod http;
 mod watch;
 
 use crate::Book;
-use crate::disk::from_disk;
-use crate::mdbook::{self, For};
-use crate::module::{Module, Modules};
-use crate::preprocess::FINISHER;
-use crate::{api, finish, outcome};
+use crate::mdbook;
+use crate::mdbook::For;
+use crate::read::disk::from_disk;
+use crate::site::preprocess::FINISHER;
+use crate::site::wasm::{Module, Modules};
+use crate::site::{postprocess, publish, rustdoc};
 use http::Site;
 use std::net::{TcpListener, ToSocketAddrs};
 use std::path::{Path, PathBuf};
@@ -152,7 +153,7 @@ impl Made<'_> {
 
     /// Whether what a hasty build leaves out would be made as it is.
     fn is_current(&self) -> bool {
-        api::is_current(self.root) && !matches!(self.modules().found(For::Author), Ok(Module::Stale))
+        rustdoc::is_current(self.root) && !matches!(self.modules().found(For::Author), Ok(Module::Stale))
     }
 
     fn build(&self, press: Option<&str>, for_whom: For) -> Result<(), String> {
@@ -164,23 +165,25 @@ impl Made<'_> {
                 && !next.is_dir()
             {
                 // The press itself did not come so far, or it would have said why.
-                outcome::say(&next, &format!("{message}\n\n{ELSEWHERE}"))?;
+                publish::say(&next, &format!("{message}\n\n{ELSEWHERE}"))?;
             }
             if for_whom == For::Author && built.is_ok() {
-                outcome::remove(&kept)?;
+                publish::remove(&kept)?;
                 fs::create_dir_all(&kept)?;
-                for name in [api::FOLDER, finish::PRINT].into_iter().filter(|name| next.join(name).exists()) {
+                for name in
+                    [rustdoc::FOLDER, postprocess::PRINT].into_iter().filter(|name| next.join(name).exists())
+                {
                     fs::rename(next.join(name), kept.join(name))?;
                 }
             }
             if next.is_dir() {
-                outcome::remove(&old)?;
+                publish::remove(&old)?;
                 if html.is_dir() {
                     fs::rename(&html, &old)?;
                 }
                 fs::rename(&next, &html)?; // also where it says why there is no book
             }
-            outcome::remove(&old)
+            publish::remove(&old)
         };
         let is_put: io::Result<()> = put();
         built.and(

@@ -2,7 +2,8 @@
 
 use super::Paper;
 use super::sheet::Kind;
-use crate::html::{self, VOID, attribute, escaped, text};
+use crate::html;
+use crate::html::{VOID, attribute, escaped, text};
 use html5gum::{StartTag, Token};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

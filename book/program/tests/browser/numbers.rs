@@ -31,13 +31,13 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                 let number = format!("{panel}.querySelectorAll('.number')[{index}]");
                 let range = format!("{number}.querySelector('input[type=range]')");
                 for (means, part) in in_turn(turn, index) {
-                    let before = page.text(&format!("{range}.value"));
+                    let [before, least] = ["value", "min"].map(|what| page.text(&format!("{range}.{what}")));
                     act(
                         &mut page,
                         means,
                         &range,
                         part,
-                        if before == "0" { "ArrowRight" } else { "ArrowLeft" },
+                        if before == least { "ArrowRight" } else { "ArrowLeft" },
                     );
                     page.wait(&format!("{range}.value !== {}", json!(before)));
                     let live = page.get(&format!(

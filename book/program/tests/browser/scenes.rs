@@ -374,6 +374,9 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                 let (before, _) = settings(&mut page, scene, &figure);
                 let named = format!("{figure}.querySelector('.controls [name={}]')", control.name);
                 let (element, key) = match control.kind {
+                    Kind::Slider { to, .. } | Kind::LogSlider { to, .. } if before[index] >= to => {
+                        (named, "ArrowLeft")
+                    }
                     Kind::Slider { .. } | Kind::LogSlider { .. } => (named, "ArrowRight"),
                     Kind::Switch => (named, " "),
                     Kind::Button => (named, "Enter"),

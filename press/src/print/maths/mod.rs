@@ -1,0 +1,229 @@
+//! LaTeX to MathML: a converter's, mended where browsers print it badly.
+
+mod accents;
+mod brackets;
+mod letters;
+mod pieces;
+mod tree;
+mod words;
+
+use crate::book::Page;
+use crate::fault::Faults;
+use crate::read::font_coverage;
+use crate::read::items::PlacedItem;
+use letters::{CONVENTIONS, Letters};
+use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
+use read_fonts::model::Font;
+use std::collections::BTreeSet;
+use tree::Element;
+
+/// The mathematics font of labels, which has the measures of that of the pages.
+const FONT: &[u8] = include_bytes!("../../../drawing/font/math.otf");
+
+/// How deep a formula may be nested. The converter calls itself for each level, and so does what reads the
+/// MathML later.
+const DEEPEST: usize = 60;
+/// How long a formula may be: the time that some passes take grows as its square.
+const LONGEST: usize = 10_000;
+
+/// A converter, built once a run.
+pub(crate) struct Maths {
+    converter: LatexToMathML,
+    font: Font,
+    letters: Letters,
+}
+
+/// LaTeX that is not understood: where in it, and why.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct MathsFault {
+    /// Byte offset in the LaTeX.
+    pub(crate) offset: usize,
+    pub(crate) message: String,
+}
+
+impl Maths {
+    /// A converter that colours letters as the conventions among `pages` say.
+    pub(crate) fn new(pages: &[Page], scans: &[Vec<PlacedItem<'_>>], faults: &mut Faults) -> Self {
+        let config = MathCoreConfig { annotation: false, ..MathCoreConfig::default() };
+        // Only a macro can make the converter fail, and there is none.
+        let mut maths = Self {
+            converter: LatexToMathML::new(config).unwrap_or_else(|_| unreachable!("no macros to be wrong")),
+            font: Font::new(FONT, 0).unwrap_or_else(|| unreachable!("the font is sound")),
+            letters: Letters::default(),
+        };
+        if let Some((page, items)) = pages.iter().zip(scans).find(|(page, _)| page.path == CONVENTIONS) {
+            let convert = |tex: &str| maths.formula(tex, MathDisplay::Inline).ok();
+            maths.letters = Letters::read(page, items, convert, faults);
+        }
+        maths
+    }
+
+    /// The folder of the chapter whose letters the page at `path` uses at this place.
+    pub(crate) fn folder<'a>(&'a self, path: &'a str, offset: usize) -> &'a str {
+        self.letters.folder(path, offset)
+    }
+
+    /// Display mathematics of the chapter in `folder`, as one line of MathML: a formula, or some in a row.
+    pub(crate) fn display(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
+        self.convert(tex, MathDisplay::Block, folder)
+    }
+
+    /// Inline mathematics, as MathML whose text no Markdown parser can misread.
+    pub(crate) fn inline(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
+        self.inline_html(tex, folder).map(|mathml| shielded(&mathml))
+    }
+
+    /// Inline mathematics for a place that is HTML already.
+    pub(crate) fn inline_html(&self, tex: &str, folder: &str) -> Result<String, MathsFault> {
+        self.convert(tex, MathDisplay::Inline, folder)
+    }
+
+    /// The letters of a formula, each with its subscript: `ω`, `ω_0`.
+    pub(crate) fn letters_of(&self, tex: &str) -> Result<BTreeSet<String>, MathsFault> {
+        let mut found = BTreeSet::new();
+        letters::all(&self.formula(tex, MathDisplay::Inline)?, &mut found);
+        Ok(found)
+    }
+
+    /// The converter's MathML as browsers print it well, coloured.
+    fn convert(&self, tex: &str, display: MathDisplay, folder: &str) -> Result<String, MathsFault> {
+        let mut formula = self.formula(tex, display)?;
+        pieces::go_on(&mut formula);
+        brackets::stand_close(&mut formula, &self.font);
+        brackets::keep_their_height(&mut formula);
+        accents::centre(&mut formula, &self.font);
+        accents::make_room(&mut formula, &self.font);
+        self.letters.colour(&mut formula, folder);
+        accents::keep_exponents_low(&mut formula, &self.font);
+        words::be_small(&mut formula);
+        let pieces = if display == MathDisplay::Block { pieces::cut(formula) } else { vec![formula] };
+        let mut out = String::with_capacity(tex.len() * 8);
+        pieces.iter().for_each(|piece| piece.write(&mut out));
+        Ok(out)
+    }
+
+    /// What the converter makes of a formula.
+    fn formula(&self, tex: &str, display: MathDisplay) -> Result<Element, MathsFault> {
+        if tex.trim().is_empty() {
+            return Err(MathsFault { offset: 0, message: "the formula is empty".to_owned() });
+        }
+        if let Some(offset) = too_deep(tex) {
+            let message = format!("the formula is nested more than {DEEPEST} deep: give its parts names");
+            return Err(MathsFault { offset, message });
+        }
+        if tex.len() > LONGEST {
+            let message =
+                format!("the formula has {} bytes; more than {LONGEST} cannot be read: divide it", tex.len());
+            return Err(MathsFault { offset: 0, message });
+        }
+        let mathml = match self.converter.convert_with_local_state(tex, display) {
+            Ok(result) => result.mathml.replace('\n', " "),
+            Err(error) => {
+                let offset = error.0.start.min(tex.len());
+                let context: String = tex[error.0.clone()].chars().take(40).collect();
+                let message = error.error_message();
+                let near = if context.trim().is_empty() {
+                    String::new()
+                } else {
+                    format!(" (at `{}`)", context.trim())
+                };
+                return Err(MathsFault { offset, message: format!("in the formula: {message}{near}") });
+            }
+        };
+        let message = match (font_coverage::check_mathml(&mathml), Element::read(&mathml)) {
+            (Ok(()), Ok(formula)) => return Ok(formula),
+            (Err(message), _) => message,
+            (Ok(()), Err(error)) => format!("the formula becomes no sound XML: {error}"),
+        };
+        Err(MathsFault { offset: 0, message })
+    }
+}
+
+/// Where a formula goes deeper than [`DEEPEST`]: into braces, brackets, `\left`, environments, or commands
+/// that each take the next.
+fn too_deep(tex: &str) -> Option<usize> {
+    // Open groups, and commands in a row.
+    let (mut open, mut row) = (0_usize, 0_usize);
+    let mut at = 0;
+    while let Some(byte) = tex.as_bytes().get(at) {
+        let mut length = 1;
+        match byte {
+            b'\\' => {
+                let word = tex[at + 1..].bytes().take_while(u8::is_ascii_alphabetic).count();
+                length += word.max(1);
+                row += 1;
+                match &tex[at + 1..at + 1 + word] {
+                    "left" | "begin" => open += 1,
+                    "right" | "end" => open = open.saturating_sub(1),
+                    _ => {}
+                }
+            }
+            b'{' | b'[' => open += 1,
+            b'}' | b']' => {
+                open = open.saturating_sub(1);
+                row = 0;
+            }
+            b' ' | b'\n' | b'^' | b'_' => {}
+            _ => row = 0,
+        }
+        if open + row > DEEPEST {
+            return Some(at);
+        }
+        at += length;
+    }
+    None
+}
+
+/// MathML in which every character of text that Markdown could take for markup is a numeric entity.
+fn shielded(mathml: &str) -> String {
+    let mut out = String::with_capacity(mathml.len() * 2);
+    let (mut in_tag, mut in_entity) = (false, false);
+    for c in mathml.chars() {
+        match c {
+            '<' => in_tag = true,
+            '&' if !in_tag => in_entity = true,
+            _ => {}
+        }
+        if in_tag || in_entity || c.is_alphanumeric() || c == ' ' || !c.is_ascii() {
+            out.push(c);
+        } else {
+            out.push_str(&format!("&#{};", u32::from(c)));
+        }
+        match c {
+            '>' => in_tag = false,
+            ';' => in_entity = false,
+            _ => {}
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    /// A converter that knows no colours.
+    pub(super) fn plain() -> Maths {
+        Maths::new(&[], &[], &mut Faults::default())
+    }
+
+    #[test]
+    fn mathml_survives_markdown() {
+        let mathml = plain().inline("a_1*b_2 - [c]'", "").unwrap();
+        let text: String = mathml.split('<').map(|part| part.rsplit('>').next().unwrap_or("")).collect();
+        assert!(!text.contains(['*', '_', '[', ']', '\'']), "{text}");
+    }
+
+    #[test]
+    fn a_character_that_the_font_lacks_is_a_fault() {
+        let fault = plain().display(r"x \in \mathfrak{g}", "").unwrap_err();
+        assert!(fault.message.contains("has no `𝔤` (U+1D524)"), "{}", fault.message);
+    }
+
+    #[test]
+    fn an_unknown_command_is_a_fault_where_it_stands() {
+        let fault = plain().display("a + \\fraction{1}{2}", "").unwrap_err();
+        assert_eq!(fault.offset, 4);
+        assert!(fault.message.contains("fraction"), "{}", fault.message);
+    }
+}

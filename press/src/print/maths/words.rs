@@ -1,0 +1,44 @@
+//! Words in a formula.
+
+use super::tree::{Element, Node};
+
+/// Elements whose children are smaller than the formula around them: all, or all but the first.
+const SMALLER: [(&str, usize); 8] = [
+    ("mfrac", 0),
+    ("mroot", 1),
+    ("msub", 1),
+    ("msup", 1),
+    ("msubsup", 1),
+    ("munder", 1),
+    ("mover", 1),
+    ("munderover", 1),
+];
+
+/// A word that is an index stands in a row. The style sheet gives words the face of the text, and Firefox prints what
+/// has a face of its own at full size where it should make it smaller. It makes the row smaller, with all inside.
+pub(super) fn be_small(formula: &mut Element) {
+    formula.visit(&mut |element| {
+        let Some((_, first)) = SMALLER.iter().find(|(name, _)| element.is(name)) else { return };
+        for child in element.elements_mut().skip(*first).filter(|child| child.is("mtext")) {
+            *child = Element::around("mrow", vec![Node::Element(std::mem::take(child))]);
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::print::maths::tests::plain;
+
+    #[test]
+    fn a_word_as_an_index_stands_in_a_row() {
+        let mathml = |tex: &str| plain().display(tex, "").unwrap();
+        let word = "<mrow><mtext>cm</mtext></mrow>";
+        for tex in [r"r_\text{cm}", r"r^\text{cm}", r"r_\text{cm}^2", r"\underset{\text{cm}}{r}"] {
+            assert!(mathml(tex).contains(word), "{tex}: {}", mathml(tex));
+        }
+        let fraction = mathml(r"\frac{\text{cm}}{\text{cm}}");
+        assert_eq!(fraction.matches(word).count(), 2, "{fraction}");
+        let base = mathml(r"\text{cm}_2 + \text{cm}");
+        assert!(!base.contains(word), "{base}");
+    }
+}

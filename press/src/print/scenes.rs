@@ -1,0 +1,195 @@
+//! Live scenes: what can be wrong with one, and what its page holds of it beside the still.
+
+use crate::assets::{Control, Input, Scene};
+use crate::fault::{Faults, nearest};
+use crate::html::escaped;
+use crate::read::items::Words;
+use dialect::markdown::options;
+use pulldown_cmark::{Event, Parser, Tag, TagEnd};
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+/// What stands in links beside the settings, and ids that the panel or the still has: no control may have such a name.
+const TAKEN: [&str; 8] = ["t", "time", "title", "desc", "narrow", "azimuth", "elevation", "caption"];
+
+/// Adds what is wrong with the scenes themselves.
+pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
+    let mut names = BTreeSet::new();
+    for scene in scenes {
+        let mut fault = |message: String| faults.add(&scene.source, 0, message);
+        if !is_name(&scene.name) || !names.insert(&scene.name) {
+            fault(format!(
+                "a scene has a name of its own of lower-case letters, digits and hyphens, not `{}`",
+                scene.name
+            ));
+        }
+        if scene.question.trim().is_empty() {
+            fault(format!("the scene {} asks nothing", scene.name));
+        }
+        let mut controls = BTreeSet::new();
+        for control in &scene.controls {
+            let name = &control.name;
+            if !is_name(name) || TAKEN.contains(&name.as_str()) || !controls.insert(name) {
+                fault(format!("a control of the scene {} cannot have the name `{name}`", scene.name));
+            }
+            if control.words.trim().is_empty() {
+                fault(format!("nothing says what the control `{name}` of the scene {} is", scene.name));
+            }
+            if let Err(message) = control.check(control.start) {
+                fault(format!("the scene {} starts with {message}", scene.name));
+            }
+        }
+        // A preset without settings brings back the start.
+        for (words, settings) in scene.presets.iter().filter(|(_, settings)| !settings.is_empty()) {
+            if let Err(message) = check_settings(scene, settings) {
+                fault(format!("the preset “{words}” of the scene {}: {message}", scene.name));
+            }
+        }
+    }
+}
+
+fn is_name(name: &str) -> bool {
+    !name.is_empty() && name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
+}
+
+/// What is wrong with settings, `spin=3&kick=0`.
+pub(crate) fn check_settings(scene: &Scene, settings: &str) -> Result<(), String> {
+    for setting in settings.split('&') {
+        let (name, value) = setting.split_once('=').unwrap_or((setting, ""));
+        let Ok(value) = value.parse::<f64>() else {
+            return Err(format!("`{setting}` is no setting: they are written spin=3&kick=0"));
+        };
+        if name == "t" && (0.0..=f64::MAX).contains(&value) {
+            continue; // the time, s of the scene
+        }
+        let Some(control) = scene.controls.iter().find(|control| control.name == name) else {
+            let names = scene.controls.iter().map(|control| control.name.as_str());
+            let near = nearest(name, names).map(|near| format!("; is `{near}` meant?")).unwrap_or_default();
+            return Err(format!("the scene {} has no control `{name}`{near}", scene.name));
+        };
+        control.check(value)?;
+    }
+    Ok(())
+}
+
+impl Control {
+    /// What is wrong with a value.
+    fn check(&self, value: f64) -> Result<(), String> {
+        let (from, to, step) = match &self.input {
+            &Input::Slider { from, to, step } => (from, to, step),
+            &Input::LogSlider { from, to } => (from, to, 0.0),
+            Input::Choice(choices) => (0.0, choices.len() as f64 - 1.0, 1.0),
+            Input::Switch => (0.0, 1.0, 1.0),
+            Input::Button => (-1.0, f64::MAX, 0.0),
+        };
+        let steps = (value - from) / step;
+        let is_step = step == 0.0 || (steps - steps.round()).abs() < 1e-6;
+        if (from..=to).contains(&value) && is_step {
+            return Ok(());
+        }
+        let steps = if step == 0.0 { String::new() } else { format!(" in steps of {step}") };
+        let range =
+            if to == f64::MAX { format!("at least {from}") } else { format!("from {from} to {to}{steps}") };
+        Err(format!("`{}={value}`, which must be {range}", self.name))
+    }
+}
+
+/// Words of a scene as those of a caption, all at the place of the scene on its page.
+pub(crate) fn words(text: &str, offset: usize) -> Words<'_> {
+    Parser::new_ext(text, options())
+        .filter(|event| !matches!(event, Event::Start(Tag::Paragraph) | Event::End(TagEnd::Paragraph)))
+        .map(|event| (event, offset))
+        .collect()
+}
+
+/// What a reader can change and read beside the picture, and what is said and offered below it; `html` makes
+/// HTML of words.
+pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> String {
+    let id = format!("scene-{}", scene.name);
+    let mut out = format!(
+        "<div class=\"panel\">\n<div class=\"transport\"><button type=\"button\" class=\"play\">Play</button>\
+         <button type=\"button\" class=\"step\">Step</button><button type=\"button\" class=\"reset\">Reset</button>\
+         <input type=\"range\" class=\"time\" id=\"{id}-time\" min=\"0\" max=\"1\" step=\"any\" value=\"{}\" aria-label=\"time\">\
+         <output class=\"clock\" for=\"{id}-time\"></output></div>\n<div class=\"controls\">\n",
+        scene.still
+    );
+    for control in &scene.controls {
+        let words = html(&control.words);
+        out.push_str(&field(control, &id, &words, &mut html));
+        out.push('\n');
+    }
+    out.push_str("</div>\n");
+    if let Some(degrees) = scene.view {
+        out.push_str("<div class=\"view\" role=\"group\" aria-label=\"look from\">\n");
+        for ((name, words, most), value) in
+            [("azimuth", "look round", 180), ("elevation", "look from above", 90)].into_iter().zip(degrees)
+        {
+            let _ = writeln!(
+                out,
+                "<div><label for=\"{id}-{name}\">{words}</label><input type=\"range\" id=\"{id}-{name}\" name=\"{name}\" \
+                 min=\"-{most}\" max=\"{most}\" step=\"any\" value=\"{value}\"></div>"
+            );
+        }
+        out.push_str("</div>\n");
+    }
+    if !scene.readings.is_empty() {
+        out.push_str("<dl class=\"readings\">");
+        for reading in &scene.readings {
+            let _ = write!(out, "<div><dt>{}</dt><dd></dd></div>", html(reading));
+        }
+        out.push_str("</dl>\n");
+    }
+    out.push_str("</div>\n<div class=\"panel answer\">\n<p class=\"says\" role=\"status\"></p>\n");
+    if !scene.presets.is_empty() {
+        out.push_str("<p class=\"presets\">");
+        for (words, settings) in &scene.presets {
+            let (settings, words) = (escaped(settings), html(words));
+            let _ = write!(out, "<button type=\"button\" data-set=\"{settings}\">{words}</button> ");
+        }
+        out.push_str("</p>\n");
+    }
+    out + &format!(
+        "<p class=\"share\"><a href=\"#{id}\">Copy the link to this setting</a> <span class=\"copied\" role=\"status\"></span></p>\n</div>\n"
+    )
+}
+
+/// A control with its words.
+fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str) -> String) -> String {
+    let Control { name, start, unit, shown, .. } = control;
+    let id = format!("{scene}-{name}");
+    let range = |[from, to, start]: [f64; 3], step: &str, log: &str| {
+        let (unit, shown) = (escaped(unit), escaped(shown));
+        format!(
+            "<div class=\"control\"><label for=\"{id}\">{words}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" \
+             min=\"{from}\" max=\"{to}\" step=\"{step}\" value=\"{start}\" data-start=\"{start}\" data-unit=\"{unit}\"{log}>\
+             <output for=\"{id}\">{shown}</output></div>"
+        )
+    };
+    match &control.input {
+        &Input::Slider { from, to, step } => range([from, to, *start], &step.to_string(), ""),
+        &Input::LogSlider { from, to } => range([from, to, *start].map(f64::log10), "any", " data-log"),
+        Input::Choice(choices) => {
+            let mut out = format!("<fieldset class=\"control\"><legend>{words}</legend>");
+            for (place, choice) in choices.iter().enumerate() {
+                let checked = if place as f64 == *start { " checked data-start" } else { "" };
+                let choice = html(choice);
+                let _ = write!(
+                    out,
+                    "<label><input type=\"radio\" name=\"{id}\" value=\"{place}\" data-name=\"{name}\"{checked}> {choice}</label>"
+                );
+            }
+            out + "</fieldset>"
+        }
+        Input::Switch => {
+            let checked = if *start == 1.0 { " checked data-start" } else { "" };
+            format!(
+                "<div class=\"control\"><label><input type=\"checkbox\" id=\"{id}\" name=\"{name}\"{checked}> {words}</label></div>"
+            )
+        }
+        Input::Button => {
+            format!(
+                "<div class=\"control\"><button type=\"button\" class=\"press\" name=\"{name}\" data-start=\"{start}\">{words}</button></div>"
+            )
+        }
+    }
+}

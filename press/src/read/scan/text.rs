@@ -1,0 +1,75 @@
+//! Runs of text, and what they hold that is no text.
+
+use super::Scan;
+use crate::colours::Quantity;
+use crate::read::font_coverage::Face;
+use crate::read::items::Item;
+use crate::read::{control_characters, label_syntax};
+use live::numbers;
+use std::ops::Range;
+
+impl Scan<'_, '_> {
+    /// A run of text that is neither code nor mathematics.
+    pub(super) fn words(&mut self, text: &str, range: &Range<usize>) {
+        self.shown(Face::Text, range);
+        self.entities(text, range);
+        let in_link = self.surroundings.in_link;
+        let fault = |at, message| self.report.fault(at, message);
+        self.items.extend(label_syntax::mentions(self.text, range, in_link, fault));
+        self.stray_dollars(range.clone());
+        self.foreign_maths(range);
+        if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
+            self.lost_labels(range);
+            self.blanks(range);
+            self.coloured(range);
+        }
+    }
+
+    /// Text that the page shows in this face.
+    pub(super) fn shown(&mut self, face: Face, range: &Range<usize>) {
+        if let Err((at, message)) = face.check(&self.text[range.clone()]) {
+            self.fault(range.start + at, message);
+        }
+    }
+
+    /// Characters that the page writes by their numbers or names, `&#x202e;` or `&omega;`.
+    fn entities(&mut self, text: &str, range: &Range<usize>) {
+        if self.text[range.clone()].starts_with('&') && text != &self.text[range.clone()] {
+            control_characters::characters(text, |_, message| self.report.fault(range.start, message));
+            if let Err((_, message)) = Face::Text.check(text) {
+                self.fault(range.start, message);
+            }
+        }
+    }
+
+    /// `[words]{.role}`: words in the colour of a quantity.
+    fn coloured(&mut self, range: &Range<usize>) {
+        for (at, _) in self.text[range.clone()].match_indices("{.") {
+            let at = range.start + at;
+            let Some(words) = self.text[..at].strip_suffix(']') else {
+                continue;
+            };
+            let paragraph = self.text[..at].rfind("\n\n").map_or(0, |blank| blank + 2);
+            let role = &self.text[at + 2..];
+            let (Some(open), Some(end)) = (words[paragraph.min(words.len())..].rfind('['), role.find('}'))
+            else {
+                continue;
+            };
+            let open = paragraph + open;
+            match Quantity::of_role(&role[..end]) {
+                Ok(quantity) => {
+                    self.place(open..open + 1, Item::ColouredStart(quantity));
+                    self.place(at - 1..at + 2 + end + 1, Item::ColouredEnd);
+                }
+                Err(message) => self.fault(at, message),
+            }
+        }
+    }
+
+    /// Numbers in a run of text are not parted from their units.
+    fn blanks(&mut self, range: &Range<usize>) {
+        for at in numbers::blanks(&self.text[range.clone()]).into_iter().map(|at| range.start + at) {
+            self.place(at..at + 1, Item::Blank);
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! The mdBook preprocessor.
+
+use crate::Book as OfBook;
+use crate::assets::Rendered;
+use crate::book::from_mdbook;
+use crate::fault::Faults;
+use crate::mdbook;
+use crate::mdbook::For;
+use crate::read::snippets;
+use crate::site::wasm::{Module, Modules};
+use crate::site::{check, publish, solutions, theme};
+use mdbook_preprocessor::PreprocessorContext;
+use mdbook_preprocessor::book::{Book, BookItem};
+use std::io::{self, BufWriter, Read, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::{env, fmt, fs};
+
+/// Where the finished press waits for mdBook to call it as a renderer, relative to the project's root: a
+/// place that does not depend on Cargo's settings. book.toml names it.
+pub(crate) const FINISHER: &str = "target/press/book";
+
+/// Why there is no book.
+#[derive(Debug)]
+pub(crate) enum Failed {
+    /// Faults of the pages.
+    Faults(Faults),
+    /// Anything else, in words.
+    Other(String),
+}
+
+impl fmt::Display for Failed {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Faults(faults) => faults.fmt(out),
+            Self::Other(message) => write!(out, "error: {message}"),
+        }
+    }
+}
+
+/// Reads mdBook's request from `input` and writes the answer to `output`; the pages show what is `drawn`.
+///
+/// For the renderer `html` every page is rendered; for `test` the snippets of all pages are tested and the fences
+/// relabelled, so that mdBook's own test run finds nothing more to do.
+///
+/// # Errors
+/// [`Failed`], for the caller to report.
+pub(crate) fn run(input: impl Read, mut output: impl Write, drawn: Rendered) -> Result<(), Failed> {
+    let (context, mut book) = mdbook_preprocessor::parse_input(input).map_err(|error| {
+        Failed::Other(format!(
+            "this is not a request of mdBook 0.5 ({error:#}); `cargo book help` lists what else the press can do"
+        ))
+    })?;
+    let answer = answer(&context, &mut book, drawn);
+    if let Err(failed) = &answer
+        && context.renderer == "html"
+    {
+        let site = context.root.join(&context.config.build.build_dir).join("html");
+        publish::fail(&site, &context.config, &failed.to_string()).map_err(|error| {
+            Failed::Other(format!("{} cannot be taken away: {error}\n{failed}", site.display()))
+        })?;
+    }
+    answer?;
+    write_book(&mut output, &book)
+}
+
+/// Puts what mdBook is to print, or to test, in the place of the pages.
+fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -> Result<(), Failed> {
+    theme::install(&context.root)
+        .map_err(|error| Failed::Other(format!("the theme cannot be put in its place: {error}")))?;
+    let source = context.config.book.src.to_string_lossy().replace('\\', "/");
+    let pages = from_mdbook(book, &source);
+    let is_test = context.renderer == "test";
+    let without_solutions = !is_test && solutions::are_hidden(&context.config).map_err(Failed::Other)?;
+    let for_whom = For::of(&context.config);
+    let compiled = Modules::of(&context.root, &drawn.book, &pages);
+    let modules = if is_test { Ok(Module::Stale) } else { compiled.found(for_whom) };
+    let modules = modules.map_err(Failed::Other)?;
+    drawn.is_still = matches!((&modules, for_whom), (Module::Missing(_), _) | (Module::Stale, For::Hasty));
+    // What is wrong with the pages is said before anything is compiled.
+    let mut texts = check::rendered(&pages, &context.root, &source, &drawn).map_err(Failed::Faults)?;
+    if is_test {
+        test_snippets(&context.root, &drawn.book)?;
+        texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
+    } else {
+        match modules {
+            // `cargo book serve` says it by itself, and once.
+            Module::Missing(Some(why))
+                if for_whom == For::Readers || mdbook::is_followed_by_mdbook(&context.config) =>
+            {
+                eprintln!("{why}");
+            }
+            Module::Stale if !drawn.is_still => {
+                compiled.build(for_whom).map_err(Failed::Other)?;
+            }
+            _ => {}
+        }
+        install_finisher(&context.root)
+            .map_err(|error| Failed::Other(format!("the press cannot be put at {FINISHER}: {error}")))?;
+    }
+    let title = context.config.book.title.clone().unwrap_or_default();
+    replace(&mut book.items, &title, &mut texts.into_iter());
+    if without_solutions {
+        solutions::leave_out(book);
+    }
+    Ok(())
+}
+
+fn write_book(output: &mut impl Write, book: &Book) -> Result<(), Failed> {
+    let mut output = BufWriter::new(output);
+    serde_json::to_writer(&mut output, book)
+        .map_err(io::Error::from)
+        .and_then(|()| output.flush())
+        .map_err(|error| Failed::Other(format!("mdBook does not take the answer: {error}")))
+}
+
+fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = String>) {
+    for item in items {
+        let BookItem::Chapter(chapter) = item else {
+            continue;
+        };
+        if chapter.source_path.is_some()
+            && let Some(text) = texts.next()
+        {
+            // `Exercises` alone would be the name of many windows and search results.
+            let title = chapter
+                .parent_names
+                .last()
+                .map(|parent| format!("{{{{#title {} - {parent} - {book}}}}}", chapter.name));
+            chapter.content = title.unwrap_or_default() + &text;
+        }
+        replace(&mut chapter.sub_items, book, texts);
+    }
+}
+
+/// Runs the snippets of all pages and those of the library, as documentation tests.
+fn test_snippets(root: &Path, book: &OfBook) -> Result<(), Failed> {
+    eprintln!("Testing the snippets of all pages with `cargo test --doc`");
+    let run = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        .args(["test", "--doc", "--package", book.library, "--package", book.snippets])
+        .current_dir(root)
+        .stdin(Stdio::null())
+        .stderr(Stdio::inherit())
+        .output()
+        .map_err(|error| Failed::Other(format!("cargo cannot be run: {error}")))?;
+    // Standard output belongs to mdBook's protocol.
+    let report = String::from_utf8_lossy(&run.stdout);
+    if run.status.success() {
+        for line in report.lines().filter(|line| line.starts_with("test result")) {
+            eprintln!("{line}");
+        }
+        Ok(())
+    } else {
+        report.lines().for_each(|line| eprintln!("{}", named_by_its_page(line)));
+        Err(Failed::Other("snippets fail: see above for page, line and value of each".to_owned()))
+    }
+}
+
+/// The name of a snippet, without the folder of the copy that is tested. (The compiler's own words keep it: it counts
+/// lines that rustdoc has put above.)
+fn named_by_its_page(line: &str) -> String {
+    match line.split_once("/out/") {
+        Some((before, page)) if !before.contains("-->") => {
+            let folder = before.rfind(' ').map_or(0, |blank| blank + 1);
+            format!("{}{page}", &before[..folder])
+        }
+        _ => line.to_owned(),
+    }
+}
+
+/// Puts this program where book.toml expects the renderer.
+fn install_finisher(root: &Path) -> std::io::Result<()> {
+    let program = env::current_exe()?;
+    let place = root.join(FINISHER).with_extension(env::consts::EXE_EXTENSION);
+    let stamp = |path: &Path| fs::metadata(path).and_then(|data| Ok((data.len(), data.modified()?))).ok();
+    if place == program || (stamp(&program).is_some() && stamp(&place) == stamp(&program)) {
+        return Ok(());
+    }
+    if let Some(folder) = place.parent() {
+        fs::create_dir_all(folder)?;
+    }
+    let fresh = place.with_extension("new");
+    let _ = fs::remove_file(&fresh);
+    if fs::hard_link(&program, &fresh).is_err() {
+        fs::copy(&program, &fresh)?;
+    }
+    fs::rename(fresh, place) // at once, for an mdBook that may be running the old one
+}
+
+#[cfg(test)]
+mod tests {
+    use super::named_by_its_page;
+
+    #[test]
+    fn a_snippet_is_named_by_its_page() {
+        let said = "---- /a/build/snippets-1/out/book/b/index.md - page_1_b (line 18) stdout ----";
+        assert_eq!(named_by_its_page(said), "---- book/b/index.md - page_1_b (line 18) stdout ----");
+        for said in ["  --> /a/out/book/b.md:3:5", "test result: FAILED."] {
+            assert_eq!(named_by_its_page(said), said);
+        }
+    }
+}
