@@ -44,7 +44,6 @@ mod bodies;
 mod error;
 mod numbers;
 mod special;
-mod wide;
 
 pub use bodies::{attitude, euler, free_rotation, geometric, inertia, rolling};
 pub use error::Error;
@@ -52,4 +51,4 @@ pub use nalgebra;
 pub use numbers::quantity::{InvalidQuantity, Rule};
 pub use special::{conical, elliptic, faddeeva};
 
-use numbers::{quantity, two_part};
+use numbers::{functions, lanes, quantity, two_part};

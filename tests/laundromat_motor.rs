@@ -73,7 +73,8 @@ fn simulated(parameters: Parameters, motor: Motor, start: DrivenState, time: f64
 /// The same by the library's rates.
 fn settled(drive: &Driven, start: DrivenState, time: f64) -> DrivenState {
     let solver = Dop853::new(1e-9).expect("a tolerance");
-    let end = solver.solve(|_, state| drive.rates(state), 0.0, start.to_array(), time).expect("a motion");
+    let end =
+        solver.solve(|time, state| drive.rates(time, state), 0.0, start.to_array(), time).expect("a motion");
     DrivenState::from_array(end.state)
 }
 
@@ -133,7 +134,7 @@ fn the_rates_are_those_of_the_lagrangian_in_the_room() {
         let [position, velocity] = [0.1, 3.0].map(|size| Complex::new(size * number(), size * number()));
         let (spin, phi) = (30.0 * number(), 3.0 * number());
         let on_board = DrivenState { position, velocity, spin };
-        let rates = DrivenState::from_array(driven(parameters, motor).rates(&on_board.to_array()));
+        let rates = DrivenState::from_array(driven(parameters, motor).rates(0.0, &on_board.to_array()));
 
         let turned = Complex::from_polar(1.0, phi);
         let [place, speed] = [position * turned, velocity * turned];

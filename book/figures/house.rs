@@ -47,14 +47,13 @@ pub(crate) fn house(id: &str) -> Outcome {
     let crates = house::crates(&root)?;
     let crates: Vec<Block> = crates.iter().map(Block::of).collect();
     let height = ROW * rooms.len().max(crates.len()) as f64 + 40.0; // of both, so that they stand level
-    let rooms = panel("Rooms of the library", &rooms, height, Some(house::EXCEPTION))?;
-    let crates = panel("Crates of the workspace", &crates, height, None)?;
+    let rooms = panel("Rooms of the library", &rooms, height)?;
+    let crates = panel("Crates of the workspace", &crates, height)?;
     Ok(Drawing::panels(id, vec![rooms, crates]))
 }
 
-/// Boxes one below another, each with a line to the lanes of what it uses; a lane ends with an arrow in its box. What
-/// is used from below, the exception, has a lane on the other side.
-fn panel(title: &str, blocks: &[Block], height: f64, exception: Option<&str>) -> Outcome {
+/// Boxes one below another, each with a line to the lanes of what it uses; a lane ends with an arrow in its box.
+fn panel(title: &str, blocks: &[Block], height: f64) -> Outcome {
     let row = |name: &str| blocks.iter().position(|block| block.name == name).ok_or("nobody has that name");
     let mut said = Vec::new();
     // The lane of what is highest lies next to the boxes, so that no arrow into a box crosses a lane.
@@ -62,7 +61,7 @@ fn panel(title: &str, blocks: &[Block], height: f64, exception: Option<&str>) ->
     let lanes: Vec<&str> = blocks
         .iter()
         .map(|block| block.name)
-        .filter(|name| used.contains(name) && exception != Some(*name))
+        .filter(|name| used.contains(name))
         .collect();
     let mut drawing = Drawing::new("", LEFT + WIDTH + LANE * (lanes.len() as f64 + 2.0), height);
     drawing.label(at(LEFT + 0.5 * WIDTH, 14.0), Side::Over, title, Hue::Ink)?;
@@ -104,20 +103,6 @@ fn panel(title: &str, blocks: &[Block], height: f64, exception: Option<&str>) ->
                 drawing.dot(joint, 3.5, Hue::Ink);
             }
         }
-    }
-
-    if let Some(exception) = exception {
-        let (x, end) = (LEFT - LANE, at(LEFT, top(row(exception)?) + 0.5 * HEIGHT));
-        let mut lowest = end;
-        for (from, block) in blocks.iter().enumerate() {
-            if block.uses.iter().any(|(name, _)| *name == exception) {
-                lowest = at(LEFT, top(from) + 0.5 * HEIGHT);
-                drawing.line(lowest, at(x, lowest.y), Stroke::Reference, Hue::Ink);
-            }
-        }
-        let way = [at(x, lowest.y), at(x, end.y), at(LEFT - 6.0, end.y)];
-        drawing.polyline(&way, Stroke::Reference, Hue::Ink);
-        head(&mut drawing, end, at(1.0, 0.0), 0.8, Hue::Ink);
     }
 
     let heaviest = blocks.iter().filter_map(|block| block.lines).max().unwrap_or(1) as f64;

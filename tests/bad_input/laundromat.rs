@@ -155,7 +155,6 @@ fn undamped_resonance_has_no_steady_motion() {
     );
     let pulled_out = LockedState { radius: 0.1, radius_rate: 0.0 };
     assert_eq!(resonant().locked(pulled_out).unwrap_err(), error);
-    assert_eq!(resonant().locked_rates(&[0.1, 0.0]).unwrap_err(), error);
     assert!(resonant().with_spin(-10.0).unwrap().steady().is_err());
     // One unit in the last place away there is one, a huge one.
     assert!(resonant().with_spin(10.0_f64.next_up()).unwrap().steady().unwrap().radius() > 1e13);

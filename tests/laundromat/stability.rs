@@ -31,7 +31,8 @@ fn eq21_a_locked_angle_is_stable_only_below_the_natural_frequency() {
         let [_, _, row, _] = machine.polar_rates(t, &[r, spin * t - phi0, r_dot, spin]);
         let eq21 = (spin * spin - w0 * w0) * r + b * spin * spin * phi0.cos() - gamma * r_dot;
         let size = (spin * spin + w0 * w0) * b + gamma * r_dot;
-        let [_, locked] = machine.locked_rates(&[r, r_dot]).unwrap();
+        let motion = machine.locked(LockedState::from_array([r, r_dot])).unwrap();
+        let [_, locked] = motion.rates(t, &[r, r_dot]);
         for form in [row, locked, eq21] {
             assert!((rail - form).abs() < ROUNDING * size, "{form} for {rail} m/s²");
         }

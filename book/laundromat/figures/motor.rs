@@ -86,7 +86,7 @@ pub(crate) fn motor_hysteresis(id: &str) -> Outcome {
         let mut values = Values::new();
         for &torque in torques {
             let drive = drive.with_stall_torque(torque)?;
-            state = solver.solve(|_, state: &[f64; 5]| drive.rates(state), 0.0, state, 60.0)?.state;
+            state = solver.solve(|time, state: &[f64; 5]| drive.rates(time, state), 0.0, state, 60.0)?.state;
             values.push((torque, state[4]));
         }
         Ok(values)

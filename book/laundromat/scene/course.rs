@@ -66,7 +66,7 @@ enum Way {
 /// Rates of a driven machine's state and of the azimuth of its load (`eq:driven-shaft`, `eq:driven-spin`).
 fn driven_rates(driven: &Driven, state: &[f64; 6]) -> [f64; 6] {
     let &[x, y, of_x, of_y, spin, _] = state;
-    let [x, y, of_x, of_y, of_spin] = driven.rates(&[x, y, of_x, of_y, spin]);
+    let [x, y, of_x, of_y, of_spin] = driven.rates(0.0, &[x, y, of_x, of_y, spin]);
     [x, y, of_x, of_y, of_spin, spin]
 }
 
@@ -84,7 +84,7 @@ struct Part {
 /// damper feels only the radius, with that in the place of the other.
 fn stepped_rates(rotor: &Rotor, is_radial: bool, acceleration: f64, time: f64, state: &[f64; 4]) -> [f64; 4] {
     let machine = rotor.machine();
-    let mut rates = machine.ramp_rates(acceleration, time, state);
+    let mut rates = machine.ramp_rates(acceleration)(time, state);
     if is_radial {
         let (radial, whole) =
             (machine.radial_damping_rates(time, state), machine.cartesian_rates(time, state));

@@ -6,26 +6,22 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 /// The rooms of the library from the ground up, and for each the rooms that it may use beside itself: those that stand
-/// before it, and [`EXCEPTION`].
-pub const ROOMS: [(&str, &[&str]); 9] = [
+/// before it.
+pub const ROOMS: [(&str, &[&str]); 8] = [
     ("measure", &[]),
     ("sweep", &[]),
     ("numbers", &[]),
     ("special", &["numbers"]),
     ("integrate", &["numbers"]),
     ("error", &["numbers", "integrate"]),
-    ("bodies", &["numbers", "special", "integrate", "wide"]),
-    ("scenes", &["numbers", "special", "integrate", "error", "bodies", "wide"]),
-    ("wide", &["numbers", "special", "integrate", "bodies", "scenes"]),
+    ("bodies", &["numbers", "special", "integrate"]),
+    ("scenes", &["numbers", "special", "integrate", "error", "bodies"]),
 ];
-
-/// The one room that may be used from below: it is the other side of `sample` and knows the motions that it computes.
-pub const EXCEPTION: &str = "wide";
 
 /// The room of each module that `lib.rs` shows at the root.
 pub fn room(module: &str) -> &str {
     match module {
-        "quantity" | "two_part" | "InvalidQuantity" | "Rule" => "numbers",
+        "functions" | "lanes" | "quantity" | "two_part" | "InvalidQuantity" | "Rule" => "numbers",
         "conical" | "elliptic" | "faddeeva" => "special",
         "attitude" | "euler" | "free_rotation" | "geometric" | "inertia" | "rolling" => "bodies",
         "Error" => "error",

@@ -2,8 +2,9 @@
 
 use super::DraggedTop;
 use crate::Error;
-use crate::attitude::{check_attitude, quaternion_rate, turn};
+use crate::attitude::{check_attitude, quaternion_rate};
 use crate::euler::Turning;
+use crate::functions::sin_cos_quarters;
 use crate::integrate::Dop853;
 use crate::quantity::InvalidQuantity;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -98,7 +99,9 @@ impl ThrownTop {
     /// frame, where the wobble rests, it goes round the other way.
     fn turning(&self, time: f64, [w, i, j, k]: [f64; 4], omega_body: Vector3<f64>) -> Turning {
         let world_from_frame = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
-        let frame_from_body = turn(&Vector3::z(), -self.top.wobble_phase(time));
+        let (high, low) = self.top.body_turn.at(self.top.slowed(time).1);
+        let (sin, cos) = sin_cos_quarters::<true>(0.5 * high, 0.5 * low);
+        let frame_from_body = UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, Vector3::z() * -sin));
         Turning { world_from_body: world_from_frame * frame_from_body, omega_body }
     }
 }

@@ -120,7 +120,7 @@ impl Driven {
 
     /// Rates of the state ([`DrivenState::to_array`]) for an integrator (`eq:driven-shaft`, `eq:driven-spin`). They do
     /// not contain the time.
-    pub fn rates(&self, state: &[f64; 5]) -> [f64; 5] {
+    pub fn rates(&self, _time: f64, state: &[f64; 5]) -> [f64; 5] {
         let DrivenState { position, velocity, spin } = DrivenState::from_array(*state);
         let turn = Complex::i() * spin;
         let pull = self.pull(position, velocity);

@@ -5,6 +5,7 @@
 
 use super::drum::Drum;
 use super::root::Root;
+use crate::scenes::laundromat::Shaft;
 use crate::scenes::laundromat::machine::direction;
 use crate::scenes::laundromat::oscillator::{Oscillator, Roots};
 use crate::two_part::TwoPart;
@@ -16,7 +17,7 @@ const NEAR: f64 = 0.25;
 
 /// The resonant root λ = −Γ/2 ± iω₁, and the other one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Early {
+pub(super) struct Early {
     /// Up to which time, of either sign, this form holds: until the drum has drifted by about a radian.
     pub(super) reach: f64,
     decay: f64,                 // −Re λ
@@ -49,11 +50,14 @@ impl Early {
         })
     }
 
-    /// (λ₁ⁿS₁ − λ₂ⁿS₂)/(λ₁ − λ₂) for n = 2 and 3, S of the resonant root counted from the start.
-    pub(super) fn quotients(&self, drum: &Drum, load: Complex<f64>, time: f64) -> [Complex<f64>; 2] {
+    /// (λ₁ⁿS₁ − λ₂ⁿS₂)/(λ₁ − λ₂) for n = 2 and 3, as position and velocity, S of the resonant root counted from the
+    /// start.
+    pub(super) fn motion(&self, drum: &Drum, load: [[f64; 1]; 2], time: f64) -> Shaft {
         let resonant = self.integral(drum, time);
-        let [square, cube] = self.other.weighted(drum, load, time);
-        [self.weights[0] * resonant + square, self.weights[1] * resonant + cube]
+        let mut other = [[0.0]; 4];
+        self.other.add_to::<1, true>(&mut other, &[time], &load);
+        let resonant = Shaft { position: self.weights[0] * resonant, velocity: self.weights[1] * resonant };
+        resonant.plus(Shaft::from_array(other.map(|[number]| number)))
     }
 
     /// `eq:ramp-early` by Gauss's quadrature, to rounding.
