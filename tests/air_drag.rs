@@ -7,7 +7,7 @@ use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::{Body, PrincipalMoments, Spheroid, SymmetricMoments};
 use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, Parameters, ThrownTop};
+use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, DraggedTopParameters, ThrownTop};
 use nalgebra::{UnitQuaternion, Vector3};
 use num_dual::{Dual64, DualNum};
 use printed::corrected_holds_and_printed_fails;
@@ -32,7 +32,7 @@ fn body(random: &mut fastrand::Rng, isotropic: bool) -> (PrincipalMoments, Drag,
 }
 
 fn dragged(moments: PrincipalMoments, drag: Drag, omega_body: Vector3<f64>) -> DraggedTop {
-    DraggedTop::new(Parameters { moments, drag, omega_body }).expect("a body that turns")
+    DraggedTop::new(DraggedTopParameters { moments, drag, omega_body }).expect("a body that turns")
 }
 
 /// That body with its attitude, integrated as closely as the simulations.

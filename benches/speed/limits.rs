@@ -9,7 +9,7 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Taylor;
 use mechanics::rolling::Rolling;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::EulersDisk;
 use mechanics::sweep::sweep;
@@ -60,7 +60,7 @@ fn sampled(top: &FreeTop, times: &[f64]) -> Result<(), Cause> {
 
 fn machine(damping: f64, spin: f64) -> Result<Machine, Cause> {
     let (drum_mass, load_mass, load_radius, stiffness) = (0.0, 1.0, 1.0, 1.0);
-    Ok(Machine::new(Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })?)
+    Ok(Machine::new(MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })?)
 }
 
 /// A line of `limits.csv`: of what, what it is, and nanoseconds.

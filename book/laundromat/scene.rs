@@ -15,7 +15,7 @@ use course::{Course, Drive, State};
 use drawing::kit::{self, Marker};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use drum::Drum;
-use mechanics::scenes::laundromat::{Machine, Parameters, SteadyMotion};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, SteadyMotion};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -162,7 +162,7 @@ fn frames(room: Room) -> [Rect; 3] {
 
 impl Washer {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let still = Machine::new(Parameters {
+        let still = Machine::new(MachineParameters {
             drum_mass: 28.0,
             load_mass: 2.0,
             load_radius: 0.25,

@@ -11,7 +11,7 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::geometric::{Splitting, commutator_free};
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{PinningParameters, Pin, Pinning, Shape};
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::ops::ControlFlow;
@@ -283,7 +283,7 @@ pub(crate) fn method_steps(id: &str) -> Outcome {
          scale from 0.1 to 10: about 1 during each flip, and up to four times as long while the hoop waits.",
     );
     let pin = Pin::Angle(89.9_f64.to_radians());
-    let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
+    let hoop = Pinning::new(PinningParameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
     let top = hoop.free_motion()?;
     let span = 150.0;
     let time = || Axis::linear(0.0, span, 30.0).map(|axis| axis.minor(10.0));

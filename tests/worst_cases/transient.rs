@@ -4,7 +4,7 @@ use crate::linear::carried;
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search, worse};
 use mechanics::InvalidQuantity;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
 
 /// The documented error, in units in the last place of what the documentation names.
@@ -42,7 +42,7 @@ impl Units {
 
     /// A machine with ω₀ = b = 1 in these units.
     pub(crate) fn machine(&self, damping: f64, spin: f64) -> Machine {
-        let parameters = Parameters {
+        let parameters = MachineParameters {
             drum_mass: 0.5 * self.mass,
             load_mass: 0.5 * self.mass,
             load_radius: 2.0 * self.length,
@@ -190,7 +190,7 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
 
 /// A machine and a start of any size at all, and times near enough to be reached or not.
 pub(crate) fn hostile(draw: &mut Draw<'_>) -> Option<(Machine, Shaft, [f64; 40])> {
-    let parameters = Parameters {
+    let parameters = MachineParameters {
         drum_mass: draw.decades(1e-50, 1e50),
         load_mass: draw.decades(1e-50, 1e50),
         load_radius: draw.decades(1e-50, 1e50),

@@ -5,18 +5,18 @@ use crate::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Driven, DrivenState, Folds, Motor};
+use mechanics::scenes::laundromat::{DrivenMachine, DrivenState, Folds, Motor};
 
 /// The motor's idle spin, rad/s.
 const IDLE: f64 = 40.0;
 
 /// The chapter's machine with half its damper, turned by a motor of this stall torque, N·m.
-fn driven(stall_torque: f64) -> Result<Driven, Cause> {
+fn driven(stall_torque: f64) -> Result<DrivenMachine, Cause> {
     let motor = Motor { stall_torque, idle_spin: IDLE, drum_inertia: 0.5 };
     Ok(washing_machine(0.15, 0.0)?.driven(motor)?)
 }
 
-fn folds(drive: &Driven) -> Result<Folds, Cause> {
+fn folds(drive: &DrivenMachine) -> Result<Folds, Cause> {
     drive.folds().ok_or_else(|| "no folds".into())
 }
 

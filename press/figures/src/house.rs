@@ -7,7 +7,7 @@ use std::{fs, io};
 
 /// The rooms of the library from the ground up, and for each the rooms that it may use beside itself: those that stand
 /// before it.
-pub const ROOMS: [(&str, &[&str]); 8] = [
+pub const ROOMS: [(&str, &[&str]); 9] = [
     ("measure", &[]),
     ("sweep", &[]),
     ("numbers", &[]),
@@ -16,6 +16,7 @@ pub const ROOMS: [(&str, &[&str]); 8] = [
     ("error", &["numbers", "integrate"]),
     ("bodies", &["numbers", "special", "integrate"]),
     ("scenes", &["numbers", "special", "integrate", "error", "bodies"]),
+    ("motion", &["numbers", "bodies", "scenes"]),
 ];
 
 /// The room of each module that `lib.rs` shows at the root.

@@ -33,7 +33,7 @@ impl Drag {
 
 /// A body, what the air does to it, and how it turns at time zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters {
+pub struct DraggedTopParameters {
     /// Principal moments; the axis of symmetry is axis 3.
     pub moments: PrincipalMoments,
     /// The drag.
@@ -46,14 +46,14 @@ pub struct Parameters {
 ///
 /// ```
 /// use mechanics::inertia::PrincipalMoments;
-/// use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, Parameters};
+/// use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, DraggedTopParameters};
 /// use nalgebra::Vector3;
 /// let (drag, omega_body) = (Drag::isotropic(0.1), Vector3::new(3.0, 0.0, 10.0));
 /// let moments = PrincipalMoments::symmetric(1.0, 2.0)?;
-/// let frisbee = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+/// let frisbee = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
 /// assert_eq!(frisbee.axis_trend(), AxisTrend::Aligning);
 /// let moments = PrincipalMoments::symmetric(2.0, 0.1)?;
-/// let pencil = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+/// let pencil = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
 /// assert_eq!(pencil.axis_trend(), AxisTrend::Tumbling);
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
@@ -85,8 +85,8 @@ impl DraggedTop {
     /// # Errors
     /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, a drag coefficient is negative, a number is not
     /// finite or of a size that cannot be computed with, or the body does not turn.
-    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
-        let Parameters { moments, drag, omega_body } = parameters;
+    pub fn new(parameters: DraggedTopParameters) -> Result<Self, InvalidQuantity> {
+        let DraggedTopParameters { moments, drag, omega_body } = parameters;
         let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric()?;
         let Drag { transverse: c1, axial: c3 } = drag;
         InvalidQuantity::check_not_negative("transverse drag coefficient", c1, "N·m·s")?;

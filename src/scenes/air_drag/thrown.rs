@@ -17,12 +17,12 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// use mechanics::attitude::angle_between;
 /// use mechanics::inertia::PrincipalMoments;
 /// use mechanics::integrate::Dop853;
-/// use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
+/// use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 /// use nalgebra::{UnitQuaternion, Vector3};
 /// // A flat disc, thrown with a wobble.
 /// let (moments, drag) = (PrincipalMoments::symmetric(1.0, 2.0)?, Drag::isotropic(0.1));
 /// let omega_body = Vector3::new(3.0, 0.0, 10.0);
-/// let disc = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+/// let disc = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
 /// let flight = disc.thrown(UnitQuaternion::identity(), &Dop853::new(1e-9)?)?;
 /// let later = flight.at(20.0)?;
 /// // Its angular momentum keeps its direction, and its axis goes there: 8.5° away at first, here after 20 s.

@@ -9,7 +9,7 @@ mod landing;
 mod people;
 
 pub use landing::{Landings, edge_at_random};
-pub use people::{Counted, Tossers, TossersParameters};
+pub use people::{TossCount, Tossers, TossersParameters};
 
 use crate::euler::Turning;
 use crate::free_rotation::FreeSymmetricTop;

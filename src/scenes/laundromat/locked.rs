@@ -33,10 +33,10 @@ impl LockedState {
 /// time or of the damping by such a unit makes of the motion.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{LockedState, Machine, Parameters};
+/// use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters};
 /// let (drum_mass, load_mass, load_radius) = (28.0, 2.0, 0.25);
 /// let (stiffness, damping, spin) = (3000.0, 90.0, 30.0);
-/// let made = Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
+/// let made = MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
 /// let machine = Machine::new(made)?; // 10 rad/s by itself, turned at 30
 /// let steady = machine.steady()?.radius();
 /// // A tenth of a millimetre too far out; a tenth of a second later the locked shaft is nearly eight times as far.

@@ -39,9 +39,9 @@ mod transient;
 mod whirl;
 
 pub use locked::{LockedMotion, LockedState};
-pub use machine::{Machine, Parameters};
+pub use machine::{Machine, MachineParameters};
 pub use modes::Mode;
-pub use motor::{Driven, DrivenState, Fold, Folds, Motor};
+pub use motor::{DrivenMachine, DrivenState, Fold, Folds, Motor};
 pub use ramp::Ramp;
 pub use shaft::{Polar, Shaft};
 pub use steady::{Peak, SteadyMotion};

@@ -20,8 +20,8 @@ use nalgebra::Complex;
 /// proportion to the time. Before the start a damped motion grows, and with it what a rounded start has become.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
-/// let machine = Machine::new(Parameters {
+/// use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
+/// let machine = Machine::new(MachineParameters {
 ///     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25,
 ///     stiffness: 3000.0, damping: 90.0, spin: 30.0,
 /// })?;

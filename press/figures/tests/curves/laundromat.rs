@@ -2,12 +2,12 @@
 
 use crate::{PIXELS, curve};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters};
+use mechanics::scenes::laundromat::{Machine, MachineParameters};
 use nalgebra::Complex;
 
 fn machine(damping: f64, spin: f64) -> Machine {
     let damping = damping * 300.0;
-    Machine::new(Parameters {
+    Machine::new(MachineParameters {
         drum_mass: 28.0,
         load_mass: 2.0,
         load_radius: 0.25,

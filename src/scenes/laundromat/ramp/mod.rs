@@ -29,8 +29,8 @@ use root::Root;
 /// resonance lies ahead or behind or is where the drum starts.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
-/// let machine = Machine::new(Parameters {
+/// use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
+/// let machine = Machine::new(MachineParameters {
 ///     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25,
 ///     stiffness: 3000.0, damping: 3.0, spin: 0.0,
 /// })?;
