@@ -73,7 +73,7 @@ impl Fixed {
             Self::Rk4 => rk4(free(), 0.0, start, duration, steps)?,
             Self::Dop853 => {
                 let h = duration / steps as f64;
-                let solver = Dop853::new(LOOSE)?.with_first_step(h).with_max_step(h);
+                let solver = Dop853::new(LOOSE)?.with_first_step(h)?.with_max_step(h)?;
                 solver.solve(free(), 0.0, start, duration)?.state
             }
             Self::CommutatorFree => {
@@ -231,7 +231,7 @@ pub(crate) fn method_amplitude(id: &str) -> Outcome {
     plot.curve("rk4", by_rk4, Look::RK4.stroke, Look::RK4.hue);
     let by_dop853 = linear_steps(0.001, 7.0, 1400)
         .map(|z| {
-            let solver = Dop853::new(LOOSE)?.with_first_step(z).with_max_step(z);
+            let solver = Dop853::new(LOOSE)?.with_first_step(z)?.with_max_step(z)?;
             let [x, v] = solver.solve(swing, 0.0, [1.0, 0.0], z)?.state;
             Ok((z, x.hypot(v)))
         })

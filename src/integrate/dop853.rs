@@ -92,20 +92,26 @@ impl Dop853 {
         })
     }
 
-    /// The same with a given length of the first step instead of an estimated one; its sign is ignored, and a length
-    /// that is zero or not finite leaves the estimate in place.
-    pub fn with_first_step(self, length: f64) -> Self {
-        let usable = length.is_finite() && length != 0.0;
-        Self { first_step: usable.then_some(length.abs()), ..self }
+    /// The same with a given length of the first step instead of an estimated one; its sign is ignored.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] for a length that is zero or not finite.
+    pub fn with_first_step(self, length: f64) -> Result<Self, InvalidQuantity> {
+        InvalidQuantity::require_finite("first step", length, "")?;
+        let first_step = Some(InvalidQuantity::check_step("first step", length)?);
+        Ok(Self { first_step, ..self })
     }
 
-    /// The same with no step longer than `length`; a length that is zero or NaN sets no limit.
-    pub fn with_max_step(self, length: f64) -> Self {
-        let max_step = if length.abs() > 0.0 { length.abs() } else { f64::INFINITY };
-        Self { max_step, ..self }
+    /// The same with no step longer than `length`, whose sign is ignored; infinite for no limit.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] for a length that is zero or NaN.
+    pub fn with_max_step(self, length: f64) -> Result<Self, InvalidQuantity> {
+        Ok(Self { max_step: InvalidQuantity::check_step("longest step", length)?, ..self })
     }
 
     /// The same with a limit on the evaluations of the rates (ten million unless set).
+    #[must_use]
     pub fn with_max_evaluations(self, max_evaluations: usize) -> Self {
         Self { max_evaluations, ..self }
     }

@@ -90,13 +90,16 @@ impl Taylor {
         InvalidQuantity::require(holds, "tolerance", self.tolerance, "", Rule::AtMost(size)).map(drop)
     }
 
-    /// The same with no step longer than `length`; a length that is zero or NaN sets no limit.
-    pub fn with_max_step(self, length: f64) -> Self {
-        let max_step = if length.abs() > 0.0 { length.abs() } else { f64::INFINITY };
-        Self { max_step, ..self }
+    /// The same with no step longer than `length`, whose sign is ignored; infinite for no limit.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] for a length that is zero or NaN.
+    pub fn with_max_step(self, length: f64) -> Result<Self, InvalidQuantity> {
+        Ok(Self { max_step: InvalidQuantity::check_step("longest step", length)?, ..self })
     }
 
     /// The same with a limit on the number of series (a hundred thousand unless set).
+    #[must_use]
     pub fn with_max_expansions(self, max_expansions: usize) -> Self {
         Self { max_expansions, ..self }
     }

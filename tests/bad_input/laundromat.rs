@@ -1,6 +1,6 @@
 //! The washing machine, its motion, and the integrators.
 
-use mechanics::integrate::{Direction, Dop853, Failure, rk4};
+use mechanics::integrate::{Direction, Dop853, Failure, Taylor, rk4};
 use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Shaft};
 use mechanics::{InvalidQuantity, Rule};
 
@@ -305,22 +305,24 @@ fn an_event_that_is_not_a_number_is_a_failure() {
     let within = |t: f64, _: &[f64; 1]| {
         if t == 0.0 || t == 1.0 { t - 0.5 } else { f64::NAN }
     };
-    let one_step = solver.with_first_step(1.0);
+    let one_step = solver.with_first_step(1.0).unwrap();
     let failure = one_step.solve_until(still, 0.0, [1.0], 1.0, within, Direction::Rising).unwrap_err();
     assert!(matches!(failure, Failure::EventNotANumber { time: 0.0, .. }));
 }
 
 #[test]
-fn settings_that_mean_nothing_are_left_aside() {
-    // A first step or a longest step of zero or NaN sets nothing: the integration is the same as without.
-    let swing = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
-    let plain = Dop853::new(1e-9).unwrap();
-    let expected = plain.solve(swing, 0.0, [1.0, 0.0], 5.0).unwrap();
-    for odd in [0.0, f64::NAN] {
-        for solver in [plain.with_first_step(odd), plain.with_max_step(odd)] {
-            assert_eq!(solver.solve(swing, 0.0, [1.0, 0.0], 5.0).unwrap(), expected);
+fn lengths_of_steps_that_mean_nothing_are_refused() {
+    let (plain, taylor) = (Dop853::new(1e-9).unwrap(), Taylor::new(1e-9).unwrap());
+    for (odd, said) in [(0.0, "0 must not be zero"), (f64::NAN, "NaN is not a finite number")] {
+        let first = plain.with_first_step(odd).unwrap_err();
+        assert_eq!(first.to_string(), format!("first step {said}"));
+        for longest in [plain.with_max_step(odd).unwrap_err(), taylor.with_max_step(odd).unwrap_err()] {
+            assert_eq!(longest.to_string(), format!("longest step {said}"));
         }
     }
+    assert!(plain.with_first_step(f64::INFINITY).is_err());
+    assert_eq!(plain.with_max_step(f64::INFINITY), Ok(plain));
+    let swing = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
     let failure = plain.with_max_evaluations(0).solve(swing, 0.0, [1.0, 0.0], 5.0).unwrap_err();
     assert!(matches!(failure, Failure::TooMuchWork { time: 0.0, .. }));
 }

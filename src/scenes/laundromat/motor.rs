@@ -140,8 +140,8 @@ impl DrivenMachine {
     ///
     /// None is missed if Γ is more than 1e-14 ω₀: between 0, the folds and the idle spin the stall torque that a spin
     /// takes only rises or only falls. With less damping the resonance is so narrow that its peak lies between two
-    /// neighbouring numbers, and two of three are missed if the stall torque is above what [`DrivenMachine::folds`] finds
-    /// there.
+    /// neighbouring numbers, and two of three are missed if the stall torque is above what [`DrivenMachine::folds`]
+    /// finds there.
     pub fn steady_spins(&self) -> Vec<f64> {
         let folds = self.folds().map(|folds| [folds.up.spin, folds.down.spin]);
         let mut ends = vec![0.0];
@@ -224,9 +224,9 @@ impl DrivenMachine {
     /// them die out.
     ///
     /// If Γ is at least 1e-5 ω₀, its error is what a change of the machine's numbers, and of the entries of
-    /// [`DrivenMachine::stability_matrix`] in units in which rows and columns are alike in size, by 250 units in the last
-    /// place (`f64::EPSILON`, of the largest root) makes. That is 1e-13 of the largest root or less, but only half of
-    /// the digits are left where two roots meet, as at critical damping. With less damping 1e-6 of the largest root
+    /// [`DrivenMachine::stability_matrix`] in units in which rows and columns are alike in size, by 250 units in the
+    /// last place (`f64::EPSILON`, of the largest root) makes. That is 1e-13 of the largest root or less, but only half
+    /// of the digits are left where two roots meet, as at critical damping. With less damping 1e-6 of the largest root
     /// stands in place of what the entries make. A rate nearer to zero than that may have the wrong sign.
     ///
     /// # Errors
