@@ -360,35 +360,6 @@ fn the_angle_is_known_long_after_the_spin_has_left_the_numbers() {
 }
 
 #[test]
-fn many_samples_at_once_are_the_states_one_by_one() {
-    // Drag from none to so strong that nothing is left; phases of a million turns; lists of every length around a
-    // block's; times beyond the reach of the form for many.
-    let mut random = fastrand::Rng::with_seed(53);
-    for n in 0..200 {
-        let drag =
-            |random: &mut fastrand::Rng| if n % 5 == 0 { 0.0 } else { 10_f64.powf(6.0 * random.f64() - 6.0) };
-        let drag = Drag { transverse: drag(&mut random), axial: drag(&mut random) };
-        let moments = PrincipalMoments::symmetric(0.5 + random.f64(), 0.7).unwrap();
-        let omega = Vector3::from_fn(|_, _| 20.0 * (random.f64() - 0.5));
-        let top = dragged(moments, drag, omega);
-        let mut times: Vec<f64> = (0..n).map(|_| 10_f64.powf(8.0 * random.f64() - 2.0)).collect();
-        if n % 3 == 0 && n > 40 {
-            times[35] = 1e40;
-        }
-        for (sample, &time) in top.sample(&times).unwrap().iter().zip(&times) {
-            let single = top.at(time).unwrap();
-            // One by one the phase is one number; that is all that the two may differ by.
-            let phase = 20.0 * time.min(moments.to_array()[2] / drag.axial);
-            let error = (sample - single).norm() / single.norm().max(f64::MIN_POSITIVE);
-            assert!(
-                error < 1e-15 * (2.0 + phase + top.alignment_rate().abs() * time),
-                "{n} at {time}: {error:e}"
-            );
-        }
-    }
-}
-
-#[test]
 fn a_body_that_turns_exactly_along_or_across_its_axis_keeps_doing_so() {
     for ratio in [0.1, 1.0, 2.0] {
         let moments = PrincipalMoments::symmetric(1.0, ratio).unwrap();
