@@ -13,9 +13,9 @@
 use super::theta::{Polynomials, Theta, Values};
 use crate::elliptic::{carlson_rf, carlson_rf_in_two_parts, complete_integral, quarter_period};
 use crate::euler::Turning;
-use crate::functions::{Clock, at_full_width, sin_cos_quarters};
+use crate::functions::{Clock, sin_cos_quarters};
 use crate::inertia::PrincipalMoments;
-use crate::lanes::{BLOCK, in_blocks, sample};
+use crate::lanes::{Branchless, sample_branchless};
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
 use nalgebra::{Matrix3, Matrix4, Quaternion, Rotation3, UnitQuaternion, Vector3, Vector4};
@@ -23,19 +23,32 @@ use nalgebra::{Matrix3, Matrix4, Quaternion, Rotation3, UnitQuaternion, Vector3,
 /// The motion of a body with three different moments, about which no two components of ω vanish.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Tumbling {
-    argument: Clock, // u as its theta functions count it
+    constants: Constants,
+    theta: Theta,
+    period: Option<f64>,
+}
+
+/// What a state is made of beside the theta functions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Constants {
+    argument: Clock, // u as the theta functions count it
     first_argument: TwoPart,
     half_turn: Clock,           // half the steady angle (Λ − σ)t about L
     sense: f64,                 // s
     ratio: f64,                 // |I₂W₂/I₁W₁| = √(1 + n)
     amplitudes: Vector3<f64>,   // W₁, W₂, W₃, rad/s
     moments_by_l: Vector3<f64>, // I₁/L, I₂/L, I₃/L, s
-    theta: Theta,
     /// Takes the quaternion of the renamed axes in upright ones, scalar last, to the attitude's.
     attitude: Matrix4<f64>,
     /// A permutation with signs, which is exact.
     body_from_renamed: Matrix3<f64>,
-    period: Option<f64>,
+}
+
+/// The motion with the theta functions of one side.
+#[derive(Debug, Clone, Copy)]
+struct OneSide<P> {
+    constants: Constants,
+    theta: P,
 }
 
 impl Tumbling {
@@ -115,7 +128,7 @@ impl Tumbling {
         let renamed_from_body =
             UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(renaming));
         let identity = UnitQuaternion::identity();
-        let motion = Self {
+        let constants = Constants {
             argument: Clock::from_quarters(argument_rate / per),
             first_argument: first_argument / per,
             half_turn: Clock::from_rate(steady_rate * (0.5 * unit_rate)),
@@ -123,73 +136,59 @@ impl Tumbling {
             ratio: (b * i2 / (a * i1)).rounded().abs(),
             amplitudes: Vector3::new(a, b, c).map(|amplitude| amplitude.rounded() * unit_rate),
             moments_by_l: Vector3::new(i1, i2, i3) / (l.rounded() * unit_rate),
-            theta,
             attitude: both_sides(&identity, &renamed_from_body),
             body_from_renamed: renaming.transpose(),
-            period: quarter.map(|quarter| (quarter * 4.0 / argument_rate).rounded()),
         };
-        let upright_from_body = motion.state(motion.numbers::<true>(0.0)).world_from_body;
+        let period = quarter.map(|quarter| (quarter * 4.0 / argument_rate).rounded());
+        let mut motion = Self { constants, theta, period };
+        let upright_from_body = motion.state(0.0).world_from_body;
         let world_from_upright = start.world_from_body * upright_from_body.inverse();
-        Some(Self { attitude: both_sides(&world_from_upright, &renamed_from_body), ..motion })
+        motion.constants.attitude = both_sides(&world_from_upright, &renamed_from_body);
+        Some(motion)
     }
 
     /// Attitude and angular velocity at `time`, s.
     pub(super) fn at(&self, time: f64) -> Result<Turning, InvalidQuantity> {
-        Ok(self.state(self.numbers::<true>(InvalidQuantity::check_time(time)?)))
+        Ok(self.state(InvalidQuantity::check_time(time)?))
+    }
+
+    fn state(&self, time: f64) -> Turning {
+        match &self.theta {
+            Theta::Slow(slow) => self.constants.state::<true>(slow, time),
+            Theta::Fast(fast) => self.constants.state::<true>(fast, time),
+        }
     }
 
     /// The same at many times.
     pub(super) fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
-        let blank = Turning { world_from_body: UnitQuaternion::identity(), omega_body: Vector3::zeros() };
-        sample(times, blank, |times, states| self.fill(times, states), |time| self.at(time))
+        let Self { constants, theta, .. } = *self;
+        let reach = constants.argument.reach().min(constants.half_turn.reach());
+        let (reach, blank) = ([-reach, reach], self.state(0.0));
+        let at = |time: f64| self.at(time);
+        match theta {
+            Theta::Slow(theta) => sample_branchless(OneSide { constants, theta }, reach, times, blank, at),
+            Theta::Fast(theta) => sample_branchless(OneSide { constants, theta }, reach, times, blank, at),
+        }
     }
 
     /// The time after which the angular velocity is the same again, `4K/p`, s; none on the separatrix.
     pub(super) fn period(&self) -> Option<f64> {
         self.period
     }
+}
 
-    /// Fills the states at times within reach and says how many, as [`in_blocks`] does.
-    fn fill(&self, times: &[f64], states: &mut [Turning]) -> usize {
-        let reach = self.argument.reach().min(self.half_turn.reach());
-        let reached = |time: f64| time.abs() <= reach && InvalidQuantity::check_time(time).is_ok();
-        let mut block = [[0.0; BLOCK]; 7];
-        in_blocks(times, states, reached, |times, states| {
-            let mut padded = [0.0; BLOCK];
-            padded[..times.len()].copy_from_slice(times);
-            at_full_width(
-                #[inline(always)]
-                || match &self.theta {
-                    Theta::Slow(slow) => self.fill_block(slow, &padded, &mut block),
-                    Theta::Fast(fast) => self.fill_block(fast, &padded, &mut block),
-                },
-            );
-            for (n, state) in states.iter_mut().enumerate() {
-                *state = self.state(std::array::from_fn(|i| block[i][n]));
-            }
-            true
-        })
-    }
+impl<P: Polynomials + Copy> Branchless for OneSide<P> {
+    type State = Turning;
 
     #[inline(always)]
-    fn fill_block(&self, theta: &impl Polynomials, times: &[f64; BLOCK], block: &mut [[f64; BLOCK]; 7]) {
-        let [i, j, k, w, w1, w2, w3] = block;
-        for n in 0..BLOCK {
-            [i[n], j[n], k[n], w[n], w1[n], w2[n], w3[n]] = self.numbers_of::<false>(theta, times[n]);
-        }
+    fn state<const ONE: bool>(&self, time: f64) -> Turning {
+        self.constants.state::<ONE>(&self.theta, time)
     }
+}
 
-    fn numbers<const ONE: bool>(&self, time: f64) -> [f64; 7] {
-        match &self.theta {
-            Theta::Slow(slow) => self.numbers_of::<ONE>(slow, time),
-            Theta::Fast(fast) => self.numbers_of::<ONE>(fast, time),
-        }
-    }
-
-    /// The quaternion of the renamed axes in upright ones (i, j, k, scalar, not of length one), and ω along the
-    /// renamed axes, rad/s.
+impl Constants {
     #[inline(always)]
-    fn numbers_of<const ONE: bool>(&self, theta: &impl Polynomials, time: f64) -> [f64; 7] {
+    fn state<const ONE: bool>(&self, theta: &impl Polynomials, time: f64) -> Turning {
         let ((high, low), (turn_high, turn_low)) = (self.argument.at(time), self.half_turn.at(time));
         let (first, first_low) = self.first_argument.parts();
         let (argument, argument_low) = (TwoPart::sum(high, first) + (low + first_low)).parts();
@@ -212,14 +211,10 @@ impl Tumbling {
         // then the turn about the upright (eq:free-attitude).
         let [l1, l2, l3]: [f64; 3] = std::array::from_fn(|n| self.moments_by_l[n] * omega[n]);
         let (w, i, j) = (1.0 + l3, l2, -l1);
-        [c * i - s * j, c * j + s * i, s * w, c * w, omega[0], omega[1], omega[2]]
-    }
-
-    fn state(&self, [i, j, k, w, w1, w2, w3]: [f64; 7]) -> Turning {
-        let q = self.attitude * Vector4::new(i, j, k, w);
+        let q = self.attitude * Vector4::new(c * i - s * j, c * j + s * i, s * w, c * w);
         Turning {
             world_from_body: UnitQuaternion::new_unchecked(Quaternion::from(q / q.norm())),
-            omega_body: self.body_from_renamed * Vector3::new(w1, w2, w3),
+            omega_body: self.body_from_renamed * Vector3::from(omega),
         }
     }
 }
