@@ -53,4 +53,4 @@ pub use nalgebra;
 pub use numbers::quantity::{InvalidQuantity, Rule};
 pub use special::{conical, elliptic, faddeeva};
 
-use numbers::{functions, lanes, quantity, two_part};
+use numbers::{clock, elementary, lanes, quantity, two_part};

@@ -5,8 +5,6 @@
 //! block of times the compiler makes of the same lines instructions for two, four or eight times at once (for
 //! `sample`). A block in which a time is out of reach is left to `at`, one by one.
 
-use super::functions::at_full_width;
-
 /// The states at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone one by
 /// one, and so on. A state that is not known yet is `blank`.
 pub(crate) fn sample<S: Copy, E>(
@@ -30,6 +28,13 @@ pub(crate) fn sample<S: Copy, E>(
         }
     }
     Ok(states)
+}
+
+/// Runs a loop compiled for the widest registers that the processor has. The answer is the same on all of
+/// them, to the last bit: nothing is fused or reordered.
+#[inline(always)]
+pub(crate) fn at_full_width<R>(work: impl FnOnce() -> R) -> R {
+    pulp::Arch::new().dispatch(work)
 }
 
 /// The list grows by so many blocks, which the nearest memory holds until they are filled.
@@ -116,8 +121,9 @@ fn several_at_once<C: Branchless>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::functions::{Clock, exp};
     use super::{BLOCK, Branchless, sample, several_at_once};
+    use crate::clock::Clock;
+    use crate::elementary::exp;
     use crate::two_part::TwoPart;
     use std::cell::Cell;
     use std::convert::Infallible;

@@ -5,7 +5,7 @@
 //! from the pole, with the residue of the pole added (M. Al Azah & S. N. Chandler-Wilde, *SIAM Journal on Numerical
 //! Analysis* **59** (2021) 2346–2367).
 
-use crate::functions::{exp, nearest, sin_cos_quarters};
+use crate::elementary::{exp, nearest, sin_cos_quarters};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_2_PI, PI};
 

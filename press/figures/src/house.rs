@@ -22,7 +22,7 @@ pub const ROOMS: [(&str, &[&str]); 9] = [
 /// The room of each module that `lib.rs` shows at the root.
 pub fn room(module: &str) -> &str {
     match module {
-        "functions" | "lanes" | "quantity" | "two_part" | "InvalidQuantity" | "Rule" => "numbers",
+        "clock" | "elementary" | "lanes" | "quantity" | "two_part" | "InvalidQuantity" | "Rule" => "numbers",
         "conical" | "elliptic" | "faddeeva" => "special",
         "attitude" | "euler" | "free_rotation" | "geometric" | "inertia" | "rolling" => "bodies",
         "Error" => "error",

@@ -1,7 +1,7 @@
 //! The four theta functions of a free body's motion as polynomials: of degree three in cos 2v, or in `e^{−2w}` and
 //! `q'e^{2w}`.
 
-use crate::functions::{exp, nearest, remainder, sin_cos_quarters};
+use crate::elementary::{exp, nearest, remainder, sin_cos_quarters};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 /// The theta functions of `eq:free-jacobi`, and the factor `is ϑ₁(v − iη)` of `eq:beyond-steady`

@@ -11,9 +11,10 @@
 //! is found without the angle: a complex number Z has the direction of the square of `|Z| + Z`.
 
 use super::theta::{Polynomials, Theta, Values};
+use crate::clock::Clock;
+use crate::elementary::sin_cos_quarters;
 use crate::elliptic::{carlson_rf, carlson_rf_in_two_parts, complete_integral, quarter_period};
 use crate::euler::Turning;
-use crate::functions::{Clock, sin_cos_quarters};
 use crate::inertia::PrincipalMoments;
 use crate::lanes::{Branchless, sample_branchless};
 use crate::quantity::InvalidQuantity;

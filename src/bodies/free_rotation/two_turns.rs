@@ -1,7 +1,7 @@
 //! A body whose attitude is a steady turn about **L** and one about its own axis, and one that only turns steadily.
 
+use crate::clock::Clock;
 use crate::euler::Turning;
-use crate::functions::Clock;
 use crate::lanes::{Branchless, sample_branchless};
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;

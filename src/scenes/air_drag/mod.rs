@@ -8,7 +8,8 @@ mod thrown;
 
 pub use thrown::ThrownTop;
 
-use crate::functions::{Clock, exp, exp_and_exp_m1};
+use crate::clock::Clock;
+use crate::elementary::{exp, exp_and_exp_m1};
 use crate::inertia::{PrincipalMoments, SymmetricMoments};
 use crate::lanes::{Branchless, sample_branchless};
 use crate::quantity::{InvalidQuantity, Rule};

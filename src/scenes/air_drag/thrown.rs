@@ -3,8 +3,8 @@
 use super::DraggedTop;
 use crate::Error;
 use crate::attitude::{check_attitude, quaternion_rate};
+use crate::elementary::sin_cos_quarters;
 use crate::euler::Turning;
-use crate::functions::sin_cos_quarters;
 use crate::integrate::Dop853;
 use crate::quantity::InvalidQuantity;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};

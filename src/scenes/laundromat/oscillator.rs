@@ -2,7 +2,8 @@
 //! that pulls or pushes.
 
 use super::shaft::Shaft;
-use crate::functions::{Clock, exp_or_infinity};
+use crate::clock::Clock;
+use crate::elementary::exp_or_infinity;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 

@@ -4,7 +4,7 @@ use super::machine::{Machine, direction};
 use super::oscillator::{FreeMotion, Oscillator, Roots, Scaled, Swing};
 use super::shaft::{Shaft, out_of_range};
 use super::steady::SteadyMotion;
-use crate::functions::Clock;
+use crate::clock::Clock;
 use crate::lanes::{Branchless, sample_branchless};
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;

@@ -1,6 +1,6 @@
 //! How the drum turns.
 
-use crate::functions::{ROUNDABLE, sin_cos_quarters};
+use crate::elementary::{ROUNDABLE, sin_cos_quarters};
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
 use std::f64::consts::PI;

@@ -1,8 +1,8 @@
 //! One root of the suspension, and what the force of a drum that speeds up does through it.
 
 use super::drum::Drum;
+use crate::elementary::{exp_or_infinity, remainder, sin_cos_quarters};
 use crate::faddeeva::upper_half;
-use crate::functions::{exp_or_infinity, remainder, sin_cos_quarters};
 use crate::scenes::laundromat::Shaft;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
