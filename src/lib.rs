@@ -35,6 +35,8 @@
 //!
 //! SI units and radians throughout. Labels such as `eq:steady-radius` in comments are those of the book's equations.
 
+#![warn(clippy::return_self_not_must_use)]
+
 pub mod integrate;
 pub mod measure;
 pub mod scenes;

@@ -214,7 +214,7 @@ impl Constants {
         let (w, i, j) = (1.0 + l3, l2, -l1);
         let q = self.attitude * Vector4::new(c * i - s * j, c * j + s * i, s * w, c * w);
         Turning {
-            world_from_body: UnitQuaternion::new_unchecked(Quaternion::from(q / q.norm())),
+            world_from_body: UnitQuaternion::new_unchecked(Quaternion::from(q * q.norm().recip())),
             omega_body: self.body_from_renamed * Vector3::from(omega),
         }
     }
