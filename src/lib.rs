@@ -56,3 +56,4 @@ pub use numbers::quantity::{InvalidQuantity, Rule};
 pub use special::{conical, elliptic, faddeeva};
 
 use numbers::{clock, elementary, lanes, quantity, two_part};
+use special::gauss;

@@ -1,5 +1,6 @@
 //! DOP853: the explicit Runge–Kutta method of order eight of Dormand and Prince with step control.
 
+use super::failure::is_finite;
 use super::step::{Step, advance};
 use super::tableau::{A, B, C};
 use super::{Failure, Rates};
@@ -197,12 +198,7 @@ impl Dop853 {
         end: f64,
         mut observer: impl FnMut(&mut Step<'_, N, F>) -> ControlFlow<()>,
     ) -> Result<End<N>, Failure> {
-        if !(start.is_finite() && end.is_finite()) {
-            return Err(Failure::Interval { start, end });
-        }
-        if !is_finite(&state) {
-            return Err(Failure::InitialState { state: state.to_vec() });
-        }
+        Failure::check(start, &state, end)?;
         let mut work = Work::default();
         let (mut t, mut y) = (start, state);
         if start == end {
@@ -313,8 +309,4 @@ fn stages<const N: usize>(
     k[10] = rates(t + C[10] * h, &advance!(y, h, A[10], k; 0, 3, 4, 5, 6, 7, 8, 9));
     k[11] = rates(t + C[11] * h, &advance!(y, h, A[11], k; 0, 3, 4, 5, 6, 7, 8, 9, 10));
     advance!(y, h, B, k; 0, 5, 6, 7, 8, 9, 10, 11)
-}
-
-pub(super) fn is_finite<const N: usize>(values: &[f64; N]) -> bool {
-    values.iter().all(|value| value.is_finite())
 }

@@ -1,5 +1,6 @@
 //! A Taylor method of order sixteen: each step is a power series, whose coefficients the system itself supplies.
 
+use super::failure::is_finite;
 use super::{End, Failure, Work};
 use crate::quantity::{InvalidQuantity, Rule};
 use std::ops::ControlFlow;
@@ -130,12 +131,7 @@ impl Taylor {
         end: f64,
         mut observer: impl FnMut(&TaylorStep<'_, N>) -> ControlFlow<()>,
     ) -> Result<End<N>, Failure> {
-        if !(start.is_finite() && end.is_finite()) {
-            return Err(Failure::Interval { start, end });
-        }
-        if !state.iter().all(|value| value.is_finite()) {
-            return Err(Failure::InitialState { state: state.to_vec() });
-        }
+        Failure::check(start, &state, end)?;
         let direction = (end - start).signum();
         let mut series = [[0.0; N]; TAYLOR_ORDER + 1];
         let (mut time, mut time_rest) = (start, 0.0);
@@ -179,7 +175,7 @@ impl Taylor {
             for i in 0..N {
                 (state[i], rest[i]) = add(state[i], rest[i], increment[i]);
             }
-            if !state.iter().all(|value| value.is_finite()) {
+            if !is_finite(&state) {
                 return Err(Failure::NotFinite { time, state: series[0].to_vec(), step: length });
             }
             series[0] = state;

@@ -23,7 +23,7 @@ pub const ROOMS: [(&str, &[&str]); 9] = [
 pub fn room(module: &str) -> &str {
     match module {
         "clock" | "elementary" | "lanes" | "quantity" | "two_part" | "InvalidQuantity" | "Rule" => "numbers",
-        "conical" | "elliptic" | "faddeeva" => "special",
+        "conical" | "elliptic" | "faddeeva" | "gauss" => "special",
         "attitude" | "euler" | "free_rotation" | "geometric" | "inertia" | "rolling" => "bodies",
         "Error" => "error",
         other => other,

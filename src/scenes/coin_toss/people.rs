@@ -2,6 +2,7 @@
 
 use super::steady_face_ratio;
 use crate::faddeeva::faddeeva;
+use crate::gauss::GAUSS;
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use nalgebra::Complex;
@@ -54,17 +55,7 @@ impl TossCount {
     }
 }
 
-/// The nodes of Gauss's rule of twelve points from −1 to 1 and their weights; so many lie to the other side of zero.
-const GAUSS: [(f64, f64); 6] = [
-    (0.125_233_408_511_468_9, 0.249_147_045_813_402_77),
-    (0.367_831_498_998_180_2, 0.233_492_536_538_354_8),
-    (0.587_317_954_286_617_5, 0.203_167_426_723_065_92),
-    (0.769_902_674_194_304_7, 0.160_078_328_543_346_22),
-    (0.904_117_256_370_474_9, 0.106_939_325_995_318_43),
-    (0.981_560_634_246_719_2, 0.047_175_336_386_511_83),
-];
-
-/// By how much the logarithm of the integrand may vary within a panel, at most, for that rule.
+/// By how much the logarithm of the integrand may vary within a panel, at most, for Gauss's rule.
 const VARIATION: f64 = 2.0;
 
 /// A panel counts for nothing if the logarithm of what it may add is so much less than that of all others.

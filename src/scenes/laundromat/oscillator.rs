@@ -164,3 +164,13 @@ impl Scaled {
         shaft.times(half).times(half)
     }
 }
+
+/// (eˣ − 1)/x, the mean of eˣ over a way from 0 to x.
+pub(super) fn mean_exponential(x: Complex<f64>) -> Complex<f64> {
+    if x.norm() == 0.0 {
+        return 1.0.into();
+    }
+    let half = (0.5 * x.im).sin();
+    let less_one = Complex::new(x.re.exp_m1() * x.im.cos() - 2.0 * half * half, x.re.exp() * x.im.sin());
+    less_one / x
+}

@@ -1,7 +1,7 @@
 //! The whole motion from any start, in closed form.
 
 use super::machine::{Machine, direction};
-use super::oscillator::{FreeMotion, Oscillator, Roots, Scaled, Swing};
+use super::oscillator::{FreeMotion, Oscillator, Roots, Scaled, Swing, mean_exponential};
 use super::shaft::{Shaft, out_of_range};
 use super::steady::SteadyMotion;
 use crate::clock::Clock;
@@ -223,7 +223,7 @@ impl BuildUp {
 
         let passed = self.near * time;
         let near = if passed.norm_sqr() < 1.0 {
-            forced * one_minus_exp_over(passed) * time // the same quotient without a difference
+            forced * mean_exponential(-passed) * time // the same quotient without a difference
         } else {
             (forced - near_root) / self.near
         };
@@ -240,16 +240,4 @@ impl BuildUp {
             Scaled { shaft: free.plus(forced), exponent }
         }
     }
-}
-
-/// (1 − e^{−q})/q without cancellation, for |q| up to about 1; one at q = 0.
-fn one_minus_exp_over(q: Complex<f64>) -> Complex<f64> {
-    if q.norm_sqr() == 0.0 {
-        return Complex::new(1.0, 0.0);
-    }
-    let half_sin = (0.5 * q.im).sin();
-    let grown = (-q.re).exp();
-    // 1 − e^{−x} cos y = −expm1(−x) + 2 e^{−x} sin²(y/2)
-    let real = -(-q.re).exp_m1() + 2.0 * grown * half_sin * half_sin;
-    Complex::new(real, grown * q.im.sin()) / q
 }

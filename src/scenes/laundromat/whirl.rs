@@ -1,6 +1,7 @@
 //! The machine with friction on board: a damper that turns with the drum, beside the one that stands on the floor.
 
 use super::machine::{DAMPING_RATE, Machine};
+use super::oscillator::mean_exponential;
 use super::shaft::Shaft;
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::Complex;
@@ -172,16 +173,6 @@ impl Rotor {
 
 /// How near to its resonance a machine counts from the start, as in `Transient`.
 const NEAR: f64 = 0.25;
-
-/// (eˣ − 1)/x, the mean of eˣ over a way from 0 to x.
-fn mean_exponential(x: Complex<f64>) -> Complex<f64> {
-    if x.norm() == 0.0 {
-        return 1.0.into();
-    }
-    let half = (0.5 * x.im).sin();
-    let less_one = Complex::new(x.re.exp_m1() * x.im.cos() - 2.0 * half * half, x.re.exp() * x.im.sin());
-    less_one / x
-}
 
 /// The motion of a [`Rotor`] from a given start, at any later time, in closed form: the steady circle and two
 /// exponentials.

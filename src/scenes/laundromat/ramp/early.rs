@@ -5,6 +5,7 @@
 
 use super::drum::Drum;
 use super::root::Root;
+use crate::gauss::GAUSS;
 use crate::scenes::laundromat::Shaft;
 use crate::scenes::laundromat::machine::direction;
 use crate::scenes::laundromat::oscillator::{Oscillator, Roots};
@@ -65,20 +66,10 @@ impl Early {
         let integrand = |s: f64| {
             Complex::new(self.decay * s, (self.off_resonance + 0.5 * drum.acceleration * s) * s).exp()
         };
-        let pair = |&[node, weight]: &[f64; 2]| {
-            (integrand((0.5 - node) * time) + integrand((0.5 + node) * time)) * weight
+        let pair = |&(node, weight): &(f64, f64)| {
+            (integrand(0.5 * (1.0 - node) * time) + integrand(0.5 * (1.0 + node) * time)) * (0.5 * weight)
         };
-        let mean: Complex<f64> = NODES.iter().map(pair).sum();
+        let mean: Complex<f64> = GAUSS.iter().map(pair).sum();
         direction(self.turning * time) * (-self.decay * time).exp() * mean * time
     }
 }
-
-/// Gauss's twelve nodes on an interval of length one, as distances from its middle, and their weights.
-const NODES: [[f64; 2]; 6] = [
-    [0.06261670425573446, 0.12457352290670139],
-    [0.1839157494990901, 0.1167462682691774],
-    [0.29365897714330874, 0.10158371336153296],
-    [0.38495133709715235, 0.08003916427167311],
-    [0.45205862818523745, 0.05346966299765921],
-    [0.4907803171233596, 0.023587668193255914],
-];
