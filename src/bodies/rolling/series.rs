@@ -82,6 +82,7 @@ impl WithSimd for Expansion<'_> {
         let (ratio, rolling) = (i3 / i1, i3 + 1.0);
         let (over_1, over_1_rolling, over_3_rolling) = (1.0 / i1, 1.0 / (i1 + 1.0), 1.0 / rolling);
         let [y0, u0, o0, n0, ..] = series[0];
+        // c = cos α, r = 1/sin α, h = sin² α, k = K/sin³ α; o is Ω, and two letters together are a product.
         let (sin, c0) = sin_cos_tilt(y0);
         let r0 = sin.recip();
         let h0 = sin * sin;
