@@ -165,10 +165,13 @@ impl Scaled {
     }
 }
 
+/// The square of an argument beside which one is all that is left.
+const MIN_SQUARE: f64 = 1e-40;
+
 /// (eˣ − 1)/x, the mean of eˣ over a way from 0 to x.
 pub(super) fn mean_exponential(x: Complex<f64>) -> Complex<f64> {
-    if x.norm() == 0.0 {
-        return 1.0.into();
+    if x.norm_sqr() < MIN_SQUARE {
+        return 1.0.into(); // and ½x more, which is lost; the division would lose all
     }
     let half = (0.5 * x.im).sin();
     let less_one = Complex::new(x.re.exp_m1() * x.im.cos() - 2.0 * half * half, x.re.exp() * x.im.sin());
