@@ -16,9 +16,9 @@
 //! | Hard cases | all of them, where digits get lost |
 //!
 //! ```
-//! use mechanics::scenes::laundromat::{Machine, Parameters};
+//! use mechanics::scenes::laundromat::{Machine, MachineParameters};
 //! // A washing machine with 2 kg of wet towel on one side, well above the 10 rad/s at which it would swing by itself.
-//! let machine = Machine::new(Parameters {
+//! let machine = Machine::new(MachineParameters {
 //!     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25, // kg, kg, m
 //!     stiffness: 3000.0, damping: 90.0, spin: 30.0,       // N/m, kg/s, rad/s
 //! })?;
@@ -35,6 +35,8 @@
 //!
 //! SI units and radians throughout. Labels such as `eq:steady-radius` in comments are those of the book's equations.
 
+#![warn(clippy::return_self_not_must_use)]
+
 pub mod integrate;
 pub mod measure;
 pub mod scenes;
@@ -42,14 +44,16 @@ pub mod sweep;
 
 mod bodies;
 mod error;
+mod motion;
 mod numbers;
 mod special;
-mod wide;
 
 pub use bodies::{attitude, euler, free_rotation, geometric, inertia, rolling};
 pub use error::Error;
+pub use motion::Motion;
 pub use nalgebra;
 pub use numbers::quantity::{InvalidQuantity, Rule};
 pub use special::{conical, elliptic, faddeeva};
 
-use numbers::{quantity, two_part};
+use numbers::{clock, elementary, lanes, quantity, two_part};
+use special::gauss;

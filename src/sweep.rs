@@ -7,12 +7,12 @@
 /// way, to the last bit.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Parameters};
+/// use mechanics::scenes::laundromat::{Machine, MachineParameters};
 /// use mechanics::sweep::sweep;
 /// // The largest circle of each of a thousand machines, from a soft to a stiff suspension.
 /// let stiffnesses: Vec<f64> = (1..=1000).map(|n| 10.0 * f64::from(n)).collect(); // N/m
 /// let peaks = sweep(&stiffnesses, |&stiffness| {
-///     let machine = Machine::new(Parameters {
+///     let machine = Machine::new(MachineParameters {
 ///         drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25, stiffness, damping: 90.0, spin: 30.0,
 ///     })?;
 ///     Ok(machine.peak().map(|peak| peak.radius))

@@ -7,7 +7,7 @@ use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::{Body, PrincipalMoments, Spheroid, SymmetricMoments};
 use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, Parameters, ThrownTop};
+use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, DraggedTopParameters, ThrownTop};
 use nalgebra::{UnitQuaternion, Vector3};
 use num_dual::{Dual64, DualNum};
 use printed::corrected_holds_and_printed_fails;
@@ -32,7 +32,7 @@ fn body(random: &mut fastrand::Rng, isotropic: bool) -> (PrincipalMoments, Drag,
 }
 
 fn dragged(moments: PrincipalMoments, drag: Drag, omega_body: Vector3<f64>) -> DraggedTop {
-    DraggedTop::new(Parameters { moments, drag, omega_body }).expect("a body that turns")
+    DraggedTop::new(DraggedTopParameters { moments, drag, omega_body }).expect("a body that turns")
 }
 
 /// That body with its attitude, integrated as closely as the simulations.
@@ -357,35 +357,6 @@ fn the_angle_is_known_long_after_the_spin_has_left_the_numbers() {
     let plate = PrincipalMoments::symmetric(1.0, 2.0).unwrap();
     let top = dragged(plate, Drag::isotropic(1.0), Vector3::new(1.0, 0.0, 1.0));
     assert_relative_eq!(top.axis_angle(1200.0).unwrap(), (-600.0_f64).exp(), max_relative = 1e-13);
-}
-
-#[test]
-fn many_samples_at_once_are_the_states_one_by_one() {
-    // Drag from none to so strong that nothing is left; phases of a million turns; lists of every length around a
-    // block's; times beyond the reach of the form for many.
-    let mut random = fastrand::Rng::with_seed(53);
-    for n in 0..200 {
-        let drag =
-            |random: &mut fastrand::Rng| if n % 5 == 0 { 0.0 } else { 10_f64.powf(6.0 * random.f64() - 6.0) };
-        let drag = Drag { transverse: drag(&mut random), axial: drag(&mut random) };
-        let moments = PrincipalMoments::symmetric(0.5 + random.f64(), 0.7).unwrap();
-        let omega = Vector3::from_fn(|_, _| 20.0 * (random.f64() - 0.5));
-        let top = dragged(moments, drag, omega);
-        let mut times: Vec<f64> = (0..n).map(|_| 10_f64.powf(8.0 * random.f64() - 2.0)).collect();
-        if n % 3 == 0 && n > 40 {
-            times[35] = 1e40;
-        }
-        for (sample, &time) in top.sample(&times).unwrap().iter().zip(&times) {
-            let single = top.at(time).unwrap();
-            // One by one the phase is one number; that is all that the two may differ by.
-            let phase = 20.0 * time.min(moments.to_array()[2] / drag.axial);
-            let error = (sample - single).norm() / single.norm().max(f64::MIN_POSITIVE);
-            assert!(
-                error < 1e-15 * (2.0 + phase + top.alignment_rate().abs() * time),
-                "{n} at {time}: {error:e}"
-            );
-        }
-    }
 }
 
 #[test]

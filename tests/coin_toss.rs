@@ -5,7 +5,7 @@ use mechanics::euler::{self, Turning};
 use mechanics::inertia::{Body, Cylinder, PrincipalMoments};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::coin_toss::{
-    Counted, Face, Flight, FlightParameters, Toss, TossParameters, Tossers, TossersParameters,
+    Face, Flight, FlightParameters, Toss, TossCount, TossParameters, Tossers, TossersParameters,
     angle_for_probability, edge_at_random, ratio_for_probability, steady_face_ratio,
 };
 use nalgebra::{UnitQuaternion, Vector3};
@@ -352,8 +352,8 @@ fn counted() -> Vec<[u32; 4]> {
     rows
 }
 
-fn people() -> Vec<Counted> {
-    let sum = |&[heads, heads_same, tails, tails_same]: &[u32; 4]| Counted {
+fn people() -> Vec<TossCount> {
+    let sum = |&[heads, heads_same, tails, tails_same]: &[u32; 4]| TossCount {
         same: heads_same + tails_same,
         other: heads + tails - heads_same - tails_same,
     };
@@ -372,7 +372,7 @@ fn one_angle_for_everybody_is_refuted_in_integers() {
     let (same, other) = counts.fold((0, 0), |sum, [same, other]| (sum.0 + same, sum.1 + other));
     let all = same + other;
     assert_eq!((same, all), (178_078, 350_757));
-    let square = |counted: &Counted| {
+    let square = |counted: &TossCount| {
         let k = i128::from(counted.same);
         let n = k + i128::from(counted.other);
         let off = k * all - n * same;
@@ -433,14 +433,18 @@ fn the_mean_over_people_is_that_of_a_count_and_of_its_series() {
 }
 
 /// The likelihood of eq:people-likelihood as a plain sum over the twist, by the formula for the bias.
-fn plain_log_likelihood(people: &[Counted], density: impl Fn(f64) -> f64, bias: impl Fn(f64) -> f64) -> f64 {
+fn plain_log_likelihood(
+    people: &[TossCount],
+    density: impl Fn(f64) -> f64,
+    bias: impl Fn(f64) -> f64,
+) -> f64 {
     let steps = 40_000;
     let nodes: Vec<(f64, f64)> = (0..steps)
         .map(|n| 2.0 * (f64::from(n) + 0.5) / f64::from(steps) - 1.0)
         .map(|s| (density(s), bias(s)))
         .collect();
     let total: f64 = nodes.iter().map(|node| node.0).sum();
-    let of = |counted: &Counted| {
+    let of = |counted: &TossCount| {
         let (k, n) = (f64::from(counted.same), f64::from(counted.same) + f64::from(counted.other));
         let times = |p: f64| k * p.ln() + (n - k) * (1.0 - p).ln();
         let sum: f64 = nodes.iter().map(|(w, b)| w * (times(0.5 + b) - times(k / n)).exp()).sum();
@@ -501,9 +505,9 @@ fn the_counts_want_a_bell_of_twists_about_zero_and_no_bell_of_probabilities() {
 fn a_person_whose_coin_never_flips_is_certain_to_show_the_same_face() {
     let surely = tossers(5.0, 0.1);
     assert_eq!(surely.same_face_probability(), 1.0);
-    assert_eq!(surely.log_likelihood(&[Counted { same: 7, other: 0 }]), 0.0);
+    assert_eq!(surely.log_likelihood(&[TossCount { same: 7, other: 0 }]), 0.0);
     // By mpmath with 30 digits: somebody 45 standard deviations from the rest did it.
-    let hardly = surely.log_likelihood(&[Counted { same: 6, other: 1 }]);
+    let hardly = surely.log_likelihood(&[TossCount { same: 6, other: 1 }]);
     assert_relative_eq!(hardly, -1_017.924_073_687_279_4, epsilon = 1e-8);
     let message = |mean, spread| {
         Tossers::new(TossersParameters { moments: coin(), mean, spread }).unwrap_err().to_string()

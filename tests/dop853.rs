@@ -39,7 +39,7 @@ fn assert_same_as_ivp<const N: usize>(
         let count = |name: &str| theirs[name].as_u64().expect("a number") as usize;
         let tolerance = 10.0_f64.powi(-(count("digits") as i32));
         // The first step is given to both: the estimate in `ivp` 0.6.0 lacks a factor of 100 (`h.min(100 h)`).
-        let solver = Dop853::new(tolerance).unwrap().with_first_step(1e-3);
+        let solver = Dop853::new(tolerance).unwrap().with_first_step(1e-3).unwrap();
         let ours = solver.solve(rates, 0.0, start, end).unwrap();
         assert_eq!(ours.work.accepted, count("accepted"), "accepted steps at {tolerance:e}");
         assert_eq!(ours.work.rejected, count("rejected"), "rejected steps at {tolerance:e}");
@@ -119,7 +119,7 @@ fn the_last_of_the_times_is_never_missed() {
     // Each step of a gentle motion is several times as long as all before, and what the last one's start and
     // length add up to is often the number beside its end.
     let gentle = |_t: f64, &[x]: &[f64; 1]| [-1e-3 * x];
-    let solver = Dop853::new(1e-9).unwrap().with_first_step(1e-3);
+    let solver = Dop853::new(1e-9).unwrap().with_first_step(1e-3).unwrap();
     for n in 1..3000 {
         let end = f64::from(n) / 3341.7;
         let (states, _) = solver.sample(gentle, 0.0, [1.0], &[0.5 * end, end]).unwrap();
@@ -201,7 +201,7 @@ fn only_passages_of_the_direction_asked_for_count_and_a_zero_at_the_end_of_a_ste
         assert!((found.time - 2.0 * PI).abs() < 2e-12, "{direction:?}: {}", found.time);
     }
     // The second of steps of a half meets t = 1 exactly.
-    let halves = solver.with_first_step(0.5).with_max_step(0.5);
+    let halves = solver.with_first_step(0.5).unwrap().with_max_step(0.5).unwrap();
     for (sign, direction) in [(1.0, Direction::Rising), (-1.0, Direction::Falling)] {
         for direction in [direction, Direction::Either] {
             let event = |t: f64, _: &[f64; 1]| sign * (t - 1.0);
@@ -215,7 +215,7 @@ fn only_passages_of_the_direction_asked_for_count_and_a_zero_at_the_end_of_a_ste
 fn events_are_found_to_a_few_units_in_the_last_place_of_the_time() {
     // A function of the time alone whose zero is known exactly, and which no interpolation hits at once.
     let mut random = fastrand::Rng::with_seed(4);
-    let solver = Dop853::new(1e-10).unwrap().with_first_step(10.0);
+    let solver = Dop853::new(1e-10).unwrap().with_first_step(10.0).unwrap();
     for n in 0..300 {
         let start = [0.0, 1.0, 1e3, -1e6][n % 4];
         let root = start + 10.0 * random.f64();
@@ -233,7 +233,7 @@ fn events_are_found_to_a_few_units_in_the_last_place_of_the_time() {
 fn what_is_not_a_number_between_the_ends_of_a_step_is_refused() {
     // A hole at a tenth of the first step, where only the dense output looks.
     let holed = |t: f64, _: &[f64; 1]| [if (t - 0.1).abs() < 1e-3 { f64::NAN } else { 1.0 }];
-    let solver = Dop853::new(1e-10).unwrap().with_first_step(1.0);
+    let solver = Dop853::new(1e-10).unwrap().with_first_step(1.0).unwrap();
     let whole = Failure::NotFinite { time: 0.0, state: vec![0.0], step: 1.0 };
     assert_eq!(solver.sample(holed, 0.0, [0.0], &[0.5, 1.0]).unwrap_err(), whole);
     for event in [|t: f64, _: &[f64; 1]| t - 0.5, |_: f64, &[x]: &[f64; 1]| x - 0.5] {
@@ -250,7 +250,7 @@ fn a_given_first_step_is_taken_in_either_direction() {
     let circle = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
     for direction in [1.0, -1.0] {
         let mut first = None;
-        let solver = Dop853::new(1e-8).unwrap().with_first_step(0.125);
+        let solver = Dop853::new(1e-8).unwrap().with_first_step(0.125).unwrap();
         let end = solver.solve_with(circle, 0.0, [1.0, 0.0], 3.0 * direction, |step| {
             first.get_or_insert(step.end() - step.start());
             ControlFlow::Continue(())
@@ -270,7 +270,7 @@ fn steep_events_are_found_too() {
             looks += 1;
             (30.0 * (x - root)).exp() - 1.0
         };
-        let solver = Dop853::new(1e-12).unwrap().with_first_step(10.0);
+        let solver = Dop853::new(1e-12).unwrap().with_first_step(10.0).unwrap();
         let outcome = solver.solve_until(drift, 0.0, [0.0], 10.0, event, Direction::Rising).unwrap();
         let Outcome::Event(found) = outcome else { panic!("no event at {root}") };
         println!("{looks} looks");
@@ -344,7 +344,7 @@ fn the_next_step_follows_from_the_two_differences_of_a_step() {
         let (five, three) = (norm(fifth), norm(third));
         let error = five * five / (five * five + three * three / 100.0).sqrt(); // eq:error-estimate
         let mut steps = Vec::new();
-        let solver = Dop853::with_tolerances(relative, absolute).unwrap().with_first_step(h);
+        let solver = Dop853::with_tolerances(relative, absolute).unwrap().with_first_step(h).unwrap();
         solver
             .solve_with(rates, 0.0, before, 10.0, |step| {
                 steps.push((step.end() - step.start(), *step.final_state()));

@@ -1,6 +1,6 @@
 //! The stability matrices are the derivatives of the equations of motion, and the modes are their eigenvectors.
 
-use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4, Vector4};
 
 /// What central differences of step 1e-5 leave: 1e-10 of truncation and 1e-11 of rounding, relative to the largest
@@ -14,7 +14,7 @@ fn machines(seed: u64, count: usize) -> impl Iterator<Item = Machine> {
     (0..count).map(move |n| {
         let (natural, total) = (between(0.1, 100.0), between(0.1, 100.0));
         let load_mass = total * between(0.01, 1.0);
-        Machine::new(Parameters {
+        Machine::new(MachineParameters {
             drum_mass: total - load_mass,
             load_mass,
             load_radius: between(0.01, 1.0),
@@ -91,7 +91,7 @@ fn radial_damping_matrix_is_the_derivative_of_that_motion() {
 #[test]
 fn radial_damping_is_the_same_on_either_side_of_the_origin() {
     let machine = machines(3, 1).next().unwrap();
-    let balanced = Machine::new(Parameters { load_radius: 0.0, ..machine.parameters() }).unwrap();
+    let balanced = Machine::new(MachineParameters { load_radius: 0.0, ..machine.parameters() }).unwrap();
     let rates = |x: f64| balanced.radial_damping_rates(0.0, &[x, 0.0, 0.7, 0.0]);
     let drag = balanced.damping_rate() * 0.7;
     for x in [-1e-9, 0.0, 1e-9] {
@@ -132,7 +132,7 @@ fn modes_are_eigenvectors_of_the_stability_matrix() {
 
 #[test]
 fn slow_mode_of_a_heavy_damper_keeps_its_digits() {
-    let machine = Machine::new(Parameters {
+    let machine = Machine::new(MachineParameters {
         drum_mass: 1.0,
         load_mass: 0.0,
         load_radius: 0.0,
@@ -149,7 +149,7 @@ fn slow_mode_of_a_heavy_damper_keeps_its_digits() {
 #[test]
 fn a_radial_damper_resists_what_leads_away_from_the_centre() {
     // At (3, 4) m: all of a velocity along (3, 4), and nothing of one across.
-    let parameters = Parameters {
+    let parameters = MachineParameters {
         drum_mass: 1.0,
         load_mass: 1.0,
         load_radius: 1.0,

@@ -3,11 +3,11 @@
 
 use mechanics::integrate::Dop853;
 use mechanics::nalgebra::{Complex, Matrix3, Vector3};
-use mechanics::scenes::laundromat::{Driven, DrivenState, Machine, Motor, Parameters};
+use mechanics::scenes::laundromat::{DrivenMachine, DrivenState, Machine, MachineParameters, Motor};
 use serde_json::Value;
 
 /// The chapter's machine; its own spin plays no part.
-const WASHER: Parameters = Parameters {
+const WASHER: MachineParameters = MachineParameters {
     drum_mass: 28.0,
     load_mass: 2.0,
     load_radius: 0.25,
@@ -17,21 +17,27 @@ const WASHER: Parameters = Parameters {
 };
 
 /// m + M = ω₀ = 1, b = Γ = 0.1: the machine of the reference values.
-const UNITS: Parameters =
-    Parameters { drum_mass: 0.5, load_mass: 0.5, load_radius: 0.2, stiffness: 1.0, damping: 0.1, spin: 0.0 };
+const UNITS: MachineParameters = MachineParameters {
+    drum_mass: 0.5,
+    load_mass: 0.5,
+    load_radius: 0.2,
+    stiffness: 1.0,
+    damping: 0.1,
+    spin: 0.0,
+};
 
-fn driven(parameters: Parameters, motor: Motor) -> Driven {
+fn driven(parameters: MachineParameters, motor: Motor) -> DrivenMachine {
     Machine::new(parameters).expect("a machine").driven(motor).expect("a motor")
 }
 
 /// ẍ, ÿ and φ̈ in the room from T − V with the coordinates x, y, φ, the generalised forces −γẋ, −γẏ and the motor's
 /// torque: three linear equations, solved as they stand.
 fn accelerations(
-    parameters: &Parameters,
+    parameters: &MachineParameters,
     motor: &Motor,
     [x, y, phi, vx, vy, spin]: [f64; 6],
 ) -> Vector3<f64> {
-    let &Parameters { drum_mass, load_mass, load_radius, stiffness, damping, .. } = parameters;
+    let &MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, .. } = parameters;
     let (mass, unbalance) = (drum_mass + load_mass, load_mass * load_radius);
     let (sin, cos) = phi.sin_cos();
     let turning = motor.drum_inertia + load_mass * load_radius * load_radius;
@@ -56,7 +62,7 @@ fn accelerations(
 }
 
 /// Where the motion in the room is after a time, from a state on board with the load at azimuth 0, and back on board.
-fn simulated(parameters: Parameters, motor: Motor, start: DrivenState, time: f64) -> DrivenState {
+fn simulated(parameters: MachineParameters, motor: Motor, start: DrivenState, time: f64) -> DrivenState {
     let rates = |_: f64, state: &[f64; 6]| {
         let [.., vx, vy, spin] = *state;
         let [ax, ay, acceleration] = accelerations(&parameters, &motor, *state).into();
@@ -71,14 +77,15 @@ fn simulated(parameters: Parameters, motor: Motor, start: DrivenState, time: f64
 }
 
 /// The same by the library's rates.
-fn settled(drive: &Driven, start: DrivenState, time: f64) -> DrivenState {
+fn settled(drive: &DrivenMachine, start: DrivenState, time: f64) -> DrivenState {
     let solver = Dop853::new(1e-9).expect("a tolerance");
-    let end = solver.solve(|_, state| drive.rates(state), 0.0, start.to_array(), time).expect("a motion");
+    let end =
+        solver.solve(|time, state| drive.rates(time, state), 0.0, start.to_array(), time).expect("a motion");
     DrivenState::from_array(end.state)
 }
 
 /// A seeded stream of machines with motors, from light to heavy in every respect.
-fn drives(seed: u64, count: usize) -> impl Iterator<Item = (Parameters, Motor)> {
+fn drives(seed: u64, count: usize) -> impl Iterator<Item = (MachineParameters, Motor)> {
     let mut random = fastrand::Rng::with_seed(seed);
     let mut between = move |low: f64, high: f64| low * (high / low).powf(random.f64());
     (0..count).map(move |_| {
@@ -89,7 +96,8 @@ fn drives(seed: u64, count: usize) -> impl Iterator<Item = (Parameters, Motor)> 
         let damping = mass * natural * between(1e-2, 3.0);
         let offset = load_mass * load_radius / mass;
         let torque = mass * (offset * natural).powi(2);
-        let parameters = Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin: 0.0 };
+        let parameters =
+            MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin: 0.0 };
         let motor = Motor {
             stall_torque: torque * between(1e-2, 1e3),
             idle_spin: natural * between(0.5, 20.0),
@@ -100,7 +108,7 @@ fn drives(seed: u64, count: usize) -> impl Iterator<Item = (Parameters, Motor)> 
 }
 
 /// The stall torque that a spin takes, with nothing but the formula: `γ b² Ω⁵ / D²` over `1 − Ω/Ω_idle`.
-fn required(parameters: &Parameters, motor: &Motor, spin: f64) -> f64 {
+fn required(parameters: &MachineParameters, motor: &Motor, spin: f64) -> f64 {
     let mass = parameters.drum_mass + parameters.load_mass;
     let offset = parameters.load_mass * parameters.load_radius / mass;
     let d = (parameters.stiffness / mass - spin * spin).hypot(parameters.damping / mass * spin);
@@ -133,7 +141,7 @@ fn the_rates_are_those_of_the_lagrangian_in_the_room() {
         let [position, velocity] = [0.1, 3.0].map(|size| Complex::new(size * number(), size * number()));
         let (spin, phi) = (30.0 * number(), 3.0 * number());
         let on_board = DrivenState { position, velocity, spin };
-        let rates = DrivenState::from_array(driven(parameters, motor).rates(&on_board.to_array()));
+        let rates = DrivenState::from_array(driven(parameters, motor).rates(0.0, &on_board.to_array()));
 
         let turned = Complex::from_polar(1.0, phi);
         let [place, speed] = [position * turned, velocity * turned];
@@ -176,8 +184,8 @@ fn no_steady_spin_is_missed() {
 }
 
 /// The page's machine: the chapter's with half its damper.
-fn light(stall_torque: f64, drum_inertia: f64) -> (Parameters, Motor) {
-    (Parameters { damping: 45.0, ..WASHER }, Motor { stall_torque, idle_spin: 40.0, drum_inertia })
+fn light(stall_torque: f64, drum_inertia: f64) -> (MachineParameters, Motor) {
+    (MachineParameters { damping: 45.0, ..WASHER }, Motor { stall_torque, idle_spin: 40.0, drum_inertia })
 }
 
 #[test]
@@ -279,7 +287,7 @@ fn every_speed_of_the_outer_branches_of_the_washer_is_stable() {
 #[test]
 fn the_slope_alone_acquits_nobody() {
     // Half of all mass is the load, and the drum itself has no moment of inertia.
-    let parameters = Parameters { damping: 0.05, ..UNITS };
+    let parameters = MachineParameters { damping: 0.05, ..UNITS };
     let motor = Motor { stall_torque: 1.0, idle_spin: 2.0, drum_inertia: 0.0 };
     let spin = 1.7;
     let stall_torque = required(&parameters, &motor, spin);
@@ -327,7 +335,7 @@ fn a_slow_knob_jumps_at_the_folds() {
 }
 
 /// The least stall torque, over that of the upper fold, from which a start gets through; by halving.
-fn threshold(parameters: Parameters, motor: Motor, start: DrivenState, patience: f64) -> f64 {
+fn threshold(parameters: MachineParameters, motor: Motor, start: DrivenState, patience: f64) -> f64 {
     let folds = driven(parameters, motor).folds().expect("two");
     let escapes = |part: f64| {
         let stall_torque = part * folds.up.stall_torque;
@@ -376,7 +384,7 @@ fn the_upper_fold_keeps_its_torque_down_to_a_damping_of_which_the_documentation_
     // At the peak of a narrow resonance the torque is γb²ω₀³/Γ² over 1 − ω₀/Ω_idle.
     let motor = Motor { stall_torque: 1.0, idle_spin: 3.0, drum_inertia: 1.0 };
     let off = |damping: f64| {
-        let found = driven(Parameters { damping, ..UNITS }, motor).folds().expect("two").up;
+        let found = driven(MachineParameters { damping, ..UNITS }, motor).folds().expect("two").up;
         let peak = 0.1_f64.powi(2) / damping / (1.0 - 1.0 / 3.0);
         (found.stall_torque / peak - 1.0).abs()
     };
@@ -395,7 +403,7 @@ fn what_cannot_be_is_refused() {
     assert!(refusal(machine, Motor { drum_inertia: -1.0, ..motor }).contains("moment of inertia"));
     let undamped = machine.with_damping(0.0).expect("a machine");
     assert!(refusal(undamped, motor).contains("damping"));
-    let empty = Machine::new(Parameters { load_mass: 0.0, ..WASHER }).expect("a machine");
+    let empty = Machine::new(MachineParameters { load_mass: 0.0, ..WASHER }).expect("a machine");
     assert!(refusal(empty, Motor { drum_inertia: 0.0, ..motor }).contains("moment of inertia"));
     let drive = machine.driven(motor).expect("a motor");
     for spin in [0.0, 40.0, 50.0, -1.0, f64::NAN] {

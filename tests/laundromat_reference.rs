@@ -3,7 +3,7 @@
 
 use mechanics::integrate::Dop853;
 use mechanics::measure::{drift, max_error};
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use serde_json::Value;
 
 /// The closed form at one time: about ten roundings, with room for three more.
@@ -21,7 +21,7 @@ fn read(text: &str) -> Value {
 }
 
 fn transient_case() -> (Machine, Value) {
-    let machine = Machine::new(Parameters {
+    let machine = Machine::new(MachineParameters {
         drum_mass: 28.0,
         load_mass: 2.0,
         load_radius: 0.25,
@@ -96,7 +96,7 @@ fn two_hundred_turns() -> Turns {
     let file = read(include_str!("data/two-hundred-turns.json"));
     let par = |name: &str| file["par"][name].as_f64().expect("a number");
     // One kilogram, all of it the load, one metre out: b = a, Γ = γ and ω₀² = k, without rounding.
-    let machine = Machine::new(Parameters {
+    let machine = Machine::new(MachineParameters {
         drum_mass: 0.0,
         load_mass: 1.0,
         load_radius: par("b"),

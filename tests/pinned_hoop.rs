@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector3};
 use printed::corrected_holds_and_printed_fails;
 use serde_json::Value;
@@ -23,7 +23,7 @@ const BODY: (f64, f64, f64) = (0.7, 1.3, 2.1);
 fn pinning(shape: Shape, degrees: f64) -> Pinning {
     let (mass, radius, spin) = BODY;
     let pin = Pin::Angle(degrees.to_radians());
-    Pinning::new(Parameters { shape, mass, radius, spin, pin }).expect("a pinning")
+    Pinning::new(PinningParameters { shape, mass, radius, spin, pin }).expect("a pinning")
 }
 
 /// Points of equal or weighted mass about the centre, in axes 1, 2, 3, that have the inertia of the shape.
@@ -405,7 +405,7 @@ fn the_first_tumble_comes_after_a_quarter_period_that_grows_as_a_logarithm() {
     let (mass, radius, spin) = BODY;
     let gap = 1e-9_f64;
     let pin = Pin::Point { from_axis: radius * gap.cos(), height: radius * gap.sin() };
-    let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass, radius, spin, pin }).unwrap();
+    let hoop = Pinning::new(PinningParameters { shape: Shape::Hoop, mass, radius, spin, pin }).unwrap();
     let wait = 0.25 * hoop.free_motion().unwrap().period().unwrap();
     let expected = 3.0 * 2_f64.sqrt() / spin * (4.0 / (3.0 * gap)).ln();
     assert_relative_eq!(wait, expected, max_relative = 1e-14);
@@ -414,7 +414,7 @@ fn the_first_tumble_comes_after_a_quarter_period_that_grows_as_a_logarithm() {
 /// A body of unit mass, radius and spin, pinned where the old axis is at this cosine from the pin's direction.
 fn beside(shape: Shape, cosine: f64) -> Pinning {
     let pin = Pin::Point { from_axis: (1.0 - cosine * cosine).sqrt(), height: cosine };
-    Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin }).unwrap()
+    Pinning::new(PinningParameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin }).unwrap()
 }
 
 #[test]
@@ -506,8 +506,9 @@ fn a_ball_does_not_linger_and_its_diameter_keeps_its_angle() {
 
 #[test]
 fn the_pinned_point_may_be_given_by_its_place() {
-    let pinned =
-        |pin: Pin| Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 2.0, spin: 3.0, pin });
+    let pinned = |pin: Pin| {
+        Pinning::new(PinningParameters { shape: Shape::Hoop, mass: 1.0, radius: 2.0, spin: 3.0, pin })
+    };
     let by_angle = pinned(Pin::Angle(0.6)).unwrap();
     let (sin, cos) = 0.6_f64.sin_cos();
     let by_place = pinned(Pin::Point { from_axis: 2.0 * sin, height: 2.0 * cos }).unwrap();
@@ -526,7 +527,7 @@ fn the_reference_hoop_is_met_to_the_digits_of_a_double() {
     // Sine and cosine of 89.9°: in radians the angle would keep only thirteen digits of its cosine.
     let pin = Pin::Point { from_axis: 0.999_998_476_913_287_7, height: 0.001_745_328_365_898_308_8 };
     let (shape, mass, radius, spin) = (Shape::Hoop, 1.0, 1.0, 1.0);
-    let hoop = Pinning::new(Parameters { shape, mass, radius, spin, pin }).unwrap();
+    let hoop = Pinning::new(PinningParameters { shape, mass, radius, spin, pin }).unwrap();
     assert_relative_eq!(hoop.velocity_of_b(), value("v_B_eq65"), max_relative = 1e-15);
     assert_relative_eq!(hoop.holding_torque().z, value("tau_eq69"), max_relative = 1e-15);
     assert_relative_eq!(hoop.holding_force().norm(), value("F_eq71"), max_relative = 1e-15);

@@ -7,7 +7,7 @@ use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::{Body, Cylinder};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::space_station::{Blow, LaterBlow, Parameters, Station, StruckStation};
+use mechanics::scenes::space_station::{Blow, LaterBlow, Station, StationParameters, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
 use printed::corrected_holds_and_printed_fails;
 use std::f64::consts::TAU;
@@ -25,7 +25,7 @@ fn struck(impulse: f64) -> StruckStation {
 fn struck_at(distance: f64, impulse: f64) -> StruckStation {
     let (mass, radius, spin) = RING;
     let body = Body::hoop(mass, radius).expect("a ring");
-    let station = Station::new(Parameters { body, spin }).expect("a station");
+    let station = Station::new(StationParameters { body, spin }).expect("a station");
     station.struck(Blow { radius: distance, impulse }).expect("a blow")
 }
 
@@ -288,7 +288,7 @@ fn a_mark_on_the_rim_drifts_and_turns_as_simulated() {
 fn solid_stations_nod_at_their_own_rate() {
     // A spheroid as long as wide does not nod; a long one nods slowly, a disc like a ring.
     let nod = |body: Body| {
-        let station = Station::new(Parameters { body, spin: 0.5 }).unwrap();
+        let station = Station::new(StationParameters { body, spin: 0.5 }).unwrap();
         assert_eq!(station.spin(), 0.5);
         station.struck(Blow { radius: 1.0, impulse: 1e-6 }).unwrap().nodding_rate() / 0.5
     };

@@ -1,10 +1,10 @@
 //! Many cases at once give what one after the other gives, with and without the feature `parallel`.
 
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use mechanics::sweep::sweep;
 
 fn machine(damping: f64) -> Machine {
-    Machine::new(Parameters {
+    Machine::new(MachineParameters {
         drum_mass: 28.0,
         load_mass: 2.0,
         load_radius: 0.25,
@@ -30,7 +30,7 @@ fn answers_come_in_the_order_of_the_cases_and_to_the_last_bit() {
 #[test]
 fn an_answer_may_be_an_error_of_its_own() {
     let answers = sweep(&[1.0, -1.0, 2.0], |&damping: &f64| {
-        Machine::new(Parameters { damping, ..machine(1.0).parameters() })
+        Machine::new(MachineParameters { damping, ..machine(1.0).parameters() })
     });
     assert!(answers[0].is_ok() && answers[1].is_err() && answers[2].is_ok());
 }

@@ -41,7 +41,7 @@ fn thousands_of_steps_lose_nothing_of_a_late_time() {
     let (start, end) = (1e6, 1e6 + 1000.0);
     for direction in [1.0, -1.0] {
         let (start, end) = (direction * start, direction * end);
-        let solver = Taylor::new(1e-16).unwrap().with_max_step(0.1);
+        let solver = Taylor::new(1e-16).unwrap().with_max_step(0.1).unwrap();
         let mut looked = 0;
         let reached = solver
             .solve_with(&Clock, start, [0.0], end, |step| {
@@ -68,8 +68,12 @@ fn the_way_is_gone_from_any_time_to_any_other() {
     let (mut back, mut ahead) = ([0; 4], [0; 4]);
     for _ in 0..400 {
         let (start, end) = (time(), time());
-        let reached =
-            Taylor::new(1e-16).unwrap().with_max_step(0.7).solve(&Clock, start, [start], end).unwrap();
+        let reached = Taylor::new(1e-16)
+            .unwrap()
+            .with_max_step(0.7)
+            .unwrap()
+            .solve(&Clock, start, [start], end)
+            .unwrap();
         assert!(reached.time == end && (reached.state[0] - end).abs() < 1e-14, "{start} to {end}");
         let sides = usize::from(start > 0.0) + 2 * usize::from(end > 0.0);
         if end < start {
@@ -98,13 +102,13 @@ fn running_into_a_singularity_stops_at_once() {
 
 #[test]
 fn a_limit_of_series_and_tolerances_without_sense_say_so() {
-    let short = Taylor::new(1e-16).unwrap().with_max_step(0.1).with_max_expansions(7);
+    let short = Taylor::new(1e-16).unwrap().with_max_step(0.1).unwrap().with_max_expansions(7);
     let failure = short.solve(&Clock, 0.0, [0.0], 9.0).unwrap_err();
     let Failure::TooMuchWork { time, evaluations: 7, .. } = failure else { panic!("{failure}") };
     assert!((time - 0.7).abs() < 1e-15);
     assert!(failure.to_string().starts_with("the limit of series was reached after 7 of them"), "{failure}");
     // Small times have an exponent, and where there are no rates no step is named.
-    let soon = short.with_max_step(1e-70).solve(&Clock, 0.0, [0.0], 9.0).unwrap_err().to_string();
+    let soon = short.with_max_step(1e-70).unwrap().solve(&Clock, 0.0, [0.0], 9.0).unwrap_err().to_string();
     assert!(soon.contains("after 7 of them at time 7e-70, state"), "{soon}");
     let nowhere = short.solve(&Nowhere, 0.0, [1e30], 2.0).unwrap_err().to_string();
     assert_eq!(nowhere, "the rates are not finite at time 0, state [1e30]");

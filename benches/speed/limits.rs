@@ -4,12 +4,13 @@
 use crate::contest::Cause;
 use crate::ours::{UNIT_DISC, turning};
 use crate::problems;
+use mechanics::Motion;
 use mechanics::faddeeva::faddeeva;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Taylor;
 use mechanics::rolling::Rolling;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::EulersDisk;
 use mechanics::sweep::sweep;
@@ -53,14 +54,17 @@ fn by_themselves(times: &[f64], functions: impl Fn(f64) -> f64) -> Result<f64, C
     })
 }
 
-fn sampled(top: &FreeTop, times: &[f64]) -> Result<(), Cause> {
-    black_box(top.sample(black_box(times))?);
-    Ok(())
+/// Nanoseconds for a sample of a motion.
+fn a_sample<M: Motion<Error: Into<Cause>>>(motion: &M, times: &[f64]) -> Result<f64, Cause> {
+    nanoseconds(times.len(), || {
+        black_box(motion.sample(black_box(times)).map_err(Into::into)?);
+        Ok(())
+    })
 }
 
 fn machine(damping: f64, spin: f64) -> Result<Machine, Cause> {
     let (drum_mass, load_mass, load_radius, stiffness) = (0.0, 1.0, 1.0, 1.0);
-    Ok(Machine::new(Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })?)
+    Ok(Machine::new(MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })?)
 }
 
 /// A line of `limits.csv`: of what, what it is, and nanoseconds.
@@ -75,11 +79,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     let mut rows = Vec::new();
 
     let motion = machine(0.01, 3.0)?.transient(Shaft::AT_REST)?;
-    let cost = nanoseconds(SAMPLES, || {
-        black_box(motion.sample(black_box(&times))?);
-        Ok(())
-    })?;
-    rows.push(("washer", "a sample", cost));
+    rows.push(("washer", "a sample", a_sample(&motion, &times)?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((3.0 * t).sin_cos(), t.sin_cos());
         a + b + (c + d) * (-0.005 * t).exp()
@@ -87,11 +87,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     rows.push(("washer", "its functions", functions));
 
     let ramp = machine(0.01, 0.0)?.ramp(0.01, Shaft::AT_REST)?;
-    let cost = nanoseconds(SAMPLES, || {
-        black_box(ramp.sample(black_box(&times))?);
-        Ok(())
-    })?;
-    rows.push(("ramp", "a sample", cost));
+    rows.push(("ramp", "a sample", a_sample(&ramp, &times)?));
     let functions = by_themselves(&times, |t| {
         let past = 0.05 * (t - 100.0).abs();
         let (near, far) = (faddeeva(Complex::new(past, past)), faddeeva(Complex::new(past, 5.0 + past)));
@@ -102,7 +98,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
 
     let start = turning(&problems::hoop());
     let top = FreeTop::new(PrincipalMoments::new(1.5, 0.5, 2.0)?, start)?;
-    rows.push(("hoop", "a sample", nanoseconds(SAMPLES, || sampled(&top, &times))?));
+    rows.push(("hoop", "a sample", a_sample(&top, &times)?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         (a + b * c + 3.0).sqrt() + (b - a * d + 3.0).sqrt() / (2.0 + a)
@@ -110,7 +106,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     rows.push(("hoop", "its functions", functions));
 
     let top = FreeTop::new(PrincipalMoments::new(0.25, 0.25, 0.5)?, turning(&problems::toss()))?;
-    rows.push(("toss", "a sample", nanoseconds(SAMPLES, || sampled(&top, &times))?));
+    rows.push(("toss", "a sample", a_sample(&top, &times)?));
     let functions = by_themselves(&times, |t| {
         let ((a, b), (c, d)) = ((0.2 * t).sin_cos(), t.sin_cos());
         a * b + c * d
@@ -128,11 +124,7 @@ pub(crate) fn rows() -> Result<Vec<Row>, Cause> {
     let wheel = Wheel::new(UNIT_DISC)?;
     let rolling = Rolling { omega_1: -0.15, ..wheel.steady(0.5, 3.0)?.state() };
     let wobble = wheel.wobble(rolling, &Taylor::new(1e-16)?)?;
-    let cost = nanoseconds(SAMPLES, || {
-        black_box(wobble.sample(black_box(&times))?);
-        Ok(())
-    })?;
-    rows.push(("disk", "a sample", cost));
+    rows.push(("disk", "a sample", a_sample(&wobble, &times)?));
 
     // Which of twenty thousand machines shakes most while it starts? A hundred states of each.
     let dampings: Vec<f64> = (0..MACHINES).map(|n| 1e-4 * n as f64).collect();

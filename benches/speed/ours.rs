@@ -7,8 +7,8 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, Taylor, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
-use mechanics::scenes::air_drag::{self, Drag, DraggedTop};
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::EulersDisk;
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
@@ -115,7 +115,7 @@ fn steppers<const N: usize>(
 
 /// One kilogram, all of it the load, one metre out: ω₀ = b = 1 and Γ = 0.01.
 fn washing_machine(spin: f64) -> Result<Machine, Cause> {
-    Ok(Machine::new(black_box(Parameters {
+    Ok(Machine::new(black_box(MachineParameters {
         drum_mass: 0.0,
         load_mass: 1.0,
         load_radius: 1.0,
@@ -231,7 +231,7 @@ fn drag(entries: &mut Vec<Entry>) {
         let [w1, w2, w3] = problem.start;
         let moments = PrincipalMoments::new(0.25, 0.25, 0.5)?;
         let (drag, omega_body) = (Drag::isotropic(1e-4), Vector3::new(w1, w2, w3));
-        let top = DraggedTop::new(air_drag::Parameters { moments, drag, omega_body })?;
+        let top = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
         *samples = top.sample(&problem.times)?;
         Ok(None)
     };

@@ -8,7 +8,7 @@ use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
 use mechanics::inertia::{Body, Cylinder, PrincipalMoments, Spheroid, SymmetricMoments};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -19,7 +19,7 @@ pub(crate) const FIGURES: &[Figure] =
 /// A body with I₁ = 1 and a ratio of the moments, under the same drag about all axes.
 fn body(ratio: f64, drag: f64, omega_body: Vector3<f64>) -> Result<DraggedTop, InvalidQuantity> {
     let (moments, drag) = (PrincipalMoments::symmetric(1.0, ratio)?, Drag::isotropic(drag));
-    DraggedTop::new(Parameters { moments, drag, omega_body })
+    DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })
 }
 
 /// The pencil of the stills: radius and half its length.
@@ -71,7 +71,7 @@ impl Thrown {
         let omega_body = Vector3::new(self.lean.sin() / across, 0.0, self.lean.cos() / along);
         let axial = 8e-4 * along / across / self.face;
         let drag = Drag { transverse: self.face * axial, axial };
-        let top = DraggedTop::new(Parameters { moments: self.moments, drag, omega_body })?;
+        let top = DraggedTop::new(DraggedTopParameters { moments: self.moments, drag, omega_body })?;
         let upright =
             UnitQuaternion::rotation_between(&self.moments.angular_momentum(&omega_body), &Vector3::z())
                 .ok_or("L is not opposite to z")?;
@@ -294,7 +294,7 @@ type Named<'a> = (&'a str, &'a [(f64, f64)], Hue);
 pub(crate) fn axis_path(id: &str) -> Outcome {
     let moments = Body::thin_disk(0.175, 0.137)?.moments();
     let (drag, omega_body) = (Drag::isotropic(2e-3), Vector3::new(12.0, 0.0, 40.0));
-    let top = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+    let top = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
     // Stand so that the angular momentum is upright at the start.
     let momentum = moments.angular_momentum(&omega_body);
     let upright =

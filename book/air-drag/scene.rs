@@ -11,7 +11,7 @@ use mechanics::attitude::angle_between;
 use mechanics::euler::Turning;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, Parameters};
+use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, DraggedTopParameters};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{LN_10, TAU};
 
@@ -112,7 +112,7 @@ impl Slowing {
             Drag { transverse: DECAY * clocks.min(1.0), axial: DECAY * ratio * (1.0 / clocks).min(1.0) };
         let (sin, cos) = if lean == 90.0 { (1.0, 0.0) } else { lean.to_radians().sin_cos() };
         let omega_body = Vector3::new(ROUND * sin, 0.0, ROUND * cos / ratio);
-        let top = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+        let top = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
         let duration = (1.3 * LN_10 / top.alignment_rate().abs()).clamp(24.0, 50.0);
         let upright = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), -lean.to_radians());
         let times: Vec<f64> = (0..=(duration / STEP) as u32 + 2).map(|n| STEP * f64::from(n)).collect();
@@ -129,7 +129,7 @@ impl Slowing {
         if omega_body.norm() == 0.0 {
             return Ok(self.states[before]);
         }
-        let parameters = Parameters { moments: self.top.moments(), drag: self.drag, omega_body };
+        let parameters = DraggedTopParameters { moments: self.top.moments(), drag: self.drag, omega_body };
         let top = DraggedTop::new(parameters)?;
         let rest = (time - STEP * before as f64).max(0.0);
         Ok(top.thrown(world_from_body, &Dop853::new(1e-9)?)?.at(rest)?)

@@ -11,7 +11,7 @@ use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::rk4;
 use mechanics::scenes::coin_toss::{
-    Counted, Toss, TossParameters, Tossers, TossersParameters, ratio_for_probability,
+    Toss, TossCount, TossParameters, Tossers, TossersParameters, ratio_for_probability,
 };
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -428,7 +428,7 @@ pub(crate) fn gimbal(id: &str) -> Outcome {
 }
 
 /// What 48 people counted: their tosses that showed the same face, and all.
-fn people_counted() -> Result<Vec<Counted>, Cause> {
+fn people_counted() -> Result<Vec<TossCount>, Cause> {
     let rows = include_str!("flips.csv").lines().filter(|line| !line.starts_with('#')).skip(1);
     rows.map(|row| {
         let cells: Vec<u32> = row.split(',').map(str::parse).collect::<Result<_, _>>()?;
@@ -436,7 +436,7 @@ fn people_counted() -> Result<Vec<Counted>, Cause> {
             return Err("four counts in a row".into());
         };
         let same = heads_same + tails_same;
-        Ok(Counted { same, other: heads + tails - same })
+        Ok(TossCount { same, other: heads + tails - same })
     })
     .collect()
 }
@@ -460,14 +460,14 @@ fn sorted_people() -> Outcome {
          level at one half and rises ever more steeply to the right, through most bars.",
     );
     let mut people = people_counted()?;
-    let share = |counted: &Counted| f64::from(counted.same) / counted.tosses();
+    let share = |counted: &TossCount| f64::from(counted.same) / counted.tosses();
     people.sort_by(|one, other| share(one).total_cmp(&share(other)));
     let rank = Axis::linear(0.0, 48.0, 12.0).minor(4.0).titled("people, sorted");
     let probability = Axis::linear(0.46, 0.62, 0.02).titled("part of tosses with the same face");
     let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 262.0), rank, probability)?;
     plot.level(0.5, Stroke::Axis);
     let same = f64::from(people.iter().map(|counted| counted.same).sum::<u32>());
-    let all: f64 = people.iter().map(Counted::tosses).sum();
+    let all: f64 = people.iter().map(TossCount::tosses).sum();
     plot.curve("common", [(0.0, same / all), (48.0, same / all)], Stroke::DashedCurve, Hue::Muted);
     for (n, counted) in people.iter().enumerate() {
         let (p, x) = (share(counted), n as f64 + 0.5);

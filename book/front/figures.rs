@@ -9,12 +9,12 @@ use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::{Dop853, Taylor};
 use mechanics::rolling::{DiskParameters, MomentFactors};
-use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters as Thrown};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use mechanics::scenes::coin_toss::{Toss, TossParameters};
-use mechanics::scenes::laundromat::{Machine, Parameters as Washer, Shaft};
-use mechanics::scenes::pinned_hoop::{Parameters as Pinned, Pin, Pinning, Shape};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
+use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use mechanics::scenes::rolling_wheel::Wheel;
-use mechanics::scenes::space_station::{Blow, Parameters as Built, Station};
+use mechanics::scenes::space_station::{Blow, Station, StationParameters};
 use mechanics::scenes::spinning_coin::SpinningCoin;
 use nalgebra::{Complex, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -97,7 +97,7 @@ fn seen(points: impl IntoIterator<Item = Vector3<f64>>) -> Result<Curve, Cause> 
 }
 
 fn laundromat(stage: &mut Stage) -> Result<(), Cause> {
-    let machine = Machine::new(Washer {
+    let machine = Machine::new(MachineParameters {
         drum_mass: 4.0,
         load_mass: 1.0,
         load_radius: 1.0,
@@ -174,7 +174,7 @@ fn coin_toss(stage: &mut Stage) -> Result<(), Cause> {
 
 fn space_station(stage: &mut Stage) -> Result<(), Cause> {
     let (mass, radius) = (4e5, 50.0);
-    let station = Station::new(Built { body: Body::hoop(mass, radius)?, spin: 0.45 })?;
+    let station = Station::new(StationParameters { body: Body::hoop(mass, radius)?, spin: 0.45 })?;
     let struck = station.struck(Blow { radius, impulse: 5e6 })?;
     let upright = UnitQuaternion::rotation_between(&struck.angular_momentum_world(), &Vector3::z())
         .ok_or("L is not opposite")?;
@@ -200,7 +200,7 @@ fn space_station(stage: &mut Stage) -> Result<(), Cause> {
 fn air_drag(stage: &mut Stage) -> Result<(), Cause> {
     let moments = PrincipalMoments::symmetric(1.0, 2.0)?;
     let omega_body = Vector3::new(3.6, 0.0, 4.0);
-    let top = DraggedTop::new(Thrown { moments, drag: Drag::isotropic(0.35), omega_body })?;
+    let top = DraggedTop::new(DraggedTopParameters { moments, drag: Drag::isotropic(0.35), omega_body })?;
     let momentum = moments.angular_momentum(&omega_body);
     let upright = UnitQuaternion::rotation_between(&momentum, &Vector3::z()).ok_or("L is not opposite")?;
     let times: Vec<f64> = linear_steps(0.0, 6.0, 600).collect();
@@ -216,7 +216,8 @@ fn air_drag(stage: &mut Stage) -> Result<(), Cause> {
 
 fn pinned_hoop(stage: &mut Stage) -> Result<(), Cause> {
     let pin = Pin::Angle(89.9_f64.to_radians());
-    let hoop = Pinning::new(Pinned { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
+    let hoop =
+        Pinning::new(PinningParameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
     let upright = UnitQuaternion::rotation_between(&hoop.angular_momentum(), &Vector3::z())
         .ok_or("L is not opposite")?;
     let top = hoop.free_motion()?;

@@ -10,7 +10,7 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4, rk4_step};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
@@ -44,7 +44,7 @@ const CURED: (Marker, Hue) = (Marker::Diamond, Hue::Blue);
 /// ω₀ = 1 rad/s and b = 1 m.
 fn machine(damping: f64, spin: f64) -> Result<Machine, InvalidQuantity> {
     let [drum_mass, load_mass, load_radius, stiffness] = [0.0, 1.0, 1.0, 1.0];
-    Machine::new(Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })
+    Machine::new(MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin })
 }
 
 /// A hoop about its pin, and a start about the tangent and the diameter.

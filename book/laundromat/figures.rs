@@ -21,7 +21,7 @@ pub(crate) mod whirl;
 use drawing::{Drawing, Hue, Point, Stroke, at};
 use figures::{Cause, Figure, figures, linear_steps};
 use mechanics::InvalidQuantity;
-use mechanics::scenes::laundromat::{Machine, Parameters};
+use mechanics::scenes::laundromat::{Machine, MachineParameters};
 
 /// All figures of this chapter.
 pub(crate) const FIGURES: &[Figure] = figures![
@@ -55,7 +55,7 @@ const NATURAL: f64 = 10.0;
 /// The chapter's machine, with other damping and spin, both in natural frequencies.
 fn washing_machine(damping: f64, spin: f64) -> Result<Machine, InvalidQuantity> {
     let (drum_mass, load_mass) = (28.0, 2.0);
-    Machine::new(Parameters {
+    Machine::new(MachineParameters {
         drum_mass,
         load_mass,
         load_radius: 0.25,

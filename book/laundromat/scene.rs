@@ -15,7 +15,7 @@ use live::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
     point_at, value_at,
 };
-use mechanics::scenes::laundromat::{Machine, Parameters, SteadyMotion};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, SteadyMotion};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -163,7 +163,7 @@ fn frames(room: Room) -> [Rect; 3] {
 
 impl Washer {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let still = Machine::new(Parameters {
+        let still = Machine::new(MachineParameters {
             drum_mass: 28.0,
             load_mass: 2.0,
             load_radius: 0.25,

@@ -11,7 +11,7 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::geometric::{Splitting, commutator_free};
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{Dop853, rk4};
-use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::ops::ControlFlow;
@@ -85,7 +85,7 @@ impl Fixed {
             Self::Rk4 => rk4(free(), 0.0, start, duration, steps)?,
             Self::Dop853 => {
                 let h = duration / steps as f64;
-                let solver = Dop853::new(LOOSE)?.with_first_step(h).with_max_step(h);
+                let solver = Dop853::new(LOOSE)?.with_first_step(h)?.with_max_step(h)?;
                 solver.solve(free(), 0.0, start, duration)?.state
             }
             Self::CommutatorFree => {
@@ -243,7 +243,7 @@ pub(crate) fn method_amplitude(id: &str) -> Outcome {
     plot.curve("rk4", by_rk4, Look::RK4.stroke, Look::RK4.hue);
     let by_dop853 = linear_steps(0.001, 7.0, 1400)
         .map(|z| {
-            let solver = Dop853::new(LOOSE)?.with_first_step(z).with_max_step(z);
+            let solver = Dop853::new(LOOSE)?.with_first_step(z)?.with_max_step(z)?;
             let [x, v] = solver.solve(swing, 0.0, [1.0, 0.0], z)?.state;
             Ok((z, x.hypot(v)))
         })
@@ -295,7 +295,8 @@ pub(crate) fn method_steps(id: &str) -> Outcome {
          scale from 0.1 to 10: about 1 during each flip, and up to four times as long while the hoop waits.",
     );
     let pin = Pin::Angle(89.9_f64.to_radians());
-    let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
+    let hoop =
+        Pinning::new(PinningParameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
     let top = hoop.free_motion()?;
     let span = 150.0;
     let time = Axis::linear(0.0, span, 30.0).minor(10.0);

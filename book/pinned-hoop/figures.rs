@@ -9,7 +9,7 @@ use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::{self, Direction, Dop853};
-use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
@@ -29,7 +29,7 @@ pub(crate) const FIGURES: &[Figure] = figures![
 /// A body of mass, radius and spin one, pinned at an angle in degrees.
 fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidQuantity> {
     let pin = Pin::Angle(degrees.to_radians());
-    Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })
+    Pinning::new(PinningParameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })
 }
 
 /// Where the drawn hoop lies on its panel: the centre, and the radius, px.
@@ -543,7 +543,7 @@ fn path_of_centre(shape: Shape, name: &str, degrees: f64) -> Outcome {
 /// A body of mass, radius and spin one, pinned with a gap to a right angle whose sine is given.
 fn pinned_beside(shape: Shape, gap: f64) -> Result<Pinning, InvalidQuantity> {
     let pin = Pin::Point { from_axis: (1.0 - gap * gap).sqrt(), height: gap };
-    Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })
+    Pinning::new(PinningParameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })
 }
 
 /// The wait of the hoop as a program finds it that steps its attitude in a room whose axes are not the hoop's.

@@ -9,7 +9,7 @@ use live::{
 };
 use mechanics::attitude::angle_between;
 use mechanics::free_rotation::FreeTop;
-use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::cell::OnceCell;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -84,7 +84,7 @@ fn pinned(shape: Shape, gap: f64) -> Result<Pinning, Cause> {
     // Sine and cosine of 90° − gap; near a right angle everything hangs on the small one.
     let (cos, sin) = gap.to_radians().sin_cos();
     let pin = if gap == 90.0 { Pin::Angle(0.0) } else { Pin::Point { from_axis: sin, height: cos } };
-    Ok(Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })?)
+    Ok(Pinning::new(PinningParameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin })?)
 }
 
 /// A body that was pinned at time zero.

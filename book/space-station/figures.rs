@@ -9,7 +9,7 @@ use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::space_station::{Blow, Parameters, Station, StruckStation};
+use mechanics::scenes::space_station::{Blow, Station, StationParameters, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -26,7 +26,7 @@ const STRONG: f64 = 2.0 * IMPULSE;
 
 /// The station after a blow on the rim.
 fn struck(impulse: f64) -> Result<StruckStation, InvalidQuantity> {
-    let station = Station::new(Parameters { body: Body::hoop(MASS, RADIUS)?, spin: SPIN })?;
+    let station = Station::new(StationParameters { body: Body::hoop(MASS, RADIUS)?, spin: SPIN })?;
     station.struck(Blow { radius: RADIUS, impulse })
 }
 

@@ -55,8 +55,8 @@ const CRATES: [(&str, &str, &str); 5] = [
     ("press", "", ""),
 ];
 
-/// Writes a new book into `folder`, which depends on the press as the one in `root` does, or by the address `git` of its
-/// repository.
+/// Writes a new book into `folder`, which depends on the press as the one in `root` does, or by the address `git` of
+/// its repository.
 ///
 /// # Errors
 /// If the folder holds something, or something cannot be written; if Cargo does not say where the press lies.

@@ -1,5 +1,6 @@
 //! DOP853: the explicit Runge–Kutta method of order eight of Dormand and Prince with step control.
 
+use super::failure::is_finite;
 use super::step::{Step, advance};
 use super::tableau::{A, B, C};
 use super::{Failure, Rates};
@@ -92,20 +93,26 @@ impl Dop853 {
         })
     }
 
-    /// The same with a given length of the first step instead of an estimated one; its sign is ignored, and a length
-    /// that is zero or not finite leaves the estimate in place.
-    pub fn with_first_step(self, length: f64) -> Self {
-        let usable = length.is_finite() && length != 0.0;
-        Self { first_step: usable.then_some(length.abs()), ..self }
+    /// The same with a given length of the first step instead of an estimated one; its sign is ignored.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] for a length that is zero or not finite.
+    pub fn with_first_step(self, length: f64) -> Result<Self, InvalidQuantity> {
+        InvalidQuantity::require_finite("first step", length, "")?;
+        let first_step = Some(InvalidQuantity::check_step("first step", length)?);
+        Ok(Self { first_step, ..self })
     }
 
-    /// The same with no step longer than `length`; a length that is zero or NaN sets no limit.
-    pub fn with_max_step(self, length: f64) -> Self {
-        let max_step = if length.abs() > 0.0 { length.abs() } else { f64::INFINITY };
-        Self { max_step, ..self }
+    /// The same with no step longer than `length`, whose sign is ignored; infinite for no limit.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] for a length that is zero or NaN.
+    pub fn with_max_step(self, length: f64) -> Result<Self, InvalidQuantity> {
+        Ok(Self { max_step: InvalidQuantity::check_step("longest step", length)?, ..self })
     }
 
     /// The same with a limit on the evaluations of the rates (ten million unless set).
+    #[must_use]
     pub fn with_max_evaluations(self, max_evaluations: usize) -> Self {
         Self { max_evaluations, ..self }
     }
@@ -191,12 +198,7 @@ impl Dop853 {
         end: f64,
         mut observer: impl FnMut(&mut Step<'_, N, F>) -> ControlFlow<()>,
     ) -> Result<End<N>, Failure> {
-        if !(start.is_finite() && end.is_finite()) {
-            return Err(Failure::Interval { start, end });
-        }
-        if !is_finite(&state) {
-            return Err(Failure::InitialState { state: state.to_vec() });
-        }
+        Failure::check(start, &state, end)?;
         let mut work = Work::default();
         let (mut t, mut y) = (start, state);
         if start == end {
@@ -307,8 +309,4 @@ fn stages<const N: usize>(
     k[10] = rates(t + C[10] * h, &advance!(y, h, A[10], k; 0, 3, 4, 5, 6, 7, 8, 9));
     k[11] = rates(t + C[11] * h, &advance!(y, h, A[11], k; 0, 3, 4, 5, 6, 7, 8, 9, 10));
     advance!(y, h, B, k; 0, 5, 6, 7, 8, 9, 10, 11)
-}
-
-pub(super) fn is_finite<const N: usize>(values: &[f64; N]) -> bool {
-    values.iter().all(|value| value.is_finite())
 }

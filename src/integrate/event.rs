@@ -1,6 +1,6 @@
 //! The moment at which a function of the state passes zero.
 
-use super::dop853::is_finite;
+use super::failure::is_finite;
 use super::{Dop853, End, Failure, Rates, Step};
 use std::ops::ControlFlow;
 

@@ -66,7 +66,20 @@ pub enum Failure {
     },
 }
 
+/// Whether all numbers of a state are finite.
+pub(super) fn is_finite(state: &[f64]) -> bool {
+    state.iter().all(|value| value.is_finite())
+}
+
 impl Failure {
+    /// Refuses an interval or a state at its start that is not finite.
+    pub(crate) fn check(start: f64, state: &[f64], end: f64) -> Result<(), Self> {
+        if !(start.is_finite() && end.is_finite()) {
+            return Err(Self::Interval { start, end });
+        }
+        if is_finite(state) { Ok(()) } else { Err(Self::InitialState { state: state.to_vec() }) }
+    }
+
     /// The same after so many evaluations that were made before.
     pub(crate) fn after(mut self, before: usize) -> Self {
         if let Self::TooMuchWork { evaluations, .. } = &mut self {

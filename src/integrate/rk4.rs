@@ -1,5 +1,6 @@
 //! The classical Runge–Kutta method of order four with a fixed step.
 
+use super::failure::is_finite;
 use super::{Failure, Rates};
 
 /// One step of length `h` from `state` at `time`.
@@ -37,12 +38,7 @@ pub fn rk4<const N: usize>(
     end: f64,
     steps: usize,
 ) -> Result<[f64; N], Failure> {
-    if !(start.is_finite() && end.is_finite()) {
-        return Err(Failure::Interval { start, end });
-    }
-    if !state.iter().all(|value| value.is_finite()) {
-        return Err(Failure::InitialState { state: state.to_vec() });
-    }
+    Failure::check(start, &state, end)?;
     if steps == 0 {
         return Err(Failure::NoSteps);
     }
@@ -51,7 +47,7 @@ pub fn rk4<const N: usize>(
     for n in 0..steps {
         let time = start + n as f64 * h; // counted, not accumulated
         let next = rk4_step(&mut rates, time, &now, h);
-        if !next.iter().all(|value| value.is_finite()) {
+        if !is_finite(&next) {
             return Err(Failure::NotFinite { time, state: now.to_vec(), step: h });
         }
         now = next;

@@ -2,6 +2,7 @@
 
 use super::tableau::{A, C, D};
 use super::{Failure, Rates, Work};
+use std::fmt;
 
 /// The sum of a state and of `h` times a weighted sum of stages; the weights name the tableau's row.
 #[cfg(not(target_arch = "wasm32"))]
@@ -65,6 +66,18 @@ pub struct Step<'a, const N: usize, F> {
     pub(super) y1: &'a [f64; N],
     pub(super) k: &'a mut [[f64; N]; 16],
     pub(super) dense: Option<[[f64; N]; 7]>,
+}
+
+impl<const N: usize, F> fmt::Debug for Step<'_, N, F> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { start, end, y0, y1, .. } = self;
+        out.debug_struct("Step")
+            .field("start", start)
+            .field("end", end)
+            .field("from", y0)
+            .field("to", y1)
+            .finish()
+    }
 }
 
 impl<const N: usize, F: Rates<N>> Step<'_, N, F> {

@@ -1,5 +1,6 @@
 //! A Taylor method of order sixteen: each step is a power series, whose coefficients the system itself supplies.
 
+use super::failure::is_finite;
 use super::{End, Failure, Work};
 use crate::quantity::{InvalidQuantity, Rule};
 use std::ops::ControlFlow;
@@ -90,13 +91,16 @@ impl Taylor {
         InvalidQuantity::require(holds, "tolerance", self.tolerance, "", Rule::AtMost(size)).map(drop)
     }
 
-    /// The same with no step longer than `length`; a length that is zero or NaN sets no limit.
-    pub fn with_max_step(self, length: f64) -> Self {
-        let max_step = if length.abs() > 0.0 { length.abs() } else { f64::INFINITY };
-        Self { max_step, ..self }
+    /// The same with no step longer than `length`, whose sign is ignored; infinite for no limit.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] for a length that is zero or NaN.
+    pub fn with_max_step(self, length: f64) -> Result<Self, InvalidQuantity> {
+        Ok(Self { max_step: InvalidQuantity::check_step("longest step", length)?, ..self })
     }
 
     /// The same with a limit on the number of series (a hundred thousand unless set).
+    #[must_use]
     pub fn with_max_expansions(self, max_expansions: usize) -> Self {
         Self { max_expansions, ..self }
     }
@@ -127,12 +131,7 @@ impl Taylor {
         end: f64,
         mut observer: impl FnMut(&TaylorStep<'_, N>) -> ControlFlow<()>,
     ) -> Result<End<N>, Failure> {
-        if !(start.is_finite() && end.is_finite()) {
-            return Err(Failure::Interval { start, end });
-        }
-        if !state.iter().all(|value| value.is_finite()) {
-            return Err(Failure::InitialState { state: state.to_vec() });
-        }
+        Failure::check(start, &state, end)?;
         let direction = (end - start).signum();
         let mut series = [[0.0; N]; TAYLOR_ORDER + 1];
         let (mut time, mut time_rest) = (start, 0.0);
@@ -176,7 +175,7 @@ impl Taylor {
             for i in 0..N {
                 (state[i], rest[i]) = add(state[i], rest[i], increment[i]);
             }
-            if !state.iter().all(|value| value.is_finite()) {
+            if !is_finite(&state) {
                 return Err(Failure::NotFinite { time, state: series[0].to_vec(), step: length });
             }
             series[0] = state;

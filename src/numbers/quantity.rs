@@ -135,6 +135,12 @@ impl InvalidQuantity {
         Self::require(value >= least, quantity, value, "", Rule::AtLeast(least))
     }
 
+    /// The size of the length of a step, in any unit of time: neither zero nor NaN.
+    pub(crate) fn check_step(quantity: &'static str, length: f64) -> Result<f64, Self> {
+        Self::require(!length.is_nan(), quantity, length, "", Rule::Finite)?;
+        Self::require(length != 0.0, quantity, length, "", Rule::NotZero).map(f64::abs)
+    }
+
     /// Checks a time, s: finite, and not too large to compute with.
     pub(crate) fn check_time(time: f64) -> Result<f64, Self> {
         if time.abs() < *RANGE.start() { Ok(time) } else { Self::check("time", time, "s") }

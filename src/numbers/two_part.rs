@@ -125,6 +125,9 @@ impl Add for TwoPart {
 
 impl Add<f64> for TwoPart {
     type Output = Self;
+
+    /// For a number of the size of the second part. One that is larger than the first loses digits of that: for it
+    /// there is `self + TwoPart::from(other)`.
     fn add(self, other: f64) -> Self {
         Self::quick_sum(self.high, self.low + other)
     }

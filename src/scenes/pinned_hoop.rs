@@ -28,7 +28,7 @@ pub enum Shape {
 
 /// A spinning body and where it is pinned.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters {
+pub struct PinningParameters {
     /// What spins.
     pub shape: Shape,
     /// Mass m, kg, more than zero.
@@ -62,9 +62,9 @@ pub enum Pin {
 /// of the point opposite, which vanish where the two components of the rotation balance, of the sum of what these give.
 ///
 /// ```
-/// use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+/// use mechanics::scenes::pinned_hoop::{PinningParameters, Pin, Pinning, Shape};
 /// let pin = Pin::Angle(60_f64.to_radians());
-/// let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
+/// let hoop = Pinning::new(PinningParameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin })?;
 /// // A third of the component along the tangent survives, and all of that along the diameter (eq:spin-after).
 /// let omega = hoop.omega_after();
 /// assert!((omega.x - 60_f64.to_radians().sin() / 3.0).abs() < 1e-15 && (omega.y + 0.5).abs() < 1e-15);
@@ -87,8 +87,8 @@ impl Pinning {
     ///
     /// # Errors
     /// [`InvalidQuantity`] if a number breaks its rule.
-    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
-        let Parameters { shape, mass, radius, spin, pin } = parameters;
+    pub fn new(parameters: PinningParameters) -> Result<Self, InvalidQuantity> {
+        let PinningParameters { shape, mass, radius, spin, pin } = parameters;
         let about_centre = match shape {
             Shape::Hoop => Body::hoop(mass, radius),
             Shape::Disk => Body::thin_disk(mass, radius),

@@ -12,11 +12,11 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 /// A station that turns about its axis of symmetry.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Station(Parameters);
+pub struct Station(StationParameters);
 
 /// What turns, and how fast.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters {
+pub struct StationParameters {
     /// Mass and moments; the axis of symmetry is axis 3.
     pub body: Body,
     /// Angular velocity ω₀ about axis 3, rad/s, of either sign, not zero.
@@ -47,9 +47,9 @@ pub struct LaterBlow {
 /// themselves.
 ///
 /// ```
-/// use mechanics::{inertia::Body, scenes::space_station::{Blow, Parameters, Station}};
+/// use mechanics::{inertia::Body, scenes::space_station::{Blow, StationParameters, Station}};
 /// // A ring of 400 t and 50 m radius that turns in about fourteen seconds, struck on the rim.
-/// let station = Station::new(Parameters { body: Body::hoop(4e5, 50.0)?, spin: 0.45 })?;
+/// let station = Station::new(StationParameters { body: Body::hoop(4e5, 50.0)?, spin: 0.45 })?;
 /// let struck = station.struck(Blow { radius: 50.0, impulse: 1.8e6 })?;
 /// // The angular momentum tilts by half as much as the axis of rotation (eq:struck-angle, eq:struck-momentum).
 /// let ratio = struck.momentum_angle().tan() / struck.axis_angle().tan();
@@ -71,8 +71,8 @@ impl Station {
     /// # Errors
     /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, or the spin is zero, not finite or of a size
     /// that cannot be computed with.
-    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
-        let Parameters { body, spin } = parameters;
+    pub fn new(parameters: StationParameters) -> Result<Self, InvalidQuantity> {
+        let StationParameters { body, spin } = parameters;
         body.moments().as_symmetric()?;
         InvalidQuantity::check("spin", spin, "rad/s")?;
         InvalidQuantity::require(spin != 0.0, "spin", spin, "rad/s", Rule::NotZero)?;
@@ -95,7 +95,7 @@ impl Station {
     /// [`InvalidQuantity`] for a negative radius, and for numbers that are not finite or of a size that cannot be
     /// computed with.
     pub fn struck(&self, Blow { radius, impulse }: Blow) -> Result<StruckStation, InvalidQuantity> {
-        let Self(Parameters { body, spin }) = *self;
+        let Self(StationParameters { body, spin }) = *self;
         InvalidQuantity::check_not_negative("radius of the blow", radius, "m")?;
         InvalidQuantity::check("impulse", impulse, "N·s")?;
         let i1 = body.moments().as_symmetric()?.transverse;

@@ -25,7 +25,7 @@ pub struct Conical {
 
 /// Values and slopes of the two solutions.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Values {
+pub struct ConicalValues {
     /// The even solution, 1 at X = 0.
     pub even: f64,
     /// Its slope.
@@ -93,7 +93,7 @@ impl Conical {
     /// Both solutions at `x` between −1 and 1, where `gap` is `1 − |x|`, more exact than `x` itself can give it near
     /// the ends. Each to 4 units in its last place about the centre, |X| ≤ ½, and to 30 towards the ends. NaN or
     /// infinite outside.
-    pub fn at(&self, x: f64, gap: f64) -> Values {
+    pub fn at(&self, x: f64, gap: f64) -> ConicalValues {
         if x.abs() <= 0.5 {
             return self.about_centre(x);
         }
@@ -102,10 +102,10 @@ impl Conical {
         let ([even, even_slope], [odd, odd_slope]) =
             (combine(self.even_from_end), combine(self.odd_from_end));
         let sign = x.signum();
-        Values { even, even_slope: sign * even_slope, odd: sign * odd, odd_slope }
+        ConicalValues { even, even_slope: sign * even_slope, odd: sign * odd, odd_slope }
     }
 
-    fn about_centre(&self, x: f64) -> Values {
+    fn about_centre(&self, x: f64) -> ConicalValues {
         let square = x * x;
         let (mut even, mut even_slope, mut odd, mut odd_slope) = (0.0, 0.0, 0.0, 0.0);
         for j in (0..TERMS).rev() {
@@ -117,7 +117,7 @@ impl Conical {
                 even_slope = even_slope * square + order * self.even[j];
             }
         }
-        Values { even, even_slope: even_slope * x, odd: odd * x, odd_slope }
+        ConicalValues { even, even_slope: even_slope * x, odd: odd * x, odd_slope }
     }
 
     /// Regular and logarithmic solution at `1 − |X| = gap`, with their slopes in X for positive X.

@@ -3,3 +3,4 @@
 pub mod conical;
 pub mod elliptic;
 pub mod faddeeva;
+pub(crate) mod gauss;

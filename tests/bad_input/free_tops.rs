@@ -4,13 +4,13 @@ use mechanics::euler::Turning;
 use mechanics::free_rotation::{FreeSymmetricTop, FreeTop};
 use mechanics::inertia::{Body, Cylinder, InertiaTensor, PrincipalMoments, Ring, Spheroid};
 use mechanics::integrate::{Dop853, Failure};
-use mechanics::scenes::air_drag::{self, Drag, DraggedTop};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use mechanics::scenes::coin_toss::{
     Flight, FlightParameters, Toss, TossParameters, angle_for_probability, edge_at_random,
     ratio_for_probability, steady_face_ratio,
 };
-use mechanics::scenes::pinned_hoop::{self, Pin, Pinning, Shape};
-use mechanics::scenes::space_station::{self, Blow, Station};
+use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
+use mechanics::scenes::space_station::{Blow, Station, StationParameters};
 use mechanics::{Error, InvalidQuantity, Rule};
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use std::fmt::{Debug, Display};
@@ -233,7 +233,7 @@ fn a_toss_needs_a_coin_that_turns_and_a_catch_that_it_reaches() {
 
 #[test]
 fn a_station_turns_and_a_blow_is_finite() {
-    let station = |body: Body, spin: f64| Station::new(space_station::Parameters { body, spin });
+    let station = |body: Body, spin: f64| Station::new(StationParameters { body, spin });
     let ring = Body::hoop(1.0, 1.0).unwrap();
     assert_eq!(message(station(ring, 0.0)), "spin 0 rad/s must not be zero");
     assert_eq!(message(station(ring, f64::NAN)), "spin NaN rad/s is not a finite number");
@@ -257,7 +257,7 @@ fn a_station_turns_and_a_blow_is_finite() {
 }
 
 fn dragged(drag: Drag, omega_body: Vector3<f64>) -> Result<DraggedTop, InvalidQuantity> {
-    DraggedTop::new(air_drag::Parameters { moments: disc(), drag, omega_body })
+    DraggedTop::new(DraggedTopParameters { moments: disc(), drag, omega_body })
 }
 
 #[test]
@@ -273,7 +273,7 @@ fn drag_is_not_negative_and_a_slowing_body_spins() {
     );
     assert_eq!(message(new(0.1, 0.1, Vector3::zeros())), "angular velocity 0 rad/s must not be zero");
     let (drag, omega_body) = (Drag::isotropic(0.1), Vector3::z());
-    let uneven = DraggedTop::new(air_drag::Parameters { moments: brick(), drag, omega_body });
+    let uneven = DraggedTop::new(DraggedTopParameters { moments: brick(), drag, omega_body });
     assert!(message(uneven).starts_with(UNEVEN));
     let top = new(0.1, 0.1, Vector3::new(1.0, 0.0, 1.0)).unwrap();
     assert_eq!(message(top.at(-1.0)), "time -1 s is negative; it must be zero or more");
@@ -297,7 +297,7 @@ fn decay_rates_are_of_a_size_that_is_computed_with() {
         (Drag { transverse: 1.0, axial: 1.5e30 }, "axial drag coefficient 1.5e30 N·m·s:"),
     ] {
         let omega_body = Vector3::new(1.0, 0.0, 1.0);
-        let refused = message(DraggedTop::new(air_drag::Parameters { moments, drag, omega_body }));
+        let refused = message(DraggedTop::new(DraggedTopParameters { moments, drag, omega_body }));
         assert!(refused.starts_with(name), "{refused}");
     }
 }
@@ -333,15 +333,10 @@ fn principal_axes_belong_to_a_body() {
 
 #[test]
 fn a_pinned_body_spins_and_its_point_lies_on_it() {
-    let hoop = pinned_hoop::Parameters {
-        shape: Shape::Hoop,
-        mass: 1.0,
-        radius: 1.0,
-        spin: 1.0,
-        pin: Pin::Angle(1.0),
-    };
+    let hoop =
+        PinningParameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin: Pin::Angle(1.0) };
     let new = |spin: f64, angle: f64| {
-        message(Pinning::new(pinned_hoop::Parameters { spin, pin: Pin::Angle(angle), ..hoop }))
+        message(Pinning::new(PinningParameters { spin, pin: Pin::Angle(angle), ..hoop }))
     };
     assert_eq!(new(0.0, 1.0), "spin 0 rad/s must not be zero");
     assert_eq!(new(f64::NAN, 1.0), "spin NaN rad/s is not a finite number");
@@ -349,11 +344,11 @@ fn a_pinned_body_spins_and_its_point_lies_on_it() {
     assert!(
         new(1.0, 3.2).starts_with("angle from the axis 3.2 rad is too large; it must be at most 3.14159")
     );
-    let disc = pinned_hoop::Parameters { shape: Shape::Disk, radius: 0.0, ..hoop };
+    let disc = PinningParameters { shape: Shape::Disk, radius: 0.0, ..hoop };
     assert_eq!(message(Pinning::new(disc)), "radius 0 m is not positive; it must be more than zero");
-    let sphere = pinned_hoop::Parameters { shape: Shape::Sphere, ..hoop };
+    let sphere = PinningParameters { shape: Shape::Sphere, ..hoop };
     let at = |from_axis: f64, height: f64| {
-        Pinning::new(pinned_hoop::Parameters { pin: Pin::Point { from_axis, height }, ..sphere })
+        Pinning::new(PinningParameters { pin: Pin::Point { from_axis, height }, ..sphere })
     };
     assert_eq!(message(at(0.0, 0.5)), "distance of the point from the centre 0.5 m is not 1 m to rounding");
     assert!(at(0.3, 0.3).is_err());
@@ -368,10 +363,10 @@ fn a_pinned_body_spins_and_its_point_lies_on_it() {
     );
     assert_eq!(at(0.6, -0.8).unwrap().angle(), f64::atan2(0.6, -0.8));
     let pin = Pin::Point { from_axis: 0.6, height: 0.8 };
-    let inside_out = pinned_hoop::Parameters { radius: -1.0, pin, ..sphere };
+    let inside_out = PinningParameters { radius: -1.0, pin, ..sphere };
     assert!(message(Pinning::new(inside_out)).starts_with("radius -1 m"));
     let pin = Pin::Point { from_axis: 0.0, height: 1.1e-9 };
-    assert!(Pinning::new(pinned_hoop::Parameters { radius: 1e-9, pin, ..hoop }).is_err());
+    assert!(Pinning::new(PinningParameters { radius: 1e-9, pin, ..hoop }).is_err());
     // To rounding, and not beyond, on either side of the surface.
     for (distance, lies_on_it) in
         [(1.0 + 5e-13, true), (1.0 - 5e-13, true), (1.0 + 2e-12, false), (1.0 - 2e-12, false)]

@@ -14,7 +14,7 @@ mod vanishing;
 
 use mechanics::measure::observed_order;
 use mechanics::rolling::{DiskParameters, MomentFactors};
-use mechanics::scenes::laundromat::{Machine, Parameters};
+use mechanics::scenes::laundromat::{Machine, MachineParameters};
 use serde_json::Value;
 use std::ops::Range;
 use std::sync::OnceLock;
@@ -54,7 +54,7 @@ fn numbers<const N: usize>(value: &Value) -> [f64; N] {
 
 /// ω₀ = 1 rad/s, b = 1 m: one kilogram, all of it the load.
 fn machine(damping: f64, spin: f64) -> Machine {
-    Machine::new(Parameters {
+    Machine::new(MachineParameters {
         drum_mass: 0.0,
         load_mass: 1.0,
         load_radius: 1.0,

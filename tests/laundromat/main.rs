@@ -12,11 +12,11 @@ mod stability;
 mod steady;
 mod whirl;
 
-use mechanics::scenes::laundromat::{Machine, Parameters};
+use mechanics::scenes::laundromat::{Machine, MachineParameters};
 use nalgebra::Complex;
 
 /// The machine of the chapter: ω₀ = 10 rad/s, Γ = 3 s⁻¹, b = 1/60 m, Ω = 30 rad/s.
-const WASHER: Parameters = Parameters {
+const WASHER: MachineParameters = MachineParameters {
     drum_mass: 28.0,
     load_mass: 2.0,
     load_radius: 0.25,
@@ -42,7 +42,7 @@ fn machines(seed: u64, count: usize) -> impl Iterator<Item = Machine> {
         let stiffness = between(10.0, 1e5);
         let natural = (stiffness / (drum_mass + load_mass)).sqrt();
         let sense = if n % 3 == 0 { -1.0 } else { 1.0 };
-        Machine::new(Parameters {
+        Machine::new(MachineParameters {
             drum_mass,
             load_mass,
             load_radius: between(0.05, 1.0),
@@ -56,7 +56,7 @@ fn machines(seed: u64, count: usize) -> impl Iterator<Item = Machine> {
 
 /// Newton's law (6) for two bodies, by the raw parameters alone: `M r̈ + m (r̈ + ä) = −k r − γ ṙ`, where the load
 /// goes round the shaft with `ä = −Ω²a`. Rates of [x, y, ẋ, ẏ].
-fn newton(p: &Parameters, t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
+fn newton(p: &MachineParameters, t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
     let a = Complex::from_polar(p.load_radius, p.spin * t);
     let suspension = -Complex::new(x, y) * p.stiffness - Complex::new(vx, vy) * p.damping;
     let acceleration = (suspension + a * (p.load_mass * p.spin * p.spin)) / (p.drum_mass + p.load_mass);

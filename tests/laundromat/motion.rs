@@ -4,7 +4,7 @@ use crate::printed::corrected_holds_and_printed_fails;
 use crate::{ROUNDING, WASHER, letters, machines, newton, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters, Polar, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Polar, Shaft};
 use nalgebra::{Complex, SVector};
 use num_dual::{DualNum, hessian, second_derivative};
 
@@ -176,7 +176,7 @@ fn eq10_and_eq11_give_the_same_motion_as_the_lab() {
 
 /// State at time `t` of the motion from `start`, less that of the motion from rest at O, both by Newton's law with
 /// the raw parameters. The pull of the load drops out of the difference; its mass does not.
-fn difference(p: &Parameters, start: [f64; 4], t: f64) -> [f64; 4] {
+fn difference(p: &MachineParameters, start: [f64; 4], t: f64) -> [f64; 4] {
     let solver = Dop853::new(1e-14).unwrap();
     let [moved, rest] = [start, [0.0; 4]]
         .map(|start| solver.solve(|t, y: &[f64; 4]| newton(p, t, y), 0.0, start, t).unwrap().state);
@@ -187,7 +187,7 @@ fn difference(p: &Parameters, start: [f64; 4], t: f64) -> [f64; 4] {
 fn eq12_natural_frequency_is_that_of_the_free_swing() {
     // Without damping two motions of one machine, loaded as it is, swing about each other with the period 2π/ω₀.
     for machine in machines(12, 40) {
-        let p = Parameters {
+        let p = MachineParameters {
             load_mass: 0.5 * machine.parameters().drum_mass,
             damping: 0.0,
             ..machine.parameters()
@@ -221,7 +221,7 @@ fn eq14_damping_rate_is_how_fast_two_motions_close_up() {
     // The area x₁ẋ₂ − x₂ẋ₁ between two motions shrinks as e^{−Γt} and as nothing else: no spring, no load has a part
     // in it.
     for machine in machines(14, 40) {
-        let p = Parameters { load_mass: 0.5 * machine.parameters().drum_mass, ..machine.parameters() };
+        let p = MachineParameters { load_mass: 0.5 * machine.parameters().drum_mass, ..machine.parameters() };
         let machine = Machine::new(p).unwrap();
         let speed = p.load_radius * machine.natural_frequency();
         let time = 1.0 / machine.damping_rate().max(0.1 * machine.natural_frequency());

@@ -3,7 +3,7 @@
 
 use crate::WASHER;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
@@ -35,7 +35,7 @@ fn farthest() -> (f64, f64) {
 
 /// The largest swing over b of the chapter's machine without a damper, and the spin over ω₀ where it comes.
 fn largest(acceleration: f64) -> (f64, f64) {
-    let machine = Machine::new(Parameters { damping: 0.0, spin: 0.0, ..WASHER }).expect("a machine");
+    let machine = Machine::new(MachineParameters { damping: 0.0, spin: 0.0, ..WASHER }).expect("a machine");
     let ramp = machine.ramp(acceleration * 100.0, Shaft::AT_REST).expect("a ramp");
     let swing = |root: f64| {
         let time = (1.0 + root * acceleration.sqrt()) / (10.0 * acceleration);
@@ -84,7 +84,7 @@ fn the_largest_swing_has_three_quarters_of_b_besides() {
 #[test]
 fn what_a_passage_leaves_is_lewiss_amplitude() {
     let acceleration = 1e-6_f64;
-    let machine = Machine::new(Parameters { damping: 0.0, spin: 0.0, ..WASHER }).expect("a machine");
+    let machine = Machine::new(MachineParameters { damping: 0.0, spin: 0.0, ..WASHER }).expect("a machine");
     let ramp = machine.ramp(acceleration * 100.0, Shaft::AT_REST).expect("a ramp");
     let left = machine.offset() * (FRAC_PI_2 / acceleration).sqrt();
     // Long after, the swing beats about it with an amplitude that falls as the inverse of the time.
@@ -101,7 +101,7 @@ fn the_chapters_machine_stays_below_four_centimetres_from_33_and_below_six_with_
     let largest = |damping: f64, acceleration: f64| {
         let rates = |t: f64, &[x, y, vx, vy]: &[f64; 4]| {
             let (sin, cos) = (0.5 * acceleration * t * t).sin_cos();
-            let (spin, push) = (acceleration * t, 0.5); // m a, kg m
+            let (spin, push) = (acceleration * t, 0.5); // m a, kg·m
             // m a (φ̇² e^{iφ} − iφ̈ e^{iφ})
             let (px, py) = (spin * spin * cos + acceleration * sin, spin * spin * sin - acceleration * cos);
             let rate = |pull: f64, x: f64, v: f64| (push * pull - 3000.0 * x - damping * v) / 30.0;

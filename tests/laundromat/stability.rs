@@ -4,14 +4,14 @@ use crate::linear::{eigenvalues, scale};
 use crate::{ROUNDING, letters, machines, newton, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{LockedState, Machine, Parameters, Polar, Shaft};
+use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4};
 
 const I: Complex<f64> = Complex::new(0.0, 1.0);
 
 /// r̈ of a shaft on a rail that turns with Ω at the angle −φ₀ behind the load: Newton's law with the raw parameters,
 /// along the rail. The rail pushes across it only, and r̂ turns, which adds rΩ².
-fn on_a_rail(p: &Parameters, phi0: f64, t: f64, &[r, r_dot]: &[f64; 2]) -> [f64; 2] {
+fn on_a_rail(p: &MachineParameters, phi0: f64, t: f64, &[r, r_dot]: &[f64; 2]) -> [f64; 2] {
     let along = Complex::from_polar(1.0, p.spin * t - phi0);
     let (z, v) = (along * r, along * Complex::new(r_dot, r * p.spin));
     let [_, _, ax, ay] = newton(p, t, &[z.re, z.im, v.re, v.im]);
@@ -31,7 +31,8 @@ fn eq21_a_locked_angle_is_stable_only_below_the_natural_frequency() {
         let [_, _, row, _] = machine.polar_rates(t, &[r, spin * t - phi0, r_dot, spin]);
         let eq21 = (spin * spin - w0 * w0) * r + b * spin * spin * phi0.cos() - gamma * r_dot;
         let size = (spin * spin + w0 * w0) * b + gamma * r_dot;
-        let [_, locked] = machine.locked_rates(&[r, r_dot]).unwrap();
+        let motion = machine.locked(LockedState::from_array([r, r_dot])).unwrap();
+        let [_, locked] = motion.rates(t, &[r, r_dot]);
         for form in [row, locked, eq21] {
             assert!((rail - form).abs() < ROUNDING * size, "{form} for {rail} m/s²");
         }
@@ -195,7 +196,7 @@ fn both_circles_of_a_swing_come_to_the_top_of_the_hill_one_from_below_and_one_fr
     // Without a load the steady place is O, the top of the hill of eq:jacobi.
     let (w0, gamma) = (10.0_f64, 0.01);
     for spin in [11.0, 22.0, 60.0] {
-        let parameters = Parameters {
+        let parameters = MachineParameters {
             drum_mass: 30.0,
             load_mass: 0.0,
             load_radius: 0.25,

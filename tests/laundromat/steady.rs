@@ -4,7 +4,7 @@ use crate::printed::corrected_holds_and_printed_fails;
 use crate::{ROUNDING, WASHER, letters, machines, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
 use num_dual::{Dual64, DualNum, first_derivative};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
@@ -47,7 +47,7 @@ fn eq17_azimuthal_balance_holds_in_steady_motion() {
 #[test]
 fn eq18_phase_is_where_a_simulated_load_settles() {
     for (damping, spin) in [(30.0, 3.0), (90.0, 10.0), (90.0, 30.0), (600.0, 12.0)] {
-        let machine = Machine::new(Parameters { damping, spin, ..WASHER }).unwrap();
+        let machine = Machine::new(MachineParameters { damping, spin, ..WASHER }).unwrap();
         let lead = -settled(&machine).arg(); // the load is at azimuth zero in its own frame
         assert!((lead - machine.steady().unwrap().phase()).abs() < 1e-10, "lead {lead} rad");
     }
@@ -65,7 +65,7 @@ fn eq18_phase_runs_from_0_through_a_right_angle_to_pi() {
 #[test]
 fn eq19_radius_is_that_of_the_simulated_circle() {
     for (damping, spin) in [(30.0, 3.0), (90.0, 10.0), (90.0, 30.0), (600.0, 12.0)] {
-        let machine = Machine::new(Parameters { damping, spin, ..WASHER }).unwrap();
+        let machine = Machine::new(MachineParameters { damping, spin, ..WASHER }).unwrap();
         assert_relative_eq!(
             settled(&machine).norm(),
             machine.steady().unwrap().radius(),
@@ -86,7 +86,7 @@ fn eq19_radius_is_that_of_the_simulated_circle() {
 fn eq19_radius_tends_to_b_and_a_balanced_drum_stays_put() {
     let fast = washer().with_spin(1e8).unwrap();
     assert_relative_eq!(fast.steady().unwrap().radius(), fast.offset(), max_relative = 1e-13);
-    let balanced = Machine::new(Parameters { load_mass: 0.0, ..WASHER }).unwrap();
+    let balanced = Machine::new(MachineParameters { load_mass: 0.0, ..WASHER }).unwrap();
     assert_eq!(balanced.steady().unwrap().radius(), 0.0);
 }
 
@@ -139,7 +139,7 @@ fn eq20_centre_of_mass_circle_corrected_holds_and_printed_fails() {
     corrected_holds_and_printed_fails(cases, 1e-11, 0.1);
     // And a simulation: the shaft where it has settled, and the centre of mass b further along the load.
     for (damping, spin) in [(30.0, 3.0), (90.0, 10.0), (90.0, 30.0), (600.0, 12.0)] {
-        let machine = Machine::new(Parameters { damping, spin, ..WASHER }).unwrap();
+        let machine = Machine::new(MachineParameters { damping, spin, ..WASHER }).unwrap();
         let radius = (settled(&machine) + machine.offset()).norm();
         assert_relative_eq!(machine.steady().unwrap().centre_of_mass_radius(), radius, max_relative = 1e-9);
     }
@@ -148,7 +148,7 @@ fn eq20_centre_of_mass_circle_corrected_holds_and_printed_fails() {
 #[test]
 fn eq20_all_curves_cross_at_sqrt_2() {
     for damping in [0.0, 1.0, 90.0, 3000.0, 1e6] {
-        let machine = Machine::new(Parameters { damping, spin: 10.0 * SQRT_2, ..WASHER }).unwrap();
+        let machine = Machine::new(MachineParameters { damping, spin: 10.0 * SQRT_2, ..WASHER }).unwrap();
         assert_relative_eq!(
             machine.steady().unwrap().centre_of_mass_radius(),
             machine.offset(),
@@ -197,7 +197,7 @@ const FOLDS: [(f64, f64); 2] = [
 #[test]
 fn the_slope_of_the_torque_finds_the_folds_of_a_weak_motor() {
     let machine = |spin| {
-        let parameters = Parameters {
+        let parameters = MachineParameters {
             drum_mass: 0.0,
             load_mass: 1.0,
             load_radius: 0.1,
@@ -229,12 +229,12 @@ fn the_slope_of_the_torque_finds_the_folds_of_a_weak_motor() {
 #[test]
 fn a_steady_circle_at_the_ends_of_the_range_is_no_less_exact() {
     // At rest: nothing moves, and the motor has nothing to do.
-    let resting = Machine::new(Parameters { spin: 0.0, ..WASHER }).unwrap().steady().unwrap();
+    let resting = Machine::new(MachineParameters { spin: 0.0, ..WASHER }).unwrap().steady().unwrap();
     assert_eq!([resting.radius(), resting.motor_torque(), resting.motor_power()], [0.0; 3]);
     assert_eq!(resting.motor_torque_slope(), 0.0);
     assert_eq!(resting.centre_of_mass_radius(), washer().offset());
     // So far below resonance that squares of the ratio are beyond all numbers: bΩ²/ω₀².
-    let stiff = Parameters {
+    let stiff = MachineParameters {
         drum_mass: 0.0,
         load_mass: 1.0,
         load_radius: 1.0,
@@ -245,7 +245,9 @@ fn a_steady_circle_at_the_ends_of_the_range_is_no_less_exact() {
     let radius = Machine::new(stiff).unwrap().steady().unwrap().radius();
     assert!((radius / 1e-160 - 1.0).abs() < 1e-15, "{radius:e}");
     // Γ² = 2ω₀² to the last bit: the peak has just gone.
-    let flat = Parameters { stiffness: 2.0, damping: 2.0, ..stiff };
+    let flat = MachineParameters { stiffness: 2.0, damping: 2.0, ..stiff };
     assert_eq!(Machine::new(flat).unwrap().peak(), None);
-    assert!(Machine::new(Parameters { damping: 2.0_f64.next_down(), ..flat }).unwrap().peak().is_some());
+    assert!(
+        Machine::new(MachineParameters { damping: 2.0_f64.next_down(), ..flat }).unwrap().peak().is_some()
+    );
 }

@@ -176,3 +176,20 @@ fn the_motion_is_what_an_integrator_finds_and_its_steady_part_knows_nothing_of_t
     assert!(washer().rotor(-1.0).is_err() && washer().rotor(f64::NAN).is_err());
     assert_eq!(washer().rotor(0.0).unwrap().whirl_spin(), None);
 }
+
+#[test]
+fn the_shortest_time_after_the_start_the_shaft_is_where_it_was() {
+    for (machine, _, rotor) in rotors(7, 200) {
+        let start = Shaft::from_array([0.1, -0.2, 0.3, 0.4].map(|number| number * machine.offset()));
+        let motion = rotor.transient(start).unwrap();
+        let near = |found: Shaft| (found.position - start.position).norm() < 1e-12 * motion_size(&machine);
+        for time in [0.0, 5e-324, 1e-309, 1e-160, 1e-120] {
+            assert!(motion.at(time).is_ok_and(near), "{time:e}: {:?}", motion.at(time));
+        }
+    }
+}
+
+/// The largest distance that takes part: of the circle or of the load.
+fn motion_size(machine: &Machine) -> f64 {
+    machine.offset() + machine.steady().map_or(0.0, |steady| steady.radius())
+}

@@ -1,13 +1,13 @@
 //! Damping from none through critical to very heavy, before the start as well as after it.
 
 use crate::FEW_ULPS;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 
 #[test]
 fn motion_long_before_a_heavily_damped_start_is_found_if_it_can_be_written_down() {
     // Released at rest at 1e-40 m: fifteen seconds before, e^{−λt} alone is beyond the largest number, the motion is
     // not.
-    let balanced = Parameters {
+    let balanced = MachineParameters {
         drum_mass: 1.0,
         load_mass: 0.0,
         load_radius: 1.0,
@@ -34,8 +34,14 @@ fn difference_of_exponentials_loses_eight_digits_near_critical_damping() {
     // Free motion of a balanced machine from a push of 1 m/s: (e^{−st} − e^{−ft})/(f − s), at critical damping t
     // e^{−t}.
     let naive = ((-slow * t).exp() - (-fast * t).exp()) / (fast - slow);
-    let balanced =
-        Parameters { drum_mass: 1.0, load_mass: 0.0, load_radius: 1.0, stiffness: 1.0, damping, spin: 0.0 };
+    let balanced = MachineParameters {
+        drum_mass: 1.0,
+        load_mass: 0.0,
+        load_radius: 1.0,
+        stiffness: 1.0,
+        damping,
+        spin: 0.0,
+    };
     let push = Shaft { velocity: 1.0.into(), ..Shaft::AT_REST };
     let ours = Machine::new(balanced).unwrap().transient(push).unwrap().at(t).unwrap().position.re;
     // To 1e-15: the difference from critical damping is second order in 1e-15 and first in Γ.
@@ -48,7 +54,7 @@ fn difference_of_exponentials_loses_eight_digits_near_critical_damping() {
 fn slow_decay_keeps_its_digits_at_a_damping_of_1e8() {
     // λ_slow = ω₀²/Γ (1 + ω₀²/Γ² + …) is 1e-8 to sixteen digits, and a released drum follows e^{−λt} after the first
     // 1e-7 s.
-    let balanced = Parameters {
+    let balanced = MachineParameters {
         drum_mass: 1.0,
         load_mass: 0.0,
         load_radius: 1.0,
@@ -78,7 +84,7 @@ fn slow_decay_keeps_its_digits_at_a_damping_of_1e8() {
 #[test]
 fn heavy_damping_after_a_hard_push_keeps_the_digits_of_the_small_velocity() {
     // A push of 1 m/s at Γ = 1e6 moves the drum by 1e-6 m; it creeps back at λ_slow times that.
-    let balanced = Parameters {
+    let balanced = MachineParameters {
         drum_mass: 1.0,
         load_mass: 0.0,
         load_radius: 1.0,

@@ -8,7 +8,7 @@ mod ramp;
 mod resonance;
 mod spin_and_time;
 
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
 
 /// A few units in the last place, after a dozen operations.
@@ -16,7 +16,7 @@ const FEW_ULPS: f64 = 4e-15;
 
 /// ω₀ = 1 rad/s, b = 1 m, with the rest as given: one kilogram, all of it the load.
 fn machine(damping: f64, spin: f64) -> Machine {
-    Machine::new(Parameters {
+    Machine::new(MachineParameters {
         drum_mass: 0.0,
         load_mass: 1.0,
         load_radius: 1.0,

@@ -1,7 +1,7 @@
 //! At resonance and one rounding beside it.
 
 use crate::{FEW_ULPS, machine};
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -62,7 +62,7 @@ fn next_to_resonance(steps: u32) -> (Machine, f64) {
     for _ in 0..steps {
         spin = spin.next_up();
     }
-    let machine = Machine::new(Parameters {
+    let machine = Machine::new(MachineParameters {
         drum_mass: 3.0,
         load_mass: 4.0,
         load_radius: 1.75,

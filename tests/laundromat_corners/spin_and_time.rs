@@ -2,7 +2,7 @@
 
 use crate::{FEW_ULPS, machine, start};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{LockedState, Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
 use std::f64::consts::PI;
 
@@ -120,7 +120,7 @@ fn phase_is_exact_after_a_billion_seconds() {
 fn free_swing_is_exact_after_a_billion_seconds_too() {
     // ω₀ = √2 is not a double; its phase is right all the same, since it is kept in two parts. √2 to 120 binary
     // places: an integer square root to 60, and one step of Newton for the next 60.
-    let machine = Machine::new(Parameters {
+    let machine = Machine::new(MachineParameters {
         drum_mass: 1.0,
         load_mass: 0.0,
         load_radius: 1.0,
@@ -154,7 +154,7 @@ fn jacobi_integral_is_energy_less_spin_times_angular_momentum() {
     for _ in 0..1000 {
         let mut number = || 3.0 * random.f64() - 1.5;
         let (time, shaft) = (5.0 * number(), Shaft::from_array(std::array::from_fn(|_| number())));
-        let parameters = Parameters {
+        let parameters = MachineParameters {
             drum_mass: 2.0 + number(),
             load_mass: 2.0 + number(),
             load_radius: 2.0 + number(),
@@ -162,7 +162,7 @@ fn jacobi_integral_is_energy_less_spin_times_angular_momentum() {
             damping: 0.0,
             spin: number(),
         };
-        let Parameters { drum_mass, load_mass, load_radius, stiffness, spin, .. } = parameters;
+        let MachineParameters { drum_mass, load_mass, load_radius, stiffness, spin, .. } = parameters;
         let arm = Complex::from_polar(load_radius, spin * time);
         let load = [shaft.position + arm, shaft.velocity + Complex::i() * spin * arm];
         let momentum = |[place, rate]: [Complex<f64>; 2]| (place.conj() * rate).im;
@@ -222,7 +222,7 @@ fn times_that_are_none_are_refused_by_every_motion_of_the_drum() {
         assert!(ramp.at(t).is_err() && locked.at(t).is_err() && locked.sample(&[0.0, t]).is_err(), "{t}");
     }
     assert!(transient.at(1e50).is_ok() && transient.centre_of_mass(1e50).is_ok() && ramp.at(1e50).is_ok());
-    let resting = Machine::new(Parameters { spin: 0.5, ..machine.parameters() }).unwrap();
+    let resting = Machine::new(MachineParameters { spin: 0.5, ..machine.parameters() }).unwrap();
     assert!(resting.locked(pulled_out).unwrap().at(1e50).is_ok());
 }
 
@@ -235,7 +235,7 @@ fn a_tiny_motion_is_followed_back_until_it_is_huge() {
     };
     let tiny = Shaft::from_array([3e-45, -1e-45, 2e-45, 1e-45]);
     for (damping, spin, last) in [(1.0, 0.0, -1575.0), (1.0, 3.0, -1575.0), (0.2, 1.0, -7800.0)] {
-        let parameters = Parameters { load_radius: 1e-45, ..machine(damping, spin).parameters() };
+        let parameters = MachineParameters { load_radius: 1e-45, ..machine(damping, spin).parameters() };
         let motion = Machine::new(parameters).unwrap().transient(tiny).unwrap();
         let at = |t: f64| size(damping, motion.at(t).unwrap());
         for back in [0.6, 0.8, 0.9, 0.95, 1.0] {

@@ -69,14 +69,15 @@ fn run(name: &str) -> (Run, [usize; 8]) {
         "DOP853" => (
             |start, duration, steps| {
                 let h = (duration / steps as f64).abs();
-                let solver = Dop853::new(LOOSE).unwrap().with_first_step(h).with_max_step(h);
+                let solver =
+                    Dop853::new(LOOSE).unwrap().with_first_step(h).unwrap().with_max_step(h).unwrap();
                 solver.solve(free(), 0.0, start.to_array(), duration).unwrap().state
             },
             [40, 48, 58, 70, 84, 100, 120, 144],
         ),
         "Taylor" => (
             |start, duration, steps| {
-                let solver = Taylor::new(LOOSE).unwrap().with_max_step(duration / steps as f64);
+                let solver = Taylor::new(LOOSE).unwrap().with_max_step(duration / steps as f64).unwrap();
                 let body = FreeSeries::new(&brick().0);
                 solver.solve(&body, 0.0, start.to_array(), duration).unwrap().state
             },

@@ -57,7 +57,7 @@ fn rk4_error<const N: usize>(problem: &Problem<N>, steps: usize) -> f64 {
 /// Errors of DOP853 with steps of fixed length: at the end, and largest between the steps.
 fn dop853_errors<const N: usize>(problem: &Problem<N>, steps: usize) -> (f64, f64) {
     let h = (problem.end - problem.start) / steps as f64;
-    let solver = Dop853::new(LOOSE).unwrap().with_first_step(h).with_max_step(h);
+    let solver = Dop853::new(LOOSE).unwrap().with_first_step(h).unwrap().with_max_step(h).unwrap();
     let (mut between, mut count) = (0.0_f64, 0);
     let end = solver
         .solve_with(problem.rates, problem.start, (problem.exact)(problem.start), problem.end, |step| {
@@ -151,7 +151,7 @@ fn evaluations_of_a_step_are_as_the_table_says() {
 
     // One evaluation at the start (the first step is given), then 12 a step: the last stage is the next step's first.
     let counter = Counter::new();
-    let solver = Dop853::new(LOOSE).unwrap().with_first_step(0.125).with_max_step(0.125);
+    let solver = Dop853::new(LOOSE).unwrap().with_first_step(0.125).unwrap().with_max_step(0.125).unwrap();
     let end = solver.solve(counter.count(ELLIPSE.rates), 0.0, (ELLIPSE.exact)(0.0), 1.0).unwrap();
     assert_eq!(end.work.accepted, 8);
     assert_eq!(counter.evaluations(), 1 + 8 * evaluations("DOP853"));

@@ -6,9 +6,9 @@ use mechanics::attitude::angle_between;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::{Body, PrincipalMoments};
-use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters as DragParameters};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use mechanics::scenes::coin_toss::{Flight, FlightParameters, Toss, TossParameters};
-use mechanics::scenes::space_station::{self as station, Blow, Station};
+use mechanics::scenes::space_station::{Blow, Station, StationParameters};
 use nalgebra::{UnitQuaternion, Vector3};
 
 /// A few units in the last place, relative to the largest number that took part.
@@ -45,7 +45,7 @@ fn no_numbers_panic_or_give_what_is_not_a_number() {
             assert!(toss.normal_height(time).is_ok_and(f64::is_finite) || time.abs() > 1e50);
         }
         if let Ok(struck) = Body::hoop(a.abs(), b.abs())
-            .and_then(|body| Station::new(station::Parameters { body, spin: c }))
+            .and_then(|body| Station::new(StationParameters { body, spin: c }))
             .and_then(|station| station.struck(Blow { radius: b.abs(), impulse: d }))
         {
             made[2] += 1;
@@ -53,7 +53,7 @@ fn no_numbers_panic_or_give_what_is_not_a_number() {
             assert!(struck.at(time).is_ok_and(|turning| finite(&turning)) || time.abs() > 1e50);
         }
         let drag = Drag { transverse: number().abs(), axial: number().abs() };
-        if let Ok(top) = DraggedTop::new(DragParameters { moments, drag, omega_body }) {
+        if let Ok(top) = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body }) {
             made[3] += 1;
             let time = time.abs();
             if time <= 1e50 {
@@ -109,7 +109,7 @@ fn drag_only_ever_slows_a_body_down() {
         let drag =
             Drag { transverse: between(&mut random, 1e-9, 1e3), axial: between(&mut random, 1e-9, 1e3) };
         let omega = Vector3::from_fn(|_, _| 10.0 * random.f64() - 5.0);
-        let top = DraggedTop::new(DragParameters { moments, drag, omega_body: omega }).unwrap();
+        let top = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body: omega }).unwrap();
         let mut energy = moments.kinetic_energy(&omega);
         let mut time = 0.0;
         for _ in 0..5 {

@@ -2,7 +2,7 @@
 
 use crate::{any, between};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{LockedState, Machine, Parameters, Polar, Shaft};
+use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Polar, Shaft};
 use nalgebra::Complex;
 
 /// A few dozen roundings, relative to the largest number that took part.
@@ -16,7 +16,7 @@ fn machine(random: &mut fastrand::Rng, decades: f64) -> Machine {
     let natural = between(random, low, high);
     let damping = if random.u8(0..10) == 0 { 0.0 } else { between(random, low, high) * natural };
     let spin = between(random, low, high) * natural * if random.bool() { 1.0 } else { -1.0 };
-    Machine::new(Parameters {
+    Machine::new(MachineParameters {
         drum_mass,
         load_mass,
         load_radius: between(random, 1e-2, 1e2),
@@ -40,8 +40,14 @@ fn no_finite_parameters_panic_or_give_what_is_not_a_number() {
     for _ in 0..200_000 {
         let mut positive = || any(&mut random).abs();
         let [drum_mass, load_mass, load_radius, stiffness, damping] = std::array::from_fn(|_| positive());
-        let parameters =
-            Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin: any(&mut random) };
+        let parameters = MachineParameters {
+            drum_mass,
+            load_mass,
+            load_radius,
+            stiffness,
+            damping,
+            spin: any(&mut random),
+        };
         let Ok(machine) = Machine::new(parameters) else {
             refused += 1;
             continue;
@@ -158,8 +164,8 @@ fn difference_of_two_motions_does_not_know_the_spin() {
     for _ in 0..5_000 {
         let machine = machine(&mut random, 1.5);
         let (a, b) = (start(&mut random), start(&mut random));
-        let Parameters { drum_mass, load_mass, .. } = machine.parameters();
-        let bare = Parameters {
+        let MachineParameters { drum_mass, load_mass, .. } = machine.parameters();
+        let bare = MachineParameters {
             drum_mass: drum_mass + load_mass,
             load_mass: 0.0,
             spin: 0.0,

@@ -90,7 +90,7 @@ fn a_wheel_that_slows_down_is_the_whole_body_with_that_torque_and_loses_its_powe
         let (state, slowing) = (start(&mut random), 2.0 * random.f64());
         let omega = [state.omega_1, state.omega_2, state.omega_3];
         let solver = Dop853::new(1e-12).unwrap();
-        let rates = |t: f64, y: &[f64; 8]| wheel.slowed_rates(slowing, t, y);
+        let rates = wheel.slowed_rates(slowing);
         let Ok(reduced) = solver.solve(rates, 0.0, state.to_array(), 0.6) else { continue };
         let reduced = Rolling::from_array(reduced.state);
         if reduced.lean().abs() > 1.4 {

@@ -230,20 +230,3 @@ fn a_sphere_turns_about_its_axis_and_a_body_at_rest_stays() {
     assert_eq!(top.at(1e9).unwrap(), rest);
     assert_eq!((top.precession_rate(), top.momentum_angle()), (0.0, 0.0));
 }
-
-#[test]
-fn states_at_once_are_the_states_one_by_one() {
-    let mut random = fastrand::Rng::with_seed(19);
-    for count in [0, 1, 31, 32, 33, 100] {
-        let start = turning(&mut random, 1.0);
-        let top = FreeSymmetricTop::new(symmetric_moments(&mut random), start).unwrap();
-        let times: Vec<f64> = (0..count).map(|_| 200.0 * (random.f64() - 0.5)).collect();
-        let states = top.sample(&times).unwrap();
-        assert_eq!(states.len(), count);
-        for (state, &time) in states.iter().zip(&times) {
-            let single = top.at(time).unwrap();
-            assert!((state.omega_body - single.omega_body).norm() < 2e-15 * start.omega_body.norm());
-            assert!(rotation_between(&state.world_from_body, &single.world_from_body) < 2e-15, "{time}");
-        }
-    }
-}

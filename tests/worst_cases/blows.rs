@@ -3,8 +3,8 @@
 use crate::long::{Long, long};
 use crate::search::{Case, search, worse};
 use mechanics::inertia::{Body, Cylinder, Spheroid};
-use mechanics::scenes::pinned_hoop::{self as pinned, Pin, Pinning, Shape};
-use mechanics::scenes::space_station::{self as station, Blow, Station};
+use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
+use mechanics::scenes::space_station::{Blow, Station, StationParameters};
 
 const EPS: f64 = f64::EPSILON;
 
@@ -32,7 +32,7 @@ fn a_struck_station_leans_and_nods_to_a_few_units() {
         // From hardly to a blow that is all.
         let gained = spin * draw.signed(1e-12, 1e12);
         let (radius, impulse) = (size, gained * across.rounded() / size);
-        let station = Station::new(station::Parameters { body, spin }).ok()?;
+        let station = Station::new(StationParameters { body, spin }).ok()?;
         let struck = station.struck(Blow { radius, impulse }).ok()?;
         let omega = long(radius) * impulse / across;
         let spin = long(spin);
@@ -93,7 +93,7 @@ fn a_pinned_body_keeps_what_it_keeps_to_a_few_units() {
             let pin = Pin::Point { from_axis, height };
             (pin, long(from_axis) / length, long(height) / length, "by the point")
         };
-        let pinning = Pinning::new(pinned::Parameters { shape, mass, radius, spin, pin }).ok()?;
+        let pinning = Pinning::new(PinningParameters { shape, mass, radius, spin, pin }).ok()?;
         let kappa = long(kappa[0]) / kappa[1];
         let after = pinning.omega_after();
         let (before_1, before_2) = (sin * spin, -(cos * spin));

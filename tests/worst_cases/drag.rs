@@ -5,7 +5,7 @@ use crate::long::{Long, long};
 use crate::search::{Case, Draw, search, worse};
 use crate::taylor::System;
 use mechanics::inertia::PrincipalMoments;
-use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use nalgebra::Vector3;
 
 const EPS: f64 = f64::EPSILON;
@@ -38,7 +38,7 @@ impl Body {
         let ([across, along], [transverse, axial]) = (self.moments, self.drag);
         let moments = PrincipalMoments::symmetric(across, along).ok()?;
         let (drag, omega_body) = (Drag { transverse, axial }, Vector3::from(self.omega));
-        DraggedTop::new(Parameters { moments, drag, omega_body }).ok()
+        DraggedTop::new(DraggedTopParameters { moments, drag, omega_body }).ok()
     }
 
     /// The decays and the first rate of the wobble.

@@ -3,7 +3,7 @@
 
 use crate::long::{Long, long};
 use crate::search::{Case, search, worse};
-use mechanics::scenes::laundromat::{Driven, Machine, Motor, Parameters};
+use mechanics::scenes::laundromat::{DrivenMachine, Machine, MachineParameters, Motor};
 use std::f64::consts::TAU;
 
 /// The documented error, in units in the last place of what the documentation names.
@@ -54,7 +54,7 @@ impl Own {
     /// The library's growth rate for this machine in other units.
     fn growth(&self, [mass, length, time]: [f64; 3]) -> Option<f64> {
         let Self { load, damping, inertia, idle, spin } = *self;
-        let machine = Machine::new(Parameters {
+        let machine = Machine::new(MachineParameters {
             drum_mass: (1.0 - load) * mass,
             load_mass: load * mass,
             load_radius: length / load,
@@ -225,9 +225,9 @@ fn the_search_for_the_roots_ends_where_from_the_plain_axes_it_goes_round_in_a_ci
     }
 }
 
-/// The page's machine with a motor of 6 N m, in other units of time and length.
-fn washer(time: f64, length: f64) -> Driven {
-    let parameters = Parameters {
+/// The page's machine with a motor of 6 N·m, in other units of time and length.
+fn washer(time: f64, length: f64) -> DrivenMachine {
+    let parameters = MachineParameters {
         drum_mass: 28.0,
         load_mass: 2.0,
         load_radius: 0.25 * length,
@@ -258,7 +258,7 @@ fn a_growth_rate_knows_no_units() {
     }
     // A rotor of a thousandth of a milligram that swings ten thousand times a second.
     let natural = TAU * 1e4;
-    let machine = Machine::new(Parameters {
+    let machine = Machine::new(MachineParameters {
         drum_mass: 1e-9,
         load_mass: 1e-12,
         load_radius: 5e-5,
@@ -275,7 +275,7 @@ fn a_growth_rate_knows_no_units() {
 fn no_growth_rate_is_no_number_and_none_is_searched_for_ever() {
     let worst = search("hostile growth rate", 2000, |draw| {
         let mut any = || draw.decades(1e-50, 1e50);
-        let parameters = Parameters {
+        let parameters = MachineParameters {
             drum_mass: any(),
             load_mass: any(),
             load_radius: any(),

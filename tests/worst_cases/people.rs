@@ -3,7 +3,7 @@
 
 use crate::search::{Case, search, worse};
 use mechanics::inertia::PrincipalMoments;
-use mechanics::scenes::coin_toss::{Counted, Tossers, TossersParameters};
+use mechanics::scenes::coin_toss::{TossCount, Tossers, TossersParameters};
 use std::f64::consts::{PI, TAU};
 
 /// The documented errors.
@@ -39,7 +39,7 @@ fn ln_tail(z: f64) -> f64 {
 
 /// The logarithm of the mean of p^k (1 − p)^j, in units of its largest, by the trapezium rule in the variable t of
 /// |s| = threshold/(1 + e⁻ᵗ): its ends are at infinity, where the integrand falls exponentially.
-fn judge(threshold: f64, mean: f64, spread: f64, counted: Counted) -> f64 {
+fn judge(threshold: f64, mean: f64, spread: f64, counted: TossCount) -> f64 {
     let times = |count: f64, ln: f64| if count == 0.0 { 0.0 } else { count * ln };
     let [same, other, all] = [f64::from(counted.same), f64::from(counted.other), counted.tosses()];
     let largest = times(same, (same / all).ln()) + times(other, (other / all).ln());
@@ -84,10 +84,10 @@ fn the_likelihood_of_any_count_is_good_to_its_promise() {
             4 => ("fewer than half", (draw.between(0.5, 0.7) * tosses).round()),
             _ => ("more than half", (draw.between(0.3, 0.5) * tosses).round()),
         };
-        let counted = Counted { same: (tosses - other) as u32, other: other as u32 };
+        let counted = TossCount { same: (tosses - other) as u32, other: other as u32 };
         let people = tossers(threshold, mean, spread);
         let (ours, truth) = (people.log_likelihood(&[counted]), judge(threshold, mean, spread, counted));
-        let one = judge(threshold, mean, spread, Counted { same: 1, other: 0 }).exp();
+        let one = judge(threshold, mean, spread, TossCount { same: 1, other: 0 }).exp();
         let ratio = worse(
             (ours - truth).abs() / OF_A_LIKELIHOOD,
             (people.same_face_probability() - one).abs() / OF_A_PROBABILITY,
@@ -127,7 +127,7 @@ fn likelihoods_meet_the_digits_of_a_quadrature_where_they_once_did_not() {
         (0.0, 0.3, 0, 2_000, -1_389.705_501_334_082_3),
         (0.0, 0.01, 0, 100_000, -69_316.693_003_903_79),
     ] {
-        let ours = tossers(0.5, mean, spread).log_likelihood(&[Counted { same, other }]);
+        let ours = tossers(0.5, mean, spread).log_likelihood(&[TossCount { same, other }]);
         assert!((ours - truth).abs() < OF_A_LIKELIHOOD, "{same} {other}: {ours} {truth}");
     }
 }
@@ -141,7 +141,7 @@ fn no_count_is_impossible_and_none_is_infinitely_unlikely() {
             let p = people.same_face_probability();
             assert!((0.5 - 1e-9..=1.0 + 1e-9).contains(&p), "{people:?}: {p}");
             for (same, other) in extremes.into_iter().flat_map(|same| extremes.map(|other| (same, other))) {
-                let ours = people.log_likelihood(&[Counted { same, other }]);
+                let ours = people.log_likelihood(&[TossCount { same, other }]);
                 assert!(ours.is_finite() && ours < 1e-5, "{people:?}, {same} {other}: {ours}");
             }
         }

@@ -234,7 +234,7 @@ fn no_ramp_answers_with_what_is_no_number_and_a_sample_refuses_what_one_does() {
         let (machine, start, times) = hostile(draw)?;
         let acceleration = machine.natural_frequency().powi(2) * draw.decades(1e-12, 1e12);
         let motion = machine.ramp(acceleration * draw.one_of(&[-1.0, 1.0]), start).ok()?;
-        let (ratio, way) = agreement(&times, |time| motion.at(time), |times| motion.sample(times));
+        let (ratio, way) = agreement(&motion, &times);
         Some(Case { ratio, way, said: format!("{machine:?}, {acceleration:?}, {start:?}, {times:?}") })
     });
     worst.keeps_its_promise(&["answered", "refused"]);

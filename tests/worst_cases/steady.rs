@@ -3,7 +3,7 @@
 use crate::linear::carried;
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search, worse};
-use mechanics::scenes::laundromat::{LockedState, Machine, Parameters};
+use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters};
 
 /// The documented error.
 const UNITS: f64 = 8.0 * f64::EPSILON;
@@ -38,7 +38,7 @@ fn subject(draw: &mut Draw<'_>) -> Subject {
         rate.rounded() * draw.decades(1e-9, 1e9)
     };
     let spin = spin * draw.one_of(&[-1.0, 1.0]);
-    let parameters = Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
+    let parameters = MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
     Subject {
         machine: Machine::new(parameters).expect("a machine"),
         stiffness: long(stiffness) / mass,

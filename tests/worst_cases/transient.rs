@@ -3,8 +3,8 @@
 use crate::linear::carried;
 use crate::long::{Long, long};
 use crate::search::{Case, Draw, search, worse};
-use mechanics::InvalidQuantity;
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
+use mechanics::{InvalidQuantity, Motion};
 use nalgebra::Complex;
 
 /// The documented error, in units in the last place of what the documentation names.
@@ -42,7 +42,7 @@ impl Units {
 
     /// A machine with ω₀ = b = 1 in these units.
     pub(crate) fn machine(&self, damping: f64, spin: f64) -> Machine {
-        let parameters = Parameters {
+        let parameters = MachineParameters {
             drum_mass: 0.5 * self.mass,
             load_mass: 0.5 * self.mass,
             load_radius: 2.0 * self.length,
@@ -190,7 +190,7 @@ fn the_transient_is_exact_to_units_of_the_circle_the_motion_and_what_the_start_m
 
 /// A machine and a start of any size at all, and times near enough to be reached or not.
 pub(crate) fn hostile(draw: &mut Draw<'_>) -> Option<(Machine, Shaft, [f64; 40])> {
-    let parameters = Parameters {
+    let parameters = MachineParameters {
         drum_mass: draw.decades(1e-50, 1e50),
         load_mass: draw.decades(1e-50, 1e50),
         load_radius: draw.decades(1e-50, 1e50),
@@ -214,12 +214,11 @@ pub(crate) fn hostile(draw: &mut Draw<'_>) -> Option<(Machine, Shaft, [f64; 40])
 /// Zero if a sample is refused, for the first time that `at` refuses, or is all finite as `at` is; else infinite. And
 /// whether it is refused.
 pub(crate) fn agreement(
+    motion: &impl Motion<State = Shaft, Error = InvalidQuantity>,
     times: &[f64],
-    at: impl Fn(f64) -> Result<Shaft, InvalidQuantity>,
-    sample: impl Fn(&[f64]) -> Result<Vec<Shaft>, InvalidQuantity>,
 ) -> (f64, &'static str) {
-    let singles: Result<Vec<Shaft>, _> = times.iter().map(|&time| at(time)).collect();
-    let (agree, way) = match (singles, sample(times)) {
+    let singles: Result<Vec<Shaft>, _> = times.iter().map(|&time| motion.at(time)).collect();
+    let (agree, way) = match (singles, motion.sample(times)) {
         (Ok(singles), Ok(sampled)) => {
             let mut numbers = singles.iter().chain(&sampled).flat_map(Shaft::to_array);
             (sampled.len() == times.len() && numbers.all(f64::is_finite), "answered")
@@ -234,7 +233,7 @@ fn no_transient_answers_with_what_is_no_number_and_a_sample_refuses_what_one_doe
     let worst = search("hostile transient", 30_000, |draw| {
         let (machine, start, times) = hostile(draw)?;
         let motion = machine.transient(start).expect("a motion");
-        let (ratio, way) = agreement(&times, |time| motion.at(time), |times| motion.sample(times));
+        let (ratio, way) = agreement(&motion, &times);
         Some(Case { ratio, way, said: format!("{machine:?}, {start:?}, {times:?}") })
     });
     worst.keeps_its_promise(&["answered", "refused"]);

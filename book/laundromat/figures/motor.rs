@@ -5,18 +5,18 @@ use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
 use figures::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps};
 use mechanics::integrate::Dop853;
-use mechanics::scenes::laundromat::{Driven, DrivenState, Folds, Motor};
+use mechanics::scenes::laundromat::{DrivenMachine, DrivenState, Folds, Motor};
 
 /// The motor's idle spin, rad/s.
 const IDLE: f64 = 40.0;
 
 /// The chapter's machine with half its damper, turned by a motor of this stall torque, N·m.
-fn driven(stall_torque: f64) -> Result<Driven, Cause> {
+fn driven(stall_torque: f64) -> Result<DrivenMachine, Cause> {
     let motor = Motor { stall_torque, idle_spin: IDLE, drum_inertia: 0.5 };
     Ok(washing_machine(0.15, 0.0)?.driven(motor)?)
 }
 
-fn folds(drive: &Driven) -> Result<Folds, Cause> {
+fn folds(drive: &DrivenMachine) -> Result<Folds, Cause> {
     drive.folds().ok_or_else(|| "no folds".into())
 }
 
@@ -86,7 +86,7 @@ pub(crate) fn motor_hysteresis(id: &str) -> Outcome {
         let mut values = Values::new();
         for &torque in torques {
             let drive = drive.with_stall_torque(torque)?;
-            state = solver.solve(|_, state: &[f64; 5]| drive.rates(state), 0.0, state, 60.0)?.state;
+            state = solver.solve(|time, state: &[f64; 5]| drive.rates(time, state), 0.0, state, 60.0)?.state;
             values.push((torque, state[4]));
         }
         Ok(values)

@@ -4,7 +4,7 @@ use super::{NATURAL, cross};
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Role, Side, Stroke, at};
 use figures::Outcome;
-use mechanics::scenes::laundromat::{Machine, Parameters};
+use mechanics::scenes::laundromat::{Machine, MachineParameters};
 use std::f64::consts::PI;
 
 /// The machine from above, and what r, θ, φ, a and b are.
@@ -118,7 +118,7 @@ fn lengths_and_angles() -> Outcome {
 /// The steady motion well below, at, and well above the natural frequency, to scale.
 pub(crate) fn phases(id: &str) -> Outcome {
     // A load of twelve kilograms, so that the circles can be seen beside the drum.
-    let base = Parameters {
+    let base = MachineParameters {
         drum_mass: 18.0,
         load_mass: 12.0,
         load_radius: 0.25,
@@ -151,7 +151,7 @@ pub(crate) fn phases(id: &str) -> Outcome {
         ),
     ] {
         let mut drawing = Drawing::new("", width, 290.0).titled("The steady motion", words);
-        let machine = Machine::new(Parameters { spin: ratio * NATURAL, ..base })?;
+        let machine = Machine::new(MachineParameters { spin: ratio * NATURAL, ..base })?;
         let steady = machine.steady()?;
         let origin = at(if ratio == 1.0 { 100.0 } else { 90.0 }, 140.0);
         let shaft = origin + Point::polar(steady.radius() * scale, theta);

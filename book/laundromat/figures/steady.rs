@@ -5,7 +5,7 @@ use drawing::kit::Marker;
 use drawing::{Drawing, Fill, Hue, Rect, Role, Side, Stroke};
 use figures::{Axis, Cause, Outcome, Plot, Room, in_both, linear_steps, log_steps};
 use mechanics::InvalidQuantity;
-use mechanics::scenes::laundromat::{Machine, Parameters};
+use mechanics::scenes::laundromat::{Machine, MachineParameters};
 use std::f64::consts::SQRT_2;
 
 /// The dampings Γ/ω₀ that the plots compare, each with its hue.
@@ -148,7 +148,7 @@ pub(crate) fn floor_force(id: &str) -> Outcome {
         let beyond = values.iter().copied().filter(|value| value.0 > 1.2 * NATURAL);
         beyond.min_by(|a, b| a.1.total_cmp(&b.1)).ok_or("no values")
     };
-    let Parameters { load_mass, load_radius, .. } = washing_machine(0.0, 0.0)?.parameters();
+    let MachineParameters { load_mass, load_radius, .. } = washing_machine(0.0, 0.0)?.parameters();
     let rigid = linear_steps(0.0, 125.0, 500).map(|spin| (spin, load_mass * load_radius * spin * spin));
     let rigid: Values = rigid.collect();
     in_both(|room: Room| {

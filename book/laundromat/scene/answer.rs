@@ -1,7 +1,7 @@
 //! The answer to the chapter's question, in words.
 
 use super::{Course, steady};
-use mechanics::scenes::laundromat::{Driven, Folds, Motor, Rotor};
+use mechanics::scenes::laundromat::{DrivenMachine, Folds, Motor, Rotor};
 
 /// What the settings of a course lead to; with the quietest spin and its force on the floor, if there is one.
 pub(super) fn answer(course: &Course, quietest: Option<(f64, f64)>) -> String {
@@ -65,7 +65,7 @@ fn end(course: &Course) -> String {
 }
 
 /// What a weak motor makes of it.
-fn with_weak_motor(course: &Course, driven: &Driven) -> String {
+fn with_weak_motor(course: &Course, driven: &DrivenMachine) -> String {
     let Motor { stall_torque, idle_spin, .. } = driven.motor();
     let motor = format!("{stall_torque:.1} N·m at a standstill and none at {idle_spin:.0} rad/s");
     let last = course.at(course.end).map_or(f64::NAN, |state| state.spin);

@@ -4,7 +4,7 @@ use super::{ACCELERATION, DRUM_INERTIA, GAUSS, KICK, LARGEST_SWING, LASTS, WEAK_
 use live::Cause;
 use mechanics::integrate::{Dop853, rk4_step};
 use mechanics::scenes::laundromat::{
-    Driven, DrivenState, Machine, Motor, Ramp, Rotor, RotorMotion, Shaft, Transient,
+    DrivenMachine, DrivenState, Machine, Motor, Ramp, Rotor, RotorMotion, Shaft, Transient,
 };
 use nalgebra::Complex;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -56,17 +56,17 @@ enum Way {
         states: Vec<[f64; 4]>,
     },
     /// By a weak motor: the numbers of a driven machine and the azimuth, at equal steps.
-    Driven {
-        driven: Driven,
+    DrivenMachine {
+        driven: DrivenMachine,
         step: f64,
         states: Vec<[f64; 6]>,
     },
 }
 
 /// Rates of a driven machine's state and of the azimuth of its load (`eq:driven-shaft`, `eq:driven-spin`).
-fn driven_rates(driven: &Driven, state: &[f64; 6]) -> [f64; 6] {
+fn driven_rates(driven: &DrivenMachine, state: &[f64; 6]) -> [f64; 6] {
     let &[x, y, of_x, of_y, spin, _] = state;
-    let [x, y, of_x, of_y, of_spin] = driven.rates(&[x, y, of_x, of_y, spin]);
+    let [x, y, of_x, of_y, of_spin] = driven.rates(0.0, &[x, y, of_x, of_y, spin]);
     [x, y, of_x, of_y, of_spin, spin]
 }
 
@@ -84,7 +84,7 @@ struct Part {
 /// damper feels only the radius, with that in the place of the other.
 fn stepped_rates(rotor: &Rotor, is_radial: bool, acceleration: f64, time: f64, state: &[f64; 4]) -> [f64; 4] {
     let machine = rotor.machine();
-    let mut rates = machine.ramp_rates(acceleration, time, state);
+    let mut rates = machine.ramp_rates(acceleration)(time, state);
     if is_radial {
         let (radial, whole) =
             (machine.radial_damping_rates(time, state), machine.cartesian_rates(time, state));
@@ -134,7 +134,7 @@ impl Part {
     }
 
     /// The part of a course in which a weak motor turns the drum.
-    fn driven(driven: Driven, before: &State, span: [f64; 2]) -> Result<Self, Cause> {
+    fn driven(driven: DrivenMachine, before: &State, span: [f64; 2]) -> Result<Self, Cause> {
         let length = span[1] - span[0];
         let fastest = driven.motor().idle_spin.max(1.0) + 10.0;
         let steps = (length * fastest / 0.1).ceil().max(1.0);
@@ -145,14 +145,14 @@ impl Part {
         let solver = Dop853::with_tolerances(1e-11, 1e-12)?;
         let (states, _) =
             solver.sample(|_, state: &[f64; 6]| driven_rates(&driven, state), 0.0, start, &times)?;
-        let way = Way::Driven { driven, step: length / steps, states };
+        let way = Way::DrivenMachine { driven, step: length / steps, states };
         Ok(Self { from: span[0], azimuth: before.azimuth, spin: fastest, acceleration: 0.0, way })
     }
 
     fn at(&self, time: f64) -> Result<State, Cause> {
         let since = time - self.from;
         let shaft = match &self.way {
-            Way::Driven { driven, step, states } => {
+            Way::DrivenMachine { driven, step, states } => {
                 let index = ((since / step) as usize).min(states.len() - 1);
                 let mut rates = |_: f64, state: &[f64; 6]| driven_rates(driven, state);
                 let begun = *step * index as f64;
@@ -191,7 +191,7 @@ pub(super) struct Course {
     /// Whether it begins at rest and is turned faster.
     pub speeds_up: bool,
     /// With its motor, if that is a weak one.
-    pub driven: Option<Driven>,
+    pub driven: Option<DrivenMachine>,
     pub kick: Option<f64>,
     /// When it ends, s, and whether it does because the tub strikes its housing.
     pub end: f64,

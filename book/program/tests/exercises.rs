@@ -1,8 +1,8 @@
 //! The exercises of every chapter: enough of them, graded, from what takes minutes to what takes an evening.
 
 use press::book::Page;
-use press::disk::from_disk;
-use press::effort::{GRADES, graded};
+use press::read::disk::from_disk;
+use press::read::exercise_times::{GRADES, graded};
 use std::collections::BTreeMap;
 use std::env;
 use std::path::PathBuf;

@@ -127,7 +127,7 @@ pub(crate) fn ways_down(id: &str) -> Outcome {
     }
     // The full motion.
     let start = disc.steady(f64::to_radians(1.0), 40.0)?.state();
-    let rates = |t: f64, state: &[f64; 8]| disc.slowed_rates(0.03, t, state);
+    let rates = disc.slowed_rates(0.03);
     let times: Vec<f64> = linear_steps(0.0, 27.0, 2700).collect();
     let (path, _) = Dop853::new(1e-10)?.sample(rates, 0.0, start.to_array(), &times)?;
     let full = path.iter().map(|state| {

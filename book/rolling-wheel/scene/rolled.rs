@@ -225,7 +225,7 @@ pub(super) fn is_flat(state: &Rolling) -> bool {
 
 /// The state after a time of one [`STEP`] at most, s.
 fn rolled_on(wheel: &Wheel, loss: f64, state: &Rolling, time: f64) -> Result<Rolling, Failure> {
-    let rates = |t: f64, state: &[f64; 8]| wheel.slowed_rates(loss, t, state);
+    let rates = wheel.slowed_rates(loss);
     Ok(Rolling::from_array(rk4(rates, 0.0, state.to_array(), time, 10)?))
 }
 

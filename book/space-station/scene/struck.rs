@@ -4,7 +4,7 @@ use live::Cause;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::Body;
-use mechanics::scenes::space_station::{Blow, LaterBlow, Parameters, Station, StruckStation};
+use mechanics::scenes::space_station::{Blow, LaterBlow, Station, StationParameters, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
@@ -31,7 +31,7 @@ pub(super) struct Struck {
 
 impl Struck {
     pub(super) fn new(blows: &Blows) -> Result<Self, Cause> {
-        let station = Station::new(Parameters { body: Body::hoop(MASS, RADIUS)?, spin: SPIN })?;
+        let station = Station::new(StationParameters { body: Body::hoop(MASS, RADIUS)?, spin: SPIN })?;
         let first = station.struck(blows.first)?;
         let Blows { second, is_fired, .. } = *blows;
         let second = if is_fired {

@@ -6,14 +6,14 @@ use drawing::{Drawing, Hue, Rect, Side, Stroke};
 use figures::{Axis, Cause, Outcome, Plot, log_steps};
 use mechanics::integrate::Dop853;
 use mechanics::rolling::Rolling;
-use mechanics::scenes::spinning_coin::{BrakedDisk, Sunk};
+use mechanics::scenes::spinning_coin::{BrakedDisk, TiltReached};
 use std::f64::consts::SQRT_2;
 
 /// The speed of sound, m/s.
 const SOUND: f64 = 343.0;
 
 /// The toy, braked by one of the laws, and how it is on its way down from a tilt of 0.1 to others, rad.
-fn followed(power: f64, tilts: &[f64]) -> Result<(BrakedDisk, Vec<Sunk>), Cause> {
+fn followed(power: f64, tilts: &[f64]) -> Result<(BrakedDisk, Vec<TiltReached>), Cause> {
     let (down, start) = (going_down(power)?, disc(0.1)?);
     // It begins to sink as the law has it, so as not to wobble: sin α ∝ (t₀ − t)^s.
     let omega_1 = start.tilt().tan() / ((power + 1.0) * down.life());

@@ -3,14 +3,14 @@
 use crate::{PIXELS, curve, lies_on};
 use mechanics::integrate::{Direction, Dop853, Outcome, Taylor};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
-use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{BrakedDisk, EulersDisk, Loss, SpinDown, SpinningCoin};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 fn pinned(shape: Shape, pin: Pin) -> Pinning {
-    Pinning::new(Parameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin }).expect("a pinned body")
+    Pinning::new(PinningParameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin }).expect("a pinned body")
 }
 
 fn hoop(degrees: f64) -> Pinning {
@@ -200,7 +200,7 @@ fn the_track_of_the_contact_is_that_of_all_wobbles() {
 #[test]
 fn the_ways_down_are_those_of_a_disc_with_a_very_weak_brake() {
     let disc = wheel(0.25, 0.5);
-    let rates = |t: f64, state: &[f64; 8]| disc.slowed_rates(5e-4, t, state);
+    let rates = disc.slowed_rates(5e-4);
     let fallen = |_: f64, state: &[f64; 8]| 1.3 - Rolling::from_array(*state).lean();
     let solver = Dop853::new(1e-9).unwrap();
     for name in [

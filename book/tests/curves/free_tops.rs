@@ -6,7 +6,7 @@ use drawing::space::View;
 use drawing::{Drawing, Fill, Hue, Piece, Point, Role, Shape, Stroke, at};
 use mechanics::inertia::Body;
 use mechanics::integrate::Dop853;
-use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 
@@ -306,8 +306,8 @@ fn the_spiral_makes_as_many_turns_as_are_said() {
 fn the_axis_spirals_in_about_a_momentum_that_hardly_moves() {
     let (moments, omega_body) =
         (Body::thin_disk(0.175, 0.137).expect("a disc").moments(), Vector3::new(12.0, 0.0, 40.0));
-    let top =
-        DraggedTop::new(Parameters { moments, drag: Drag::isotropic(2e-3), omega_body }).expect("a top");
+    let top = DraggedTop::new(DraggedTopParameters { moments, drag: Drag::isotropic(2e-3), omega_body })
+        .expect("a top");
     let momentum = moments.angular_momentum(&omega_body);
     let upright = UnitQuaternion::rotation_between(&momentum, &Vector3::z()).expect("a turn");
     let thrown = top.thrown(upright, &Dop853::new(1e-12).unwrap()).expect("a motion");

@@ -1,13 +1,13 @@
 //! The washing machine: what the library says of it where no figure samples it.
 
 use crate::{PIXELS, curve};
-use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
+use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
 use std::f64::consts::TAU;
 
 fn machine(damping: f64, spin: f64) -> Machine {
     let damping = damping * 300.0;
-    Machine::new(Parameters {
+    Machine::new(MachineParameters {
         drum_mass: 28.0,
         load_mass: 2.0,
         load_radius: 0.25,

@@ -7,7 +7,7 @@ use mechanics::free_rotation::FreeTop;
 use mechanics::geometric::Splitting;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::rk4;
-use mechanics::scenes::pinned_hoop::{Parameters, Pin, Pinning, Shape};
+use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::SQRT_2;
 
@@ -108,7 +108,7 @@ fn errors_grow_as_the_text_says() {
 #[test]
 fn the_steps_of_the_hoop_tile_the_time_and_follow_its_tumbles() {
     let pin = Pin::Angle(89.9_f64.to_radians());
-    let hoop = Pinning::new(Parameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin });
+    let hoop = Pinning::new(PinningParameters { shape: Shape::Hoop, mass: 1.0, radius: 1.0, spin: 1.0, pin });
     let top = hoop.expect("a hoop").free_motion().expect("free");
     lies_on("method-steps", "tangent", |time| top.at(time).expect("a state").omega_body.x);
     // A marker stands at the middle of its step, as high as the step is long: neighbours touch.

@@ -52,7 +52,7 @@ fn judge(wheel: &Wheel, [circle, lean, push, kick, loss]: [f64; 5], time: f64) -
         omega_3: rate * circle,
         ..Rolling::UPRIGHT
     };
-    let rates = |t: f64, state: &[f64; 8]| wheel.slowed_rates(loss, t, state);
+    let rates = wheel.slowed_rates(loss);
     let solver = Dop853::new(1e-13).expect("a tolerance");
     let before = kick.min(time);
     let mut state = solver.solve(rates, 0.0, start.to_array(), before).expect("it rolls").state;

@@ -8,14 +8,12 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
 
-/// Writes, into Cargo's `OUT_DIR`, what [`live::pages!`] includes: `tested.rs` with the pages as documentation tests, in
-/// which a check stands in the place of each number that a page prints, and `live.rs` with a function for each snippet
-/// with live numbers, of all chapters or of the one that `BOOK_CHAPTER` names.
+/// Writes, into Cargo's `OUT_DIR`, what the macro `live::pages!` includes: `tested.rs` with the pages as documentation
+/// tests, in which a check stands in the place of each number that a page prints, and `live.rs` with a function for
+/// each snippet with live numbers, of all chapters or of the one that `BOOK_CHAPTER` names.
 ///
 /// `folder` holds SUMMARY.md and its pages, `others` are pages of which the snippets are tested, too; both as seen from
 /// the package.
-///
-/// [`live::pages!`]: https://docs.rs/live
 pub fn write_snippets(folder: &str, others: &[&str]) -> ExitCode {
     match written(folder, others) {
         Ok(()) => ExitCode::SUCCESS,

@@ -116,9 +116,10 @@ pub struct Rendered {
     pub drawing: Drawing,
 }
 
-/// For a build script: renders all figures of a book and writes its tables, into Cargo's `OUT_DIR`, from where the press
-/// reads them. `figures.txt` has a line `fig:name file wide` (or `column`) for each figure, which is in `name.inline.svg`
-/// for a page and in `name.svg` to stand alone; a table is in `name.md`. What fails is said with file and line.
+/// For a build script: renders all figures of a book and writes its tables, into Cargo's `OUT_DIR`, from where the
+/// press reads them. `figures.txt` has a line `fig:name wide file` (or `column`) for each figure, which is in
+/// `name.inline.svg` for a page and in `name.svg` to stand alone; a table is in `name.md`. What fails is said with file
+/// and line.
 pub fn write(figures: &[&[Figure]], tables: &[Table]) -> ExitCode {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // the program knows its figures by their place

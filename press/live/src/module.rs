@@ -201,8 +201,8 @@ fn answer(ask: impl FnOnce() -> Result<String, Cause>) -> isize {
     length
 }
 
-/// The crate of a book's pages: the documentation tests of its snippets, those with live numbers as `SNIPPETS`, and what
-/// scripts call for them and for the scenes. The build script of the crate has written the snippets.
+/// The crate of a book's pages: the documentation tests of its snippets, those with live numbers as `SNIPPETS`, and
+/// what scripts call for them and for the scenes. The build script of the crate has written the snippets.
 #[macro_export]
 macro_rules! pages {
     ($scenes:expr) => {

@@ -2,10 +2,11 @@
 //!
 //! [`FreeSymmetricTop`] has an axis of symmetry and gives names to its two rates; [`FreeTop`] takes any body.
 
-pub(crate) mod asymmetric;
-pub(crate) mod symmetric;
-pub(crate) mod theta;
+mod symmetric;
+mod theta;
 mod top;
+mod tumbling;
+mod two_turns;
 
 pub use symmetric::FreeSymmetricTop;
 pub use top::FreeTop;

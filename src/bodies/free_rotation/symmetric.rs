@@ -1,12 +1,12 @@
 //! A free body with an axis of symmetry: its whole motion in a handful of operations.
 
-use crate::attitude::{check_attitude, turn};
+use super::two_turns::TwoTurns;
+use crate::attitude::check_attitude;
 use crate::euler::Turning;
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
-use crate::wide::{self, turning::TwoTurns};
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// A body that is symmetric about its axis 3 and turns with no torque about its centre of mass.
 ///
@@ -32,9 +32,10 @@ use nalgebra::{UnitQuaternion, Vector3};
 pub struct FreeSymmetricTop {
     moments: PrincipalMoments,
     start: Turning,
-    pub(crate) momentum_direction_body: Vector3<f64>, // L̂ at t = 0; axis 3 for a body at rest
-    pub(crate) precession_rate: TwoPart,              // Λ
-    pub(crate) body_rate: TwoPart,                    // σ
+    momentum_direction_body: Vector3<f64>, // L̂ at t = 0; axis 3 for a body at rest
+    precession_rate: f64,                  // Λ
+    body_rate: f64,                        // σ
+    motion: TwoTurns,
 }
 
 impl FreeSymmetricTop {
@@ -49,11 +50,17 @@ impl FreeSymmetricTop {
             InvalidQuantity::check("angular velocity", *component, "rad/s")?;
         }
         check_attitude(&start.world_from_body)?;
-        Ok(Self::from_checked(moments, start))
+        Ok(Self::from_checked(moments, start, 0, &UnitQuaternion::identity()))
     }
 
-    /// The top from numbers that have been checked; the moments about axes 1 and 2 are equal.
-    pub(super) fn from_checked(moments: PrincipalMoments, start: Turning) -> Self {
+    /// The top from numbers that have been checked; the moments about axes 1 and 2 are equal. Its motion is given for a
+    /// body of which axis 1 of the top is the axis number `shift`, counted from 0.
+    pub(super) fn from_checked(
+        moments: PrincipalMoments,
+        start: Turning,
+        shift: usize,
+        top_from_body: &UnitQuaternion<f64>,
+    ) -> Self {
         let [transverse, _, axial] = moments.to_array();
         let [w1, w2, w3]: [f64; 3] = start.omega_body.into();
         let axial_part = TwoPart::product(axial, w3) / TwoPart::from(transverse); // L₃/I₁
@@ -63,7 +70,16 @@ impl FreeSymmetricTop {
         let body_rate = difference * w3; // eq:body-rate
         let momentum_direction_body =
             Vector3::new(w1, w2, axial_part.rounded()).try_normalize(0.0).unwrap_or_else(Vector3::z);
-        Self { moments, start, momentum_direction_body, precession_rate, body_rate }
+        let omega = [[0.0, 0.0, w3], [w1, w2, 0.0], [-w2, w1, 0.0]];
+        let motion = TwoTurns::new(
+            &start.world_from_body,
+            (momentum_direction_body, precession_rate),
+            (Vector3::z(), body_rate),
+            top_from_body,
+            omega.map(|of_top| Vector3::from_fn(|axis, _| of_top[(axis + 3 - shift) % 3])),
+        );
+        let [precession_rate, body_rate] = [precession_rate, body_rate].map(TwoPart::rounded);
+        Self { moments, start, momentum_direction_body, precession_rate, body_rate, motion }
     }
 
     /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until
@@ -73,15 +89,7 @@ impl FreeSymmetricTop {
     /// # Errors
     /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
     pub fn at(&self, time: f64) -> Result<Turning, InvalidQuantity> {
-        let about_momentum = turn(&self.momentum_direction_body, self.precession(time)?);
-        let body_turn = self.body_rate * time;
-        let about_axis = turn(&Vector3::z(), -body_turn);
-        // eq:top-motion-in-body, which has q₀ first, as L̂ is along the body's axes
-        let world_from_body = self.start.world_from_body * about_momentum * about_axis;
-        let (sin, cos) = body_turn.sin_cos();
-        let [w1, w2, w3]: [f64; 3] = self.start.omega_body.into();
-        let omega_body = Vector3::new(w1 * cos - w2 * sin, w1 * sin + w2 * cos, w3); // eq:body-cone
-        Ok(Turning { world_from_body, omega_body })
+        self.motion.at(time)
     }
 
     /// Attitude and angular velocity at each of `times`, s, as [`FreeSymmetricTop::at`], several at once.
@@ -89,8 +97,7 @@ impl FreeSymmetricTop {
     /// # Errors
     /// As [`FreeSymmetricTop::at`], of the first time that is refused.
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
-        let kernel = TwoTurns::of_top(self, 0, &UnitQuaternion::identity());
-        wide::sample(times, self.start, |times, states| kernel.fill(times, states), |time| self.at(time))
+        self.motion.sample(times)
     }
 
     /// The direction of the axis of symmetry in the room at `time`, s; cheaper than the whole attitude
@@ -99,13 +106,19 @@ impl FreeSymmetricTop {
     /// # Errors
     /// As [`FreeSymmetricTop::at`].
     pub fn axis_world(&self, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
-        let about_momentum = turn(&self.momentum_direction_body, self.precession(time)?);
-        Ok(self.start.world_from_body * (about_momentum * Vector3::z()))
+        let (sin, cos) = self.half_precession(time)?;
+        let about_momentum = Quaternion::from_parts(cos, self.momentum_direction_body * sin);
+        Ok(self.start.world_from_body * (UnitQuaternion::new_unchecked(about_momentum) * Vector3::z()))
     }
 
-    /// The angle, rad, through which the axis has gone round **L** at `time`, s.
-    pub(crate) fn precession(&self, time: f64) -> Result<TwoPart, InvalidQuantity> {
-        Ok(self.precession_rate * InvalidQuantity::check_time(time)?)
+    /// Sine and cosine of half the angle through which the axis has gone round **L** at `time`, s.
+    pub(crate) fn half_precession(&self, time: f64) -> Result<(f64, f64), InvalidQuantity> {
+        Ok(self.motion.half_of_first(InvalidQuantity::check_time(time)?))
+    }
+
+    /// The motion, for the body that it has been made for.
+    pub(super) fn motion(&self) -> TwoTurns {
+        self.motion
     }
 
     /// The moments of the body.
@@ -120,13 +133,13 @@ impl FreeSymmetricTop {
 
     /// The rate `Λ = L/I₁`, rad/s, at which the axis of symmetry goes round **L** in the room (`eq:precession-rate`).
     pub fn precession_rate(&self) -> f64 {
-        self.precession_rate.rounded()
+        self.precession_rate
     }
 
     /// The rate `σ = ω₃(I₃ − I₁)/I₁`, rad/s, at which the angular velocity goes round axis 3 as seen from the body,
     /// counter-clockwise about that axis if positive (`eq:body-rate`).
     pub fn body_rate(&self) -> f64 {
-        self.body_rate.rounded()
+        self.body_rate
     }
 
     /// The angle between the axis of symmetry and **L**, rad, from 0 to π; constant (`eq:momentum-angle`). Zero for a
@@ -152,10 +165,4 @@ impl FreeSymmetricTop {
     pub fn kinetic_energy(&self) -> f64 {
         self.moments.kinetic_energy(&self.start.omega_body)
     }
-}
-
-/// Components along the axes of a body from those of a top whose axis 1 is the body's axis number `shift`, counted
-/// from 0.
-pub(crate) fn renamed_back(of_top: [f64; 3], shift: usize) -> Vector3<f64> {
-    Vector3::from_fn(|axis, _| of_top[(axis + 3 - shift) % 3])
 }

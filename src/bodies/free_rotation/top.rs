@@ -1,13 +1,13 @@
 //! Any free body.
 
-use super::asymmetric::Asymmetric;
-use super::symmetric::{FreeSymmetricTop, renamed_back};
-use crate::attitude::{check_attitude, turn};
+use super::symmetric::FreeSymmetricTop;
+use super::tumbling::Tumbling;
+use super::two_turns::TwoTurns;
+use crate::attitude::check_attitude;
 use crate::euler::Turning;
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
-use crate::wide::{self, tumbling::Tumbling, turning::TwoTurns};
 use nalgebra::{UnitQuaternion, Vector2, Vector3};
 
 /// A body of any shape that turns with no torque about its centre of mass (or about a point held fixed, with the
@@ -39,16 +39,16 @@ pub struct FreeTop {
     moments: PrincipalMoments,
     start: Turning,
     motion: Motion,
+    period: Option<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a motion is made once and asked many times")]
 enum Motion {
-    /// About one axis for ever: a principal axis, or any axis of a sphere.
-    Steady { axis_body: Vector3<f64>, rate: TwoPart },
-    /// Two moments are equal: a top whose axis 3 is this body's axis after a cyclic renaming.
-    Symmetric { top: FreeSymmetricTop, renamed_from_body: UnitQuaternion<f64>, shift: usize },
+    /// About one axis for ever (a principal axis, or any axis of a sphere), or with two equal moments.
+    Turns(TwoTurns),
     /// Three different moments.
-    Asymmetric(Asymmetric),
+    Tumbling(Tumbling),
 }
 
 impl FreeTop {
@@ -62,18 +62,19 @@ impl FreeTop {
             InvalidQuantity::check("angular velocity", *component, "rad/s")?;
         }
         check_attitude(&start.world_from_body)?;
-        let motion = Self::motion(moments, start);
-        Ok(Self { moments, start, motion })
+        let (motion, period) = Self::motion(moments, start);
+        Ok(Self { moments, start, motion, period })
     }
 
-    fn motion(moments: PrincipalMoments, start: Turning) -> Motion {
+    /// The motion and its period.
+    fn motion(moments: PrincipalMoments, start: Turning) -> (Motion, Option<f64>) {
         let omega = start.omega_body;
         let [i1, i2, i3] = moments.to_array();
         let steady = || {
             let [w1, w2, w3]: [f64; 3] = omega.into();
             let square = TwoPart::product(w1, w1) + TwoPart::product(w2, w2) + TwoPart::product(w3, w3);
             let axis_body = omega.try_normalize(0.0).unwrap_or_else(Vector3::z);
-            Motion::Steady { axis_body, rate: square.sqrt() }
+            (Motion::Turns(TwoTurns::steady(&start, &axis_body, square.sqrt())), None)
         };
         // Which cyclic renaming brings an axis of symmetry to 3: (2, 3, 1), (3, 1, 2) or none.
         let shift = [(i2 == i3, 1), (i3 == i1, 2), (i1 == i2, 0)].into_iter().find(|(equal, _)| *equal);
@@ -81,15 +82,18 @@ impl FreeTop {
             return steady();
         }
         let Some((_, shift)) = shift else {
-            return Asymmetric::new(moments, &start).map_or_else(steady, Motion::Asymmetric);
+            let tumbling = Tumbling::new(moments, &start);
+            return tumbling.map_or_else(steady, |motion| (Motion::Tumbling(motion), motion.period()));
         };
-        let renamed_from_body = cyclic(shift);
+        let top_from_body = cyclic(shift);
         let turning = Turning {
-            world_from_body: start.world_from_body * renamed_from_body.inverse(),
+            world_from_body: start.world_from_body * top_from_body.inverse(),
             omega_body: Vector3::from_fn(|axis, _| omega[(axis + shift) % 3]),
         };
-        let top = FreeSymmetricTop::from_checked(moments.renamed(shift), turning);
-        Motion::Symmetric { top, renamed_from_body, shift }
+        let top = FreeSymmetricTop::from_checked(moments.renamed(shift), turning, shift, &top_from_body);
+        let (rate, transverse) = (top.body_rate().abs(), turning.omega_body.xy());
+        let wobbles = rate > 0.0 && transverse != Vector2::zeros();
+        (Motion::Turns(top.motion()), wobbles.then(|| std::f64::consts::TAU / rate))
     }
 
     /// Attitude and angular velocity at `time`, s: to 4e-15 rad, and 4e-15 of the size of the angular velocity, until
@@ -100,21 +104,10 @@ impl FreeTop {
     /// # Errors
     /// [`InvalidQuantity`] for a time that is not finite or larger than 1e50 s in size.
     pub fn at(&self, time: f64) -> Result<Turning, InvalidQuantity> {
-        InvalidQuantity::check_time(time)?;
-        Ok(match &self.motion {
-            Motion::Steady { axis_body, rate } => Turning {
-                world_from_body: self.start.world_from_body * turn(axis_body, *rate * time),
-                omega_body: self.start.omega_body,
-            },
-            Motion::Symmetric { top, renamed_from_body, shift } => {
-                let Turning { world_from_body, omega_body } = top.at(time)?;
-                Turning {
-                    world_from_body: world_from_body * renamed_from_body,
-                    omega_body: renamed_back(omega_body.into(), *shift),
-                }
-            }
-            Motion::Asymmetric(motion) => motion.at(time),
-        })
+        match &self.motion {
+            Motion::Turns(motion) => motion.at(time),
+            Motion::Tumbling(motion) => motion.at(time),
+        }
     }
 
     /// Attitude and angular velocity at each of `times`, s, as [`FreeTop::at`], several at once.
@@ -122,34 +115,16 @@ impl FreeTop {
     /// # Errors
     /// As [`FreeTop::at`], of the first time that is refused.
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
-        let at = |time: f64| self.at(time);
         match &self.motion {
-            Motion::Steady { axis_body, rate } => {
-                let kernel = TwoTurns::steady(&self.start, axis_body, *rate);
-                wide::sample(times, self.start, |times, states| kernel.fill(times, states), at)
-            }
-            Motion::Symmetric { top, renamed_from_body, shift } => {
-                let kernel = TwoTurns::of_top(top, *shift, renamed_from_body);
-                wide::sample(times, self.start, |times, states| kernel.fill(times, states), at)
-            }
-            Motion::Asymmetric(motion) => {
-                let kernel = Tumbling::new(motion);
-                wide::sample(times, self.start, |times, states| kernel.fill(times, states), at)
-            }
+            Motion::Turns(motion) => motion.sample(times),
+            Motion::Tumbling(motion) => motion.sample(times),
         }
     }
 
     /// The time after which the angular velocity, seen from the body, is the same again, s, with a relative error
     /// below 4e-16. `None` if it never changes, or, on the separatrix, never comes back.
     pub fn period(&self) -> Option<f64> {
-        match &self.motion {
-            Motion::Steady { .. } => None,
-            Motion::Symmetric { top, .. } => {
-                let (rate, transverse) = (top.body_rate().abs(), top.start().omega_body.xy());
-                (rate > 0.0 && transverse != Vector2::zeros()).then(|| std::f64::consts::TAU / rate)
-            }
-            Motion::Asymmetric(motion) => motion.period(),
-        }
+        self.period
     }
 
     /// The moments of the body.

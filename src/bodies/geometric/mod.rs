@@ -34,12 +34,7 @@ fn exp(scaled_axis: &Vector3<f64>) -> UnitQuaternion<f64> {
 
 /// Refuses what cannot be stepped: ends or a state that are not finite, no steps.
 fn check(start: f64, state: &Turning, end: f64, steps: usize) -> Result<(), Failure> {
-    if !(start.is_finite() && end.is_finite()) {
-        return Err(Failure::Interval { start, end });
-    }
-    if !is_finite(state) {
-        return Err(Failure::InitialState { state: state.to_array().to_vec() });
-    }
+    Failure::check(start, &state.to_array(), end)?;
     if steps == 0 {
         return Err(Failure::NoSteps);
     }

@@ -1,11 +1,14 @@
 //! Inertia about any point, along any axes.
 
 use super::moments::PrincipalMoments;
-use crate::quantity::InvalidQuantity;
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use crate::quantity::{InvalidQuantity, Rule};
+use nalgebra::{Matrix3, Rotation3, SymmetricEigen, Vector3};
 
 /// What it costs to turn a matrix and to find its axes, of the largest moment.
 const ROUNDING: f64 = 1e-14;
+
+/// After so many sweeps without an answer the search for the axes is given up; half a dozen are common.
+const SWEEPS: usize = 100;
 
 /// The inertia tensor of a body about a point: a symmetric matrix, kg·m², along stated axes.
 ///
@@ -64,12 +67,20 @@ impl InertiaTensor {
     /// The principal moments and the axes that they are about. Good to 5e-15 of the largest moment.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the matrix is not the inertia of a body with three positive moments.
+    /// [`InvalidQuantity`] if the matrix is not the inertia of a body with three positive moments, or if the search for
+    /// its axes comes to no end.
     pub fn principal_axes(&self) -> Result<PrincipalAxes, InvalidQuantity> {
         if let Some(&bad) = self.matrix.iter().find(|entry| !entry.is_finite()) {
             PrincipalMoments::new(bad, bad, bad)?;
         }
-        let eigen = self.matrix.symmetric_eigen();
+        let rule = Rule::Because("its principal axes are not found");
+        let missing = InvalidQuantity {
+            quantity: "largest moment of inertia",
+            value: self.matrix.amax(),
+            unit: "kg·m²",
+            rule,
+        };
+        let eigen = SymmetricEigen::try_new(self.matrix, f64::EPSILON, SWEEPS).ok_or(missing)?;
         let mut order = [0, 1, 2];
         order.sort_by(|&i, &j| eigen.eigenvalues[i].total_cmp(&eigen.eigenvalues[j]));
         let [first, second, _] = order.map(|i| eigen.eigenvectors.column(i).into_owned());

@@ -22,6 +22,6 @@ mod state;
 
 pub(crate) use disk::Disk;
 pub use disk::{DiskParameters, MomentFactors};
-pub(crate) use series::{Placed, RollingSeries, anchor, contact, sin_cos_tilt};
+pub(crate) use series::{Placed, RollingSeries, anchor, contact};
 pub use state::Rolling;
 pub(crate) use state::sin_cos_lean;

@@ -8,10 +8,13 @@ mod thrown;
 
 pub use thrown::ThrownTop;
 
+use crate::clock::Clock;
+use crate::elementary::{exp, exp_and_exp_m1};
 use crate::inertia::{PrincipalMoments, SymmetricMoments};
+use crate::lanes::{Branchless, sample_branchless};
 use crate::quantity::{InvalidQuantity, Rule};
 use crate::two_part::TwoPart;
-use nalgebra::{Complex, Vector3};
+use nalgebra::Vector3;
 
 /// Drag coefficients, N·m·s: torque per angular velocity. Zero or more.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,7 +34,7 @@ impl Drag {
 
 /// A body, what the air does to it, and how it turns at time zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters {
+pub struct DraggedTopParameters {
     /// Principal moments; the axis of symmetry is axis 3.
     pub moments: PrincipalMoments,
     /// The drag.
@@ -44,14 +47,14 @@ pub struct Parameters {
 ///
 /// ```
 /// use mechanics::inertia::PrincipalMoments;
-/// use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, Parameters};
+/// use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, DraggedTopParameters};
 /// use nalgebra::Vector3;
 /// let (drag, omega_body) = (Drag::isotropic(0.1), Vector3::new(3.0, 0.0, 10.0));
 /// let moments = PrincipalMoments::symmetric(1.0, 2.0)?;
-/// let frisbee = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+/// let frisbee = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
 /// assert_eq!(frisbee.axis_trend(), AxisTrend::Aligning);
 /// let moments = PrincipalMoments::symmetric(2.0, 0.1)?;
-/// let pencil = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+/// let pencil = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
 /// assert_eq!(pencil.axis_trend(), AxisTrend::Tumbling);
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
@@ -59,11 +62,11 @@ pub struct Parameters {
 pub struct DraggedTop {
     moments: PrincipalMoments,
     drag: Drag,
-    pub(crate) start: Vector3<f64>,
-    pub(crate) transverse_decay: f64, // C₁/I₁
-    pub(crate) axial_decay: f64,      // C₃/I₃
-    alignment_rate: TwoPart,          // δ
-    pub(crate) body_rate: TwoPart,    // σ at time zero
+    start: Vector3<f64>,
+    transverse_decay: f64,   // C₁/I₁
+    axial_decay: f64,        // C₃/I₃
+    alignment_rate: TwoPart, // δ
+    body_turn: Clock,        // with σ at time zero
 }
 
 /// Which way the axis of rotation goes in the body as the body slows down.
@@ -83,8 +86,8 @@ impl DraggedTop {
     /// # Errors
     /// [`InvalidQuantity`] if the body has no axis of symmetry along 3, a drag coefficient is negative, a number is not
     /// finite or of a size that cannot be computed with, or the body does not turn.
-    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
-        let Parameters { moments, drag, omega_body } = parameters;
+    pub fn new(parameters: DraggedTopParameters) -> Result<Self, InvalidQuantity> {
+        let DraggedTopParameters { moments, drag, omega_body } = parameters;
         let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric()?;
         let Drag { transverse: c1, axial: c3 } = drag;
         InvalidQuantity::check_not_negative("transverse drag coefficient", c1, "N·m·s")?;
@@ -109,8 +112,8 @@ impl DraggedTop {
             start: omega_body,
             transverse_decay,
             axial_decay,
-            alignment_rate: c1 / i1 - c3 / i3,        // eq:alignment-rate
-            body_rate: (i3 - i1) / i1 * omega_body.z, // eq:wobble-complex
+            alignment_rate: c1 / i1 - c3 / i3, // eq:alignment-rate
+            body_turn: Clock::from_rate((i3 - i1) / i1 * omega_body.z), // eq:wobble-complex
         })
     }
 
@@ -125,7 +128,7 @@ impl DraggedTop {
     pub fn at(&self, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
         InvalidQuantity::check_time(time)?;
         InvalidQuantity::require(time >= 0.0, "time", time, "s", Rule::NotNegative)?;
-        Ok(self.omega_body(time))
+        Ok(self.state::<true>(time))
     }
 
     /// The angular velocity along the body's axes at each of `times`, s: the states of [`DraggedTop::at`], several at
@@ -134,38 +137,26 @@ impl DraggedTop {
     /// # Errors
     /// As [`DraggedTop::at`], for the first time that it refuses.
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Vector3<f64>>, InvalidQuantity> {
-        let quick = |times: &[f64], states: &mut [_]| crate::wide::air_drag::fill(self, times, states);
-        crate::wide::sample(times, Vector3::zeros(), quick, |time| self.at(time))
+        sample_branchless(*self, [0.0, self.body_turn.reach()], times, self.start, |time| self.at(time))
     }
 
-    /// The angular velocity at a time that has been checked.
-    fn omega_body(&self, time: f64) -> Vector3<f64> {
-        let [w1, w2, w3]: [f64; 3] = self.start.into();
-        let (sin, cos) = self.wobble_phase(time).sin_cos();
-        // ω₁ + iω₂: its size by eq:wobble-decay, its direction by eq:wobble-phase.
-        let wobble = Complex::new(w1, w2) * (-self.transverse_decay * time).exp() * Complex::new(cos, sin);
-        let spin = w3 * (-self.axial_decay * time).exp(); // eq:spin-decay
-        Vector3::new(wobble.re, wobble.im, spin)
-    }
-
-    /// The angle through which the transverse part of the angular velocity has turned in the body at `time`, s, in rad
-    /// (`eq:wobble-phase`).
-    fn wobble_phase(&self, time: f64) -> TwoPart {
+    /// What is left of the spin at a time, as a part, and the time in which the body would have turned as far at the
+    /// first rate.
+    #[inline(always)]
+    fn slowed(&self, time: f64) -> (f64, f64) {
         let x = self.axial_decay * time;
+        let (left, less_one) = exp_and_exp_m1(-x);
         // eq:wobble-phase with C₃t/I₃ taken out as x: no loss for small drag, and σt for none.
-        let fraction = if x == 0.0 { 1.0 } else { -(-x).exp_m1() / x };
-        self.body_rate * (time * fraction)
+        let fraction = if x == 0.0 { 1.0 } else { -less_one / x };
+        (left, time * fraction)
     }
 
     /// How often the axis of rotation goes round the body's axis, seen from the body, before the body stands still:
     /// `|(I₃ − I₁) I₃ ω₃ / (2π I₁ C₃)|` (`eq:total-turns`). Infinite without axial drag, unless the body is a sphere or
     /// has no spin about its axis.
     pub fn total_body_turns(&self) -> f64 {
-        let rate = self.body_rate.rounded();
-        if rate == 0.0 {
-            return 0.0;
-        }
-        (rate / self.axial_decay / std::f64::consts::TAU).abs() // eq:total-turns
+        let turns_per_time = 0.25 * self.body_turn.quarters_per_time().abs();
+        if turns_per_time == 0.0 { 0.0 } else { turns_per_time / self.axial_decay } // eq:total-turns
     }
 
     /// The angle between the angular velocity and the body's axis, rad, from 0 to π, at `time`, s, zero or later
@@ -214,5 +205,20 @@ impl DraggedTop {
     /// The moments of the body.
     pub fn moments(&self) -> PrincipalMoments {
         self.moments
+    }
+}
+
+impl Branchless for DraggedTop {
+    type State = Vector3<f64>;
+
+    /// The angular velocity at a time that has been checked.
+    #[inline(always)]
+    fn state<const ONE: bool>(&self, time: f64) -> Vector3<f64> {
+        let (left, slowed_time) = self.slowed(time);
+        let (sin, cos) = self.body_turn.sin_cos::<ONE>(slowed_time); // eq:wobble-phase
+        let [w1, w2, w3]: [f64; 3] = self.start.into();
+        let wobble = exp(-self.transverse_decay * time); // eq:wobble-decay
+        let spin = w3 * left; // eq:spin-decay
+        Vector3::new(wobble * (w1 * cos - w2 * sin), wobble * (w1 * sin + w2 * cos), spin)
     }
 }

@@ -2,7 +2,8 @@
 
 use super::DraggedTop;
 use crate::Error;
-use crate::attitude::{check_attitude, quaternion_rate, turn};
+use crate::attitude::{check_attitude, quaternion_rate};
+use crate::elementary::sin_cos_quarters;
 use crate::euler::Turning;
 use crate::integrate::Dop853;
 use crate::quantity::InvalidQuantity;
@@ -16,12 +17,12 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// use mechanics::attitude::angle_between;
 /// use mechanics::inertia::PrincipalMoments;
 /// use mechanics::integrate::Dop853;
-/// use mechanics::scenes::air_drag::{Drag, DraggedTop, Parameters};
+/// use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 /// use nalgebra::{UnitQuaternion, Vector3};
 /// // A flat disc, thrown with a wobble.
 /// let (moments, drag) = (PrincipalMoments::symmetric(1.0, 2.0)?, Drag::isotropic(0.1));
 /// let omega_body = Vector3::new(3.0, 0.0, 10.0);
-/// let disc = DraggedTop::new(Parameters { moments, drag, omega_body })?;
+/// let disc = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
 /// let flight = disc.thrown(UnitQuaternion::identity(), &Dop853::new(1e-9)?)?;
 /// let later = flight.at(20.0)?;
 /// // Its angular momentum keeps its direction, and its axis goes there: 8.5° away at first, here after 20 s.
@@ -98,7 +99,9 @@ impl ThrownTop {
     /// frame, where the wobble rests, it goes round the other way.
     fn turning(&self, time: f64, [w, i, j, k]: [f64; 4], omega_body: Vector3<f64>) -> Turning {
         let world_from_frame = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
-        let frame_from_body = turn(&Vector3::z(), -self.top.wobble_phase(time));
+        let (high, low) = self.top.body_turn.at(self.top.slowed(time).1);
+        let (sin, cos) = sin_cos_quarters::<true>(0.5 * high, 0.5 * low);
+        let frame_from_body = UnitQuaternion::new_unchecked(Quaternion::from_parts(cos, Vector3::z() * -sin));
         Turning { world_from_body: world_from_frame * frame_from_body, omega_body }
     }
 }

@@ -9,7 +9,7 @@ mod landing;
 mod people;
 
 pub use landing::{Landings, edge_at_random};
-pub use people::{Counted, Tossers, TossersParameters};
+pub use people::{TossCount, Tossers, TossersParameters};
 
 use crate::euler::Turning;
 use crate::free_rotation::FreeSymmetricTop;
@@ -114,7 +114,7 @@ impl Toss {
     /// As [`Toss::at`].
     pub fn normal_height(&self, time: f64) -> Result<f64, InvalidQuantity> {
         // eq:normal-height as eq:lowest-normal and 2 sin²ψ cos² ½Λt: of a coin that keeps its face neither is negative.
-        let (_, cos) = (self.top.precession(time)? * 0.5).sin_cos();
+        let (_, cos) = self.top.half_precession(time)?;
         Ok(self.cosine_of_double_angle + (1.0 - self.cosine_of_double_angle) * cos * cos)
     }
 

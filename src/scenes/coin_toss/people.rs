@@ -2,6 +2,7 @@
 
 use super::steady_face_ratio;
 use crate::faddeeva::faddeeva;
+use crate::gauss::GAUSS;
 use crate::inertia::PrincipalMoments;
 use crate::quantity::InvalidQuantity;
 use nalgebra::Complex;
@@ -40,31 +41,21 @@ pub struct TossersParameters {
 
 /// How often a coin fell on the side that was up in the hand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Counted {
+pub struct TossCount {
     /// Tosses that show the same face.
     pub same: u32,
     /// Tosses that show the other.
     pub other: u32,
 }
 
-impl Counted {
+impl TossCount {
     /// All tosses.
     pub fn tosses(&self) -> f64 {
         f64::from(self.same) + f64::from(self.other)
     }
 }
 
-/// The nodes of Gauss's rule of twelve points from −1 to 1 and their weights; so many lie to the other side of zero.
-const GAUSS: [(f64, f64); 6] = [
-    (0.125_233_408_511_468_9, 0.249_147_045_813_402_77),
-    (0.367_831_498_998_180_2, 0.233_492_536_538_354_8),
-    (0.587_317_954_286_617_5, 0.203_167_426_723_065_92),
-    (0.769_902_674_194_304_7, 0.160_078_328_543_346_22),
-    (0.904_117_256_370_474_9, 0.106_939_325_995_318_43),
-    (0.981_560_634_246_719_2, 0.047_175_336_386_511_83),
-];
-
-/// By how much the logarithm of the integrand may vary within a panel, at most, for that rule.
+/// By how much the logarithm of the integrand may vary within a panel, at most, for Gauss's rule.
 const VARIATION: f64 = 2.0;
 
 /// A panel counts for nothing if the logarithm of what it may add is so much less than that of all others.
@@ -90,15 +81,15 @@ impl Tossers {
     /// The probability that somebody's toss shows the same face, the mean of `eq:same-face` over the people
     /// (`eq:people-mean`); to 1e-8 if the spread is from a thousandth to a third.
     pub fn same_face_probability(&self) -> f64 {
-        self.ln_mean(&Counted { same: 1, other: 0 }).exp()
+        self.ln_mean(&TossCount { same: 1, other: 0 }).exp()
     }
 
     /// The natural logarithm of the likelihood of what was counted, a number of tosses for each of some people,
     /// compared with what it would be if each had exactly the probability that he shows (`eq:people-likelihood`).
     /// Never above zero but by rounding, and never infinite; to 1e-8 a person for up to a hundred thousand tosses of
     /// his, if the spread is from a thousandth to a third and the mean at most one in size.
-    pub fn log_likelihood(&self, counts: &[Counted]) -> f64 {
-        let of = |counted: &Counted| self.ln_mean(counted) - counted.ln_likelihood(counted.other_share());
+    pub fn log_likelihood(&self, counts: &[TossCount]) -> f64 {
+        let of = |counted: &TossCount| self.ln_mean(counted) - counted.ln_likelihood(counted.other_share());
         counts.iter().map(of).fold(0.0, |sum, person| sum + person)
     }
 
@@ -108,7 +99,7 @@ impl Tossers {
     /// `eq:same-face` has no corner: cot²ψ = sin²v. Halve panels until the integrand hardly varies in each. Both
     /// factors of it have one peak, so that their values at the ends of a panel, and at the peaks within, bound it
     /// there: no peak is missed.
-    fn ln_mean(&self, counted: &Counted) -> f64 {
+    fn ln_mean(&self, counted: &TossCount) -> f64 {
         let Self { threshold, mean, spread } = *self;
         let mut sum = LnSum::ZERO;
         for mean in [mean, -mean] {
@@ -150,7 +141,7 @@ impl Tossers {
     }
 }
 
-impl Counted {
+impl TossCount {
     fn other_share(&self) -> f64 {
         f64::from(self.other) / self.tosses()
     }

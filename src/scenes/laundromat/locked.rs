@@ -1,10 +1,9 @@
 //! The locked motion: what the shaft would do if it could move along the radius only.
 
 use super::machine::Machine;
-use super::oscillator::Oscillator;
-use super::shaft::{check_start, out_of_range};
+use super::oscillator::{FreeMotion, Oscillator};
+use super::shaft::{Shaft, check_start, out_of_range};
 use crate::quantity::InvalidQuantity;
-use nalgebra::Complex;
 
 /// Distance of the shaft from O, and its rate. A negative radius is a point on the other side of O.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,7 +15,7 @@ pub struct LockedState {
 }
 
 impl LockedState {
-    /// From `[r, ṙ]` in m and m/s, the state that integrators step with [`Machine::locked_rates`].
+    /// From `[r, ṙ]` in m and m/s, the state that integrators step with [`LockedMotion::rates`].
     pub fn from_array([radius, radius_rate]: [f64; 2]) -> Self {
         Self { radius, radius_rate }
     }
@@ -34,10 +33,10 @@ impl LockedState {
 /// time or of the damping by such a unit makes of the motion.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{LockedState, Machine, Parameters};
+/// use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters};
 /// let (drum_mass, load_mass, load_radius) = (28.0, 2.0, 0.25);
 /// let (stiffness, damping, spin) = (3000.0, 90.0, 30.0);
-/// let made = Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
+/// let made = MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
 /// let machine = Machine::new(made)?; // 10 rad/s by itself, turned at 30
 /// let steady = machine.steady()?.radius();
 /// // A tenth of a millimetre too far out; a tenth of a second later the locked shaft is nearly eight times as far.
@@ -48,23 +47,14 @@ impl LockedState {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LockedMotion {
-    oscillator: Oscillator,
     steady_radius: f64,
-    displacement: Complex<f64>,
-    velocity: Complex<f64>,
+    beside: FreeMotion, // of r − r₀, along x
+    push: f64,          // bΩ² cos φ₀
+    stiffness: f64,     // ω₀² − Ω²
+    damping: f64,       // Γ
 }
 
 impl Machine {
-    /// Rates of `[r, ṙ]` in m and m/s with the azimuth locked to the drum (`eq:locked-motion`).
-    ///
-    /// # Errors
-    /// As [`Machine::steady`]: without a steady motion there is no phase φ₀ to lock to.
-    pub fn locked_rates(&self, &[r, r_dot]: &[f64; 2]) -> Result<[f64; 2], InvalidQuantity> {
-        let spin = self.spin();
-        let push = self.offset() * spin * spin * self.steady()?.phase().cos();
-        Ok([r_dot, push - self.detuning() * r - self.damping_rate() * r_dot])
-    }
-
     /// The locked motion from a state at time zero (`eq:locked-motion`).
     ///
     /// # Errors
@@ -72,17 +62,25 @@ impl Machine {
     pub fn locked(&self, start: LockedState) -> Result<LockedMotion, InvalidQuantity> {
         check_start("radius of the start", start.radius, "m")?;
         check_start("radial velocity of the start", start.radius_rate, "m/s")?;
-        let steady_radius = self.steady()?.radius();
+        let steady = self.steady()?;
+        let position = (start.radius - steady.radius()).into();
+        let free = Oscillator::new(self.precise_damping_rate(), self.precise_detuning());
         Ok(LockedMotion {
-            oscillator: Oscillator::new(self.precise_damping_rate(), self.precise_detuning()),
-            steady_radius,
-            displacement: (start.radius - steady_radius).into(),
-            velocity: start.radius_rate.into(),
+            steady_radius: steady.radius(),
+            beside: free.from(Shaft { position, velocity: start.radius_rate.into() }),
+            push: self.offset() * self.spin() * self.spin() * steady.phase().cos(),
+            stiffness: self.detuning(),
+            damping: self.damping_rate(),
         })
     }
 }
 
 impl LockedMotion {
+    /// Rates of `[r, ṙ]` in m and m/s, for an integrator (`eq:locked-motion`). They do not contain the time.
+    pub fn rates(&self, _time: f64, &[r, r_dot]: &[f64; 2]) -> [f64; 2] {
+        [r_dot, self.push - self.stiffness * r - self.damping * r_dot]
+    }
+
     /// Radius and radial velocity at a time, s, before or after the start.
     ///
     /// # Errors
@@ -90,9 +88,8 @@ impl LockedMotion {
     /// largest number by then.
     pub fn at(&self, time: f64) -> Result<LockedState, InvalidQuantity> {
         InvalidQuantity::check_time(time)?;
-        let (displacement, velocity) =
-            self.oscillator.at(self.displacement, self.velocity, time).multiplied();
-        let state = LockedState { radius: self.steady_radius + displacement.re, radius_rate: velocity.re };
+        let Shaft { position, velocity } = self.beside.at(time).multiplied();
+        let state = LockedState { radius: self.steady_radius + position.re, radius_rate: velocity.re };
         let finite = state.radius.is_finite() && state.radius_rate.is_finite();
         if finite { Ok(state) } else { Err(out_of_range(time)) }
     }

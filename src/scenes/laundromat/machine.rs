@@ -8,7 +8,7 @@ use nalgebra::Complex;
 ///
 /// The six numbers become a [`Machine`] through [`Machine::new`], which checks them.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Parameters {
+pub struct MachineParameters {
     /// Mass of the drum M, kg; zero or more.
     pub drum_mass: f64,
     /// Mass of the load m, kg; zero or more.
@@ -33,21 +33,21 @@ pub(super) const DAMPING_RATE: &str =
 /// drum without mass (if there is a load).
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Parameters};
-/// let parameters = Parameters {
+/// use mechanics::scenes::laundromat::{Machine, MachineParameters};
+/// let parameters = MachineParameters {
 ///     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25,
 ///     stiffness: 3000.0, damping: 90.0, spin: 30.0,
 /// };
 /// let machine = Machine::new(parameters)?;
 /// // Moving mass from the drum to the load leaves the natural frequency alone and moves the centre of mass.
-/// let heavier_load = Machine::new(Parameters { drum_mass: 26.0, load_mass: 4.0, ..parameters })?;
+/// let heavier_load = Machine::new(MachineParameters { drum_mass: 26.0, load_mass: 4.0, ..parameters })?;
 /// assert_eq!(heavier_load.natural_frequency(), machine.natural_frequency());
 /// assert_eq!(heavier_load.offset(), 2.0 * machine.offset());
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Machine {
-    parameters: Parameters,
+    parameters: MachineParameters,
     total_mass: TwoPart,
     stiffness_rate: TwoPart, // ω₀²
     damping_rate: TwoPart,   // Γ
@@ -61,8 +61,8 @@ impl Machine {
     /// # Errors
     /// [`InvalidQuantity`] if a parameter is not finite, is negative where it may not be, if there is no mass or
     /// no stiffness, or if a mass, the radius, ω₀, b, Γ or |Ω| is outside 1e-50 to 1e50 in SI units without being zero.
-    pub fn new(parameters: Parameters) -> Result<Self, InvalidQuantity> {
-        let Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin } = parameters;
+    pub fn new(parameters: MachineParameters) -> Result<Self, InvalidQuantity> {
+        let MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin } = parameters;
         InvalidQuantity::check_not_negative("drum mass", drum_mass, "kg")?;
         InvalidQuantity::check_not_negative("load mass", load_mass, "kg")?;
         InvalidQuantity::check_not_negative("load radius", load_radius, "m")?;
@@ -97,7 +97,7 @@ impl Machine {
     /// # Errors
     /// As [`Machine::new`].
     pub fn with_spin(self, spin: f64) -> Result<Self, InvalidQuantity> {
-        Self::new(Parameters { spin, ..self.parameters })
+        Self::new(MachineParameters { spin, ..self.parameters })
     }
 
     /// The same machine with other damping γ, kg/s.
@@ -105,11 +105,11 @@ impl Machine {
     /// # Errors
     /// As [`Machine::new`].
     pub fn with_damping(self, damping: f64) -> Result<Self, InvalidQuantity> {
-        Self::new(Parameters { damping, ..self.parameters })
+        Self::new(MachineParameters { damping, ..self.parameters })
     }
 
     /// The parameters that the machine was made from.
-    pub fn parameters(&self) -> Parameters {
+    pub fn parameters(&self) -> MachineParameters {
         self.parameters
     }
 
@@ -139,12 +139,12 @@ impl Machine {
         self.damping_rate.rounded()
     }
 
-    /// The direction e<sup>iΩt</sup> from the shaft to the load at time `t` in seconds.
+    /// The direction e<sup>iΩt</sup> from the shaft to the load at `time`, s.
     ///
     /// Sixteen digits at any time: the product Ωt is formed without rounding before whole turns are taken off. NaN
     /// for a time that is not finite, or so large that the product overflows.
-    pub fn load_direction(&self, t: f64) -> Complex<f64> {
-        direction(TwoPart::product(self.parameters.spin, t))
+    pub fn load_direction(&self, time: f64) -> Complex<f64> {
+        direction(TwoPart::product(self.parameters.spin, time))
     }
 
     /// ω₀², 1/s², to 32 digits.

@@ -8,10 +8,10 @@ use nalgebra::{Complex, Matrix4};
 /// `eq:mode-ansatz`).
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Parameters};
+/// use mechanics::scenes::laundromat::{Machine, MachineParameters};
 /// let (drum_mass, load_mass, load_radius) = (28.0, 2.0, 0.25);
 /// let (stiffness, damping, spin) = (3000.0, 90.0, 30.0);
-/// let made = Parameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
+/// let made = MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
 /// let machine = Machine::new(made)?; // 10 rad/s by itself, turned at 30
 /// // Seen from the drum, the slowest disturbance swings with 30 − ω₁ and dies with half the damping rate.
 /// let slow = machine.modes()[1].frequency;

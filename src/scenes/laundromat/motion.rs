@@ -4,25 +4,25 @@ use super::machine::Machine;
 use nalgebra::Complex;
 
 impl Machine {
-    /// Rates of `[x, y, ẋ, ẏ]` at time `t`, s (`eq:cartesian-motion`). SI units, frame of the laboratory.
+    /// Rates of `[x, y, ẋ, ẏ]` at `time`, s (`eq:cartesian-motion`). SI units, frame of the laboratory.
     ///
     /// The right-hand side to integrate: smooth everywhere, and linear.
-    pub fn cartesian_rates(&self, t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
+    pub fn cartesian_rates(&self, time: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
         let spin = self.spin();
         let [stiffness, damping] = [self.stiffness_rate().rounded(), self.damping_rate()];
-        let push = self.offset() * (spin * spin) * self.load_direction(t);
+        let push = self.offset() * (spin * spin) * self.load_direction(time);
         [vx, vy, push.re - stiffness * x - damping * vx, push.im - stiffness * y - damping * vy]
     }
 
-    /// Rates of `[r, θ, ṙ, θ̇]` at time `t`, s (`eq:radial-motion`, `eq:azimuthal-motion`). SI units.
+    /// Rates of `[r, θ, ṙ, θ̇]` at `time`, s (`eq:radial-motion`, `eq:azimuthal-motion`). SI units.
     ///
     /// For teaching and for tests. It divides by r: at r = 0 the last rate is infinite or not a number, and near
     /// it every stepping method suffers. Use [`Machine::cartesian_rates`] for work.
-    pub fn polar_rates(&self, t: f64, &[r, theta, r_dot, theta_dot]: &[f64; 4]) -> [f64; 4] {
+    pub fn polar_rates(&self, time: f64, &[r, theta, r_dot, theta_dot]: &[f64; 4]) -> [f64; 4] {
         let spin = self.spin();
         let [stiffness, damping] = [self.stiffness_rate().rounded(), self.damping_rate()];
         // The load's azimuth from the shaft's, φ − θ, as a direction.
-        let lead = self.load_direction(t) * Complex::new(theta.cos(), -theta.sin());
+        let lead = self.load_direction(time) * Complex::new(theta.cos(), -theta.sin());
         let push = self.offset() * (spin * spin) * lead;
         [
             r_dot,
@@ -32,13 +32,13 @@ impl Machine {
         ]
     }
 
-    /// Rates of `[x, y, ẋ, ẏ]` at time `t`, s, of another machine, whose damper resists only the radial velocity
+    /// Rates of `[x, y, ẋ, ẏ]` at `time`, s, of another machine, whose damper resists only the radial velocity
     /// ṙ. SI units, frame of the laboratory.
     ///
     /// That is the source's wording taken literally; it makes steady motion unstable above the natural frequency
     /// (`eq:radial-damping-quartic`). At O the radial direction is taken as that of the velocity, which makes the
     /// damping continuous along a path straight through O.
-    pub fn radial_damping_rates(&self, t: f64, state: &[f64; 4]) -> [f64; 4] {
+    pub fn radial_damping_rates(&self, time: f64, state: &[f64; 4]) -> [f64; 4] {
         let &[x, y, vx, vy] = state;
         let r = x.hypot(y);
         let (radial_x, radial_y) = if r > 0.0 {
@@ -48,7 +48,7 @@ impl Machine {
             (vx, vy)
         };
         let damping = self.damping_rate();
-        let [_, _, ax, ay] = self.cartesian_rates(t, state);
+        let [_, _, ax, ay] = self.cartesian_rates(time, state);
         // Take off the damping of what is not radial.
         [vx, vy, ax + damping * (vx - radial_x), ay + damping * (vy - radial_y)]
     }

@@ -26,8 +26,8 @@ pub struct Motor {
 /// A machine that a motor turns. Made by [`Machine::driven`]; the spin in the machine's parameters plays no part.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Motor, Parameters};
-/// let machine = Machine::new(Parameters {
+/// use mechanics::scenes::laundromat::{Machine, Motor, MachineParameters};
+/// let machine = Machine::new(MachineParameters {
 ///     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25,
 ///     stiffness: 3000.0, damping: 90.0, spin: 0.0,
 /// })?;
@@ -39,7 +39,7 @@ pub struct Motor {
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Driven {
+pub struct DrivenMachine {
     machine: Machine,
     motor: Motor,
     inertia: f64, // I_cm
@@ -65,7 +65,7 @@ pub struct Fold {
     pub stall_torque: f64,
 }
 
-/// Both folds of a driven machine, from [`Driven::folds`].
+/// Both folds of a driven machine, from [`DrivenMachine::folds`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Folds {
     /// Where a drum that is stuck below the resonance breaks through as the stall torque is raised.
@@ -80,7 +80,7 @@ impl Machine {
     /// # Errors
     /// [`InvalidQuantity`] if a number of the motor is out of its range, if there is no damping (then the shaking asks
     /// for no torque), or if nothing resists a change of spin: drum, load and tub have I + mMa²/(m + M) = 0.
-    pub fn driven(self, motor: Motor) -> Result<Driven, InvalidQuantity> {
+    pub fn driven(self, motor: Motor) -> Result<DrivenMachine, InvalidQuantity> {
         let Motor { stall_torque, idle_spin, drum_inertia } = motor;
         InvalidQuantity::check_positive("stall torque", stall_torque, "N·m")?;
         InvalidQuantity::check_positive("idle spin", idle_spin, "rad/s")?;
@@ -90,11 +90,11 @@ impl Machine {
         // I + mMa²/(m + M): mab is ma² m/(m + M).
         let inertia = drum_inertia + parameters.drum_mass * self.offset() * parameters.load_radius;
         InvalidQuantity::require(inertia > 0.0, "moment of inertia", inertia, "kg·m²", Rule::Positive)?;
-        Ok(Driven { machine: self, motor, inertia })
+        Ok(DrivenMachine { machine: self, motor, inertia })
     }
 }
 
-impl Driven {
+impl DrivenMachine {
     /// The motor.
     pub fn motor(&self) -> Motor {
         self.motor
@@ -120,7 +120,7 @@ impl Driven {
 
     /// Rates of the state ([`DrivenState::to_array`]) for an integrator (`eq:driven-shaft`, `eq:driven-spin`). They do
     /// not contain the time.
-    pub fn rates(&self, state: &[f64; 5]) -> [f64; 5] {
+    pub fn rates(&self, _time: f64, state: &[f64; 5]) -> [f64; 5] {
         let DrivenState { position, velocity, spin } = DrivenState::from_array(*state);
         let turn = Complex::i() * spin;
         let pull = self.pull(position, velocity);
@@ -140,8 +140,8 @@ impl Driven {
     ///
     /// None is missed if Γ is more than 1e-14 ω₀: between 0, the folds and the idle spin the stall torque that a spin
     /// takes only rises or only falls. With less damping the resonance is so narrow that its peak lies between two
-    /// neighbouring numbers, and two of three are missed if the stall torque is above what [`Driven::folds`] finds
-    /// there.
+    /// neighbouring numbers, and two of three are missed if the stall torque is above what [`DrivenMachine::folds`]
+    /// finds there.
     pub fn steady_spins(&self) -> Vec<f64> {
         let folds = self.folds().map(|folds| [folds.up.spin, folds.down.spin]);
         let mut ends = vec![0.0];
@@ -197,7 +197,7 @@ impl Driven {
     /// that it takes.
     ///
     /// # Errors
-    /// As [`Driven::required_stall_torque`].
+    /// As [`DrivenMachine::required_stall_torque`].
     pub fn stability_matrix(&self, spin: f64) -> Result<Matrix5<f64>, InvalidQuantity> {
         let motor_slope = -self.required_stall_torque(spin)? / self.motor.idle_spin;
         let steady = self.steady_state(spin)?;
@@ -224,13 +224,13 @@ impl Driven {
     /// them die out.
     ///
     /// If Γ is at least 1e-5 ω₀, its error is what a change of the machine's numbers, and of the entries of
-    /// [`Driven::stability_matrix`] in units in which rows and columns are alike in size, by 250 units in the last
-    /// place (`f64::EPSILON`, of the largest root) makes. That is 1e-13 of the largest root or less, but only half of
-    /// the digits are left where two roots meet, as at critical damping. With less damping 1e-6 of the largest root
+    /// [`DrivenMachine::stability_matrix`] in units in which rows and columns are alike in size, by 250 units in the
+    /// last place (`f64::EPSILON`, of the largest root) makes. That is 1e-13 of the largest root or less, but only half
+    /// of the digits are left where two roots meet, as at critical damping. With less damping 1e-6 of the largest root
     /// stands in place of what the entries make. A rate nearer to zero than that may have the wrong sign.
     ///
     /// # Errors
-    /// As [`Driven::required_stall_torque`], or if the rates of a disturbance are too large to be computed with.
+    /// As [`DrivenMachine::required_stall_torque`], or if the rates of a disturbance are too large to be computed with.
     pub fn growth_rate(&self, spin: f64) -> Result<f64, InvalidQuantity> {
         let matrix = self.stability_matrix(spin)?;
         let rule = Rule::Because("the rates of a disturbance there are too large to be computed with");

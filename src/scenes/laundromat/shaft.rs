@@ -52,6 +52,7 @@ impl Shaft {
     pub const AT_REST: Self = Self { position: Complex::new(0.0, 0.0), velocity: Complex::new(0.0, 0.0) };
 
     /// From `[x, y, ẋ, ẏ]` in m and m/s, the state that integrators step with [`super::Machine::cartesian_rates`].
+    #[inline]
     pub fn from_array([x, y, vx, vy]: [f64; 4]) -> Self {
         Self { position: Complex::new(x, y), velocity: Complex::new(vx, vy) }
     }
@@ -92,6 +93,23 @@ impl Shaft {
         }
     }
 
+    /// Another motion of the suspension on top of this one: its equation is linear.
+    #[inline(always)]
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self { position: self.position + other.position, velocity: self.velocity + other.velocity }
+    }
+
+    /// So many times as far and as fast.
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self { position: self.position * factor, velocity: self.velocity * factor }
+    }
+
+    /// A point at `position` that goes round O with this angular velocity, rad/s.
+    #[inline(always)]
+    pub(super) fn circling(position: Complex<f64>, spin: f64) -> Self {
+        Self { position, velocity: Complex::new(-spin * position.im, spin * position.re) }
+    }
+
     /// The same seen in a mirror that stands on the x axis.
     pub(super) fn mirror_image(self) -> Self {
         Self { position: self.position.conj(), velocity: self.velocity.conj() }
@@ -99,7 +117,7 @@ impl Shaft {
 
     /// Whether all four numbers are finite.
     #[inline(always)]
-    pub(crate) fn is_finite(&self) -> bool {
+    pub(super) fn is_finite(&self) -> bool {
         self.to_array().iter().all(|number| number.is_finite())
     }
 

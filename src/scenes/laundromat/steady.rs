@@ -11,8 +11,8 @@ use nalgebra::Complex;
 /// any spin, near resonance too; a torque or power beyond the largest `f64` is infinite.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Parameters};
-/// let machine = Machine::new(Parameters {
+/// use mechanics::scenes::laundromat::{Machine, MachineParameters};
+/// let machine = Machine::new(MachineParameters {
 ///     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25,
 ///     stiffness: 3000.0, damping: 90.0, spin: 30.0,
 /// })?;

@@ -1,12 +1,13 @@
 //! The whole motion from any start, in closed form.
 
 use super::machine::{Machine, direction};
-use super::oscillator::{Oscillator, Roots, Scaled};
+use super::oscillator::{FreeMotion, Oscillator, Roots, Scaled, Swing, mean_exponential};
 use super::shaft::{Shaft, out_of_range};
 use super::steady::SteadyMotion;
+use crate::clock::Clock;
+use crate::lanes::{Branchless, sample_branchless};
 use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
-use crate::wide;
 use nalgebra::Complex;
 
 /// The motion of the shaft from a given start (`eq:transient`), at any time, before or after.
@@ -19,8 +20,8 @@ use nalgebra::Complex;
 /// proportion to the time. Before the start a damped motion grows, and with it what a rounded start has become.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
-/// let machine = Machine::new(Parameters {
+/// use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
+/// let machine = Machine::new(MachineParameters {
 ///     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25,
 ///     stiffness: 3000.0, damping: 90.0, spin: 30.0,
 /// })?;
@@ -32,8 +33,8 @@ use nalgebra::Complex;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transient {
     spin: f64,
+    load: Clock, // Ωt
     offset: f64,
-    free: Oscillator,
     form: Form,
 }
 
@@ -45,18 +46,26 @@ enum Form {
 
 /// The two terms of `eq:transient`: the steady circle, and a free motion that begins with what it leaves of the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Circle {
-    pub(crate) amplitude: Complex<f64>,     // Z
+struct Circle {
+    amplitude: Complex<f64>,                // Z
     centre_of_mass_amplitude: Complex<f64>, // Z + b
-    pub(crate) displacement: Complex<f64>,  // s₀
-    pub(crate) velocity: Complex<f64>,      // ṡ₀
+    free: FreeMotion,                       // from s₀ and ṡ₀
+}
+
+/// The two terms where damping is light, for many times at once.
+#[derive(Debug, Clone, Copy)]
+struct Light {
+    spin: f64,
+    load: Clock,
+    amplitude: Complex<f64>,
+    swing: Swing,
 }
 
 /// Near resonance, with little damping, the circle is huge and nearly cancelled by the free motion at first. So
 /// there: the free motion from the start, and what the force adds from rest (`eq:build-up`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct BuildUp {
-    start: Shaft,
+    free: FreeMotion,
     push: f64,          // bΩ²
     frequency: TwoPart, // ω₁ with the sign of Ω: the nearer root is −Γ/2 + iω₁
     half_damping: f64,  // Γ/2
@@ -79,9 +88,9 @@ impl Machine {
         let free = Oscillator::new(self.precise_damping_rate(), self.stiffness_rate());
         let form = match BuildUp::new(self, &free, start) {
             Some(build_up) => Form::BuildUp(build_up),
-            None => Form::Circle(Circle::new(spin, offset, start, &self.steady_circle())),
+            None => Form::Circle(Circle::new(&free, spin, offset, start, &self.steady_circle())),
         };
-        Ok(Transient { spin, offset, free, form })
+        Ok(Transient { spin, load: Clock::from_rate(TwoPart::from(spin)), offset, form })
     }
 }
 
@@ -97,15 +106,10 @@ impl Transient {
         InvalidQuantity::check_time(time)?;
         let load = self.load_direction(time);
         let shaft = match &self.form {
-            Form::Circle(Circle { amplitude, displacement, velocity, .. }) => {
-                let circle = amplitude * load; // Z e^{iΩt}
-                let (s, s_dot) = self.free.at(*displacement, *velocity, time).multiplied();
-                Shaft { position: circle + s, velocity: Complex::new(0.0, self.spin) * circle + s_dot }
+            Form::Circle(Circle { amplitude, free, .. }) => {
+                Shaft::circling(amplitude * load, self.spin).plus(free.at(time).multiplied())
             }
-            Form::BuildUp(build_up) => {
-                let (position, velocity) = build_up.at(&self.free, self.spin, load, time).multiplied();
-                Shaft { position, velocity }
-            }
+            Form::BuildUp(build_up) => build_up.at(self.spin, load, time).multiplied(),
         };
         shaft.in_range(time)
     }
@@ -116,7 +120,13 @@ impl Transient {
     /// # Errors
     /// As [`Transient::at`], for the first time that it refuses.
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Shaft>, InvalidQuantity> {
-        wide::laundromat::sample_transient(self, times)
+        let at = |time: f64| self.at(time);
+        let Form::Circle(Circle { amplitude, free: FreeMotion::Turning(swing), .. }) = self.form else {
+            return times.iter().map(|&time| at(time)).collect();
+        };
+        let light = Light { spin: self.spin, load: self.load, amplitude, swing };
+        let reach = self.load.reach().min(swing.reach());
+        sample_branchless(light, [-reach, reach], times, Shaft::AT_REST, at)
     }
 
     /// Position of the centre of mass of drum and load at a time, s, in the laboratory, m
@@ -131,33 +141,41 @@ impl Transient {
         InvalidQuantity::check_time(time)?;
         let load = self.load_direction(time);
         let position = match &self.form {
-            Form::Circle(Circle { centre_of_mass_amplitude, displacement, velocity, .. }) => {
-                centre_of_mass_amplitude * load + self.free.at(*displacement, *velocity, time).multiplied().0
+            Form::Circle(Circle { centre_of_mass_amplitude, free, .. }) => {
+                centre_of_mass_amplitude * load + free.at(time).multiplied().position
             }
             Form::BuildUp(build_up) => {
-                build_up.at(&self.free, self.spin, load, time).multiplied().0 + load * self.offset
+                build_up.at(self.spin, load, time).multiplied().position + load * self.offset
             }
         };
         if position.is_finite() { Ok(position) } else { Err(out_of_range(time)) }
     }
 
-    /// e^{iΩt}, the product formed without rounding.
+    /// e^{iΩt}, the phase formed from 32 digits.
     fn load_direction(&self, time: f64) -> Complex<f64> {
-        direction(TwoPart::product(self.spin, time))
+        let (sin, cos) = self.load.sin_cos::<true>(time);
+        Complex::new(cos, sin)
+    }
+}
+
+impl Branchless for Light {
+    type State = Shaft;
+
+    #[inline(always)]
+    fn state<const ONE: bool>(&self, time: f64) -> Shaft {
+        let (sin, cos) = self.load.sin_cos::<ONE>(time);
+        Shaft::circling(self.amplitude * Complex::new(cos, sin), self.spin)
+            .plus(Shaft::from_array(self.swing.at(time)))
     }
 
-    /// Its constants where the motion is the sum of a circle and of a free motion: Ω, that sum, and the free
-    /// oscillator.
-    pub(crate) fn circle(&self) -> Option<(f64, Circle, Oscillator)> {
-        match self.form {
-            Form::Circle(circle) => Some((self.spin, circle, self.free)),
-            Form::BuildUp(_) => None,
-        }
+    #[inline(always)]
+    fn is_finite(state: &Shaft) -> bool {
+        state.is_finite()
     }
 }
 
 impl Circle {
-    fn new(spin: f64, offset: f64, start: Shaft, steady: &SteadyMotion) -> Self {
+    fn new(free: &Oscillator, spin: f64, offset: f64, start: Shaft, steady: &SteadyMotion) -> Self {
         let turning = Complex::i() * spin;
         let (amplitude, centre_of_mass_amplitude) = (steady.amplitude(), steady.centre_of_mass_amplitude());
         // s₀ and ṡ₀ of eq:transient, for the shaft or for the centre of mass, whichever has the smaller circle to be
@@ -167,12 +185,8 @@ impl Circle {
         } else {
             (start.position + offset, start.velocity + turning * offset, centre_of_mass_amplitude)
         };
-        Self {
-            amplitude,
-            centre_of_mass_amplitude,
-            displacement: position - circle,
-            velocity: velocity - turning * circle,
-        }
+        let rest = Shaft { position: position - circle, velocity: velocity - turning * circle };
+        Self { amplitude, centre_of_mass_amplitude, free: free.from(rest) }
     }
 }
 
@@ -189,7 +203,7 @@ impl BuildUp {
         let far = Complex::new(half_damping, (TwoPart::from(spin) + frequency).rounded());
         let push = machine.offset() * (spin * spin);
         (near.norm() < NEAR * machine.natural_frequency()).then_some(Self {
-            start,
+            free: free.from(start),
             push,
             frequency,
             half_damping,
@@ -199,17 +213,17 @@ impl BuildUp {
     }
 
     /// The free motion from the start and `eq:build-up`.
-    fn at(&self, free: &Oscillator, spin: f64, load: Complex<f64>, time: f64) -> Scaled {
-        let free_part = free.at(self.start.position, self.start.velocity, time);
+    fn at(&self, spin: f64, load: Complex<f64>, time: f64) -> Scaled {
+        let Scaled { shaft: free, exponent } = self.free.at(time);
         // e^{iΩt} and e^{λt}, of which the factor that grows, before the start, is left to the end.
         let decay = (-self.half_damping * time.abs()).exp();
         let turned = direction(self.frequency * time);
         let (forced, damped) = if time >= 0.0 { (load, decay) } else { (load * decay, 1.0) };
         let [near_root, far_root] = [turned * damped, turned.conj() * damped];
 
-        let exponent = self.near * time;
-        let near = if exponent.norm_sqr() < 1.0 {
-            forced * one_minus_exp_over(exponent) * time // the same quotient without a difference
+        let passed = self.near * time;
+        let near = if passed.norm_sqr() < 1.0 {
+            forced * mean_exponential(-passed) * time // the same quotient without a difference
         } else {
             (forced - near_root) / self.near
         };
@@ -219,23 +233,11 @@ impl BuildUp {
         // The rate of (e^{iΩt} − e^{λt})/(iΩ − λ) is iΩ times it and e^{λt}.
         let response_rate = Complex::new(0.0, spin) * response + damped * (turned.im / frequency);
 
-        let free_scale = if time >= 0.0 { free_part.exponent.exp() } else { 1.0 };
-        Scaled {
-            position: free_part.position * free_scale + response * self.push,
-            velocity: free_part.velocity * free_scale + response_rate * self.push,
-            exponent: if time >= 0.0 { 0.0 } else { free_part.exponent },
+        let forced = Shaft { position: response * self.push, velocity: response_rate * self.push };
+        if time >= 0.0 {
+            Scaled { shaft: free.times(exponent.exp()).plus(forced), exponent: 0.0 }
+        } else {
+            Scaled { shaft: free.plus(forced), exponent }
         }
     }
-}
-
-/// (1 − e^{−q})/q without cancellation, for |q| up to about 1; one at q = 0.
-fn one_minus_exp_over(q: Complex<f64>) -> Complex<f64> {
-    if q.norm_sqr() == 0.0 {
-        return Complex::new(1.0, 0.0);
-    }
-    let half_sin = (0.5 * q.im).sin();
-    let grown = (-q.re).exp();
-    // 1 − e^{−x} cos y = −expm1(−x) + 2 e^{−x} sin²(y/2)
-    let real = -(-q.re).exp_m1() + 2.0 * grown * half_sin * half_sin;
-    Complex::new(real, grown * q.im.sin()) / q
 }

@@ -1,7 +1,8 @@
 //! The machine with friction on board: a damper that turns with the drum, beside the one that stands on the floor.
 
 use super::machine::{DAMPING_RATE, Machine};
-use super::shaft::{Shaft, out_of_range};
+use super::oscillator::mean_exponential;
+use super::shaft::Shaft;
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::Complex;
 
@@ -17,8 +18,8 @@ use nalgebra::Complex;
 /// The steady circle is that of the machine without this damper, [`Machine::steady`]: on board it is rest.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Parameters};
-/// let machine = Machine::new(Parameters {
+/// use mechanics::scenes::laundromat::{Machine, MachineParameters};
+/// let machine = Machine::new(MachineParameters {
 ///     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25,
 ///     stiffness: 3000.0, damping: 90.0, spin: 30.0,
 /// })?;
@@ -118,10 +119,10 @@ impl Rotor {
         [Complex::new(self.growth(), q.im), Complex::new(-self.half_damping - q.re, -q.im)]
     }
 
-    /// Rates of `[x, y, ẋ, ẏ]` at time `t`, s (`eq:whirl-motion`). SI units, frame of the laboratory.
-    pub fn cartesian_rates(&self, t: f64, state: &[f64; 4]) -> [f64; 4] {
+    /// Rates of `[x, y, ẋ, ẏ]` at `time`, s (`eq:whirl-motion`). SI units, frame of the laboratory.
+    pub fn cartesian_rates(&self, time: f64, state: &[f64; 4]) -> [f64; 4] {
         let (&[x, y, vx, vy], spin) = (state, self.machine.spin());
-        let [_, _, ax, ay] = self.machine.cartesian_rates(t, state);
+        let [_, _, ax, ay] = self.machine.cartesian_rates(time, state);
         [vx, vy, ax - self.on_board * (vx + spin * y), ay - self.on_board * (vy - spin * x)]
     }
 
@@ -173,16 +174,6 @@ impl Rotor {
 /// How near to its resonance a machine counts from the start, as in `Transient`.
 const NEAR: f64 = 0.25;
 
-/// (eˣ − 1)/x, the mean of eˣ over a way from 0 to x.
-fn mean_exponential(x: Complex<f64>) -> Complex<f64> {
-    if x.norm() == 0.0 {
-        return 1.0.into();
-    }
-    let half = (0.5 * x.im).sin();
-    let less_one = Complex::new(x.re.exp_m1() * x.im.cos() - 2.0 * half * half, x.re.exp() * x.im.sin());
-    less_one / x
-}
-
 /// The motion of a [`Rotor`] from a given start, at any later time, in closed form: the steady circle and two
 /// exponentials.
 ///
@@ -214,14 +205,17 @@ impl RotorMotion {
         let load = machine.load_direction(time);
         let free = rotor.free(&self.free, time);
         let forced = match self.circle {
-            Some(circle) => {
-                let position = circle * load;
-                Shaft { position, velocity: position * Complex::new(0.0, machine.spin()) }
-            }
+            Some(circle) => Shaft::circling(circle * load, machine.spin()),
             None => rotor.built_up(load, time),
         };
-        let shaft =
-            Shaft { position: forced.position + free.position, velocity: forced.velocity + free.velocity };
-        if shaft.is_finite() { Ok(shaft) } else { Err(out_of_range(time)) }
+        forced.plus(free).in_range(time)
+    }
+
+    /// The shaft at each of these times, s.
+    ///
+    /// # Errors
+    /// As [`RotorMotion::at`], for the first time that it refuses.
+    pub fn sample(&self, times: &[f64]) -> Result<Vec<Shaft>, InvalidQuantity> {
+        times.iter().map(|&time| self.at(time)).collect()
     }
 }

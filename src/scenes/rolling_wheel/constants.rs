@@ -1,7 +1,7 @@
 //! What stays constant as a wheel rolls.
 
 use super::wheel::Wheel;
-use crate::conical::Values;
+use crate::conical::ConicalValues;
 use crate::rolling::{MomentFactors, Rolling, sin_cos_lean};
 use std::f64::consts::FRAC_PI_2;
 
@@ -22,7 +22,7 @@ impl Wheel {
     pub fn constants(&self, state: &Rolling) -> RollingConstants {
         let Rolling { omega_2: q, omega_3: n, .. } = *state;
         let (_, cos) = sin_cos_lean(state.tilt);
-        let Values { even, even_slope, odd, odd_slope } = self.conical_functions(state.tilt);
+        let ConicalValues { even, even_slope, odd, odd_slope } = self.conical_functions(state.tilt);
         let MomentFactors { axial: i3, .. } = self.disk.parameters.moments;
         let slope = q * cos / (1.0 + i3); // (1 − X²) dn/dX
         let square = cos * cos;
@@ -38,7 +38,7 @@ impl Wheel {
     pub fn at_tilt(&self, constants: &RollingConstants, tilt: f64) -> Rolling {
         let &RollingConstants { even: a, odd: b } = constants;
         let (_, cos) = sin_cos_lean(tilt);
-        let Values { even, even_slope, odd, odd_slope } = self.conical_functions(tilt);
+        let ConicalValues { even, even_slope, odd, odd_slope } = self.conical_functions(tilt);
         let MomentFactors { axial: i3, .. } = self.disk.parameters.moments;
         Rolling {
             tilt,
@@ -55,7 +55,7 @@ impl Wheel {
     }
 
     /// The conical functions at X = sin θ, with 1 − |X| = 1 − |cos α| without a difference.
-    fn conical_functions(&self, tilt: f64) -> Values {
+    fn conical_functions(&self, tilt: f64) -> ConicalValues {
         let half = 0.5 * tilt;
         let root = if tilt < FRAC_PI_2 { half.sin() } else { half.cos() };
         self.conical.at(sin_cos_lean(tilt).0, 2.0 * root * root)

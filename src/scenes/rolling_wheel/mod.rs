@@ -22,7 +22,7 @@ mod wheel;
 mod wobble;
 
 pub use constants::RollingConstants;
-pub use sinking::Sinking;
+pub use sinking::SinkingRates;
 pub use steady::SteadyRolling;
 pub use wheel::Wheel;
 pub use wobble::Wobble;

@@ -20,7 +20,7 @@ use nalgebra::Vector3;
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sinking {
+pub struct SinkingRates {
     /// The rate of the lean θ, rad/s.
     pub lean_rate: f64,
     /// The rate of the radius b of the centre's circle, m/s.
@@ -35,7 +35,7 @@ impl SteadyRolling {
     /// This is the limit of a weak torque: the error is of its second order, as long as the lean and the circle change
     /// little in the time of a wobble. At the edge of the tongue, where the wobble's rate is zero, the rates are
     /// infinite; inside it they say nothing.
-    pub fn sinking(&self, torque: Vector3<f64>) -> Sinking {
+    pub fn sinking(&self, torque: Vector3<f64>) -> SinkingRates {
         let DiskParameters { mass: m, radius: a, moments, .. } = self.wheel.parameters();
         let MomentFactors { transverse: i1, axial: i3 } = moments;
         let (sin, cos) = self.lean.sin_cos();
@@ -49,6 +49,6 @@ impl SteadyRolling {
         let n_rate = (lean_rate * q - taken.z) / (1.0 + i3);
         // b = a n cos θ / q, eq:true-spin
         let circle_rate = a * (cos * (n_rate * q - n * q_rate) / (q * q) - sin * lean_rate * n / q);
-        Sinking { lean_rate, circle_rate }
+        SinkingRates { lean_rate, circle_rate }
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::integrate::{Failure, Series, Taylor, TaylorStep, increment};
 use crate::rolling::{RollingSeries, anchor, contact};
-use crate::wide::rolling::Lanes;
 use nalgebra::Complex;
 use std::ops::ControlFlow;
 
@@ -74,7 +73,7 @@ impl Swing {
             if turning.is_some() || stays { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
         solver.with_step_at_most(LONGEST_STEP).solve_with(
-            &Lanes(wheel),
+            &wheel,
             0.0,
             state,
             PATIENCE.copysign(direction),

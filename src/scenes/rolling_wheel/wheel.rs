@@ -49,14 +49,17 @@ impl Wheel {
 
     /// The rates of a wheel that something slows, air or a soft table, with the torque `−s ma² ω` on its turning about
     /// the centre; `slowing` s is in 1/s. Its energy then changes by `−s ma² |ω|²` in a second.
-    pub fn slowed_rates(&self, slowing: f64, time: f64, state: &[f64; 8]) -> [f64; 8] {
-        let mut rates = self.disk.rates(time, state);
-        let MomentFactors { transverse: i1, axial: i3 } = self.disk.parameters.moments;
-        // What eq:contact-force leaves of it: the foot at rest adds one to the moments about axes 1 and 3.
-        for (k, moment) in [(1, 1.0 + i1), (2, i1), (3, 1.0 + i3)] {
-            rates[k] -= slowing * state[k] / moment;
+    pub fn slowed_rates(&self, slowing: f64) -> impl Fn(f64, &[f64; 8]) -> [f64; 8] + Copy + use<> {
+        let disk = self.disk;
+        let MomentFactors { transverse: i1, axial: i3 } = disk.parameters.moments;
+        move |time, state| {
+            let mut rates = disk.rates(time, state);
+            // What eq:contact-force leaves of it: the foot at rest adds one to the moments about axes 1 and 3.
+            for (k, moment) in [(1, 1.0 + i1), (2, i1), (3, 1.0 + i3)] {
+                rates[k] -= slowing * state[k] / moment;
+            }
+            rates
         }
-        rates
     }
 
     /// The energy of the motion, J, with the table as zero of height (`eq:rolling-energy`).

@@ -98,7 +98,7 @@ impl BrakedDisk {
     /// [`Error::Quantity`] if a tilt is not lower than the one before it, the first than that of the start, or the disk
     /// does not sink so far; [`Error::Integration`] if the solver fails, as it does where all turning has died out and
     /// the disk creeps.
-    pub fn sink(&self, start: Rolling, tilts: &[f64], solver: &Dop853) -> Result<Vec<Sunk>, Error> {
+    pub fn sink(&self, start: Rolling, tilts: &[f64], solver: &Dop853) -> Result<Vec<TiltReached>, Error> {
         start.check()?;
         let (mut time, mut state, mut evaluated) = (0.0, start.to_array(), 0);
         let end = LONGEST * self.disk.unit_of_time();
@@ -123,7 +123,7 @@ impl BrakedDisk {
             };
             (time, state) = (there.time, there.state);
             evaluated += there.work.evaluations;
-            sunk.push(Sunk { time, state: Rolling::from_array(state) });
+            sunk.push(TiltReached { time, state: Rolling::from_array(state) });
         }
         Ok(sunk)
     }
@@ -131,7 +131,7 @@ impl BrakedDisk {
 
 /// A disk on its way down.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sunk {
+pub struct TiltReached {
     /// The time since the start, s.
     pub time: f64,
     /// The disk then.

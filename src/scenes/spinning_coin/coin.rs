@@ -131,16 +131,16 @@ impl SpinningCoin {
         round * lean * spun
     }
 
-    /// The tilt, rad, at which the contact of such a coin runs with the speed `sound`, m/s (`eq:mach-tilt`), to 9e-16
-    /// of itself.
+    /// The tilt, rad, at which the contact of such a coin runs with the speed `sound`, m/s (`eq:contact-run`, solved
+    /// for the tilt; `eq:mach-tilt` for small ones), to 9e-16 of itself.
     ///
     /// # Errors
     /// [`InvalidQuantity`] unless the speed is positive.
     pub fn tilt_for_contact_speed(&self, sound: f64) -> Result<f64, InvalidQuantity> {
         InvalidQuantity::check_positive("speed", sound, "m/s")?;
         let DiskParameters { radius: a, moments, gravity: g, .. } = self.parameters;
-        // ga/I₁ · cos²α/sin α = c²: a quadratic in sin α, solved without a difference; and cos α from its square, since
-        // near upright the sine does not tell the tilt.
+        // The square of eq:contact-run with I₁ for ¼, ga/I₁ · cos²α/sin α = c²: a quadratic in sin α, solved without a
+        // difference; and cos α from its square, since near upright the sine does not tell the tilt.
         let s = moments.transverse * sound * sound / (g * a);
         let sin = 2.0 / (s + s.hypot(2.0));
         Ok(sin.atan2((s * sin).sqrt()))

@@ -13,7 +13,7 @@ mod film;
 mod sinking;
 mod spin_down;
 
-pub use braked::{BrakedDisk, Sunk};
+pub use braked::{BrakedDisk, TiltReached};
 pub use coin::SpinningCoin;
 pub use film::EulersDisk;
 pub use sinking::Sinking;

@@ -5,7 +5,6 @@ use crate::error::Error;
 use crate::integrate::{Taylor, TaylorStep};
 use crate::quantity::{InvalidQuantity, Rule};
 use crate::rolling::{Placed, Rolling, anchor, contact};
-use crate::wide::rolling::Lanes;
 use nalgebra::Complex;
 use std::ops::ControlFlow;
 
@@ -110,30 +109,24 @@ impl Sinking {
         }
         let (mut here, mut facing, mut done) = (Complex::new(0.0, 0.0), Complex::new(1.0, 0.0), 0);
         let mut end = None;
-        self.solver.solve_with(
-            &Lanes(series),
-            0.0,
-            state,
-            times[last] / unit,
-            |step: &TaylorStep<'_, 8>| {
-                if is_over(step.series()[0][0]) {
-                    end = Some(step.start() * unit);
-                    return ControlFlow::Break(());
+        self.solver.solve_with(&series, 0.0, state, times[last] / unit, |step: &TaylorStep<'_, 8>| {
+            if is_over(step.series()[0][0]) {
+                end = Some(step.start() * unit);
+                return ControlFlow::Break(());
+            }
+            let anchor = anchor(step.series(), here, facing);
+            while let Some(time) = order.get(done).map(|&place| times[place] / unit) {
+                if (time - step.end()) * step.length() > 0.0 {
+                    break;
                 }
-                let anchor = anchor(step.series(), here, facing);
-                while let Some(time) = order.get(done).map(|&place| times[place] / unit) {
-                    if (time - step.end()) * step.length() > 0.0 {
-                        break;
-                    }
-                    let state = step.at(time);
-                    let (contact, facing) = contact(anchor, &state);
-                    states[order[done]] = placed.in_room(&state, contact, facing);
-                    done += 1;
-                }
-                (here, facing) = contact(anchor, &step.last());
-                ControlFlow::Continue(())
-            },
-        )?;
+                let state = step.at(time);
+                let (contact, facing) = contact(anchor, &state);
+                states[order[done]] = placed.in_room(&state, contact, facing);
+                done += 1;
+            }
+            (here, facing) = contact(anchor, &step.last());
+            ControlFlow::Continue(())
+        })?;
         end.map_or(Ok(()), |end| Err(refused(done, end).into()))
     }
 }

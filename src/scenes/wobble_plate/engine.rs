@@ -38,7 +38,7 @@ impl Engine {
         self.pistons
     }
 
-    /// Sine and cosine of `2πn/N` for piston `n`, counted from 1 and modulo N.
+    /// Sine and cosine of `2πn/N` for piston `n`.
     fn azimuth(&self, n: u32) -> (f64, f64) {
         (TAU * f64::from(n) / f64::from(self.pistons.count())).sin_cos()
     }
@@ -96,7 +96,7 @@ impl Engine {
 
     /// `Σ r × m v` for velocities, or accelerations, along the shaft: `m v (y, −x, 0)` each.
     fn moment_of(&self, rate: impl Fn(u32) -> f64) -> Vector3<f64> {
-        let arms = (1..=self.pistons.count()).map(|n| {
+        let arms = self.pistons.numbers().map(|n| {
             let (sin, cos) = self.azimuth(n);
             let [x, y] = [sin, -cos];
             Vector3::new(y, -x, 0.0) * rate(n)
@@ -106,19 +106,21 @@ impl Engine {
 
     /// The force along the shaft that moves the pistons, N; zero for two and more (`eq:shaking-force`).
     pub fn shaking_force(&self, phase: f64, spin: f64) -> f64 {
-        let sum: f64 = (1..=self.pistons.count()).map(|n| self.acceleration(n, phase, spin)).sum();
+        let sum: f64 = self.pistons.numbers().map(|n| self.acceleration(n, phase, spin)).sum();
         self.pistons.mass() * sum
     }
 
     /// The kinetic energy of the pistons, J; `¼N m ω² r² tan²α`, constant, for three and more (`eq:piston-energy`).
     pub fn piston_energy(&self, phase: f64, spin: f64) -> f64 {
-        let squares: f64 = (1..=self.pistons.count()).map(|n| self.velocity(n, phase, spin).powi(2)).sum();
+        let squares: f64 = self.pistons.numbers().map(|n| self.velocity(n, phase, spin).powi(2)).sum();
         0.5 * self.pistons.mass() * squares
     }
 
     /// The torque about the shaft that moves the pistons at constant spin, N·m; zero for three and more.
     pub fn drive_torque(&self, phase: f64, spin: f64) -> f64 {
-        let power: f64 = (1..=self.pistons.count())
+        let power: f64 = self
+            .pistons
+            .numbers()
             .map(|n| self.velocity(n, phase, 1.0) * self.acceleration(n, phase, spin))
             .sum();
         self.pistons.mass() * power

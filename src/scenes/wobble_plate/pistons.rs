@@ -1,13 +1,15 @@
 //! Pistons round the shaft.
 
 use crate::quantity::{InvalidQuantity, Rule};
+use std::ops::RangeInclusive;
 
 /// A sum over so many pistons takes less than a tenth of a millisecond.
 const MOST_PISTONS: u32 = 1000;
 
 /// Pistons of equal mass, evenly spaced round the shaft, their rods pressed against the plate.
 ///
-/// Piston n of N stands at the azimuth `2πn/N − π/2`. A rod's end keeps its distance from the shaft and stays on the
+/// Piston n of N stands at the azimuth `2πn/N − π/2`. They are numbered from 1 to N ([`Pistons::numbers`]), and as
+/// their circle is closed N + 1 is the first again. A rod's end keeps its distance from the shaft and stays on the
 /// plate's middle plane; a thick plate adds a constant length, which changes nothing.
 ///
 /// ```
@@ -16,7 +18,7 @@ const MOST_PISTONS: u32 = 1000;
 /// let plate = PlateParameters { mass: 2.0, radius: 0.1, thickness: 0.01, tilt: 15_f64.to_radians() };
 /// let engine = Engine::new(Plate::new(plate)?, pistons);
 /// // At 100 rad/s the first piston is fastest where the rim of the plate is level: r ω tan α.
-/// let fastest = (0..360).map(|degree| engine.velocity(0, f64::from(degree).to_radians(), 100.0)).fold(0.0, f64::max);
+/// let fastest = (0..360).map(|degree| engine.velocity(1, f64::from(degree).to_radians(), 100.0)).fold(0.0, f64::max);
 /// assert_eq!(format!("{fastest:.2} m/s"), "1.34 m/s");
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
@@ -56,6 +58,11 @@ impl Pistons {
     /// How many there are.
     pub fn count(&self) -> u32 {
         self.0.count
+    }
+
+    /// Their numbers, 1 to N.
+    pub fn numbers(&self) -> RangeInclusive<u32> {
+        1..=self.0.count
     }
 
     /// The mass of each, kg.

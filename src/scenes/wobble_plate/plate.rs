@@ -115,10 +115,10 @@ impl Plate {
     }
 
     /// The torque that the bearings give the turning plate, along the rotating axes, N·m: `ω × L`
-    /// (`eq:bearing-torque`).
+    /// (`eq:rate-on-board`, where the components are constant; `eq:bearing-torque` for a thin plate).
     pub fn bearing_torque_rotating(&self, spin: f64) -> Vector3<f64> {
         let omega = Vector3::new(0.0, 0.0, spin);
-        omega.cross(&self.angular_momentum_rotating(spin)) // eq:bearing-torque
+        omega.cross(&self.angular_momentum_rotating(spin)) // eq:rate-on-board
     }
 
     /// The mass of each piston, kg, with which the pistons balance the plate: `2ΔI cos²α/(N r²)` (`eq:many-pistons`,

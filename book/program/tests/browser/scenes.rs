@@ -229,8 +229,8 @@ enum Means {
     Keys,
 }
 
-/// By which means, and where on it, a control is operated: the first scene or page answers to all of them, in the others
-/// each control has its turn, since all are made alike.
+/// By which means, and where on it, a control is operated: the first scene or page answers to all of them, in the
+/// others each control has its turn, since all are made alike.
 fn in_turn(scene: usize, control: usize) -> Vec<(Means, f64)> {
     let all = [(Means::Mouse, 0.8), (Means::Touch, 0.3), (Means::Keys, 0.0)];
     if scene == 0 { all.to_vec() } else { vec![all[(scene + control) % all.len()]] }

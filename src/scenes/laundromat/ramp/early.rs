@@ -5,6 +5,8 @@
 
 use super::drum::Drum;
 use super::root::Root;
+use crate::gauss::GAUSS;
+use crate::scenes::laundromat::Shaft;
 use crate::scenes::laundromat::machine::direction;
 use crate::scenes::laundromat::oscillator::{Oscillator, Roots};
 use crate::two_part::TwoPart;
@@ -16,7 +18,7 @@ const NEAR: f64 = 0.25;
 
 /// The resonant root λ = −Γ/2 ± iω₁, and the other one.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Early {
+pub(super) struct Early {
     /// Up to which time, of either sign, this form holds: until the drum has drifted by about a radian.
     pub(super) reach: f64,
     decay: f64,                 // −Re λ
@@ -49,11 +51,14 @@ impl Early {
         })
     }
 
-    /// (λ₁ⁿS₁ − λ₂ⁿS₂)/(λ₁ − λ₂) for n = 2 and 3, S of the resonant root counted from the start.
-    pub(super) fn quotients(&self, drum: &Drum, load: Complex<f64>, time: f64) -> [Complex<f64>; 2] {
+    /// (λ₁ⁿS₁ − λ₂ⁿS₂)/(λ₁ − λ₂) for n = 2 and 3, as position and velocity, S of the resonant root counted from the
+    /// start.
+    pub(super) fn motion(&self, drum: &Drum, load: [[f64; 1]; 2], time: f64) -> Shaft {
         let resonant = self.integral(drum, time);
-        let [square, cube] = self.other.weighted(drum, load, time);
-        [self.weights[0] * resonant + square, self.weights[1] * resonant + cube]
+        let mut other = [[0.0]; 4];
+        self.other.add_to::<1, true>(&mut other, &[time], &load);
+        let resonant = Shaft { position: self.weights[0] * resonant, velocity: self.weights[1] * resonant };
+        resonant.plus(Shaft::from_array(other.map(|[number]| number)))
     }
 
     /// `eq:ramp-early` by Gauss's quadrature, to rounding.
@@ -61,20 +66,10 @@ impl Early {
         let integrand = |s: f64| {
             Complex::new(self.decay * s, (self.off_resonance + 0.5 * drum.acceleration * s) * s).exp()
         };
-        let pair = |&[node, weight]: &[f64; 2]| {
-            (integrand((0.5 - node) * time) + integrand((0.5 + node) * time)) * weight
+        let pair = |&(node, weight): &(f64, f64)| {
+            (integrand(0.5 * (1.0 - node) * time) + integrand(0.5 * (1.0 + node) * time)) * (0.5 * weight)
         };
-        let mean: Complex<f64> = NODES.iter().map(pair).sum();
+        let mean: Complex<f64> = GAUSS.iter().map(pair).sum();
         direction(self.turning * time) * (-self.decay * time).exp() * mean * time
     }
 }
-
-/// Gauss's twelve nodes on an interval of length one, as distances from its middle, and their weights.
-const NODES: [[f64; 2]; 6] = [
-    [0.06261670425573446, 0.12457352290670139],
-    [0.1839157494990901, 0.1167462682691774],
-    [0.29365897714330874, 0.10158371336153296],
-    [0.38495133709715235, 0.08003916427167311],
-    [0.45205862818523745, 0.05346966299765921],
-    [0.4907803171233596, 0.023587668193255914],
-];

@@ -2,19 +2,19 @@
 
 mod drum;
 mod early;
+mod forced;
 mod root;
 mod together;
 
-pub(crate) use drum::{Drum, Forced};
-pub(crate) use root::Root;
-
 use super::machine::Machine;
-use super::oscillator::Oscillator;
+use super::oscillator::{FreeMotion, Oscillator, Swing};
 use super::shaft::Shaft;
+use crate::lanes::{BLOCK, at_full_width, in_blocks, sample};
 use crate::quantity::{InvalidQuantity, Rule};
-use crate::wide;
+use drum::Drum;
 use early::Early;
-use nalgebra::Complex;
+use forced::{Forced, through_roots};
+use root::Root;
 
 /// The motion of the shaft while the drum turns with `φ = Ωt + ½αt²`, in closed form (`eq:ramp-motion`).
 ///
@@ -28,8 +28,8 @@ use nalgebra::Complex;
 /// resonance lies ahead or behind or is where the drum starts.
 ///
 /// ```
-/// use mechanics::scenes::laundromat::{Machine, Parameters, Shaft};
-/// let machine = Machine::new(Parameters {
+/// use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
+/// let machine = Machine::new(MachineParameters {
 ///     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25,
 ///     stiffness: 3000.0, damping: 3.0, spin: 0.0,
 /// })?;
@@ -43,29 +43,23 @@ use nalgebra::Complex;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ramp {
     /// Everything is the mirror image of a drum that speeds up: this one slows down.
-    pub(crate) mirrored: bool,
-    pub(crate) drum: Drum,
-    pub(crate) free: Oscillator,
-    pub(crate) late: Motion,
+    mirrored: bool,
+    drum: Drum,
+    late: Motion,
     early: Option<(f64, Motion)>,
 }
 
 /// `eq:ramp-motion`: what the force does, and the free motion that this leaves of the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Motion {
-    pub(crate) forced: Forced,
-    pub(crate) displacement: Complex<f64>,
-    pub(crate) velocity: Complex<f64>,
+struct Motion {
+    forced: Forced,
+    free: FreeMotion,
 }
 
 impl Motion {
-    fn new(forced: Forced, drum: &Drum, start: Shaft) -> Self {
-        let at_start = forced.motion(drum, 0.0);
-        Self {
-            forced,
-            displacement: start.position - at_start.position,
-            velocity: start.velocity - at_start.velocity,
-        }
+    fn new(forced: Forced, drum: &Drum, free: &Oscillator, start: Shaft) -> Self {
+        let left = start.plus(forced.motion(drum, 0.0).times(-1.0));
+        Self { forced, free: free.from(left) }
     }
 }
 
@@ -86,39 +80,38 @@ impl Machine {
         }
         let mirrored = acceleration < 0.0;
         let start = if mirrored { start.mirror_image() } else { start };
-        let drum = Drum {
-            spin: if mirrored { -self.spin() } else { self.spin() },
-            acceleration: acceleration.abs(),
-            offset: self.offset(),
-            damping: self.damping_rate(),
-        };
+        let spin = if mirrored { -self.spin() } else { self.spin() };
+        let drum = Drum::new(spin, acceleration.abs(), self.offset(), self.damping_rate());
         let free = Oscillator::new(self.precise_damping_rate(), self.stiffness_rate());
-        let late = Motion::new(Forced::new(&drum, &free), &drum, start);
+        let late = Motion::new(Forced::new(&drum, &free), &drum, &free, start);
         let early = Early::new(&drum, &free)
-            .map(|early| (early.reach, Motion::new(Forced::Early(early), &drum, start)));
-        Ok(Ramp { mirrored, drum, free, late, early })
+            .map(|early| (early.reach, Motion::new(Forced::Early(early), &drum, &free, start)));
+        Ok(Ramp { mirrored, drum, late, early })
     }
 
-    /// Rates of `[x, y, ẋ, ẏ]` at time `t`, s, while the drum turns with `φ = Ωt + ½αt²` (`eq:ramp-equation`), for an
-    /// integrator. SI units.
-    pub fn ramp_rates(&self, acceleration: f64, t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
-        let spin = self.spin() + acceleration * t;
-        let (sin, cos) = ((self.spin() + 0.5 * acceleration * t) * t).sin_cos();
+    /// Rates of `[x, y, ẋ, ẏ]` while the drum turns with `φ = Ωt + ½αt²` (`eq:ramp-equation`), for an integrator, at an
+    /// angular `acceleration`, rad/s². SI units.
+    pub fn ramp_rates(&self, acceleration: f64) -> impl Fn(f64, &[f64; 4]) -> [f64; 4] + Copy + use<> {
+        let (start, offset) = (self.spin(), self.offset());
         let [stiffness, damping] = [self.stiffness_rate().rounded(), self.damping_rate()];
-        let (inward, along) = (self.offset() * spin * spin, self.offset() * acceleration);
-        [
-            vx,
-            vy,
-            inward * cos + along * sin - stiffness * x - damping * vx,
-            inward * sin - along * cos - stiffness * y - damping * vy,
-        ]
+        move |time, &[x, y, vx, vy]| {
+            let spin = start + acceleration * time;
+            let (sin, cos) = ((start + 0.5 * acceleration * time) * time).sin_cos();
+            let (inward, along) = (offset * spin * spin, offset * acceleration);
+            [
+                vx,
+                vy,
+                inward * cos + along * sin - stiffness * x - damping * vx,
+                inward * sin - along * cos - stiffness * y - damping * vy,
+            ]
+        }
     }
 }
 
 impl Ramp {
-    /// The drum's angular velocity at time `t`, s, rad/s.
-    pub fn spin(&self, t: f64) -> f64 {
-        let spin = self.drum.spin + self.drum.acceleration * t;
+    /// The drum's angular velocity at `time`, s, rad/s.
+    pub fn spin(&self, time: f64) -> f64 {
+        let spin = self.drum.rate(time);
         if self.mirrored { -spin } else { spin }
     }
 
@@ -133,9 +126,7 @@ impl Ramp {
             Some((until, early)) if time.abs() < *until => early,
             _ => &self.late,
         };
-        let forced = motion.forced.motion(&self.drum, time);
-        let (s, s_dot) = self.free.at(motion.displacement, motion.velocity, time).multiplied();
-        let shaft = Shaft { position: forced.position + s, velocity: forced.velocity + s_dot };
+        let shaft = motion.forced.motion(&self.drum, time).plus(motion.free.at(time).multiplied());
         if self.mirrored { shaft.mirror_image() } else { shaft }.in_range(time)
     }
 
@@ -146,11 +137,43 @@ impl Ramp {
     /// # Errors
     /// As [`Ramp::at`], for the first time that it refuses.
     pub fn sample(&self, times: &[f64]) -> Result<Vec<Shaft>, InvalidQuantity> {
-        wide::laundromat::sample_ramp(self, times)
+        let quick = |times: &[f64], states: &mut [Shaft]| match &self.late {
+            Motion { forced: Forced::Apart(roots), free: FreeMotion::Turning(swing) } => {
+                self.fill(roots, swing, times, states)
+            }
+            _ => 0,
+        };
+        sample(times, Shaft::AT_REST, quick, |time| self.at(time))
     }
 
-    /// Until when, s, the drum has not left the resonance in which it starts; zero if it starts in none.
-    pub(crate) fn early_until(&self) -> f64 {
-        self.early.map_or(0.0, |(until, _)| until)
+    /// Fills the states of a lightly damped machine at times within reach, after it has left the resonance in which it
+    /// starts, and says how many, as [`in_blocks`] does.
+    fn fill(&self, roots: &[Root; 2], swing: &Swing, times: &[f64], states: &mut [Shaft]) -> usize {
+        let early = self.early.map_or(0.0, |(until, _)| until);
+        let reach = swing.reach().min(self.drum.reach());
+        let reached =
+            |time: f64| (early..=reach).contains(&time.abs()) && InvalidQuantity::check_time(time).is_ok();
+        in_blocks(times, states, reached, |times, states| {
+            let mut padded = [0.0; BLOCK];
+            padded[..times.len()].copy_from_slice(times);
+            let mut numbers = [[0.0; BLOCK]; 4];
+            at_full_width(
+                #[inline(always)]
+                || {
+                    through_roots::<BLOCK, false>(&self.drum, roots, &padded, &mut numbers);
+                    for (n, &time) in padded.iter().enumerate() {
+                        let free = swing.at(time);
+                        for i in 0..4 {
+                            numbers[i][n] = free[i] - self.drum.offset * numbers[i][n];
+                        }
+                    }
+                },
+            );
+            for (n, state) in states.iter_mut().enumerate() {
+                let shaft = Shaft::from_array(std::array::from_fn(|i| numbers[i][n]));
+                *state = if self.mirrored { shaft.mirror_image() } else { shaft };
+            }
+            states.iter().all(Shaft::is_finite)
+        })
     }
 }

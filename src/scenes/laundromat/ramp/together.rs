@@ -3,6 +3,7 @@
 
 use super::drum::Drum;
 use crate::faddeeva::faddeeva;
+use crate::scenes::laundromat::Shaft;
 use crate::scenes::laundromat::machine::direction;
 use crate::two_part::TwoPart;
 use nalgebra::Complex;
@@ -21,7 +22,7 @@ const FADDEEVA: f64 = 0.7;
 
 /// The mean of the two roots, which is real, and half their difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Together {
+pub(super) struct Together {
     mean: f64,
     half_difference: Complex<f64>,
     phase: TwoPart, // (λ² − Ω²)/2α for the mean
@@ -33,10 +34,10 @@ impl Together {
         Self { mean, half_difference, phase: square / (TwoPart::from(drum.acceleration) * 2.0) }
     }
 
-    /// (λ₁ⁿS₁ − λ₂ⁿS₂)/(λ₁ − λ₂) for n = 2 and 3: each term of `eq:ramp-integral` by itself, as is tame for it. All λ
-    /// of a circle take the case of the mean, so that S is one analytic function.
-    pub(super) fn quotients(&self, drum: &Drum, load: Complex<f64>, time: f64) -> [Complex<f64>; 2] {
-        let (slope, rate) = (drum.slope(), drum.rate(time).rounded());
+    /// (λ₁ⁿS₁ − λ₂ⁿS₂)/(λ₁ − λ₂) for n = 2 and 3, as position and velocity: each term of `eq:ramp-integral` by itself,
+    /// as is tame for it. All λ of a circle take the case of the mean, so that S is one analytic function.
+    pub(super) fn motion(&self, drum: &Drum, [[cos], [sin]]: [[f64; 1]; 2], time: f64) -> Shaft {
+        let (load, slope, rate) = (Complex::new(cos, sin), drum.slope(), drum.rate(time));
         let x = slope * Complex::new(self.mean, -rate); // eq:ramp-arguments for the mean
         let after = x.im < 0.0;
         let side = if after { -1.0 } else { 1.0 };
@@ -57,7 +58,8 @@ impl Together {
             let left = self.divided(tame, |aside| turned * exponent(aside).exp() * 2.0);
             quotients = [quotients[0] + left[0], quotients[1] + left[1]];
         }
-        quotients.map(|quotient| drum.scale() * quotient)
+        let [position, velocity] = quotients.map(|quotient| drum.scale() * quotient);
+        Shaft { position, velocity }
     }
 
     /// The divided differences of λ²f and λ³f between the two roots: as the mean over a circle about them

@@ -1,21 +1,9 @@
-//! Many times at once, in the wide registers of the processor: nothing but speed.
+//! Many times at once, in the wide registers of the processor.
 //!
-//! Every motion of the library has an `at(time)`, which is the one to read, and a `sample(times)`, which
-//! gives the same states to rounding. Where a scene is asked for a million states its `sample` is a kernel of
-//! this folder: straight code without a branch, a table or a call, from which the compiler makes instructions
-//! for two, four or eight times at once. What a kernel leaves alone (a time out of its reach, a motion of
-//! another kind) is done by `at`. Without this folder every `sample` would be a loop over `at`.
-
-pub(crate) mod air_drag;
-pub(crate) mod faddeeva;
-pub(crate) mod functions;
-pub(crate) mod laundromat;
-pub(crate) mod rolling;
-pub(crate) mod tumbling;
-pub(crate) mod turning;
-
-use functions::at_full_width;
-use std::ops::RangeInclusive;
+//! The state of a motion in closed form is a few sines and exponentials, and sums of products of them. Written without
+//! a branch, a table or a call it serves one time ([`Branchless::state`] with `ONE`, for `at`), and in a loop over a
+//! block of times the compiler makes of the same lines instructions for two, four or eight times at once (for
+//! `sample`). A block in which a time is out of reach is left to `at`, one by one.
 
 /// The states at `times`: as many as `quick` says it has done at once, a block of those that it leaves alone one by
 /// one, and so on. A state that is not known yet is `blank`.
@@ -40,6 +28,13 @@ pub(crate) fn sample<S: Copy, E>(
         }
     }
     Ok(states)
+}
+
+/// Runs a loop compiled for the widest registers that the processor has. The answer is the same on all of
+/// them, to the last bit: nothing is fused or reordered.
+#[inline(always)]
+pub(crate) fn at_full_width<R>(work: impl FnOnce() -> R) -> R {
+    pulp::Arch::new().dispatch(work)
 }
 
 /// The list grows by so many blocks, which the nearest memory holds until they are filled.
@@ -77,8 +72,9 @@ pub(crate) trait Branchless: Copy {
     /// What is computed.
     type State;
 
-    /// The state at a time. To be marked `#[inline(always)]`: a call would not be compiled for wide registers.
-    fn at(&self, time: f64) -> Self::State;
+    /// The state at a time within reach; at any time for `ONE`, which costs a branch. To be marked
+    /// `#[inline(always)]`: a call would not be compiled for wide registers.
+    fn state<const ONE: bool>(&self, time: f64) -> Self::State;
 
     /// Whether a state is within the range of numbers, for a motion that can leave it.
     #[inline(always)]
@@ -87,22 +83,35 @@ pub(crate) trait Branchless: Copy {
     }
 }
 
+/// The states at `times`: several at once where all times of a block are within `reach`, else as `at` has them.
+pub(crate) fn sample_branchless<C: Branchless<State: Copy>, E>(
+    constants: C,
+    reach: [f64; 2],
+    times: &[f64],
+    blank: C::State,
+    at: impl Fn(f64) -> Result<C::State, E>,
+) -> Result<Vec<C::State>, E> {
+    let quick = |times: &[f64], states: &mut [_]| several_at_once(constants, reach, times, states);
+    sample(times, blank, quick, at)
+}
+
 /// Fills states as [`in_blocks`], several with the same instructions. The constants come by value: for all
 /// the compiler knows, a state that is written might change what is borrowed.
 #[inline(always)]
-pub(crate) fn several_at_once<C: Branchless>(
+fn several_at_once<C: Branchless>(
     constants: C,
-    reach: RangeInclusive<f64>,
+    reach: [f64; 2],
     times: &[f64],
     states: &mut [C::State],
 ) -> usize {
-    let reached = |time: f64| reach.contains(&time) && time.abs() <= LARGEST_TIME;
+    let [from, to] = [reach[0].max(-LARGEST_TIME), reach[1].min(LARGEST_TIME)];
+    let reached = |time: f64| time >= from && time <= to;
     in_blocks(times, states, reached, |times, states| {
         at_full_width(
             #[inline(always)]
             || {
                 for (&time, state) in times.iter().zip(states.iter_mut()) {
-                    *state = constants.at(time);
+                    *state = constants.state::<false>(time);
                 }
             },
         );
@@ -112,8 +121,9 @@ pub(crate) fn several_at_once<C: Branchless>(
 
 #[cfg(test)]
 mod tests {
-    use super::functions::{Clock, exp, sin_cos_quarters};
     use super::{BLOCK, Branchless, sample, several_at_once};
+    use crate::clock::Clock;
+    use crate::elementary::exp;
     use crate::two_part::TwoPart;
     use std::cell::Cell;
     use std::convert::Infallible;
@@ -126,9 +136,8 @@ mod tests {
         type State = [f64; 2];
 
         #[inline(always)]
-        fn at(&self, time: f64) -> [f64; 2] {
-            let (high, low) = self.0.at(time);
-            let (sin, cos) = sin_cos_quarters(high, low);
+        fn state<const ONE: bool>(&self, time: f64) -> [f64; 2] {
+            let (sin, cos) = self.0.sin_cos::<ONE>(time);
             [exp(-0.1 * time) * cos, exp(-0.1 * time) * sin]
         }
     }
@@ -138,9 +147,9 @@ mod tests {
         let decay = Decay(Clock::from_rate(TwoPart::from(1.3)));
         let times: Vec<f64> = (0..1000).map(|n| 0.37 * f64::from(n)).collect();
         let mut states = vec![[0.0; 2]; times.len()];
-        assert_eq!(several_at_once(decay, 0.0..=1e9, &times, &mut states), 1000);
+        assert_eq!(several_at_once(decay, [0.0, 1e9], &times, &mut states), 1000);
         for (state, &time) in states.iter().zip(&times) {
-            assert_eq!(*state, decay.at(time));
+            assert_eq!(*state, decay.state::<true>(time));
         }
     }
 
@@ -151,8 +160,8 @@ mod tests {
             let mut times = [1.0; 100];
             times[70] = bad;
             let mut states = [[7.0; 2]; 100];
-            assert_eq!(several_at_once(decay, 0.0..=1e9, &times, &mut states), 64);
-            assert!(states[63] == decay.at(1.0) && states[64] == [7.0; 2]);
+            assert_eq!(several_at_once(decay, [0.0, 1e9], &times, &mut states), 64);
+            assert!(states[63] == decay.state::<true>(1.0) && states[64] == [7.0; 2]);
         }
     }
 
@@ -164,13 +173,14 @@ mod tests {
         let singles = Cell::new(0);
         let single = |time: f64| {
             singles.set(singles.get() + 1);
-            Ok::<_, Infallible>(decay.at(time))
+            Ok::<_, Infallible>(decay.state::<true>(time))
         };
-        let quick = |times: &[f64], states: &mut [[f64; 2]]| several_at_once(decay, 0.0..=1e9, times, states);
+        let quick =
+            |times: &[f64], states: &mut [[f64; 2]]| several_at_once(decay, [0.0, 1e9], times, states);
         let states = sample(&times, [f64::NAN; 2], quick, single).unwrap();
         assert_eq!(singles.get(), 2 * BLOCK);
         for (state, &time) in states.iter().zip(&times) {
-            assert_eq!(*state, decay.at(time));
+            assert_eq!(*state, decay.state::<true>(time));
         }
     }
 }

@@ -1,17 +1,16 @@
 //! A body whose attitude is a steady turn about **L** and one about its own axis, and one that only turns steadily.
 
-use super::functions::{Clock, sin_cos_quarters};
-use super::{Branchless, several_at_once};
+use crate::clock::Clock;
 use crate::euler::Turning;
-use crate::free_rotation::FreeSymmetricTop;
-use crate::free_rotation::symmetric::renamed_back;
+use crate::lanes::{Branchless, sample_branchless};
+use crate::quantity::InvalidQuantity;
 use crate::two_part::TwoPart;
 use nalgebra::{Matrix4, Quaternion, UnitQuaternion, Vector3, Vector4};
 
 /// The motion `q(t) = q₀ R(L̂, Λt) R(3̂, −σt) · then` (`eq:top-motion-in-body`) and ω (`eq:body-cone`), in numbers
 /// that make a state of few operations.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct TwoTurns {
+pub(super) struct TwoTurns {
     about_first: Clock,  // half of Λt
     about_second: Clock, // half of σt
     /// Takes the products cc, sc, cs, ss of the cosines and sines of both to the quaternion, scalar last.
@@ -24,27 +23,15 @@ pub(crate) struct TwoTurns {
 type SteadyTurn = (Vector3<f64>, TwoPart);
 
 impl TwoTurns {
-    /// The motion of a top for a body of which this top's axis 1 is the axis number `shift`, counted from 0.
-    pub(crate) fn of_top(top: &FreeSymmetricTop, shift: usize, top_from_body: &UnitQuaternion<f64>) -> Self {
-        let [w1, w2, w3]: [f64; 3] = top.start().omega_body.into();
-        let omega = [[0.0, 0.0, w3], [w1, w2, 0.0], [-w2, w1, 0.0]];
-        Self::new(
-            &top.start().world_from_body,
-            (top.momentum_direction_body, top.precession_rate),
-            (Vector3::z(), top.body_rate),
-            top_from_body,
-            omega.map(|of_top| renamed_back(of_top, shift)),
-        )
-    }
-
     /// A rotation at a constant rate, rad/s, about an axis.
-    pub(crate) fn steady(start: &Turning, axis_body: &Vector3<f64>, rate: TwoPart) -> Self {
+    pub(super) fn steady(start: &Turning, axis_body: &Vector3<f64>, rate: TwoPart) -> Self {
         let (still, none) = ((Vector3::z(), TwoPart::from(0.0)), Vector3::zeros());
         let omega = [start.omega_body, none, none];
         Self::new(&start.world_from_body, (*axis_body, rate), still, &UnitQuaternion::identity(), omega)
     }
 
-    fn new(
+    /// From the attitude at the start, the two turns, what is done after them, and ω.
+    pub(super) fn new(
         start: &UnitQuaternion<f64>,
         (first, first_rate): SteadyTurn,
         (second, second_rate): SteadyTurn,
@@ -63,10 +50,21 @@ impl TwoTurns {
         }
     }
 
-    /// Fills the states at times within reach and says how many, as [`several_at_once`] does.
-    pub(crate) fn fill(&self, times: &[f64], states: &mut [Turning]) -> usize {
+    /// Attitude and angular velocity at `time`, s.
+    pub(super) fn at(&self, time: f64) -> Result<Turning, InvalidQuantity> {
+        Ok(self.state::<true>(InvalidQuantity::check_time(time)?))
+    }
+
+    /// The same at many times.
+    pub(super) fn sample(&self, times: &[f64]) -> Result<Vec<Turning>, InvalidQuantity> {
         let reach = self.about_first.reach().min(self.about_second.reach());
-        several_at_once(*self, -reach..=reach, times, states)
+        let blank = Turning { world_from_body: UnitQuaternion::identity(), omega_body: Vector3::zeros() };
+        sample_branchless(*self, [-reach, reach], times, blank, |time| self.at(time))
+    }
+
+    /// Sine and cosine of half the angle of the first turn at a time.
+    pub(super) fn half_of_first(&self, time: f64) -> (f64, f64) {
+        self.about_first.sin_cos::<true>(time)
     }
 }
 
@@ -74,17 +72,15 @@ impl Branchless for TwoTurns {
     type State = Turning;
 
     #[inline(always)]
-    fn at(&self, time: f64) -> Turning {
-        let (high, low) = self.about_first.at(time);
-        let (s1, c1) = sin_cos_quarters(high, low);
-        let (high, low) = self.about_second.at(time);
-        let (s2, c2) = sin_cos_quarters(high, low);
-        let q = self.attitude * Vector4::new(c1 * c2, s1 * c2, c1 * s2, s1 * s2);
+    fn state<const ONE: bool>(&self, time: f64) -> Turning {
+        let (s1, c1) = self.about_first.sin_cos::<ONE>(time);
+        let (s2, c2) = self.about_second.sin_cos::<ONE>(time);
+        let q = self.attitude * Vector4::new(c1 * c2, s1 * c2, c1 * s2, s1 * s2); // eq:top-motion-in-body
         let [steady, with_cos, with_sin] = &self.omega;
         let (cos, sin) = (1.0 - 2.0 * s2 * s2, 2.0 * s2 * c2);
         Turning {
             world_from_body: UnitQuaternion::new_unchecked(Quaternion::from(q)),
-            omega_body: steady + with_cos * cos + with_sin * sin,
+            omega_body: steady + with_cos * cos + with_sin * sin, // eq:body-cone
         }
     }
 }

@@ -21,18 +21,17 @@ const WHOLE: f64 = 6_755_399_441_055_744.0; // 1.5 · 2^52
 /// place, is small.
 pub(crate) const ROUNDABLE: f64 = 140_737_488_355_328.0; // 2^47
 
-/// Runs a loop compiled for the widest registers that the processor has. The answer is the same on all of
-/// them, to the last bit: nothing is fused or reordered.
-#[inline(always)]
-pub(crate) fn at_full_width<R>(work: impl FnOnce() -> R) -> R {
-    pulp::Arch::new().dispatch(work)
-}
-
 /// The nearest whole number, and its last bits. For numbers below [`ROUNDABLE`] in size.
 #[inline(always)]
 pub(crate) fn nearest(x: f64) -> (f64, u64) {
     let shifted = x + WHOLE;
     (shifted - WHOLE, shifted.to_bits())
+}
+
+/// What is left of `high + low` after whole multiples of `period`, a power of two, if it is not below [`ROUNDABLE`].
+#[inline(always)]
+pub(crate) fn remainder(high: f64, low: f64, period: f64) -> (f64, f64) {
+    if high.abs() < ROUNDABLE { (high, low) } else { TwoPart::sum(high % period, low % period).parts() }
 }
 
 /// A polynomial, its constant first.
@@ -43,9 +42,11 @@ fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
 }
 
 /// Sine and cosine of `high + low` quarter turns, to about a unit in the last place of one. For `high` below
-/// [`ROUNDABLE`] in size; `low` is what rounding has left over, and small.
+/// [`ROUNDABLE`] in size, where `low` is what rounding has left over, and small; a single number, `ONE`, may be of any
+/// size, and costs a branch.
 #[inline(always)]
-pub(crate) fn sin_cos_quarters(high: f64, low: f64) -> (f64, f64) {
+pub(crate) fn sin_cos_quarters<const ONE: bool>(high: f64, low: f64) -> (f64, f64) {
+    let (high, low) = if ONE { remainder(high, low, 4.0) } else { (high, low) };
     let (whole, quadrant) = nearest(high);
     let x = ((high - whole) + low) * FRAC_PI_2;
     let square = x * x;
@@ -61,11 +62,19 @@ pub(crate) fn sin_cos_quarters(high: f64, low: f64) -> (f64, f64) {
     (f64::from_bits(s ^ differ ^ sine_sign), f64::from_bits(c ^ differ ^ cosine_sign))
 }
 
-/// e to the `x`, to about a unit in the last place, for `x` up to 709; below −708 it stays at e^−708.
+/// e to the `x`, to about a unit in the last place, for `x` up to 709; zero below −708.
 #[inline(always)]
 pub(crate) fn exp(x: f64) -> f64 {
     let (less_one, bits) = reduced_exponential(x);
-    f64::from_bits((1.0 + less_one).to_bits().wrapping_add(bits << 52))
+    let power = f64::from_bits((1.0 + less_one).to_bits().wrapping_add(bits << 52));
+    if x > LEAST_EXPONENT { power } else { 0.0 }
+}
+
+/// The same for any `x`: infinite from 709 on.
+#[inline(always)]
+pub(crate) fn exp_or_infinity(x: f64) -> f64 {
+    let power = exp(x);
+    if x < LARGEST_EXPONENT { power } else { f64::INFINITY }
 }
 
 /// e to the `x` as [`exp`], and the same less one, to about a unit in its own last place.
@@ -73,7 +82,8 @@ pub(crate) fn exp(x: f64) -> f64 {
 pub(crate) fn exp_and_exp_m1(x: f64) -> (f64, f64) {
     let (less_one, bits) = reduced_exponential(x);
     let power = f64::from_bits(1.0_f64.to_bits().wrapping_add(bits << 52));
-    (power * (1.0 + less_one), power * less_one + (power - 1.0))
+    let whole = if x > LEAST_EXPONENT { power * (1.0 + less_one) } else { 0.0 };
+    (whole, power * less_one + (power - 1.0))
 }
 
 /// `e^r − 1` for the rest r of `x` after whole multiples of ln 2, and the last bits of their number.
@@ -89,6 +99,7 @@ fn reduced_exponential(x: f64) -> (f64, u64) {
 }
 
 const LEAST_EXPONENT: f64 = -708.0;
+const LARGEST_EXPONENT: f64 = 709.0;
 
 /// ln 2 with its last 21 bits zero, so that a product with a whole number below 2^20 is exact, and the rest.
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
@@ -123,42 +134,11 @@ const EXPONENTIAL: [f64; 5] = [
     4.138_136_797_057_238_5e-8,
 ];
 
-/// An angle that grows at a constant rate, in quarter turns.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Clock {
-    quarters_per_time: TwoPart,
-}
-
-impl Clock {
-    /// From the rate in radians per unit of time.
-    pub(crate) fn from_rate(rate: TwoPart) -> Self {
-        Self { quarters_per_time: rate / (TwoPart::PI * 0.5) }
-    }
-
-    /// From the rate in quarter turns per unit of time.
-    pub(crate) fn from_quarters(quarters_per_time: TwoPart) -> Self {
-        Self { quarters_per_time }
-    }
-
-    /// Up to which time, of either sign, [`Clock::at`] is exact.
-    pub(crate) fn reach(&self) -> f64 {
-        ROUNDABLE / self.quarters_per_time.rounded().abs()
-    }
-
-    /// The angle at a time, high and low part.
-    #[inline(always)]
-    pub(crate) fn at(&self, time: f64) -> (f64, f64) {
-        let (high, low) = self.quarters_per_time.parts();
-        let (product, rest) = TwoPart::product(high, time).parts();
-        (product, rest + low * time)
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Clock, exp, exp_and_exp_m1, sin_cos_quarters};
+    use super::{exp, exp_and_exp_m1, exp_or_infinity, sin_cos_quarters};
     use crate::two_part::TwoPart;
-    use std::f64::consts::{FRAC_PI_2, TAU};
+    use std::f64::consts::FRAC_PI_2;
 
     /// Half a unit in the last place of numbers just below one.
     const ULP: f64 = 1.11e-16;
@@ -168,7 +148,7 @@ mod tests {
         let mut random = fastrand::Rng::with_seed(3);
         for _ in 0..100_000 {
             let x = 400.0 * (random.f64() - 0.5);
-            let (sin, cos) = sin_cos_quarters(x, 0.0);
+            let (sin, cos) = sin_cos_quarters::<false>(x, 0.0);
             // The same angle less whole turns, which is exact, in radians of 32 digits.
             let (s, c) = (TwoPart::PI * (0.5 * (x % 4.0))).sin_cos();
             assert!((sin - s).abs() < 3.0 * ULP && (cos - c).abs() < 3.0 * ULP, "{x}");
@@ -181,11 +161,18 @@ mod tests {
             [(0.0, (0.0, 1.0)), (1.0, (1.0, 0.0)), (2.0, (0.0, -1.0)), (3.0, (-1.0, 0.0))]
         {
             for turns in [0.0, 4.0, -4.0, 4e12, -4e12] {
-                assert_eq!(sin_cos_quarters(quarters + turns, 0.0), expected, "{quarters} + {turns}");
+                assert_eq!(
+                    sin_cos_quarters::<false>(quarters + turns, 0.0),
+                    expected,
+                    "{quarters} + {turns}"
+                );
+                // So many turns are too many for all but a single number.
+                let many = if turns == 0.0 { (quarters, 0.0) } else { (turns * 1e90, quarters) };
+                assert_eq!(sin_cos_quarters::<true>(many.0, many.1), expected, "{many:?}");
             }
         }
         // A second part counts, and where the angle is small it has all its digits.
-        let (sin, cos) = sin_cos_quarters(4e12, 1e-20);
+        let (sin, cos) = sin_cos_quarters::<false>(4e12, 1e-20);
         assert!((sin / (1e-20 * FRAC_PI_2) - 1.0).abs() < 3e-16 && cos == 1.0);
     }
 
@@ -204,23 +191,10 @@ mod tests {
             assert!((less_one / x.exp_m1() - 1.0).abs() < 4.0 * ULP, "{x}: {less_one} {}", x.exp_m1());
         }
         assert_eq!(exp_and_exp_m1(0.0), (1.0, 0.0));
-        assert!(exp(-800.0) < 1e-307 && exp(f64::NEG_INFINITY) < 1e-307);
-    }
-
-    #[test]
-    fn a_clock_keeps_its_phase_for_a_billion_turns() {
-        // At whole turns, 2πn over a rate that is no round number, the phase is zero but for the rounding of the time.
-        let rate = 0.3 * TAU;
-        let clock = Clock::from_rate(TwoPart::from(rate));
-        for n in [1_u64, 1_000, 1_000_000, 1_000_000_000, 1_000_000_000_000] {
-            let time = n as f64 / 0.3;
-            // What is left over, from whole numbers: rate · time as an exact product less 2πn in two parts.
-            let rest = TwoPart::product(rate, time) - TwoPart::PI * (2.0 * n as f64);
-            let (high, low) = clock.at(time);
-            let (sin, _) = sin_cos_quarters(high, low);
-            let expected = rest.rounded().sin();
-            assert!((sin - expected).abs() < 2e-16 * (1.0 + rest.rounded().abs()), "{n}: {sin} {expected}");
-        }
-        assert!(clock.reach() > 1e14);
+        assert!(
+            exp(-800.0) < 1e-307
+                && exp(f64::NEG_INFINITY) < 1e-307
+                && exp_or_infinity(710.0) == f64::INFINITY
+        );
     }
 }
