@@ -1,8 +1,8 @@
 //! The tables of symbols are complete and true: each letter of a formula has its row, for the whole book or for the
 //! chapter that means it otherwise; each row is used, first where it says; and what it names in the library is there.
 
-use press::read::disk::from_disk;
 use press::print::symbols::letters;
+use press::read::disk::from_disk;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::{env, fs};

@@ -23,8 +23,8 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::{env, fs, thread};
 
 /// The width of a column of text, px.
@@ -171,12 +171,12 @@ pub fn all(figures: &[&[Figure]]) -> Result<Vec<Rendered>, Vec<Failure>> {
             scope.spawn(|| {
                 while let Some(figure) = figures.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let rendered = figure.render();
-                    done.lock().unwrap_or_else(|broken| broken.into_inner()).insert(figure.id(), rendered);
+                    done.lock().unwrap_or_else(PoisonError::into_inner).insert(figure.id(), rendered);
                 }
             });
         }
     });
-    let mut done = done.into_inner().unwrap_or_else(|broken| broken.into_inner());
+    let mut done = done.into_inner().unwrap_or_else(PoisonError::into_inner);
     let mut rendered = Vec::new();
     for figure in figures.iter().filter_map(|figure| done.remove(&figure.id())) {
         match figure {

@@ -5,8 +5,8 @@
 mod cases;
 
 use cases::CASES;
-use press::site::check::check;
 use press::assets::{Control, Figure, Input, Rendered, Scene};
+use press::site::check::check;
 use std::fs;
 use std::path::PathBuf;
 
