@@ -1,9 +1,8 @@
 //! What the pages show: the figures of the book and the tables of the library, as its build script has rendered them,
 //! and its live scenes.
 
-mod stills;
-
 use crate::{Book, html};
+use live::Player;
 use std::path::Path;
 use std::{fs, io};
 
@@ -22,73 +21,30 @@ pub struct Rendered {
     pub is_still: bool,
 }
 
-/// A live scene: what its page prints of it.
-#[derive(Debug, Clone, Default)]
+/// A live scene, as its page shows it first.
+#[derive(Debug, Clone)]
 pub struct Scene {
-    /// Its name: `turning` for `scene:turning`.
-    pub name: String,
     /// The folder of the chapter that it opens.
-    pub chapter: String,
-    /// The file that makes it: `book/turning/scene.rs`.
-    pub source: String,
-    /// What it asks. Here and in other words of a scene formulas stand between `$` signs.
-    pub question: String,
+    pub chapter: &'static str,
+    /// What it is.
+    pub live: live::Scene,
     /// Its still as SVGs for a page, on a wide one and on a phone.
     pub svg: String,
-    /// Where the eye stands at first, azimuth and elevation in degrees, if a reader can turn the view.
-    pub view: Option<[f64; 2]>,
-    /// The time that the still shows, s of the scene.
-    pub still: f64,
-    /// What a reader can change.
-    pub controls: Vec<Control>,
-    /// Words on buttons, and the settings that they bring: `ratio=1&spin=3`.
-    pub presets: Vec<(String, String)>,
-    /// What the numbers beside the picture are.
-    pub readings: Vec<String>,
 }
 
-/// Something that a reader can change.
-#[derive(Debug, Clone)]
-pub struct Control {
-    /// Its name in links and presets.
-    pub name: String,
-    /// What stands beside it.
-    pub words: String,
-    /// What kind of thing it is.
-    pub input: Input,
-    /// Its value when the page opens.
-    pub start: f64,
-    /// Its unit; empty for pure numbers.
-    pub unit: String,
-    /// That value with its unit, as the page shows it.
-    pub shown: String,
-}
+impl Scene {
+    /// The file that makes it: `book/turning/scene.rs`.
+    pub(crate) fn source(&self) -> String {
+        self.live.file.replace('\\', "/")
+    }
 
-/// The kinds of controls.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Input {
-    /// A slider in steps from the first value.
-    Slider {
-        /// The least value.
-        from: f64,
-        /// The greatest value.
-        to: f64,
-        /// The step.
-        step: f64,
-    },
-    /// A slider over powers of ten.
-    LogSlider {
-        /// The least value, above zero.
-        from: f64,
-        /// The greatest value.
-        to: f64,
-    },
-    /// One of several; the value is its place.
-    Choice(Vec<String>),
-    /// On (1) or off (0).
-    Switch,
-    /// A button; its value is the time at which it was pressed, or −1.
-    Button,
+    /// Draws the still, by the code that moves the scene in its page.
+    fn drawn(chapter: &'static str, scene: &'static live::Scene) -> Result<Self, String> {
+        let cannot = |why: String| format!("{}: the scene {}: {why}", scene.file, scene.name);
+        let still = Player::new(scene).and_then(|mut player| player.still());
+        let svg = still.map_err(|error| cannot(error.to_string()))?.to_svg();
+        Ok(Self { chapter, live: *scene, svg: svg.map_err(|flaw| cannot(flaw.to_string()))? })
+    }
 }
 
 /// One rendered figure.
@@ -113,7 +69,8 @@ impl Rendered {
     /// If a file of the build script is missing or cannot be read; which scene cannot be drawn as it starts, and why.
     pub fn of(book: &Book) -> Result<Self, String> {
         let mut rendered = Self::read(book).map_err(|error| format!("error: {error}"))?;
-        rendered.scenes = stills::all(book.scenes).map_err(|error| format!("error: {error}"))?;
+        let scenes = book.scenes.iter().map(|(chapter, scene)| Scene::drawn(chapter, scene));
+        rendered.scenes = scenes.collect::<Result<_, _>>().map_err(|error| format!("error: {error}"))?;
         Ok(rendered)
     }
 

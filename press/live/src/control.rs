@@ -1,6 +1,7 @@
 //! What a reader can change.
 
-use crate::Cause;
+use crate::scene::Form;
+use crate::{Cause, written};
 
 /// Something that a reader can change. Its value is a number, whatever it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,6 +83,27 @@ impl Control {
     /// A button.
     pub const fn button(name: &'static str, words: &'static str) -> Self {
         Self { name, words, kind: Kind::Button, start: -1.0 }
+    }
+
+    /// Its unit, as printed; empty for pure numbers, and for what is no slider.
+    pub fn unit(&self) -> &'static str {
+        match self.kind {
+            Kind::Slider { unit, .. } | Kind::LogSlider { unit, .. } => unit,
+            Kind::Choice(_) | Kind::Switch | Kind::Button => "",
+        }
+    }
+
+    /// The value of a slider when the page opens, with its unit, as HTML: as many digits as its step has, or three that
+    /// count.
+    pub fn shown(&self) -> String {
+        let digits = match self.kind {
+            Kind::Slider { step, .. } => {
+                step.to_string().split_once('.').map_or(0, |(_, digits)| digits.len())
+            }
+            Kind::LogSlider { .. } => (2.0 - self.start.log10().floor()).clamp(0.0, 15.0) as usize,
+            Kind::Choice(_) | Kind::Switch | Kind::Button => 0,
+        };
+        written(self.start, Form::Fixed(digits), self.unit())
     }
 
     /// The nearest value that the control can have; none for what is no number.

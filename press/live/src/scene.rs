@@ -6,7 +6,7 @@ use drawing::space::{Camera, SpaceError, View};
 use drawing::{Drawing, Point, Room, Symbol};
 
 /// A live scene: everything about it that does not move.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Scene {
     /// The file that holds it: `file!()`.
     pub file: &'static str,

@@ -1,10 +1,11 @@
 //! Live scenes: what can be wrong with one, and what its page holds of it beside the still.
 
-use crate::assets::{Control, Input, Scene};
+use crate::assets::Scene;
 use crate::fault::{Faults, nearest};
 use crate::html::escaped;
 use crate::read::items::Words;
 use dialect::markdown::options;
+use live::{Control, Kind};
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -16,8 +17,10 @@ const TAKEN: [&str; 8] = ["t", "time", "title", "desc", "narrow", "azimuth", "el
 pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
     let mut names = BTreeSet::new();
     for scene in scenes {
-        let mut fault = |message: String| faults.add(&scene.source, 0, message);
-        if !is_name(&scene.name) || !names.insert(&scene.name) {
+        let file = scene.source();
+        let scene = &scene.live;
+        let mut fault = |message: String| faults.add(&file, 0, message);
+        if !is_name(scene.name) || !names.insert(scene.name) {
             fault(format!(
                 "a scene has a name of its own of lower-case letters, digits and hyphens, not `{}`",
                 scene.name
@@ -27,22 +30,23 @@ pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
             fault(format!("the scene {} asks nothing", scene.name));
         }
         let mut controls = BTreeSet::new();
-        for control in &scene.controls {
-            let name = &control.name;
-            if !is_name(name) || TAKEN.contains(&name.as_str()) || !controls.insert(name) {
+        for control in scene.controls {
+            let name = control.name;
+            if !is_name(name) || TAKEN.contains(&name) || !controls.insert(name) {
                 fault(format!("a control of the scene {} cannot have the name `{name}`", scene.name));
             }
             if control.words.trim().is_empty() {
                 fault(format!("nothing says what the control `{name}` of the scene {} is", scene.name));
             }
-            if let Err(message) = control.check(control.start) {
+            if let Err(message) = check_value(control, control.start) {
                 fault(format!("the scene {} starts with {message}", scene.name));
             }
         }
-        // A preset without settings brings back the start.
-        for (words, settings) in scene.presets.iter().filter(|(_, settings)| !settings.is_empty()) {
-            if let Err(message) = check_settings(scene, settings) {
-                fault(format!("the preset “{words}” of the scene {}: {message}", scene.name));
+        for preset in scene.presets {
+            for &(name, value) in preset.settings {
+                if let Err(message) = check_setting(scene, name, value) {
+                    fault(format!("the preset “{}” of the scene {}: {message}", preset.words, scene.name));
+                }
             }
         }
     }
@@ -59,39 +63,41 @@ pub(crate) fn check_settings(scene: &Scene, settings: &str) -> Result<(), String
         let Ok(value) = value.parse::<f64>() else {
             return Err(format!("`{setting}` is no setting: they are written spin=3&kick=0"));
         };
-        if name == "t" && (0.0..=f64::MAX).contains(&value) {
-            continue; // the time, s of the scene
+        // The time, s of the scene.
+        if name != "t" || !(0.0..=f64::MAX).contains(&value) {
+            check_setting(&scene.live, name, value)?;
         }
-        let Some(control) = scene.controls.iter().find(|control| control.name == name) else {
-            let names = scene.controls.iter().map(|control| control.name.as_str());
-            let near = nearest(name, names).map(|near| format!("; is `{near}` meant?")).unwrap_or_default();
-            return Err(format!("the scene {} has no control `{name}`{near}", scene.name));
-        };
-        control.check(value)?;
     }
     Ok(())
 }
 
-impl Control {
-    /// What is wrong with a value.
-    fn check(&self, value: f64) -> Result<(), String> {
-        let (from, to, step) = match &self.input {
-            &Input::Slider { from, to, step } => (from, to, step),
-            &Input::LogSlider { from, to } => (from, to, 0.0),
-            Input::Choice(choices) => (0.0, choices.len() as f64 - 1.0, 1.0),
-            Input::Switch => (0.0, 1.0, 1.0),
-            Input::Button => (-1.0, f64::MAX, 0.0),
-        };
-        let steps = (value - from) / step;
-        let is_step = step == 0.0 || (steps - steps.round()).abs() < 1e-6;
-        if (from..=to).contains(&value) && is_step {
-            return Ok(());
-        }
-        let steps = if step == 0.0 { String::new() } else { format!(" in steps of {step}") };
-        let range =
-            if to == f64::MAX { format!("at least {from}") } else { format!("from {from} to {to}{steps}") };
-        Err(format!("`{}={value}`, which must be {range}", self.name))
+fn check_setting(scene: &live::Scene, name: &str, value: f64) -> Result<(), String> {
+    let Some(control) = scene.controls.iter().find(|control| control.name == name) else {
+        let near = nearest(name, scene.controls.iter().map(|control| control.name));
+        let near = near.map(|near| format!("; is `{near}` meant?")).unwrap_or_default();
+        return Err(format!("the scene {} has no control `{name}`{near}", scene.name));
+    };
+    check_value(control, value)
+}
+
+/// What is wrong with a value of a control.
+fn check_value(control: &Control, value: f64) -> Result<(), String> {
+    let (from, to, step) = match control.kind {
+        Kind::Slider { from, to, step, .. } => (from, to, step),
+        Kind::LogSlider { from, to, .. } => (from, to, 0.0),
+        Kind::Choice(choices) => (0.0, choices.len() as f64 - 1.0, 1.0),
+        Kind::Switch => (0.0, 1.0, 1.0),
+        Kind::Button => (-1.0, f64::MAX, 0.0),
+    };
+    let steps = (value - from) / step;
+    let is_step = step == 0.0 || (steps - steps.round()).abs() < 1e-6;
+    if (from..=to).contains(&value) && is_step {
+        return Ok(());
     }
+    let steps = if step == 0.0 { String::new() } else { format!(" in steps of {step}") };
+    let range =
+        if to == f64::MAX { format!("at least {from}") } else { format!("from {from} to {to}{steps}") };
+    Err(format!("`{}={value}`, which must be {range}", control.name))
 }
 
 /// Words of a scene as those of a caption, all at the place of the scene on its page.
@@ -104,7 +110,7 @@ pub(crate) fn words(text: &str, offset: usize) -> Words<'_> {
 
 /// What a reader can change and read beside the picture, and what is said and offered below it; `html` makes
 /// HTML of words.
-pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> String {
+pub(crate) fn panel(scene: &live::Scene, mut html: impl FnMut(&str) -> String) -> String {
     let id = format!("scene-{}", scene.name);
     let mut out = format!(
         "<div class=\"panel\">\n<div class=\"transport\"><button type=\"button\" class=\"play\">Play</button>\
@@ -113,13 +119,13 @@ pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> Stri
          <output class=\"clock\" for=\"{id}-time\"></output></div>\n<div class=\"controls\">\n",
         scene.still
     );
-    for control in &scene.controls {
-        let words = html(&control.words);
+    for control in scene.controls {
+        let words = html(control.words);
         out.push_str(&field(control, &id, &words, &mut html));
         out.push('\n');
     }
     out.push_str("</div>\n");
-    if let Some(degrees) = scene.view {
+    if let Some(degrees) = scene.view.map(|view| view.map(f64::to_degrees)) {
         out.push_str("<div class=\"view\" role=\"group\" aria-label=\"look from\">\n");
         for ((name, words, most), value) in
             [("azimuth", "look round", 180), ("elevation", "look from above", 90)].into_iter().zip(degrees)
@@ -134,16 +140,18 @@ pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> Stri
     }
     if !scene.readings.is_empty() {
         out.push_str("<dl class=\"readings\">");
-        for reading in &scene.readings {
-            let _ = write!(out, "<div><dt>{}</dt><dd></dd></div>", html(reading));
+        for reading in scene.readings {
+            let _ = write!(out, "<div><dt>{}</dt><dd></dd></div>", html(reading.words));
         }
         out.push_str("</dl>\n");
     }
     out.push_str("</div>\n<div class=\"panel answer\">\n<p class=\"says\" role=\"status\"></p>\n");
     if !scene.presets.is_empty() {
         out.push_str("<p class=\"presets\">");
-        for (words, settings) in &scene.presets {
-            let (settings, words) = (escaped(settings), html(words));
+        for preset in scene.presets {
+            let settings = preset.settings.iter().map(|(name, value)| format!("{name}={value}"));
+            let settings = escaped(&settings.collect::<Vec<_>>().join("&"));
+            let words = html(preset.words);
             let _ = write!(out, "<button type=\"button\" data-set=\"{settings}\">{words}</button> ");
         }
         out.push_str("</p>\n");
@@ -155,20 +163,20 @@ pub(crate) fn panel(scene: &Scene, mut html: impl FnMut(&str) -> String) -> Stri
 
 /// A control with its words.
 fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str) -> String) -> String {
-    let Control { name, start, unit, shown, .. } = control;
+    let Control { name, start, kind, .. } = control;
     let id = format!("{scene}-{name}");
     let range = |[from, to, start]: [f64; 3], step: &str, log: &str| {
-        let (unit, shown) = (escaped(unit), escaped(shown));
+        let (unit, shown) = (escaped(control.unit()), control.shown());
         format!(
             "<div class=\"control\"><label for=\"{id}\">{words}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" \
              min=\"{from}\" max=\"{to}\" step=\"{step}\" value=\"{start}\" data-start=\"{start}\" data-unit=\"{unit}\"{log}>\
              <output for=\"{id}\">{shown}</output></div>"
         )
     };
-    match &control.input {
-        &Input::Slider { from, to, step } => range([from, to, *start], &step.to_string(), ""),
-        &Input::LogSlider { from, to } => range([from, to, *start].map(f64::log10), "any", " data-log"),
-        Input::Choice(choices) => {
+    match kind {
+        &Kind::Slider { from, to, step, .. } => range([from, to, *start], &step.to_string(), ""),
+        &Kind::LogSlider { from, to, .. } => range([from, to, *start].map(f64::log10), "any", " data-log"),
+        Kind::Choice(choices) => {
             let mut out = format!("<fieldset class=\"control\"><legend>{words}</legend>");
             for (place, choice) in choices.iter().enumerate() {
                 let checked = if place as f64 == *start { " checked data-start" } else { "" };
@@ -180,13 +188,13 @@ fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str
             }
             out + "</fieldset>"
         }
-        Input::Switch => {
+        Kind::Switch => {
             let checked = if *start == 1.0 { " checked data-start" } else { "" };
             format!(
                 "<div class=\"control\"><label><input type=\"checkbox\" id=\"{id}\" name=\"{name}\"{checked}> {words}</label></div>"
             )
         }
-        Input::Button => {
+        Kind::Button => {
             format!(
                 "<div class=\"control\"><button type=\"button\" class=\"press\" name=\"{name}\" data-start=\"{start}\">{words}</button></div>"
             )

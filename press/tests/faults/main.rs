@@ -5,7 +5,8 @@
 mod cases;
 
 use cases::CASES;
-use press::assets::{Control, Figure, Input, Rendered, Scene};
+use live::{Control, Preset};
+use press::assets::{Figure, Rendered, Scene};
 use press::site::check::check;
 use std::fs;
 use std::path::PathBuf;
@@ -27,23 +28,38 @@ fn drawn() -> Rendered {
 
 /// A scene of the chapter `a.md`, with a control of each kind.
 fn scene() -> Scene {
-    let control = |name: &str, input, start: f64| {
-        let [name, words] = [name, "Some words"].map(str::to_owned);
-        Control { name, words, input, start, unit: String::new(), shown: String::new() }
+    const PLATE: live::Scene = live::Scene {
+        file: "book/a/scene.rs",
+        name: "plate",
+        title: "",
+        description: "",
+        question: "Why $x$?",
+        size: [[1.0; 2]; 2],
+        view: None,
+        still: 0.0,
+        controls: &[
+            Control::slider("spin", "Some words", [-1.0, 4.0, 0.1], "", 2.0),
+            Control::log_slider("drag", "Some words", [1e-3, 1.0], "", 0.01),
+            Control::choice("camera", "Some words", &["one", "two"]),
+            Control::switch("cones", "Some words", true),
+            Control::button("kick", "Some words"),
+        ],
+        presets: &[
+            Preset { words: "fast", settings: &[("spin", 4.0), ("cones", 0.0)] },
+            Preset { words: "as at first", settings: &[] },
+        ],
+        readings: &[],
+        symbols: &[],
+        start: |_| Err("it never starts".into()),
     };
-    let controls = vec![
-        control("spin", Input::Slider { from: -1.0, to: 4.0, step: 0.1 }, 2.0),
-        control("drag", Input::LogSlider { from: 1e-3, to: 1.0 }, 0.01),
-        control("camera", Input::Choice(vec!["one".to_owned(), "two".to_owned()]), 0.0),
-        control("cones", Input::Switch, 1.0),
-        control("kick", Input::Button, -1.0),
-    ];
-    let [name, chapter, question] = ["plate", "a.md", "Why $x$?"].map(str::to_owned);
-    let presets = [("fast", "spin=4&cones=0"), ("as at first", "")]
-        .map(|(words, settings)| (words.to_owned(), settings.to_owned()));
-    let presets = presets.to_vec();
-    let source = "book/a/scene.rs".to_owned();
-    Scene { name, chapter, source, question, controls, presets, ..Scene::default() }
+    Scene { chapter: "a.md", live: PLATE, svg: String::new() }
+}
+
+/// The same with another control in a place.
+fn with_control(scene: &mut Scene, place: usize, control: Control) {
+    let mut controls = scene.live.controls.to_vec();
+    controls[place] = control;
+    scene.live.controls = controls.leak();
 }
 
 /// A book in a temporary folder, removed when dropped.
@@ -298,14 +314,32 @@ fn a_scene_opens_its_chapter_and_is_set_from_its_page_alone() {
 fn a_scene_that_contradicts_itself_is_a_fault() {
     type Spoil = fn(&mut Scene);
     let cases: [(Spoil, &str); 8] = [
-        (|scene| scene.question.clear(), "the scene plate asks nothing"),
-        (|scene| scene.name = "Plate".into(), "digits and hyphens, not `Plate`"),
-        (|scene| scene.controls[0].name = "t".into(), "cannot have the name `t`"),
-        (|scene| scene.controls[1].name = "spin".into(), "cannot have the name `spin`"),
-        (|scene| scene.controls[2].words.clear(), "nothing says what the control `camera`"),
-        (|scene| scene.controls[3].start = 0.5, "starts with `cones=0.5`, which must be from 0 to 1"),
+        (|scene| scene.live.question = "", "the scene plate asks nothing"),
+        (|scene| scene.live.name = "Plate", "digits and hyphens, not `Plate`"),
         (
-            |scene| scene.presets[0].1 = "spun=4".into(),
+            |scene| with_control(scene, 0, Control::switch("t", "Some words", true)),
+            "cannot have the name `t`",
+        ),
+        (
+            |scene| with_control(scene, 1, Control::switch("spin", "Some words", true)),
+            "cannot have the name `spin`",
+        ),
+        (
+            |scene| with_control(scene, 2, Control::choice("camera", "", &["one"])),
+            "nothing says what the control `camera`",
+        ),
+        (
+            |scene| {
+                with_control(
+                    scene,
+                    3,
+                    Control { start: 0.5, ..Control::switch("cones", "Some words", true) },
+                );
+            },
+            "starts with `cones=0.5`, which must be from 0 to 1",
+        ),
+        (
+            |scene| scene.live.presets = &[Preset { words: "fast", settings: &[("spun", 4.0)] }],
             "the preset “fast” of the scene plate: the scene plate has no",
         ),
         (|_| (), "no page shows this scene: ![Caption.](scene:plate)"),

@@ -30,7 +30,7 @@ impl Printer<'_, '_> {
     /// A live scene: its question, its still, and the panel of its controls if there is a module that moves it.
     pub(super) fn scene(&mut self, label: &Label, caption: &Words<'_>, offset: usize) -> Option<String> {
         let drawn = self.drawn;
-        let place = drawn.scenes.iter().position(|scene| scene.name == label.name)?;
+        let place = drawn.scenes.iter().position(|scene| scene.live.name == label.name)?;
         let scene = &drawn.scenes[place];
         let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
         let caption = self.words_of(caption, "caption");
@@ -41,9 +41,9 @@ impl Printer<'_, '_> {
             }
             self.words_of(&scenes::words(words, offset), "scene")
         };
-        let (id, question) = (label.id(), html(&scene.question));
-        let panel = if drawn.is_still { String::new() } else { scenes::panel(scene, html) };
-        let file = script(&scene.chapter);
+        let (id, question) = (label.id(), html(scene.live.question));
+        let panel = if drawn.is_still { String::new() } else { scenes::panel(&scene.live, html) };
+        let file = script(scene.chapter);
         let module = if drawn.is_still { String::new() } else { format!(" data-module=\"{file}\"") };
         Some(format!(
             "<figure class=\"scene\" id=\"{id}\" data-scene=\"{place}\"{module} aria-labelledby=\"{id}-caption\">\n<p class=\"question\">{question}</p>\n\
@@ -57,7 +57,7 @@ impl Printer<'_, '_> {
     pub(super) fn setting(&mut self, setting: &str, offset: usize) -> String {
         let (name, settings) = setting.split_once('?').unwrap_or((setting, ""));
         let label = Label { kind: LabelKind::Scene, name: name.to_owned() };
-        let scene = self.drawn.scenes.iter().find(|scene| scene.name == name);
+        let scene = self.drawn.scenes.iter().find(|scene| scene.live.name == name);
         let checked = match (self.registry.find(&label), scene) {
             (Ok(entry), Some(_)) if entry.page != self.page.path => {
                 Err(format!("scene:{name} stands on another page: refer to it as @scene:{name}"))
@@ -75,37 +75,34 @@ impl Printer<'_, '_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::assets::{Control, Figure, Input, Rendered, Scene};
+    use crate::assets::{Figure, Rendered, Scene};
     use crate::print::render::tests::{maths, printed_with};
+    use live::{Control, Form, Preset, Reading};
 
     #[test]
     fn a_scene_has_its_question_still_and_panel_and_links_that_set_it() {
-        let control = |name: &str, words: &str, input, start| Control {
-            name: name.to_owned(),
-            words: words.to_owned(),
-            input,
-            start,
-            unit: "rad/s".to_owned(),
-            shown: "SHOWN".to_owned(),
-        };
-        let scene = Scene {
-            name: "plate".to_owned(),
-            chapter: "a.md".to_owned(),
-            source: "book/a/scene.rs".to_owned(),
-            question: "Why $x$?".to_owned(),
-            svg: "<svg></svg>".to_owned(),
-            view: Some([-30.0, 20.0]),
+        const SCENE: live::Scene = live::Scene {
+            file: "book/a/scene.rs",
+            name: "plate",
+            title: "",
+            description: "",
+            question: "Why $x$?",
+            size: [[1.0; 2]; 2],
+            view: Some([-0.5, 0.25]),
             still: 0.5,
-            controls: vec![
-                control("spin", "spin, $x$", Input::Slider { from: -1.0, to: 4.0, step: 0.1 }, 2.0),
-                control("drag", "drag", Input::LogSlider { from: 1e-3, to: 1.0 }, 0.01),
-                control("camera", "camera", Input::Choice(vec!["room".to_owned(), "body".to_owned()]), 0.0),
-                control("cones", "cones", Input::Switch, 1.0),
-                control("kick", "Kick", Input::Button, -1.0),
+            controls: &[
+                Control::slider("spin", "spin, $x$", [-1.0, 4.0, 0.1], "rad/s", 2.0),
+                Control::log_slider("drag", "drag", [1e-3, 1.0], "", 0.01),
+                Control::choice("camera", "camera", &["room", "body"]),
+                Control::switch("cones", "cones", true),
+                Control::button("kick", "Kick"),
             ],
-            presets: vec![("a ball".to_owned(), "spin=1&drag=0.1".to_owned())],
-            readings: vec!["wobbles".to_owned()],
+            presets: &[Preset { words: "a ball", settings: &[("spin", 1.0), ("drag", 0.1)] }],
+            readings: &[Reading { words: "wobbles", form: Form::Fixed(0), unit: "" }],
+            symbols: &[],
+            start: |_| Err("it never starts".into()),
         };
+        let scene = Scene { chapter: "a.md", live: SCENE, svg: "<svg></svg>".to_owned() };
         let mut drawn = Rendered { scenes: vec![scene], ..Rendered::default() };
         let text = "# A\n\n![A *plate*.](scene:plate)\n\n[Set $x$](scene:plate?spin=3&kick=0).\n";
         let x = maths("$x$");
@@ -116,7 +113,7 @@ mod tests {
             "<div class=\"drawing\"><svg></svg></div>\n<div class=\"panel\">\n",
             &format!(
                 "<label for=\"scene-plate-spin\">spin, {x}</label>{range}spin\" name=\"spin\" min=\"-1\" max=\"4\" \
-                 step=\"0.1\" value=\"2\" data-start=\"2\" data-unit=\"rad/s\"><output for=\"scene-plate-spin\">SHOWN</output>"
+                 step=\"0.1\" value=\"2\" data-start=\"2\" data-unit=\"rad/s\"><output for=\"scene-plate-spin\">2.0\u{a0}rad/s</output>"
             ),
             &format!("{range}drag\" name=\"drag\" min=\"-3\" max=\"0\" step=\"any\" value=\"-2\""),
             " data-log>",
@@ -125,7 +122,10 @@ mod tests {
             "<input type=\"checkbox\" id=\"scene-plate-cones\" name=\"cones\" checked data-start> cones",
             "<button type=\"button\" class=\"press\" name=\"kick\" data-start=\"-1\">Kick</button>",
             "class=\"time\" id=\"scene-plate-time\" min=\"0\" max=\"1\" step=\"any\" value=\"0.5\"",
-            "name=\"azimuth\" min=\"-180\" max=\"180\" step=\"any\" value=\"-30\"",
+            &format!(
+                "name=\"azimuth\" min=\"-180\" max=\"180\" step=\"any\" value=\"{}\"",
+                (-0.5_f64).to_degrees()
+            ),
             "<div><dt>wobbles</dt><dd></dd></div>",
             "<button type=\"button\" data-set=\"spin=1&amp;drag=0.1\">a ball</button>",
             "<figcaption id=\"scene-plate-caption\"><span class=\"number\">Scene 1.1.</span> A <em>plate</em>.</figcaption>\n</figure>",

@@ -97,13 +97,13 @@ impl Registry {
                     continue;
                 };
                 let mut fault = |message| faults.add(&page.file, page.lines.at(placed.range.start), message);
-                let Some(scene) = drawn.scenes.iter().find(|scene| scene.name == label.name) else {
-                    let names = drawn.scenes.iter().map(|scene| scene.name.as_str());
+                let Some(scene) = drawn.scenes.iter().find(|scene| scene.live.name == label.name) else {
+                    let names = drawn.scenes.iter().map(|scene| scene.live.name);
                     let near = hint("scene", nearest(&label.name, names));
                     fault(format!("there is no scene {}{near}", label.written()));
                     continue;
                 };
-                if page.path.split('/').next() != Some(&scene.chapter) || page.part.is_some() {
+                if page.path.split('/').next() != Some(scene.chapter) || page.part.is_some() {
                     fault(format!("the scene {} opens the chapter in {}", label.written(), scene.chapter));
                 } else if items[..n].iter().any(|above| matches!(above.item, Item::DisplayMaths { .. })) {
                     fault(format!("the scene {} belongs above the first equation", label.written()));
@@ -111,9 +111,10 @@ impl Registry {
             }
         }
         for scene in &drawn.scenes {
-            if !self.entries.contains_key(&Label { kind: LabelKind::Scene, name: scene.name.clone() }) {
-                let message = format!("no page shows this scene: ![Caption.](scene:{})", scene.name);
-                faults.add(&scene.source, 0, message);
+            if !self.entries.contains_key(&Label { kind: LabelKind::Scene, name: scene.live.name.to_owned() })
+            {
+                let message = format!("no page shows this scene: ![Caption.](scene:{})", scene.live.name);
+                faults.add(&scene.source(), 0, message);
             }
         }
     }
