@@ -98,5 +98,10 @@ fn alike(one: &str, other: &str) -> bool {
     let digits = |text: &str| text.chars().filter(char::is_ascii_digit).collect::<String>().parse::<i128>();
     let other_signs = |text: &str| text.replace(|letter: char| letter.is_ascii_digit(), "");
     let near = matches!((digits(one), digits(other)), (Ok(one), Ok(other)) if (one - other).abs() <= 1);
-    one == other || near && other_signs(one) == other_signs(other)
+    one == other || near && other_signs(one) == other_signs(other) || is_rounding(one) && is_rounding(other)
+}
+
+/// Whether a number is what rounding leaves of nothing: another machine rounds otherwise.
+fn is_rounding(number: &str) -> bool {
+    number.rsplit_once("10−").is_some_and(|(_, power)| power.parse::<u32>().is_ok_and(|power| power >= 10))
 }

@@ -68,7 +68,7 @@ impl Scan<'_, '_> {
 
     /// Numbers in a run of text are not parted from their units.
     fn blanks(&mut self, range: &Range<usize>) {
-        for at in numbers::blanks(&self.text[range.clone()]).into_iter().map(|at| range.start + at) {
+        for at in numbers::blanks(&self.text[range.clone()]).map(|at| range.start + at) {
             self.place(at..at + 1, Item::Blank);
         }
     }
