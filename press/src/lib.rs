@@ -9,7 +9,7 @@
 //! | room | what it does |
 //! |---|---|
 //! | [`read`] | finds the pages, and what stands on them |
-//! | [`print`] | formulas, figures, references, panels: the page as mdBook reads it |
+//! | [`print`](mod@print) | formulas, figures, references, panels: the page as mdBook reads it |
 //! | [`site`] | what is done before mdBook renders and after: modules of scenes, search, links, documentation, checks |
 //! | [`paper`] | the site as PDF and EPUB |
 //! | `serve` | the site while it is written |
