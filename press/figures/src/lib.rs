@@ -1,7 +1,7 @@
 //! Figures from code: the plot style, and how figures and tables become files that the press prints.
 //!
 //! A figure is a function that takes what a library computes and returns a [`Drawing`]. A chapter lists its own with
-//! [`figures!`], and the build script of the book [writes](write) all of them into its folder.
+//! [`figures!`], and the build script of the book [writes](fn@write) all of them into its folder.
 
 mod axis;
 mod canvas;
