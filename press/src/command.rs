@@ -288,9 +288,9 @@ mod tests {
     #[test]
     fn a_chapter_that_is_none_is_named_before_anything_is_built() {
         let said =
-            run(Path::new(".."), &["pdf".to_owned(), "coin".to_owned()], &Rendered::default()).unwrap_err();
+            run(Path::new("example"), &["pdf".to_owned(), "coin".to_owned()], &Rendered::default()).unwrap_err();
         assert!(
-            said.starts_with("error: there is no chapter `coin`") && said.contains("\n   4  coin-toss "),
+            said.starts_with("error: there is no chapter `coin`") && said.contains("\n   1  pendulum "),
             "{said}"
         );
     }
