@@ -287,8 +287,8 @@ mod tests {
 
     #[test]
     fn a_chapter_that_is_none_is_named_before_anything_is_built() {
-        let said =
-            run(Path::new("example"), &["pdf".to_owned(), "coin".to_owned()], &Rendered::default()).unwrap_err();
+        let said = run(Path::new("example"), &["pdf".to_owned(), "coin".to_owned()], &Rendered::default())
+            .unwrap_err();
         assert!(
             said.starts_with("error: there is no chapter `coin`") && said.contains("\n   1  pendulum "),
             "{said}"
