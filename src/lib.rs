@@ -35,7 +35,7 @@
 //!
 //! SI units and radians throughout. Labels such as `eq:steady-radius` in comments are those of the book's equations.
 
-#![warn(clippy::return_self_not_must_use)]
+#![warn(clippy::must_use_candidate, clippy::return_self_not_must_use)]
 
 pub mod integrate;
 pub mod measure;

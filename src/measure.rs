@@ -68,6 +68,7 @@ pub struct ObservedOrder {
 /// let order = mechanics::measure::observed_order(&pairs, 1e-14).unwrap();
 /// assert!((order.slope - 4.0).abs() < 1e-12 && order.points == 4);
 /// ```
+#[must_use]
 pub fn observed_order(steps_and_errors: &[(f64, f64)], plateau: f64) -> Option<ObservedOrder> {
     if steps_and_errors.iter().any(|(step, error)| step.is_nan() || error.is_nan()) {
         return None;
@@ -106,6 +107,7 @@ pub struct Counter {
 
 impl Counter {
     /// A counter at zero.
+    #[must_use]
     pub fn new() -> Self {
         Self::default()
     }

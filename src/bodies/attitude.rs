@@ -39,6 +39,7 @@ pub(crate) fn check_attitude(world_from_body: &UnitQuaternion<f64>) -> Result<()
 /// let rate = quaternion_rate(&Quaternion::identity(), &Vector3::new(0.0, 0.0, 3.0));
 /// assert_eq!(format!("{} 1/s", rate.norm()), "1.5 1/s");
 /// ```
+#[must_use]
 pub fn quaternion_rate(world_from_body: &Quaternion<f64>, omega_body: &Vector3<f64>) -> Quaternion<f64> {
     world_from_body * Quaternion::from_imag(0.5 * omega_body)
 }
@@ -86,6 +87,7 @@ fn length(components: [TwoPart; 3]) -> f64 {
 /// let apart = rotation_between(&UnitQuaternion::identity(), &(spin * tip));
 /// assert_eq!(format!("{:.1}°", apart.to_degrees()), "120.0°");
 /// ```
+#[must_use]
 pub fn rotation_between(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
     // The imaginary part of a⁻¹b, a sum of differences of exact products.
     let minor = |p: f64, q: f64, r: f64, s: f64| TwoPart::product(p, s) - TwoPart::product(q, r);

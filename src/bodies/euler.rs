@@ -22,6 +22,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// assert_ne!(euler::rates(&moments, &Vector3::new(0.1, 7.0, 0.0), &at_rest), at_rest);
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
+#[must_use]
 pub fn rates(
     moments: &PrincipalMoments,
     omega_body: &Vector3<f64>,
@@ -45,6 +46,7 @@ pub struct Turning {
 
 impl Turning {
     /// The seven numbers that an integrator steps.
+    #[must_use]
     pub fn to_array(&self) -> [f64; 7] {
         let q = self.world_from_body;
         let w = self.omega_body;
@@ -53,22 +55,26 @@ impl Turning {
 
     /// From an integrator's seven numbers. The quaternion is brought back to length one; one of length zero, which no
     /// integration of a rotation reaches, gives NaN.
+    #[must_use]
     pub fn from_array([w, i, j, k, w1, w2, w3]: [f64; 7]) -> Self {
         let world_from_body = UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k));
         Self { world_from_body, omega_body: Vector3::new(w1, w2, w3) }
     }
 
     /// Angular velocity along the axes of the room, rad/s.
+    #[must_use]
     pub fn omega_world(&self) -> Vector3<f64> {
         self.world_from_body * self.omega_body
     }
 
     /// Angular momentum about the centre of mass along the axes of the room, kg·m²/s.
+    #[must_use]
     pub fn angular_momentum_world(&self, moments: &PrincipalMoments) -> Vector3<f64> {
         self.world_from_body * moments.angular_momentum(&self.omega_body)
     }
 
     /// The direction of the body's axis 3 in the room.
+    #[must_use]
     pub fn axis_3_world(&self) -> Vector3<f64> {
         self.world_from_body * Vector3::z()
     }
@@ -121,6 +127,7 @@ pub struct FreeSeries {
 
 impl FreeSeries {
     /// For a body with these moments.
+    #[must_use]
     pub fn new(moments: &PrincipalMoments) -> Self {
         let [i1, i2, i3] = moments.to_array();
         Self { couplings: [(i2 - i3) / i1, (i3 - i1) / i2, (i1 - i2) / i3] }

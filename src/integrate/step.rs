@@ -82,21 +82,25 @@ impl<const N: usize, F> fmt::Debug for Step<'_, N, F> {
 
 impl<const N: usize, F: Rates<N>> Step<'_, N, F> {
     /// The time at which the step starts.
+    #[must_use]
     pub fn start(&self) -> f64 {
         self.start
     }
 
     /// The time at which it ends.
+    #[must_use]
     pub fn end(&self) -> f64 {
         self.end
     }
 
     /// The state at the start.
+    #[must_use]
     pub fn initial_state(&self) -> &[f64; N] {
         self.y0
     }
 
     /// The state at the end.
+    #[must_use]
     pub fn final_state(&self) -> &[f64; N] {
         self.y1
     }

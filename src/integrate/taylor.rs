@@ -213,16 +213,19 @@ fn add(high: f64, low: f64, increment: f64) -> (f64, f64) {
 
 impl<const N: usize> TaylorStep<'_, N> {
     /// The time at which the step starts.
+    #[must_use]
     pub fn start(&self) -> f64 {
         self.start
     }
 
     /// The time at which it ends.
+    #[must_use]
     pub fn end(&self) -> f64 {
         self.end
     }
 
     /// The time from the step's start to `time`. More exact than their difference: the start is kept in two parts.
+    #[must_use]
     pub fn since(&self, time: f64) -> f64 {
         (time - self.start) - self.start_rest
     }
@@ -233,22 +236,26 @@ impl<const N: usize> TaylorStep<'_, N> {
     }
 
     /// How long it is, negative backwards.
+    #[must_use]
     pub fn length(&self) -> f64 {
         self.length
     }
 
     /// The coefficients.
+    #[must_use]
     pub fn series(&self) -> &Series<N> {
         self.series
     }
 
     /// The state at a time from the step's start to its end.
+    #[must_use]
     pub fn at(&self, time: f64) -> [f64; N] {
         let increment = increment(self.series, self.since(time));
         std::array::from_fn(|i| self.series[0][i] + increment[i])
     }
 
     /// The state at its end.
+    #[must_use]
     pub fn last(&self) -> [f64; N] {
         std::array::from_fn(|i| self.series[0][i] + self.increment[i])
     }

@@ -106,71 +106,84 @@ impl Pinning {
     }
 
     /// The angle θ, rad.
+    #[must_use]
     pub fn angle(&self) -> f64 {
         self.angle
     }
 
     /// The principal moments about the pinned point, along 1, 2, 3 (`eq:moments-about-pin`).
+    #[must_use]
     pub fn moments_about_pin(&self) -> PrincipalMoments {
         self.about_pin
     }
 
     /// The angular velocity before, along 1, 2, 3, rad/s.
+    #[must_use]
     pub fn omega_before(&self) -> Vector3<f64> {
         Vector3::new(self.sin, -self.cos, 0.0) * self.spin
     }
 
     /// The angular momentum about A, before and after, kg·m²/s (`eq:pin-momentum`).
+    #[must_use]
     pub fn angular_momentum(&self) -> Vector3<f64> {
         self.about_centre.angular_momentum(&self.omega_before())
     }
 
     /// The part of the rotation about the tangent that survives, the moment about the centre over that about A: 1/3,
     /// 1/5 or 2/7 (`eq:pin-components`).
+    #[must_use]
     pub fn survival(&self) -> f64 {
         self.about_centre.to_array()[0] / self.about_pin.to_array()[0]
     }
 
     /// The angular velocity just after, rad/s (`eq:spin-after`).
+    #[must_use]
     pub fn omega_after(&self) -> Vector3<f64> {
         Vector3::new(self.survival() * self.sin, -self.cos, 0.0) * self.spin
     }
 
     /// The velocity along axis 3, m/s, just after, of the point B a quarter of the circle from A, at the polar angle θ
     /// + 90° (`eq:speed-of-b`).
+    #[must_use]
     pub fn velocity_of_b(&self) -> f64 {
         let omega = self.omega_after();
         self.radius * (omega.x + omega.y)
     }
 
     /// The velocity along axis 3, m/s, just after, of the point opposite B, at the polar angle θ − 90°.
+    #[must_use]
     pub fn velocity_opposite_b(&self) -> f64 {
         let omega = self.omega_after();
         self.radius * (omega.x - omega.y)
     }
 
     /// The velocity of the centre just after, m/s (`eq:centre-after`).
+    #[must_use]
     pub fn centre_velocity(&self) -> Vector3<f64> {
         self.omega_after().cross(&self.centre())
     }
 
     /// The impulse at A that pins it, N·s (`eq:pin-impulse`).
+    #[must_use]
     pub fn impulse(&self) -> Vector3<f64> {
         self.centre_velocity() * self.mass
     }
 
     /// The energy that the snap takes, J (`eq:energy-lost`).
+    #[must_use]
     pub fn energy_lost(&self) -> f64 {
         let diameter = self.about_centre.to_array()[0];
         0.5 * diameter * (self.spin * self.sin).powi(2) * (1.0 - self.survival()) // eq:energy-lost
     }
 
     /// The torque about A, N·m, that would keep the angular velocity as it is just after (`eq:holding-torque`).
+    #[must_use]
     pub fn holding_torque(&self) -> Vector3<f64> {
         self.omega_after().cross(&self.angular_momentum())
     }
 
     /// The force at A, N, that this steady rotation needs (`eq:holding-force`).
+    #[must_use]
     pub fn holding_force(&self) -> Vector3<f64> {
         let omega = self.omega_after();
         omega.cross(&omega.cross(&self.centre())) * self.mass
@@ -178,12 +191,14 @@ impl Pinning {
 
     /// The angle χ₀ from axis 1, the tangent at A, to the axis of rotation after the snap, rad; for the hoop `tan χ₀ =
     /// 3 cot θ` (`eq:pin-angles`). For positive spin.
+    #[must_use]
     pub fn axis_angle(&self) -> f64 {
         self.cos.atan2(self.survival() * self.sin)
     }
 
     /// The angle φ from the axis of rotation before the snap to that after it, towards A, rad: `χ₀ + θ − φ = π/2`
     /// (`eq:pin-angles`). For positive spin.
+    #[must_use]
     pub fn axis_shift(&self) -> f64 {
         let left = self.survival();
         // eq:pin-angles with this for ⅓.
@@ -202,6 +217,7 @@ impl Pinning {
     /// How fast a small disturbance of the rotation about the tangent grows when nothing but the pin holds the body:
     /// as `e^{λt}`, with λ of the rotation that is left in the plane of 1 and 2, 1/s (`eq:pinned-growth`). Zero for a
     /// ball.
+    #[must_use]
     pub fn growth_rate(&self) -> f64 {
         let [about_tangent, _, _] = self.about_pin.growth_squared();
         self.omega_after().xy().norm() * about_tangent.max(0.0).sqrt()
@@ -220,6 +236,7 @@ impl Pinning {
     }
 
     /// The centre as seen from A, in the body, m.
+    #[must_use]
     pub fn centre(&self) -> Vector3<f64> {
         Vector3::new(0.0, self.radius, 0.0)
     }

@@ -80,11 +80,13 @@ impl Station {
     }
 
     /// The mass and the moments.
+    #[must_use]
     pub fn body(&self) -> Body {
         self.0.body
     }
 
     /// The angular velocity ω₀ before the blow, rad/s.
+    #[must_use]
     pub fn spin(&self) -> f64 {
         self.0.spin
     }
@@ -115,36 +117,42 @@ impl Station {
 
 impl StruckStation {
     /// The angular velocity `ω_P` about axis 1 that the blow adds, rad/s (`eq:struck-rate`).
+    #[must_use]
     pub fn added_rate(&self) -> f64 {
         self.top.start().omega_body.x
     }
 
     /// The angle between the spin before and the angular velocity after the blow, rad, from 0 to π/2
     /// (`eq:struck-angle`).
+    #[must_use]
     pub fn axis_angle(&self) -> f64 {
         self.added_rate().abs().atan2(self.spin.abs()) // eq:struck-angle
     }
 
     /// The angle between the spin before the blow and the angular momentum after it, rad, from 0 to π/2
     /// (`eq:struck-momentum`). The station's axis keeps this angle to the angular momentum.
+    #[must_use]
     pub fn momentum_angle(&self) -> f64 {
         let momentum = self.top.angular_momentum_world();
         momentum.x.abs().atan2(momentum.z.abs())
     }
 
     /// The angular momentum about the moving centre, in the room, kg·m²/s; constant (`eq:struck-momentum`).
+    #[must_use]
     pub fn angular_momentum_world(&self) -> Vector3<f64> {
         self.top.angular_momentum_world()
     }
 
     /// The rate Λ, rad/s, at which the station's axis goes round the angular momentum, in a frame that moves with the
     /// centre and does not turn (`eq:nodding-rate`).
+    #[must_use]
     pub fn nodding_rate(&self) -> f64 {
         self.top.precession_rate()
     }
 
     /// The rate σ, rad/s, at which the axis of rotation goes round the station's axis, as seen on board
     /// (`eq:struck-body-rate`).
+    #[must_use]
     pub fn body_rate(&self) -> f64 {
         self.top.body_rate()
     }
@@ -166,6 +174,7 @@ impl StruckStation {
     }
 
     /// The velocity of the centre, m/s: `P/m` along the old axis, constant (`eq:drift`).
+    #[must_use]
     pub fn centre_velocity(&self) -> Vector3<f64> {
         Vector3::new(0.0, 0.0, self.drift)
     }

@@ -53,6 +53,7 @@ impl Conical {
     ///     assert!((gap * (2.0 - gap) * determinant - 1.0).abs() < 1e-13);
     /// }
     /// ```
+    #[must_use]
     pub fn new(a: f64) -> Self {
         assert!(
             a > 0.0 && a <= LARGEST,
@@ -93,6 +94,7 @@ impl Conical {
     /// Both solutions at `x` between −1 and 1, where `gap` is `1 − |x|`, more exact than `x` itself can give it near
     /// the ends. Each to 4 units in its last place about the centre, |X| ≤ ½, and to 30 towards the ends. NaN or
     /// infinite outside.
+    #[must_use]
     pub fn at(&self, x: f64, gap: f64) -> ConicalValues {
         if x.abs() <= 0.5 {
             return self.about_centre(x);

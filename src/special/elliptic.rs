@@ -21,6 +21,7 @@ use crate::two_part::TwoPart;
 /// assert!((jacobi(0.7, 1.0)[0] - 0.7_f64.sin()).abs() < 1e-15);
 /// assert!((jacobi(0.7, 0.0)[0] - 0.7_f64.tanh()).abs() < 1e-15);
 /// ```
+#[must_use]
 pub fn jacobi(u: f64, complement: f64) -> [f64; 3] {
     if !(0.0..=1.0).contains(&complement) {
         return [f64::NAN; 3];
@@ -78,6 +79,7 @@ const HALF_OF_THE_DIGITS: f64 = 1e-8;
 /// assert_eq!(quarter_period(1.0), std::f64::consts::FRAC_PI_2);
 /// assert!((quarter_period(0.5) - 1.854_074_677_301_371_9).abs() < 1e-15);
 /// ```
+#[must_use]
 pub fn quarter_period(complement: f64) -> f64 {
     if !(0.0..=1.0).contains(&complement) {
         return f64::NAN;
@@ -95,6 +97,7 @@ pub fn quarter_period(complement: f64) -> f64 {
 
 /// Carlson's symmetric integral `R_F(x, y, z)` for arguments of zero or more, at most one of them zero, of any size,
 /// with a relative error below 1.5e-15. Infinite if two are zero, zero if one is infinite, NaN for negative ones.
+#[must_use]
 pub fn carlson_rf(x: f64, y: f64, z: f64) -> f64 {
     if !(x >= 0.0 && y >= 0.0 && z >= 0.0) {
         return f64::NAN;

@@ -35,6 +35,7 @@ const POLE_ONLY: f64 = 1e9;
 /// let w = faddeeva(Complex::new(0.0, 1.0));
 /// assert!((w.re - 0.427_583_576_155_807).abs() < 1e-15 && w.im == 0.0);
 /// ```
+#[must_use]
 pub fn faddeeva(z: Complex<f64>) -> Complex<f64> {
     if z.im >= 0.0 {
         return above(z);

@@ -122,28 +122,33 @@ impl FreeSymmetricTop {
     }
 
     /// The moments of the body.
+    #[must_use]
     pub fn moments(&self) -> PrincipalMoments {
         self.moments
     }
 
     /// Attitude and angular velocity at time zero.
+    #[must_use]
     pub fn start(&self) -> Turning {
         self.start
     }
 
     /// The rate `Λ = L/I₁`, rad/s, at which the axis of symmetry goes round **L** in the room (`eq:precession-rate`).
+    #[must_use]
     pub fn precession_rate(&self) -> f64 {
         self.precession_rate
     }
 
     /// The rate `σ = ω₃(I₃ − I₁)/I₁`, rad/s, at which the angular velocity goes round axis 3 as seen from the body,
     /// counter-clockwise about that axis if positive (`eq:body-rate`).
+    #[must_use]
     pub fn body_rate(&self) -> f64 {
         self.body_rate
     }
 
     /// The angle between the axis of symmetry and **L**, rad, from 0 to π; constant (`eq:momentum-angle`). Zero for a
     /// body at rest.
+    #[must_use]
     pub fn momentum_angle(&self) -> f64 {
         let [l1, l2, l3]: [f64; 3] = self.momentum_direction_body.into();
         l1.hypot(l2).atan2(l3)
@@ -151,17 +156,20 @@ impl FreeSymmetricTop {
 
     /// The angle between the axis of symmetry and the angular velocity, rad, from 0 to π; constant. Zero for a body at
     /// rest.
+    #[must_use]
     pub fn omega_angle(&self) -> f64 {
         let omega = self.start.omega_body;
         omega.x.hypot(omega.y).atan2(omega.z)
     }
 
     /// The angular momentum in the room, kg·m²/s; constant.
+    #[must_use]
     pub fn angular_momentum_world(&self) -> Vector3<f64> {
         self.start.angular_momentum_world(&self.moments)
     }
 
     /// The kinetic energy of rotation, J; constant.
+    #[must_use]
     pub fn kinetic_energy(&self) -> f64 {
         self.moments.kinetic_energy(&self.start.omega_body)
     }

@@ -123,16 +123,19 @@ impl FreeTop {
 
     /// The time after which the angular velocity, seen from the body, is the same again, s, with a relative error
     /// below 4e-16. `None` if it never changes, or, on the separatrix, never comes back.
+    #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.period
     }
 
     /// The moments of the body.
+    #[must_use]
     pub fn moments(&self) -> PrincipalMoments {
         self.moments
     }
 
     /// Attitude and angular velocity at time zero.
+    #[must_use]
     pub fn start(&self) -> Turning {
         self.start
     }

@@ -65,6 +65,7 @@ impl Splitting {
     }
 
     /// Turns about an axis of the body that one more step costs.
+    #[must_use]
     pub fn turns_per_step(self) -> usize {
         self.weights().len() - 1 // the last and the next first are one
     }

@@ -151,11 +151,13 @@ impl Body {
     }
 
     /// Mass, kg.
+    #[must_use]
     pub fn mass(&self) -> f64 {
         self.mass
     }
 
     /// Principal moments about the centre of mass.
+    #[must_use]
     pub fn moments(&self) -> PrincipalMoments {
         self.moments
     }

@@ -65,6 +65,7 @@ impl PrincipalMoments {
     }
 
     /// The three moments about axes 1, 2, 3, kg·m².
+    #[must_use]
     pub fn to_array(self) -> [f64; 3] {
         self.moments
     }
@@ -87,12 +88,14 @@ impl PrincipalMoments {
 
     /// The angular momentum `L = Iω` about the centre of mass, kg·m²/s, along the body's axes, for an angular velocity
     /// `omega_body` along the same axes, rad/s (`eq:spin-momentum`).
+    #[must_use]
     pub fn angular_momentum(self, omega_body: &Vector3<f64>) -> Vector3<f64> {
         Vector3::from(self.moments).component_mul(omega_body)
     }
 
     /// The kinetic energy of rotation `½ ω·Iω`, J, for an angular velocity `omega_body` along the body's axes, rad/s
     /// (`eq:spin-energy`).
+    #[must_use]
     pub fn kinetic_energy(self, omega_body: &Vector3<f64>) -> f64 {
         0.5 * omega_body.dot(&self.angular_momentum(omega_body))
     }
@@ -110,6 +113,7 @@ impl PrincipalMoments {
     /// assert_eq!(signs, [-1.0, 1.0, -1.0]);
     /// # Ok::<(), mechanics::InvalidQuantity>(())
     /// ```
+    #[must_use]
     pub fn growth_squared(self) -> [f64; 3] {
         std::array::from_fn(|axis| {
             let [own, one, other] = self.renamed(axis).moments;
@@ -119,6 +123,7 @@ impl PrincipalMoments {
 
     /// The angular velocity along the body's axes, rad/s, that belongs to an angular momentum along the same axes,
     /// kg·m²/s.
+    #[must_use]
     pub fn angular_velocity(self, momentum_body: &Vector3<f64>) -> Vector3<f64> {
         momentum_body.component_div(&Vector3::from(self.moments))
     }

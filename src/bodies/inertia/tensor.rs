@@ -36,16 +36,19 @@ pub struct PrincipalAxes {
 
 impl InertiaTensor {
     /// The tensor about the point that the moments are about, along their axes.
+    #[must_use]
     pub fn principal(moments: PrincipalMoments) -> Self {
         Self { matrix: Matrix3::from_diagonal(&moments.to_array().into()) }
     }
 
     /// The matrix, kg·m².
+    #[must_use]
     pub fn matrix(&self) -> &Matrix3<f64> {
         &self.matrix
     }
 
     /// The angular momentum about the point, kg·m²/s, of a body that turns about that point with `omega`, rad/s.
+    #[must_use]
     pub fn angular_momentum(&self, omega: &Vector3<f64>) -> Vector3<f64> {
         self.matrix * omega
     }

@@ -18,6 +18,7 @@ impl MomentFactors {
     pub const DISK: Self = Self::flat(0.5);
 
     /// A body all in one plane, with this k about its axle and half of it about a diameter.
+    #[must_use]
     pub const fn flat(k: f64) -> Self {
         Self { transverse: 0.5 * k, axial: k }
     }

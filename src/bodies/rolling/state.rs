@@ -37,11 +37,13 @@ impl Rolling {
     };
 
     /// The lean θ from the upright, rad: π/2 less the tilt, to 1e-16.
+    #[must_use]
     pub fn lean(&self) -> f64 {
         FRAC_PI_2 - self.tilt
     }
 
     /// The point of contact in the table, x + iy, m, of a disk of this radius, m.
+    #[must_use]
     pub fn contact(&self, radius: f64) -> Complex<f64> {
         let (sin, _) = sin_cos_lean(self.tilt);
         let outward = Complex::<f64>::i() * Complex::cis(self.heading);
@@ -49,12 +51,14 @@ impl Rolling {
     }
 
     /// The eight numbers that an integrator steps: α, ω₁, ω₂, ω₃, φ, the roll angle, x, y.
+    #[must_use]
     pub fn to_array(&self) -> [f64; 8] {
         let Self { tilt, omega_1, omega_2, omega_3, heading, roll_angle, centre } = *self;
         [tilt, omega_1, omega_2, omega_3, heading, roll_angle, centre.re, centre.im]
     }
 
     /// From an integrator's eight numbers.
+    #[must_use]
     pub fn from_array([tilt, omega_1, omega_2, omega_3, heading, roll_angle, x, y]: [f64; 8]) -> Self {
         Self { tilt, omega_1, omega_2, omega_3, heading, roll_angle, centre: Complex::new(x, y) }
     }

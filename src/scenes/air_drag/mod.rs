@@ -27,6 +27,7 @@ pub struct Drag {
 
 impl Drag {
     /// The same coefficient about every axis, as in the source.
+    #[must_use]
     pub const fn isotropic(coefficient: f64) -> Self {
         Self { transverse: coefficient, axial: coefficient }
     }
@@ -154,6 +155,7 @@ impl DraggedTop {
     /// How often the axis of rotation goes round the body's axis, seen from the body, before the body stands still:
     /// `|(I₃ − I₁) I₃ ω₃ / (2π I₁ C₃)|` (`eq:total-turns`). Infinite without axial drag, unless the body is a sphere or
     /// has no spin about its axis.
+    #[must_use]
     pub fn total_body_turns(&self) -> f64 {
         let turns_per_time = 0.25 * self.body_turn.quarters_per_time().abs();
         if turns_per_time == 0.0 { 0.0 } else { turns_per_time / self.axial_decay } // eq:total-turns
@@ -177,6 +179,7 @@ impl DraggedTop {
 
     /// The rate δ = C₁/I₁ − C₃/I₃, 1/s, at which the tangent of [`DraggedTop::axis_angle`] decays; negative if it grows
     /// (`eq:alignment-rate`).
+    #[must_use]
     pub fn alignment_rate(&self) -> f64 {
         self.alignment_rate.rounded()
     }
@@ -184,6 +187,7 @@ impl DraggedTop {
     /// Where the axis of rotation goes in the body.
     ///
     /// A body that turns exactly about its axis, or exactly across it, keeps doing so whatever the drag.
+    #[must_use]
     pub fn axis_trend(&self) -> AxisTrend {
         let [w1, w2, w3]: [f64; 3] = self.start.into();
         let rate = self.alignment_rate();
@@ -197,12 +201,14 @@ impl DraggedTop {
     }
 
     /// The torque along the body's axes, N·m, at an angular velocity along the same axes, rad/s (`eq:drag-torque`).
+    #[must_use]
     pub fn torque_body(&self, omega_body: &Vector3<f64>) -> Vector3<f64> {
         let Drag { transverse, axial } = self.drag;
         -Vector3::new(transverse, transverse, axial).component_mul(omega_body)
     }
 
     /// The moments of the body.
+    #[must_use]
     pub fn moments(&self) -> PrincipalMoments {
         self.moments
     }

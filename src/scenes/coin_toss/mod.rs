@@ -134,11 +134,13 @@ impl Toss {
     }
 
     /// The angle ψ between the coin's axis and its angular momentum, rad, from 0 to π (`eq:toss-angle`).
+    #[must_use]
     pub fn momentum_angle(&self) -> f64 {
         self.top.momentum_angle()
     }
 
     /// The rate Λ, rad/s, at which the normal goes round the angular momentum (`eq:precession-rate`).
+    #[must_use]
     pub fn precession_rate(&self) -> f64 {
         self.top.precession_rate()
     }
@@ -146,24 +148,28 @@ impl Toss {
     /// The lowest height of the normal, `cos 2ψ`, reached half a precession after the start (`eq:lowest-normal`). To
     /// 9e-16 of itself, next to the threshold too, where it vanishes; and so are the time and the probability that
     /// follow from it.
+    #[must_use]
     pub fn lowest_normal(&self) -> f64 {
         self.cosine_of_double_angle
     }
 
     /// Whether the side that was up is seen from above at all times: `|I₃ω₃| ≥ |I₁ω₁|` (`eq:never-flips`). At equality
     /// the coin stands on edge once in a precession and turns back.
+    #[must_use]
     pub fn keeps_its_face(&self) -> bool {
         self.cosine_of_double_angle >= 0.0
     }
 
     /// The first time, s, at which the coin stands on edge on its way over; `None` if it never goes over
     /// (`eq:edge-time`).
+    #[must_use]
     pub fn first_edge(&self) -> Option<f64> {
         self.half_edge_angle().map(|half| 2.0 * half / self.precession_rate())
     }
 
     /// The part of the time during which the side that was up is seen from above; if the moment of the catch is as good
     /// as random, the probability that the coin shows the same face (`eq:same-face`). From 1/2 to 1.
+    #[must_use]
     pub fn same_face_probability(&self) -> f64 {
         self.half_edge_angle().map_or(1.0, |half| FRAC_2_PI * half) // eq:same-face
     }
@@ -281,11 +287,13 @@ impl Flight {
 
     /// The time from hand to hand, s (`eq:flight-time`), to 9e-16 of itself. Just below the highest point it hangs on
     /// the root of what is missing, and has half the digits of the height of the catch.
+    #[must_use]
     pub fn duration(&self) -> f64 {
         self.duration
     }
 
     /// Height above the throwing hand at `time`, s, in m.
+    #[must_use]
     pub fn height(&self, time: f64) -> f64 {
         (self.speed - 0.5 * self.gravity * time) * time
     }

@@ -50,6 +50,7 @@ pub struct TossCount {
 
 impl TossCount {
     /// All tosses.
+    #[must_use]
     pub fn tosses(&self) -> f64 {
         f64::from(self.same) + f64::from(self.other)
     }
@@ -80,6 +81,7 @@ impl Tossers {
 
     /// The probability that somebody's toss shows the same face, the mean of `eq:same-face` over the people
     /// (`eq:people-mean`); to 1e-8 if the spread is from a thousandth to a third.
+    #[must_use]
     pub fn same_face_probability(&self) -> f64 {
         self.ln_mean(&TossCount { same: 1, other: 0 }).exp()
     }
@@ -88,6 +90,7 @@ impl Tossers {
     /// compared with what it would be if each had exactly the probability that he shows (`eq:people-likelihood`).
     /// Never above zero but by rounding, and never infinite; to 1e-8 a person for up to a hundred thousand tosses of
     /// his, if the spread is from a thousandth to a third and the mean at most one in size.
+    #[must_use]
     pub fn log_likelihood(&self, counts: &[TossCount]) -> f64 {
         let of = |counted: &TossCount| self.ln_mean(counted) - counted.ln_likelihood(counted.other_share());
         counts.iter().map(of).fold(0.0, |sum, person| sum + person)

@@ -16,11 +16,13 @@ pub struct LockedState {
 
 impl LockedState {
     /// From `[r, ṙ]` in m and m/s, the state that integrators step with [`LockedMotion::rates`].
+    #[must_use]
     pub fn from_array([radius, radius_rate]: [f64; 2]) -> Self {
         Self { radius, radius_rate }
     }
 
     /// To `[r, ṙ]` in m and m/s.
+    #[must_use]
     pub fn to_array(&self) -> [f64; 2] {
         [self.radius, self.radius_rate]
     }
@@ -77,6 +79,7 @@ impl Machine {
 
 impl LockedMotion {
     /// Rates of `[r, ṙ]` in m and m/s, for an integrator (`eq:locked-motion`). They do not contain the time.
+    #[must_use]
     pub fn rates(&self, _time: f64, &[r, r_dot]: &[f64; 2]) -> [f64; 2] {
         [r_dot, self.push - self.stiffness * r - self.damping * r_dot]
     }

@@ -109,32 +109,38 @@ impl Machine {
     }
 
     /// The parameters that the machine was made from.
+    #[must_use]
     pub fn parameters(&self) -> MachineParameters {
         self.parameters
     }
 
     /// Angular velocity Ω of the drum, rad/s.
+    #[must_use]
     pub fn spin(&self) -> f64 {
         self.parameters.spin
     }
 
     /// Mass of drum and load, kg.
+    #[must_use]
     pub fn total_mass(&self) -> f64 {
         self.total_mass.rounded()
     }
 
     /// Natural frequency ω₀ of the suspended machine, rad/s (`eq:natural-frequency`).
+    #[must_use]
     pub fn natural_frequency(&self) -> f64 {
         self.natural_frequency
     }
 
     /// Distance b from the shaft to the centre of mass of drum and load, m (`eq:offset`).
+    #[must_use]
     pub fn offset(&self) -> f64 {
         self.offset
     }
 
     /// Damping rate Γ, 1/s (`eq:damping-rate`). Disturbances of a lightly damped machine decay as
     /// e<sup>−Γt/2</sup>.
+    #[must_use]
     pub fn damping_rate(&self) -> f64 {
         self.damping_rate.rounded()
     }
@@ -143,6 +149,7 @@ impl Machine {
     ///
     /// Sixteen digits at any time: the product Ωt is formed without rounding before whole turns are taken off. NaN
     /// for a time that is not finite, or so large that the product overflows.
+    #[must_use]
     pub fn load_direction(&self, time: f64) -> Complex<f64> {
         direction(TwoPart::product(self.parameters.spin, time))
     }

@@ -32,6 +32,7 @@ impl Machine {
     /// With heavy damping ω₁ is +i√(Γ²/4 − ω₀²), so the first and third decay fast, the second and fourth slowly; the
     /// slow rate keeps its sixteen digits however heavy the damping (`eq:slow-root`). A mode and its mirror image
     /// ω → −ω* describe the same real motion. For negative spin the list is the same with that Ω.
+    #[must_use]
     pub fn modes(&self) -> [Mode; 4] {
         let spin = self.spin();
         let free = Oscillator::new(self.precise_damping_rate(), self.stiffness_rate());
@@ -51,6 +52,7 @@ impl Machine {
     ///
     /// Where the steady motion is rest at O, or there is none, ε and δ mean nothing and the matrix is the limit that
     /// it has as spin and load approach such a machine's.
+    #[must_use]
     pub fn stability_matrix(&self) -> Matrix4<f64> {
         let [detuning, damping] = [self.detuning(), self.damping_rate()];
         let [coriolis, drag] = [2.0 * self.spin(), damping * self.spin()];
@@ -65,6 +67,7 @@ impl Machine {
     /// As [`Machine::stability_matrix`], for a machine whose damper resists only ṙ
     /// (`eq:radial-damping-quartic` is its characteristic polynomial).
     ///
+    #[must_use]
     pub fn radial_damping_matrix(&self) -> Matrix4<f64> {
         let [detuning, damping] = [self.detuning(), self.damping_rate()];
         let coriolis = 2.0 * self.spin();
@@ -79,6 +82,7 @@ impl Machine {
     /// The largest real part of the eigenvalues of [`Machine::radial_damping_matrix`], 1/s: the rate at which a small
     /// disturbance grows in the end, or dies out if it is negative. Good to a ten-millionth of the fastest of the
     /// machine's rates.
+    #[must_use]
     pub fn radial_damping_growth(&self) -> f64 {
         let [detuning, damping] = [self.detuning(), self.damping_rate()];
         let square = 2.0 * detuning + 4.0 * self.spin() * self.spin();

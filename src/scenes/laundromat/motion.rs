@@ -7,6 +7,7 @@ impl Machine {
     /// Rates of `[x, y, ẋ, ẏ]` at `time`, s (`eq:cartesian-motion`). SI units, frame of the laboratory.
     ///
     /// The right-hand side to integrate: smooth everywhere, and linear.
+    #[must_use]
     pub fn cartesian_rates(&self, time: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
         let spin = self.spin();
         let [stiffness, damping] = [self.stiffness_rate().rounded(), self.damping_rate()];
@@ -18,6 +19,7 @@ impl Machine {
     ///
     /// For teaching and for tests. It divides by r: at r = 0 the last rate is infinite or not a number, and near
     /// it every stepping method suffers. Use [`Machine::cartesian_rates`] for work.
+    #[must_use]
     pub fn polar_rates(&self, time: f64, &[r, theta, r_dot, theta_dot]: &[f64; 4]) -> [f64; 4] {
         let spin = self.spin();
         let [stiffness, damping] = [self.stiffness_rate().rounded(), self.damping_rate()];
@@ -38,6 +40,7 @@ impl Machine {
     /// That is the source's wording taken literally; it makes steady motion unstable above the natural frequency
     /// (`eq:radial-damping-quartic`). At O the radial direction is taken as that of the velocity, which makes the
     /// damping continuous along a path straight through O.
+    #[must_use]
     pub fn radial_damping_rates(&self, time: f64, state: &[f64; 4]) -> [f64; 4] {
         let &[x, y, vx, vy] = state;
         let r = x.hypot(y);

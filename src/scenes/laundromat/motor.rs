@@ -96,6 +96,7 @@ impl Machine {
 
 impl DrivenMachine {
     /// The motor.
+    #[must_use]
     pub fn motor(&self) -> Motor {
         self.motor
     }
@@ -109,17 +110,20 @@ impl DrivenMachine {
     }
 
     /// Torque of the motor at a spin in rad/s, N·m (`eq:motor-line`).
+    #[must_use]
     pub fn motor_torque(&self, spin: f64) -> f64 {
         self.motor.stall_torque * (1.0 - spin / self.motor.idle_spin)
     }
 
     /// Moment of inertia `I_cm` = I + mMa²/(m + M) of what turns, about the common centre of mass, kg·m².
+    #[must_use]
     pub fn inertia(&self) -> f64 {
         self.inertia
     }
 
     /// Rates of the state ([`DrivenState::to_array`]) for an integrator (`eq:driven-shaft`, `eq:driven-spin`). They do
     /// not contain the time.
+    #[must_use]
     pub fn rates(&self, _time: f64, state: &[f64; 5]) -> [f64; 5] {
         let DrivenState { position, velocity, spin } = DrivenState::from_array(*state);
         let turn = Complex::i() * spin;
@@ -142,6 +146,7 @@ impl DrivenMachine {
     /// takes only rises or only falls. With less damping the resonance is so narrow that its peak lies between two
     /// neighbouring numbers, and two of three are missed if the stall torque is above what [`DrivenMachine::folds`]
     /// finds there.
+    #[must_use]
     pub fn steady_spins(&self) -> Vec<f64> {
         let folds = self.folds().map(|folds| [folds.up.spin, folds.down.spin]);
         let mut ends = vec![0.0];
@@ -154,6 +159,7 @@ impl DrivenMachine {
     /// The two folds, or `None` if there is one steady spin for any stall torque. The stall torque of this motor plays
     /// no part. If Γ is 1e-14 ω₀ or less, the stall torque of the upper one comes out too small: no number is so near
     /// to its spin.
+    #[must_use]
     pub fn folds(&self) -> Option<Folds> {
         // eq:motor-folds, in units of ω₀.
         let natural = self.machine.natural_frequency();
@@ -276,11 +282,13 @@ impl DrivenState {
         Self { position: Complex::new(0.0, 0.0), velocity: Complex::new(0.0, 0.0), spin: 0.0 };
 
     /// Position, velocity, spin, as an integrator wants them.
+    #[must_use]
     pub fn to_array(&self) -> [f64; 5] {
         [self.position.re, self.position.im, self.velocity.re, self.velocity.im, self.spin]
     }
 
     /// The way back from [`DrivenState::to_array`].
+    #[must_use]
     pub fn from_array([x, y, vx, vy, spin]: [f64; 5]) -> Self {
         Self { position: Complex::new(x, y), velocity: Complex::new(vx, vy), spin }
     }

@@ -37,11 +37,13 @@ pub struct Polar {
 impl Polar {
     /// From `[r, θ, ṙ, θ̇]` in m, rad, m/s and rad/s, the state that integrators step with
     /// [`super::Machine::polar_rates`].
+    #[must_use]
     pub fn from_array([radius, azimuth, radius_rate, azimuth_rate]: [f64; 4]) -> Self {
         Self { radius, azimuth, radius_rate, azimuth_rate }
     }
 
     /// To `[r, θ, ṙ, θ̇]` in m, rad, m/s and rad/s.
+    #[must_use]
     pub fn to_array(&self) -> [f64; 4] {
         [self.radius, self.azimuth, self.radius_rate, self.azimuth_rate]
     }
@@ -53,17 +55,20 @@ impl Shaft {
 
     /// From `[x, y, ẋ, ẏ]` in m and m/s, the state that integrators step with [`super::Machine::cartesian_rates`].
     #[inline]
+    #[must_use]
     pub fn from_array([x, y, vx, vy]: [f64; 4]) -> Self {
         Self { position: Complex::new(x, y), velocity: Complex::new(vx, vy) }
     }
 
     /// To `[x, y, ẋ, ẏ]` in m and m/s.
     #[inline]
+    #[must_use]
     pub fn to_array(&self) -> [f64; 4] {
         [self.position.re, self.position.im, self.velocity.re, self.velocity.im]
     }
 
     /// From polar coordinates and their rates: z = r e<sup>iθ</sup>, ż = (ṙ + irθ̇) e<sup>iθ</sup>.
+    #[must_use]
     pub fn from_polar(polar: Polar) -> Self {
         let Polar { radius, azimuth, radius_rate, azimuth_rate } = polar;
         let outward = Complex::from_polar(1.0, azimuth);
@@ -77,6 +82,7 @@ impl Shaft {
     ///
     /// At O itself θ is the direction of the velocity and θ̇, which has no value there, is given as zero. Very
     /// close to O, θ̇ may be beyond the largest number and come back infinite: polar coordinates are like that.
+    #[must_use]
     pub fn to_polar(&self) -> Polar {
         let radius = self.position.re.hypot(self.position.im);
         if radius == 0.0 {

@@ -91,6 +91,7 @@ impl Machine {
     /// `None` if there is no such spin: with Γ ≥ √2 ω₀ the radius grows with the spin towards b, and without damping
     /// it has no bound. The machine's own spin does not matter. Accurate to eight units in the last place, also
     /// where the peak moves off to infinite spin.
+    #[must_use]
     pub fn peak(&self) -> Option<Peak> {
         let [natural, damping] = [self.natural_frequency(), self.damping_rate()];
         // 2ω₀² − Γ² to 32 digits, of which 16 are left when the peak moves off to infinite spin.
@@ -122,44 +123,52 @@ impl SteadyMotion {
     }
 
     /// Complex amplitude Z = r₀ e<sup>−iφ₀</sup> of the shaft, m (`eq:steady-amplitude`).
+    #[must_use]
     pub fn amplitude(&self) -> Complex<f64> {
         self.amplitude
     }
 
     /// Complex amplitude Z + b of the centre of mass, m, computed without forming that sum.
+    #[must_use]
     pub fn centre_of_mass_amplitude(&self) -> Complex<f64> {
         self.centre_of_mass_amplitude
     }
 
     /// Radius r₀ of the shaft's circle, m (`eq:steady-radius`).
+    #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius
     }
 
     /// Angle φ₀ by which the load leads the shaft, rad (`eq:steady-phase`): from 0 to π for positive spin, from −π to
     /// 0 for negative spin, of which everything is the mirror image.
+    #[must_use]
     pub fn phase(&self) -> f64 {
         self.phase
     }
 
     /// Radius of the circle of the centre of mass, m (`eq:centre-of-mass-radius`), with full relative accuracy at
     /// high spin, where it tends to bΓ/Ω (`eq:high-spin`).
+    #[must_use]
     pub fn centre_of_mass_radius(&self) -> f64 {
         self.centre_of_mass_radius
     }
 
     /// Torque that the motor must give, N·m (`eq:steady-torque`): constant, and in the sense of the spin.
+    #[must_use]
     pub fn motor_torque(&self) -> f64 {
         self.motor_torque
     }
 
     /// How the torque changes with the spin, dτ/dΩ, N·m·s (`eq:torque-slope`), to twelve units in the last place of the
     /// largest of its three terms.
+    #[must_use]
     pub fn motor_torque_slope(&self) -> f64 {
         self.motor_torque_slope
     }
 
     /// Power that the motor gives and the dampers turn into heat, W.
+    #[must_use]
     pub fn motor_power(&self) -> f64 {
         self.motor_power
     }

@@ -72,6 +72,7 @@ impl Machine {
 
 impl Rotor {
     /// The machine without the damper on board.
+    #[must_use]
     pub fn machine(&self) -> &Machine {
         &self.machine
     }
@@ -85,6 +86,7 @@ impl Rotor {
     }
 
     /// The rate Γᵢ of the damper on board, 1/s.
+    #[must_use]
     pub fn damping_rate_on_board(&self) -> f64 {
         self.on_board
     }
@@ -92,6 +94,7 @@ impl Rotor {
     /// The spin ω₀(1 + Γ/Γᵢ), rad/s, beyond which every disturbance grows, in either sense of turning
     /// (`eq:whirl-threshold`). `None` without friction on board: then there is none. The machine's own spin does not
     /// matter.
+    #[must_use]
     pub fn whirl_spin(&self) -> Option<f64> {
         let natural = self.machine.natural_frequency();
         (self.on_board > 0.0).then(|| natural + natural * (self.machine.damping_rate() / self.on_board))
@@ -100,6 +103,7 @@ impl Rotor {
     /// The rate at which a disturbance grows in the end, 1/s; negative if it dies out (`eq:whirl-growth`).
     ///
     /// Formed so that its sign is right near the threshold, where ρ and β are almost equal, and that it is zero there.
+    #[must_use]
     pub fn growth(&self) -> f64 {
         let (drive, natural) =
             ((self.on_board * self.machine.spin()).abs(), self.machine.natural_frequency());
@@ -114,12 +118,14 @@ impl Rotor {
 
     /// The roots λ of the free motions e<sup>λt</sup>, 1/s: that of [`Rotor::growth`] first, which goes round with the
     /// drum, then the other (`eq:whirl-roots`).
+    #[must_use]
     pub fn roots(&self) -> [Complex<f64>; 2] {
         let q = self.half_split;
         [Complex::new(self.growth(), q.im), Complex::new(-self.half_damping - q.re, -q.im)]
     }
 
     /// Rates of `[x, y, ẋ, ẏ]` at `time`, s (`eq:whirl-motion`). SI units, frame of the laboratory.
+    #[must_use]
     pub fn cartesian_rates(&self, time: f64, state: &[f64; 4]) -> [f64; 4] {
         let (&[x, y, vx, vy], spin) = (state, self.machine.spin());
         let [_, _, ax, ay] = self.machine.cartesian_rates(time, state);

@@ -19,6 +19,7 @@ impl Wheel {
     /// The constants of a motion (`eq:chaplygin`, solved for A and B with Wronski's determinant, `(1 − X²)(n₊ n₋′ −
     /// n₊′ n₋) = 1`). With [`Wheel::at_tilt`] exact to 40 units in the last place of the sums of the closed form
     /// without their signs.
+    #[must_use]
     pub fn constants(&self, state: &Rolling) -> RollingConstants {
         let Rolling { omega_2: q, omega_3: n, .. } = *state;
         let (_, cos) = sin_cos_lean(state.tilt);
@@ -35,6 +36,7 @@ impl Wheel {
     /// The state at a tilt from lying flat, rad, of a motion with these constants whose lean turns there, ω₁ = 0, above
     /// the origin and with axis 1 along x (`eq:chaplygin`). Its ω₂ and ω₃ are sums of a part of the even and one of the
     /// odd constant, which lose digits where these nearly cancel.
+    #[must_use]
     pub fn at_tilt(&self, constants: &RollingConstants, tilt: f64) -> Rolling {
         let &RollingConstants { even: a, odd: b } = constants;
         let (_, cos) = sin_cos_lean(tilt);
@@ -50,6 +52,7 @@ impl Wheel {
 
     /// The effective potential of the lean, J, at a tilt from lying flat, rad: the energy of [`Wheel::at_tilt`]
     /// (`eq:effective-potential`).
+    #[must_use]
     pub fn potential(&self, constants: &RollingConstants, tilt: f64) -> f64 {
         self.energy(&self.at_tilt(constants, tilt))
     }

@@ -35,6 +35,7 @@ impl SteadyRolling {
     /// This is the limit of a weak torque: the error is of its second order, as long as the lean and the circle change
     /// little in the time of a wobble. At the edge of the tongue, where the wobble's rate is zero, the rates are
     /// infinite; inside it they say nothing.
+    #[must_use]
     pub fn sinking(&self, torque: Vector3<f64>) -> SinkingRates {
         let DiskParameters { mass: m, radius: a, moments, .. } = self.wheel.parameters();
         let MomentFactors { transverse: i1, axial: i3 } = moments;

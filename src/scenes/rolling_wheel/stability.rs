@@ -9,6 +9,7 @@ impl Wheel {
     /// The lean, rad, from which on steady rolling is stable on every circle there is: the tip of the tongue of
     /// unstable motions (`eq:safe-lean`). It lies between 17.6° and 45°, whatever the moments. Exact to 4 units in the
     /// last place.
+    #[must_use]
     pub fn safe_lean(&self) -> f64 {
         let MomentFactors { transverse: i1, axial: i3 } = self.parameters().moments;
         let rho = i3 / i1;

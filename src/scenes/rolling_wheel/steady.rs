@@ -61,32 +61,38 @@ const CIRCLE: &str = "radius of the centre's circle";
 
 impl SteadyRolling {
     /// The rate Ω at which the wheel goes round, rad/s (`eq:steady-rolling`).
+    #[must_use]
     pub fn turn_rate(&self) -> f64 {
         self.turn_rate
     }
 
     /// The spin `ω_rel` about the axle relative to the frame that goes round, rad/s (`eq:rolling-constraint`).
+    #[must_use]
     pub fn relative_spin(&self) -> f64 {
         self.turn_rate * (self.centre_radius / self.radius() + self.lean.sin())
     }
 
     /// The component of the whole angular velocity along the axle, `Ωb/a`, rad/s (`eq:true-spin`).
+    #[must_use]
     pub fn true_spin(&self) -> f64 {
         self.turn_rate * self.centre_radius / self.radius()
     }
 
     /// Radius of the contact point's circle, `b + a sin θ`, m; negative if it lies beyond the axis
     /// (`eq:contact-speed`).
+    #[must_use]
     pub fn contact_radius(&self) -> f64 {
         self.centre_radius + self.radius() * self.lean.sin()
     }
 
     /// The whole angular velocity along axes 1, 2, 3, rad/s (`eq:total-spin`).
+    #[must_use]
     pub fn omega(&self) -> Vector3<f64> {
         Vector3::new(0.0, self.turn_rate * self.lean.cos(), self.true_spin())
     }
 
     /// The angular momentum about the centre along axes 1, 2, 3, kg·m²/s (`eq:rolling-momentum`).
+    #[must_use]
     pub fn angular_momentum(&self) -> Vector3<f64> {
         let DiskParameters { mass: m, radius: a, moments, .. } = self.wheel.parameters();
         let omega = self.omega();
@@ -94,6 +100,7 @@ impl SteadyRolling {
     }
 
     /// The torque about the centre, along axis 1, N·m (`eq:rolling-torque`).
+    #[must_use]
     pub fn torque(&self) -> f64 {
         let DiskParameters { mass: m, radius: a, gravity: g, .. } = self.wheel.parameters();
         let (sin, cos) = self.lean.sin_cos();
@@ -101,12 +108,14 @@ impl SteadyRolling {
     }
 
     /// The least coefficient of friction, `Ω²|b|/g` (`eq:friction-needed`).
+    #[must_use]
     pub fn friction_needed(&self) -> f64 {
         self.turn_rate * self.turn_rate * self.centre_radius.abs() / self.wheel.parameters().gravity
     }
 
     /// The square of the angular frequency of small wobbles about the steady motion, 1/s²; negative if it is unstable
     /// (`eq:nutation`).
+    #[must_use]
     pub fn wobble_square(&self) -> f64 {
         let MomentFactors { transverse: i1, axial: i3 } = self.wheel.parameters().moments;
         let (s, c) = self.lean.sin_cos();
@@ -118,11 +127,13 @@ impl SteadyRolling {
     }
 
     /// Whether small disturbances stay small.
+    #[must_use]
     pub fn is_stable(&self) -> bool {
         self.wobble_square() > 0.0
     }
 
     /// This motion as a state of the general one, with the centre at `(0, b)` and axis 1 along x.
+    #[must_use]
     pub fn state(&self) -> Rolling {
         let omega = self.omega();
         Rolling {

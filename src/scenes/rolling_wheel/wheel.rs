@@ -37,12 +37,14 @@ impl Wheel {
     }
 
     /// What it was made of.
+    #[must_use]
     pub fn parameters(&self) -> DiskParameters {
         self.disk.parameters
     }
 
     /// The rates of the eight numbers of [`Rolling`], for [`crate::integrate::Dop853`] (`eq:lean-acceleration`,
     /// `eq:spin-rates`, `eq:rolling-path`): rad/s, rad/s² and m/s. Infinite or NaN for a flat wheel.
+    #[must_use]
     pub fn rates(&self, time: f64, state: &[f64; 8]) -> [f64; 8] {
         self.disk.rates(time, state)
     }
@@ -63,17 +65,20 @@ impl Wheel {
     }
 
     /// The energy of the motion, J, with the table as zero of height (`eq:rolling-energy`).
+    #[must_use]
     pub fn energy(&self, state: &Rolling) -> f64 {
         self.disk.energy(state)
     }
 
     /// The force of the table on the wheel, along axes 1, 2, 3, N (`eq:contact-force`).
+    #[must_use]
     pub fn contact_force(&self, state: &Rolling) -> Vector3<f64> {
         self.disk.contact_force(state)
     }
 
     /// The part of the contact force that holds the wheel up, N; negative where the wheel would leave the table
     /// (`eq:normal-force`).
+    #[must_use]
     pub fn normal_force(&self, state: &Rolling) -> f64 {
         self.disk.normal_force(state)
     }
@@ -81,6 +86,7 @@ impl Wheel {
     /// The angle, rad, by which the contact runs round when the wheel is let go almost flat, falls, just misses lying
     /// flat and gets up again: `π√(1 + 1/I₁)`, in the limit of a near miss (`eq:near-flat-turn`). To 2 units in the
     /// last place.
+    #[must_use]
     pub fn near_flat_turn(&self) -> f64 {
         PI * (1.0 + 1.0 / self.disk.parameters.moments.transverse).sqrt()
     }

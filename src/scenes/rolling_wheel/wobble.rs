@@ -104,16 +104,19 @@ impl Wheel {
 
 impl Wobble {
     /// The time of one wobble, s.
+    #[must_use]
     pub fn period(&self) -> f64 {
         2.0 * (self.turns.0 - self.turned.0) * self.placed.unit_of_time()
     }
 
     /// How far the heading goes on in one wobble, rad.
+    #[must_use]
     pub fn heading_advance(&self) -> f64 {
         self.heading_advance
     }
 
     /// How far the wheel turns about its axle in one wobble, relative to its frame, rad.
+    #[must_use]
     pub fn roll_advance(&self) -> f64 {
         self.roll_advance
     }

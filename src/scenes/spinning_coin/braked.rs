@@ -55,11 +55,13 @@ impl BrakedDisk {
     }
 
     /// What it was made of.
+    #[must_use]
     pub fn parameters(&self) -> DiskParameters {
         self.disk.parameters
     }
 
     /// The strength B of the brake, which has no unit (`eq:brake-torque`).
+    #[must_use]
     pub fn strength(&self) -> f64 {
         self.strength
     }
@@ -71,11 +73,13 @@ impl BrakedDisk {
 
     /// The rates of the eight numbers of [`Rolling`], for [`crate::integrate::Dop853`] (`eq:film-rates` with the torque
     /// of `eq:brake-torque`): rad/s, rad/s² and m/s. Infinite or NaN for a flat disk.
+    #[must_use]
     pub fn rates(&self, time: f64, state: &[f64; 8]) -> [f64; 8] {
         self.on_a_film(state[0]).rates(time, state)
     }
 
     /// The energy, J, with the table as zero of height (`eq:rolling-energy`).
+    #[must_use]
     pub fn energy(&self, state: &Rolling) -> f64 {
         self.disk.energy(state)
     }
@@ -83,6 +87,7 @@ impl BrakedDisk {
     /// The force of the table on the disk, N: friction along axis 1; friction across it, level, from the contact
     /// towards the centre; and upwards (`eq:contact-force`). Upwards it is negative where the disk would leave the
     /// table.
+    #[must_use]
     pub fn support(&self, state: &Rolling) -> Vector3<f64> {
         let force = self.on_a_film(state.tilt).contact_force(state);
         let (sin, cos) = state.tilt.sin_cos();

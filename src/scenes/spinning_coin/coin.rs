@@ -43,50 +43,59 @@ impl SpinningCoin {
     }
 
     /// What it was made of.
+    #[must_use]
     pub fn parameters(&self) -> DiskParameters {
         self.parameters
     }
 
     /// The tilt α from lying flat, rad.
+    #[must_use]
     pub fn tilt(&self) -> f64 {
         self.tilt
     }
 
     /// The rate Ω at which the point of contact goes round, rad/s (`eq:coin-rate-moments`).
+    #[must_use]
     pub fn turn_rate(&self) -> f64 {
         self.turn_rate
     }
 
     /// The spin about the coin's axis relative to the frame that goes round, `Ω cos α`, rad/s (`eq:coin-spin`).
+    #[must_use]
     pub fn relative_spin(&self) -> f64 {
         self.turn_rate * self.cos
     }
 
     /// The rate at which the figure on the face is seen to turn, `Ω(1 − cos α)`, rad/s (`eq:figure-rate`). To 9e-16 of
     /// itself at any tilt, as all rates here are.
+    #[must_use]
     pub fn figure_rate(&self) -> f64 {
         2.0 * self.turn_rate * (0.5 * self.tilt).sin().powi(2)
     }
 
     /// The vertical component of the angular velocity at any instant, `Ω sin² α`, rad/s (`eq:instant-rate`). Twice the
     /// figure's rate when the coin is almost flat.
+    #[must_use]
     pub fn vertical_rate(&self) -> f64 {
         self.turn_rate * self.sin * self.sin
     }
 
     /// The whole angular velocity along axes 1, 2, 3: `Ω sin α` along 2, from the contact to the centre, rad/s
     /// (`eq:coin-spin`).
+    #[must_use]
     pub fn omega(&self) -> Vector3<f64> {
         Vector3::new(0.0, self.turn_rate * self.sin, 0.0)
     }
 
     /// The angular momentum about the centre, kg·m²/s, along axes 1, 2, 3 (`eq:coin-momentum`).
+    #[must_use]
     pub fn angular_momentum(&self) -> Vector3<f64> {
         let DiskParameters { mass: m, radius: a, moments, .. } = self.parameters;
         self.omega() * (moments.transverse * m * a * a)
     }
 
     /// The energy, J, with the table as zero: `3/2 mga sin α` (`eq:coin-energy`).
+    #[must_use]
     pub fn energy(&self) -> f64 {
         1.5 * self.weight_times_radius() * self.sin
     }
@@ -98,16 +107,19 @@ impl SpinningCoin {
     }
 
     /// This motion as a state of a rolling disk, with the centre above the origin and axis 1 along x.
+    #[must_use]
     pub fn state(&self) -> Rolling {
         Rolling { tilt: self.tilt, omega_2: self.turn_rate * self.sin, ..Rolling::UPRIGHT }
     }
 
     /// How fast the point of contact moves, m/s: `aΩ cos α` (`eq:contact-run`). It is a place, and no part of the coin.
+    #[must_use]
     pub fn contact_speed(&self) -> f64 {
         self.parameters.radius * self.turn_rate * self.cos
     }
 
     /// The angular frequency of small wobbles about the steady motion, rad/s; real at every tilt (`eq:coin-nutation`).
+    #[must_use]
     pub fn wobble_rate(&self) -> f64 {
         let i1 = self.parameters.moments.transverse;
         let square = self.sin * self.sin + 3.0 * i1 * self.cos * self.cos;
@@ -118,6 +130,7 @@ impl SpinningCoin {
     /// coin's upward normal leans towards −y (`eq:coin-attitude`). Whole turns are taken off exactly; what is rounded
     /// is the angle through which the figure has turned, to 4.5e-16 of itself, so that beyond 1e16 turns of the figure
     /// nothing is left of it.
+    #[must_use]
     pub fn attitude(&self, turns: f64) -> UnitQuaternion<f64> {
         // Of so many turns no digit of the figure's is left.
         let countable = turns.clamp(-1e200, 1e200);

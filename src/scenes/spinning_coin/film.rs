@@ -55,11 +55,13 @@ impl EulersDisk {
     }
 
     /// What it was made of.
+    #[must_use]
     pub fn parameters(&self) -> DiskParameters {
         self.disk.parameters
     }
 
     /// The film's number K.
+    #[must_use]
     pub fn film(&self) -> f64 {
         self.disk.film
     }
@@ -75,17 +77,20 @@ impl EulersDisk {
 
     /// The rates of the eight numbers of [`Rolling`], for [`crate::integrate::Dop853`] (`eq:film-rates`): rad/s, rad/s²
     /// and m/s. Infinite or NaN for a flat disk.
+    #[must_use]
     pub fn rates(&self, time: f64, state: &[f64; 8]) -> [f64; 8] {
         self.disk.rates(time, state)
     }
 
     /// The energy, J, with the table as zero of height (`eq:rolling-energy`).
+    #[must_use]
     pub fn energy(&self, state: &Rolling) -> f64 {
         self.disk.energy(state)
     }
 
     /// The part of the contact force that holds the disk up, N; negative where it would leave the table
     /// (`eq:film-support`).
+    #[must_use]
     pub fn normal_force(&self, state: &Rolling) -> f64 {
         self.disk.normal_force(state)
     }

@@ -99,11 +99,13 @@ impl SpinDown {
     }
 
     /// The coin at time zero.
+    #[must_use]
     pub fn start(&self) -> SpinningCoin {
         self.start
     }
 
     /// The time t₀ from the start to the end, s (`eq:spin-down`).
+    #[must_use]
     pub fn life(&self) -> f64 {
         self.life
     }
@@ -158,6 +160,7 @@ impl SpinDown {
 
     /// The time left, s, at which the centre would have to fall faster than g for the law to hold on: the height
     /// `a sin α ∝ leftˢ` then has `s(1 − s) a sin α/left² = g`. Zero if that is never, for a loss that does not grow.
+    #[must_use]
     pub fn time_left_at_free_fall(&self) -> f64 {
         let DiskParameters { radius: a, gravity: g, .. } = self.start.parameters();
         let power = 1.0 / (self.loss.exponent + 1.0);

@@ -24,16 +24,19 @@ pub struct Engine {
 
 impl Engine {
     /// The plate with its pistons.
+    #[must_use]
     pub fn new(plate: Plate, pistons: Pistons) -> Self {
         Self { plate, pistons, slope: plate.tilt().tan() }
     }
 
     /// The plate.
+    #[must_use]
     pub fn plate(&self) -> Plate {
         self.plate
     }
 
     /// The pistons.
+    #[must_use]
     pub fn pistons(&self) -> Pistons {
         self.pistons
     }
@@ -51,34 +54,40 @@ impl Engine {
     }
 
     /// Where the rod of piston `n` touches the plate's middle plane at a phase ωt, rad, in the room, m (`eq:contact`).
+    #[must_use]
     pub fn contact(&self, n: u32, phase: f64) -> Vector3<f64> {
         let ((sin, cos), (sin_behind, _)) = (self.azimuth(n), self.behind_plate(n, phase));
         Vector3::new(sin, -cos, self.slope * sin_behind) * self.pistons.distance() // eq:contact
     }
 
     /// The centre of piston `n` at a phase ωt, rad, in the room, m (`eq:piston-centre`).
+    #[must_use]
     pub fn centre(&self, n: u32, phase: f64) -> Vector3<f64> {
         self.contact(n, phase) - Vector3::z() * self.pistons.rod()
     }
 
     /// The velocity of piston `n` along the shaft, m/s, at a phase, rad, and a spin, rad/s (`eq:piston-velocity`).
+    #[must_use]
     pub fn velocity(&self, n: u32, phase: f64, spin: f64) -> f64 {
         let (_, cos_behind) = self.behind_plate(n, phase);
         -spin * self.pistons.distance() * self.slope * cos_behind // eq:piston-velocity
     }
 
     /// The acceleration of piston `n` along the shaft, m/s²: `−ω²` times its height above the middle.
+    #[must_use]
     pub fn acceleration(&self, n: u32, phase: f64, spin: f64) -> f64 {
         -spin * spin * self.contact(n, phase).z
     }
 
     /// The angular momentum of the pistons about the plate's centre, in the room, kg·m²/s (`eq:piston-momentum`). It
     /// has no part along the shaft.
+    #[must_use]
     pub fn piston_momentum(&self, phase: f64, spin: f64) -> Vector3<f64> {
         self.moment_of(|n| self.velocity(n, phase, spin))
     }
 
     /// The angular momentum of plate and pistons about the plate's centre, in the room, kg·m²/s.
+    #[must_use]
     pub fn angular_momentum(&self, phase: f64, spin: f64) -> Vector3<f64> {
         in_room(&self.plate.angular_momentum_rotating(spin), phase) + self.piston_momentum(phase, spin)
     }
@@ -89,6 +98,7 @@ impl Engine {
     ///
     /// At the balancing mass at most 2e-15 of the plate's own torque is left, up to ten pistons and a tilt of 89.99°;
     /// 1e-14 for more pistons.
+    #[must_use]
     pub fn frame_torque(&self, phase: f64, spin: f64) -> Vector3<f64> {
         in_room(&self.plate.bearing_torque_rotating(spin), phase)
             + self.moment_of(|n| self.acceleration(n, phase, spin))
@@ -105,18 +115,21 @@ impl Engine {
     }
 
     /// The force along the shaft that moves the pistons, N; zero for two and more (`eq:shaking-force`).
+    #[must_use]
     pub fn shaking_force(&self, phase: f64, spin: f64) -> f64 {
         let sum: f64 = self.pistons.numbers().map(|n| self.acceleration(n, phase, spin)).sum();
         self.pistons.mass() * sum
     }
 
     /// The kinetic energy of the pistons, J; `¼N m ω² r² tan²α`, constant, for three and more (`eq:piston-energy`).
+    #[must_use]
     pub fn piston_energy(&self, phase: f64, spin: f64) -> f64 {
         let squares: f64 = self.pistons.numbers().map(|n| self.velocity(n, phase, spin).powi(2)).sum();
         0.5 * self.pistons.mass() * squares
     }
 
     /// The torque about the shaft that moves the pistons at constant spin, N·m; zero for three and more.
+    #[must_use]
     pub fn drive_torque(&self, phase: f64, spin: f64) -> f64 {
         let power: f64 = self
             .pistons

@@ -28,6 +28,7 @@ use nalgebra::Vector3;
 /// assert_eq!(format!("{:.3} kg·m²/s", turned.y), "-0.125 kg·m²/s");
 /// # Ok::<(), mechanics::InvalidQuantity>(())
 /// ```
+#[must_use]
 pub fn in_room(rotating: &Vector3<f64>, phase: f64) -> Vector3<f64> {
     let (sin, cos) = phase.sin_cos();
     Vector3::new(rotating.x * cos - rotating.y * sin, rotating.x * sin + rotating.y * cos, rotating.z)

@@ -56,26 +56,31 @@ impl Pistons {
     }
 
     /// How many there are.
+    #[must_use]
     pub fn count(&self) -> u32 {
         self.0.count
     }
 
     /// Their numbers, 1 to N.
+    #[must_use]
     pub fn numbers(&self) -> RangeInclusive<u32> {
         1..=self.0.count
     }
 
     /// The mass of each, kg.
+    #[must_use]
     pub fn mass(&self) -> f64 {
         self.0.mass
     }
 
     /// Their distance from the shaft, m.
+    #[must_use]
     pub fn distance(&self) -> f64 {
         self.0.distance
     }
 
     /// How far their centres lie below the rods' ends, m.
+    #[must_use]
     pub fn rod(&self) -> f64 {
         self.0.rod
     }

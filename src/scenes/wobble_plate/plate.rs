@@ -71,21 +71,25 @@ impl Plate {
     }
 
     /// The tilt α, rad.
+    #[must_use]
     pub fn tilt(&self) -> f64 {
         self.tilt
     }
 
     /// The principal moments; axis 3 is the normal.
+    #[must_use]
     pub fn moments(&self) -> PrincipalMoments {
         self.moments
     }
 
     /// The angular velocity of the spin `spin`, rad/s, along the plate's principal axes (`eq:plate-spin`).
+    #[must_use]
     pub fn spin_body(&self, spin: f64) -> Vector3<f64> {
         Vector3::new(self.sin, 0.0, self.cos) * spin
     }
 
     /// The angular momentum about the centre along the plate's principal axes, kg·m²/s (`eq:plate-momentum`).
+    #[must_use]
     pub fn angular_momentum_body(&self, spin: f64) -> Vector3<f64> {
         self.moments.angular_momentum(&self.spin_body(spin))
     }
@@ -94,6 +98,7 @@ impl Plate {
     ///
     /// The part across the shaft is formed from the difference of the moments, and keeps its digits at every tilt. The
     /// difference itself has as many as the moments leave it: few for a plate of nearly √3 times its radius.
+    #[must_use]
     pub fn angular_momentum_rotating(&self, spin: f64) -> Vector3<f64> {
         let Self { transverse: i1, axial: i3, sin, cos, .. } = *self;
         // eq:plate-transverse with I₁ and I₃ for ¼MR² and ½MR².
@@ -102,6 +107,7 @@ impl Plate {
 
     /// The angle β from the shaft to the angular momentum, rad; positive on the side of the normal, negative for a
     /// plate that is thicker than √3 times its radius (`eq:momentum-tilt`).
+    #[must_use]
     pub fn momentum_angle(&self) -> f64 {
         let momentum = self.angular_momentum_rotating(1.0);
         (-momentum.x).atan2(momentum.z) // eq:momentum-tilt before tan α, which has no bound, is divided out
@@ -109,6 +115,7 @@ impl Plate {
 
     /// The angle β of largest size of any tilt, and the tilt that has it: `sin β = (I₃ − I₁)/(I₃ + I₁)` at
     /// `tan² α = I₃/I₁` (`eq:largest-momentum-tilt` for a thin plate).
+    #[must_use]
     pub fn largest_momentum_angle(&self) -> LargestMomentumAngle {
         let Self { transverse: i1, axial: i3, .. } = *self;
         LargestMomentumAngle { momentum_angle: ((i3 - i1) / (i3 + i1)).asin(), tilt: (i3 / i1).sqrt().atan() }
@@ -116,6 +123,7 @@ impl Plate {
 
     /// The torque that the bearings give the turning plate, along the rotating axes, N·m: `ω × L`
     /// (`eq:rate-on-board`, where the components are constant; `eq:bearing-torque` for a thin plate).
+    #[must_use]
     pub fn bearing_torque_rotating(&self, spin: f64) -> Vector3<f64> {
         let omega = Vector3::new(0.0, 0.0, spin);
         omega.cross(&self.angular_momentum_rotating(spin)) // eq:rate-on-board

@@ -73,6 +73,7 @@ impl Unbalance {
     /// The torque about the plate's centre that the frame gives plate and pistons, in the room, N·m, at a phase ωt,
     /// rad, and a spin, rad/s, as [`Engine::frame_torque`](super::Engine::frame_torque) has it
     /// (`eq:unbalance-torque`).
+    #[must_use]
     pub fn torque(&self, phase: f64, spin: f64) -> Vector3<f64> {
         let turned = Complex::cis(phase);
         let sum = self.forward * turned - 0.5 * self.backward * turned.conj();
@@ -81,12 +82,14 @@ impl Unbalance {
     }
 
     /// The least and the greatest torque on the frame in a turn, N·m (`eq:unbalance-range`).
+    #[must_use]
     pub fn torque_range(&self, spin: f64) -> [f64; 2] {
         let (with, against) = (self.forward.abs(), 0.5 * self.backward.norm());
         [(with - against).abs(), with + against].map(|part| part * spin * spin * self.slope)
     }
 
     /// The greatest force along the shaft in a turn, N.
+    #[must_use]
     pub fn greatest_force(&self, spin: f64) -> f64 {
         self.along.norm() * spin * spin * self.slope
     }

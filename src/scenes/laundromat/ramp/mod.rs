@@ -110,6 +110,7 @@ impl Machine {
 
 impl Ramp {
     /// The drum's angular velocity at `time`, s, rad/s.
+    #[must_use]
     pub fn spin(&self, time: f64) -> f64 {
         let spin = self.drum.rate(time);
         if self.mirrored { -spin } else { spin }
