@@ -20,9 +20,11 @@ from pathlib import Path
 
 from fontTools import subset
 from fontTools.misc.transform import Transform
+from fontTools.pens.cu2quPen import Cu2QuPen
 from fontTools.pens.recordingPen import DecomposingRecordingPen
 from fontTools.pens.transformPen import TransformPen
 from fontTools.pens.ttGlyphPen import TTGlyphPen
+from fontTools.ttLib import newTable
 
 HERE = Path(__file__).parent
 PAGES = HERE.parents[1] / "theme/fonts"
@@ -96,6 +98,32 @@ def prune(font):
         setattr(variants, f"{way}GlyphCount", len(kept))
 
 
+def to_quadratic(font):
+    """Gives a font with cubic outlines quadratic ones, nowhere further away than a thousandth of an em. Chromium prints only
+    these as fonts of a PDF; of others it draws each letter anew (Type 3)."""
+    glyphs, order = font.getGlyphSet(), font.getGlyphOrder()
+    made = {}
+    for name in order:
+        pen = TTGlyphPen(None)
+        glyphs[name].draw(Cu2QuPen(pen, 1.0, reverse_direction=True))
+        made[name] = pen.glyph()
+    font["loca"], font["glyf"] = newTable("loca"), newTable("glyf")
+    font["glyf"].glyphOrder, font["glyf"].glyphs = order, made
+    for name, glyph in made.items():
+        glyph.recalcBounds(font["glyf"])
+        font["hmtx"][name] = (font["hmtx"][name][0], getattr(glyph, "xMin", 0))
+    for table in ["CFF ", "VORG"]:
+        if table in font:
+            del font[table]
+    maxp = font["maxp"]
+    maxp.tableVersion, maxp.maxZones = 0x00010000, 1
+    for count in ["TwilightPoints", "Storage", "FunctionDefs", "InstructionDefs", "StackElements", "SizeOfInstructions", "ComponentElements"]:
+        setattr(maxp, f"max{count}", 0)
+    maxp.recalc(font)
+    font["post"].formatType, font.sfntVersion = 3.0, "\0\1\0\0"
+    return font
+
+
 def cut(source, wanted, features, flavor="woff2", glyphs=(), mend=lambda font: None):
     choices = options(features)
     font = subset.load_font(str(original(source)), choices)
@@ -127,7 +155,7 @@ def save(font, file, family=None):
 def text(sections):
     for style in ["Regular", "Italic", "Semibold"]:
         font = cut(f"LibertinusSerif-{style}.otf", sections["text"], LETTERS)
-        save(font, PAGES / f"libertinus-serif-{style.lower()}.woff2")
+        save(to_quadratic(font), PAGES / f"libertinus-serif-{style.lower()}.woff2")
     for style in ["regular", "italic", "600"]:
         minus = lambda font: draw(font, "⁻", [("−", 0.62, 0, 560)])
         font = cut(f"open-sans-v17-all-charsets-{style}.woff2", sections["text"], LETTERS, mend=minus)
@@ -165,7 +193,7 @@ def maths(sections):
     # them. Each is cut twice, as the table MATH keeps its measures of such glyphs only as are asked for by name.
     plain = cut("NewCMMath-Book.otf", sections["maths"], [], mend=for_browsers).getGlyphOrder()
     font = cut("NewCMMath-Book.otf", sections["maths"], [], glyphs=plain, mend=for_browsers)
-    save(font, PAGES / "book-math.woff2", "Book Math")
+    save(to_quadratic(font), PAGES / "book-math.woff2", "Book Math")
     every = cut("NewCMMath-Book.otf", sections["maths"], ["ssty"], mend=prune).getGlyphOrder()
     font = cut("NewCMMath-Book.otf", sections["maths"], ["ssty"], flavor=None, glyphs=every, mend=prune)
     save(font, HERE / "math.otf", "Book Math")
