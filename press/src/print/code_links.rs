@@ -26,6 +26,11 @@ impl CodePlace {
         format!("{FOLDER}/{}#{}", self.page, self.line)
     }
 
+    /// The function or type that names the equation.
+    pub(crate) fn item(&self) -> &str {
+        &self.item
+    }
+
     /// What it is, for those who point at the link.
     pub(crate) fn words(&self) -> String {
         let file = self.page.trim_start_matches("src/").trim_end_matches(".html");

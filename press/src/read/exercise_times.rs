@@ -50,10 +50,11 @@ fn effort(text: &str) -> Effort {
     effort
 }
 
-/// The grade of an exercise, by its place among the grades, and its minutes, from the line that says both.
+/// The grade of an exercise, by its place among the grades, and its minutes, from the line that says both and may say
+/// more: `*Check · 5 minutes · no pen*`.
 pub fn graded(line: &str) -> Option<(usize, f64)> {
     let (grade, time) = line.trim().strip_prefix('*')?.strip_suffix('*')?.split_once(" · ")?;
-    let (number, unit) = time.split_once(' ')?;
+    let (number, unit) = time.split(" · ").next()?.split_once(' ')?;
     let minutes = match unit {
         "minute" | "minutes" => 1.0,
         "hour" | "hours" => 60.0,
@@ -72,7 +73,7 @@ mod tests {
         let page = |path: &str, chapter, text: &str| {
             Page::new("book", path.to_owned(), chapter, None, text.to_owned())
         };
-        let exercises = "# Exercises\n\n## A {#ex:a}\n*Check · 5 minutes*\n\n## B {#ex:b}\n*Check · 10 minutes*\n\n\
+        let exercises = "# Exercises\n\n## A {#ex:a}\n*Check · 5 minutes*\n\n## B {#ex:b}\n*Check · 10 minutes · needs [A](a.md)*\n\n\
                          ## C {#ex:c}\n*Project · 2 hours*\n\nNot *Check · 5 minutes* of a sentence.\n";
         let pages = [
             page("preface.md", None, "# Preface\n"),

@@ -19,7 +19,8 @@ pub(crate) struct LabelEntry {
     /// Where it is defined, for messages: `book/page.md`, 80.
     file: String,
     line: usize,
-    /// `1.9`; empty for sections and citations.
+    /// `1.9`; that of a section is the number of the section of level two that it is or stands in, that of a chapter's
+    /// title the chapter's. Empty for citations, and outside of chapters.
     pub(crate) number: String,
     /// The title of a section or an exercise, the short name of a citation.
     pub(crate) title: String,
@@ -33,6 +34,8 @@ pub(crate) struct Registry {
     sources: BTreeMap<u32, Label>,
     /// Path of a page → the ids on it that a link may lead to.
     anchors: HashMap<String, BTreeSet<String>>,
+    /// Path of a page of a chapter → how many sections the chapter has before it.
+    sections: HashMap<String, u32>,
 }
 
 impl Registry {
@@ -49,8 +52,16 @@ impl Registry {
         for (page, items) in pages.iter().zip(scans) {
             let mut slugs = Slugs::default();
             let mut claimed: Vec<(String, usize)> = Vec::new();
+            let chapter = page.chapter.unwrap_or_default();
+            let before = counters.entry((chapter, LabelKind::Section)).or_default();
+            registry.sections.insert(page.path.clone(), *before);
             for placed in items {
                 let line = page.lines.at(placed.range.start);
+                if let Item::Heading { level: 2, label, .. } = &placed.item
+                    && label.as_ref().is_none_or(|label| label.kind == LabelKind::Section)
+                {
+                    *counters.entry((chapter, LabelKind::Section)).or_default() += 1;
+                }
                 let (label, title) = match &placed.item {
                     Item::DisplayMaths { label: Some(equation), .. } => (&equation.label, String::new()),
                     Item::Figure { label, .. } | Item::Scene { label, .. } => (label, String::new()),
@@ -75,7 +86,12 @@ impl Registry {
                     }
                     _ => continue,
                 };
-                let number = registry.number(label, page, line, &mut counters, faults);
+                let number = match &placed.item {
+                    Item::Heading { level, .. } if label.kind == LabelKind::Section => {
+                        section(page, *level, counters[&(chapter, LabelKind::Section)])
+                    }
+                    _ => registry.number(label, page, line, &mut counters, faults),
+                };
                 let entry =
                     LabelEntry { page: page.path.clone(), file: page.file.clone(), line, number, title };
                 if let Some(first) = registry.entries.get(label) {
@@ -153,6 +169,11 @@ impl Registry {
         format!("{chapter}.{counter}")
     }
 
+    /// How many sections the chapter of a page has before it.
+    pub(crate) fn sections_before(&self, page: &Page) -> u32 {
+        self.sections.get(&page.path).copied().unwrap_or_default()
+    }
+
     /// The entry of a label, or what to say about its absence.
     pub(crate) fn find(&self, label: &Label) -> Result<&LabelEntry, String> {
         self.entries.get(label).ok_or_else(|| {
@@ -190,6 +211,15 @@ impl Registry {
     /// Whether the page at `path` has an element with this id.
     pub(crate) fn has_anchor(&self, path: &str, id: &str) -> bool {
         self.anchors.get(path).is_some_and(|ids| ids.contains(id))
+    }
+}
+
+/// The number of a section on a page of a chapter that has come to its section `count`.
+fn section(page: &Page, level: u8, count: u32) -> String {
+    match (page.chapter, &page.part) {
+        (Some(chapter), None) if level == 1 => chapter.to_string(),
+        (Some(chapter), _) if level > 1 => format!("{chapter}.{count}"),
+        _ => String::new(),
     }
 }
 

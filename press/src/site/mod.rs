@@ -2,6 +2,7 @@
 
 pub mod check;
 
+pub(crate) mod exercises;
 pub(crate) mod licence;
 pub(crate) mod links;
 pub(crate) mod not_found_page;
@@ -15,5 +16,6 @@ pub(crate) mod scripts;
 pub(crate) mod search;
 pub(crate) mod solutions;
 pub(crate) mod theme;
+pub(crate) mod trails;
 pub(crate) mod version_stamp;
 pub(crate) mod wasm;

@@ -11,7 +11,9 @@ use crate::site::page_metadata;
 use crate::site::page_metadata::SiteMetadata;
 use crate::site::preprocess::Failed;
 use crate::site::version_stamp::edition;
-use crate::site::{links, not_found_page, publish, rustdoc, scripts, search, solutions, theme, wasm};
+use crate::site::{
+    exercises, links, not_found_page, publish, rustdoc, scripts, search, solutions, theme, trails, wasm,
+};
 use mdbook_renderer::RenderContext;
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -123,6 +125,7 @@ fn complete_pages(
         licence: licence.as_ref(),
     };
     let doc = package.map(rustdoc::folder).unwrap_or_default();
+    let trails = trails::trails(&context.book);
     let mut pages = BTreeMap::new();
     let copies = ["index.html", PRINT].map(str::to_owned);
     for page in copies.into_iter().chain(links::pages(context.book.iter())) {
@@ -130,12 +133,16 @@ fn complete_pages(
         if file.is_file() {
             let mut html = page_metadata::with_metadata(&fs::read_to_string(file)?, &page, &metadata);
             html = rustdoc::with_links(&html, &page, &doc);
+            html = trails::with_trail(&html, &page, &trails);
             if !hidden.is_empty() {
                 html = solutions::unlinked(&html, &page, hidden);
             }
             pages.insert(page, html);
         }
     }
+    let unfolded =
+        |(page, html): (&String, &String)| (page.clone(), exercises::with_solutions(html, page, &pages));
+    pages = pages.iter().map(unfolded).collect();
     if let Some(address) = known {
         fs::write(site.join("sitemap.xml"), sitemap(address, pages.keys()))?;
     }

@@ -4,6 +4,7 @@ mod accents;
 mod brackets;
 mod letters;
 mod pieces;
+mod roots;
 mod tree;
 mod words;
 
@@ -96,6 +97,7 @@ impl Maths {
         self.letters.colour(&mut formula, folder);
         accents::keep_exponents_low(&mut formula, &self.font);
         words::be_small(&mut formula);
+        roots::have_struts(&mut formula);
         let pieces = if display == MathDisplay::Block { pieces::cut(formula) } else { vec![formula] };
         let mut out = String::with_capacity(tex.len() * 8);
         pieces.iter().for_each(|piece| piece.write(&mut out));

@@ -3,7 +3,6 @@
 use super::Printer;
 use crate::print::code_links::CodePlace;
 use crate::read::items::EquationLabel;
-use std::fmt::Write as _;
 
 impl Printer<'_, '_> {
     pub(super) fn inline(&mut self, tex: &str, offset: usize) -> Option<String> {
@@ -25,41 +24,39 @@ impl Printer<'_, '_> {
             return Some(format!("<div class=\"equation\"><div class=\"formula\">{mathml}</div></div>"));
         };
         let number = self.registry.find(label).map(|entry| entry.number.clone()).unwrap_or_default();
-        let id = label.id();
-        let mut marks = format!("<a class=\"number\" href=\"#{id}\">({number})</a>");
-        for n in source {
-            let (words, title) = if *corrected {
-                ("corrects", format!("corrects equation ({n}) of the source"))
-            } else {
-                ("source", format!("equation ({n}) of the source"))
-            };
-            let _ = write!(
-                marks,
-                "<a class=\"source\" id=\"source-{n}\" href=\"#source-{n}\" title=\"{title}\">{words} {n}</a>"
-            );
-        }
-        marks += &self.code(&label.name);
+        let (id, origin) = (label.id(), self.origin(&label.name, &number, source, *corrected));
+        let anchors: String = source.iter().map(|n| format!("<span id=\"source-{n}\"></span>")).collect();
         Some(format!(
-            "<div class=\"equation numbered\" id=\"{id}\"><div class=\"formula\">{mathml}</div><div class=\"marks\">{marks}</div></div>"
+            "<div class=\"equation numbered\" id=\"{id}\">{anchors}<div class=\"formula\">{mathml}</div>\
+             <div class=\"marks\">{origin}<a class=\"number\" href=\"#{id}\">({number})</a></div></div>"
         ))
     }
 
-    /// Links to the lines of the library that name an equation.
-    fn code(&self, equation: &str) -> String {
-        let Some(places) = self.places.get(equation) else { return String::new() };
+    /// Where an equation is from and where the library has it, folded behind a sign: the numbers that the source gives
+    /// it, and links to the lines of the library that name it.
+    fn origin(&self, equation: &str, number: &str, source: &[u32], corrected: bool) -> String {
         let up = "../".repeat(self.page.path.matches('/').count());
-        let link = |(index, place): (usize, &CodePlace)| {
-            let (words, target) = (place.words(), place.target());
-            // What is heard begins with what is seen, so that who speaks can name the link.
-            let (text, name) = match index {
-                0 if places.len() == 1 => ("code".to_owned(), "code".to_owned()),
-                0 => ("code 1".to_owned(), "code 1".to_owned()),
-                _ => ((index + 1).to_string(), format!("code {}", index + 1)),
-            };
-            format!("<a href=\"{up}{target}\" title=\"{words}\" aria-label=\"{name}: {words}\">{text}</a>")
+        let verb = if corrected { "corrects" } else { "is" };
+        let numbers: Vec<String> = source.iter().map(|n| format!("({n})")).collect();
+        let mut words = Vec::new();
+        if !numbers.is_empty() {
+            words.push(format!("<span class=\"source\">{verb} {} of the source</span>", numbers.join(", ")));
+        }
+        let link = |place: &CodePlace| {
+            let (item, title, target) = (place.item(), place.words(), place.target());
+            format!("<a href=\"{up}{target}\" title=\"{title}\"><code>{item}</code></a>")
         };
-        let links: Vec<String> = places.iter().enumerate().map(link).collect();
-        format!("<span class=\"code\">{}</span>", links.join(", "))
+        let links: Vec<String> = self.places.get(equation).into_iter().flatten().map(link).collect();
+        if !links.is_empty() {
+            words.push(format!("<span class=\"code\">in the library: {}</span>", links.join(", ")));
+        }
+        if words.is_empty() {
+            return String::new();
+        }
+        format!(
+            "<details class=\"origin\"><summary aria-label=\"Where ({number}) is from\"></summary><p>{}</p></details>",
+            words.join(" ")
+        )
     }
 }
 

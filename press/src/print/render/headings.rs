@@ -4,19 +4,23 @@ use super::Printer;
 use crate::book::relative;
 use crate::html::escaped;
 use crate::read::items::{Label, LabelKind};
+use live::numbers::BLANK;
 
 impl Printer<'_, '_> {
-    /// The title of a page of a numbered chapter, below the number of the chapter.
+    /// The title of a page of a numbered chapter, below the number of the chapter or, on a further page, a link to its
+    /// first.
     pub(super) fn title(&self, heading: &str) -> Option<String> {
         let chapter = self.page.chapter?;
-        // Only the sections of a chapter's first page have numbers.
-        let (class, part) = match &self.page.part {
-            None => ("kicker", String::new()),
-            Some(part) => ("kicker leaf", format!(" · {}", escaped(part))),
+        let (class, words) = match self.chapters.get(&chapter) {
+            Some((path, title)) if self.page.part.is_some() => {
+                let up = relative(&self.page.path, path);
+                ("kicker leaf", format!("<a href=\"{up}\">{chapter}{BLANK}{BLANK}{}</a>", escaped(title)))
+            }
+            _ => ("kicker", format!("Chapter {chapter}")),
         };
-        Some(format!(
-            "<p class=\"{class}\" style=\"--chapter: {chapter}\">Chapter {chapter}{part}</p>\n\n{heading}"
-        ))
+        let sections = self.registry.sections_before(self.page);
+        let counts = format!("--chapter: {chapter}; --sections: {sections}");
+        Some(format!("<p class=\"{class}\" style=\"{counts}\">{words}</p>\n\n{heading}"))
     }
 
     /// A heading with a label.
@@ -52,16 +56,21 @@ mod tests {
 
     #[test]
     fn the_number_of_the_chapter_stands_above_the_title() {
-        let print = |chapter, part: Option<&str>| {
-            let text = "# A {#sec:a}\n".to_owned();
-            let page = Page::new("book", "a.md".to_owned(), chapter, part.map(str::to_owned), text);
-            render(&[page], &Rendered::default(), "", &[]).unwrap_or_default().remove(0)
+        let page = |path: &str, chapter, part: Option<&str>, text: &str| {
+            Page::new("book", path.to_owned(), chapter, part.map(str::to_owned), text.to_owned())
         };
-        let kicker = |class: &str, words: &str| {
-            format!("<p class=\"{class}\" style=\"--chapter: 4\">{words}</p>\n\n# A {{#sec-a}}\n")
+        let pages = [
+            page("a/index.md", Some(4), None, "# A *top* {#sec:a}\n\n## One\n"),
+            page("a/more.md", Some(4), Some("More"), "# B\n\n## Two {#sec:two}\n"),
+            page("c.md", None, None, "# C\n"),
+        ];
+        let printed = render(&pages, &Rendered::default(), "", &[]).unwrap_or_default();
+        let kicker = |class: &str, sections: u8, words: &str| {
+            format!("<p class=\"{class}\" style=\"--chapter: 4; --sections: {sections}\">{words}</p>\n\n# ")
         };
-        assert_eq!(print(Some(4), None), kicker("kicker", "Chapter 4"));
-        assert_eq!(print(Some(4), Some("Exercises")), kicker("kicker leaf", "Chapter 4 · Exercises"));
-        assert_eq!(print(None, None), "# A {#sec-a}\n");
+        assert!(printed[0].starts_with(&kicker("kicker", 0, "Chapter 4")), "{}", printed[0]);
+        let up = "<a href=\"index.md\">4\u{a0}\u{a0}A top</a>";
+        assert!(printed[1].starts_with(&kicker("kicker leaf", 1, up)), "{}", printed[1]);
+        assert_eq!(printed[2], "# C\n");
     }
 }

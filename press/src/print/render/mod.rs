@@ -13,6 +13,7 @@ mod words;
 use crate::assets::Rendered;
 use crate::book::Page;
 use crate::fault::Faults;
+use crate::html::escaped;
 use crate::print::code_links;
 use crate::print::code_links::CodePlace;
 use crate::print::maths::Maths;
@@ -22,6 +23,7 @@ use crate::read::labels::Registry;
 use crate::read::scan::scan;
 use bibliography::Cited;
 use live::numbers::BLANK;
+use references::Reference;
 use std::collections::BTreeMap;
 
 /// Renders all pages with what is `drawn`; the faults if there are any. `code` holds the files whose comments
@@ -43,6 +45,7 @@ pub(crate) fn render(
     let maths = Maths::new(pages, &scans, &mut faults);
     let places = code_links::places(library, drawn.book.code.first().copied().unwrap_or_default(), code);
     let mut cited = Cited::new();
+    let chapters = chapters(pages, &scans);
     let mut live = 0;
     let mut printed = Vec::with_capacity(pages.len());
     for (index, (page, found)) in pages.iter().zip(&scans).enumerate() {
@@ -54,6 +57,7 @@ pub(crate) fn render(
             drawn,
             library,
             places: &places,
+            chapters: &chapters,
             cited: &mut cited,
             notes: Vec::new(),
             live: &mut live,
@@ -74,6 +78,21 @@ pub(crate) fn render(
         parts.into_iter().map(text).collect()
     };
     Ok(pages.iter().zip(printed).map(whole).collect())
+}
+
+/// The number of each chapter → the path and the title of its first page.
+type Chapters = BTreeMap<u32, (String, String)>;
+
+fn chapters(pages: &[Page], scans: &[Vec<PlacedItem<'_>>]) -> Chapters {
+    let first = pages.iter().zip(scans).filter(|(page, _)| page.part.is_none());
+    let entry = |(page, items): (&Page, &Vec<PlacedItem<'_>>)| {
+        let title = items.iter().find_map(|placed| match &placed.item {
+            Item::Heading { level: 1, plain, .. } => Some(plain.clone()),
+            _ => None,
+        });
+        Some((page.chapter?, (page.path.clone(), title?)))
+    };
+    first.filter_map(entry).collect()
 }
 
 /// Adds a fault for each label that a comment cites and no page defines.
@@ -109,6 +128,7 @@ struct Printer<'a, 'f> {
     library: &'a str,
     /// Where the library's comments name equations.
     places: &'a BTreeMap<String, Vec<CodePlace>>,
+    chapters: &'a Chapters,
     /// Every label that some page mentions.
     cited: &'f mut Cited,
     /// The notes of the page whose marks are printed, in their order.
@@ -181,8 +201,9 @@ impl Printer<'_, '_> {
             Item::Heading { level, label: Some(label), title, .. } => self.heading(*level, label, title),
             Item::Mention(mention) => {
                 let before = &self.page.text[..offset];
-                let (words, target) = self.mention(mention, before, offset)?;
-                Some(format!("{}[{words}]({target})", self.way_back(mention)))
+                let Reference { words, target, title } = self.mention(mention, before, offset)?;
+                let title = if title.is_empty() { title } else { format!(" \"{}\"", escaped(&title)) };
+                Some(format!("{}[{words}]({target}{title})", self.way_back(mention)))
             }
             Item::ColouredStart(quantity) => Some(format!("<span class=\"{}\">", quantity.class())),
             Item::ColouredEnd => Some("</span>".to_owned()),
@@ -227,16 +248,15 @@ mod tests {
     fn a_page_comes_out_as_expected() {
         let page = "# A\n\n## Motion {#sec:motion}\n\n$$\na\n$$ {#eq:x source=19}\n\n$$\nb\n$$\n\n\
                     $$\nc\n$$ {#eq:y source=\"20 21\" corrected}\n\nSee @eq:y, @source:19, @sec:motion and `@eq:z`.\n";
-        let expected = "<p class=\"kicker\" style=\"--chapter: 1\">Chapter 1</p>\n\n# A\n\n## Motion {#sec-motion}\n\n\
-            <div class=\"equation numbered\" id=\"eq-x\"><div class=\"formula\"><math display=\"block\"><mi>a</mi></math></div>\
-            <div class=\"marks\"><a class=\"number\" href=\"#eq-x\">(1.1)</a>\
-            <a class=\"source\" id=\"source-19\" href=\"#source-19\" title=\"equation (19) of the source\">source 19</a></div></div>\n\n\
+        let expected = "<p class=\"kicker\" style=\"--chapter: 1; --sections: 0\">Chapter 1</p>\n\n# A\n\n## Motion {#sec-motion}\n\n\
+            <div class=\"equation numbered\" id=\"eq-x\"><span id=\"source-19\"></span><div class=\"formula\"><math display=\"block\"><mi>a</mi></math></div>\
+            <div class=\"marks\"><details class=\"origin\"><summary aria-label=\"Where (1.1) is from\"></summary>\
+            <p><span class=\"source\">is (19) of the source</span></p></details><a class=\"number\" href=\"#eq-x\">(1.1)</a></div></div>\n\n\
             <div class=\"equation\"><div class=\"formula\"><math display=\"block\"><mi>b</mi></math></div></div>\n\n\
-            <div class=\"equation numbered\" id=\"eq-y\"><div class=\"formula\"><math display=\"block\"><mi>c</mi></math></div>\
-            <div class=\"marks\"><a class=\"number\" href=\"#eq-y\">(1.2)</a>\
-            <a class=\"source\" id=\"source-20\" href=\"#source-20\" title=\"corrects equation (20) of the source\">corrects 20</a>\
-            <a class=\"source\" id=\"source-21\" href=\"#source-21\" title=\"corrects equation (21) of the source\">corrects 21</a></div></div>\n\n\
-            See [(1.2)](a.md#eq-y), [source\u{a0}19](a.md#source-19), [“Motion”](a.md#sec-motion) and `@eq:z`.\n";
+            <div class=\"equation numbered\" id=\"eq-y\"><span id=\"source-20\"></span><span id=\"source-21\"></span><div class=\"formula\"><math display=\"block\"><mi>c</mi></math></div>\
+            <div class=\"marks\"><details class=\"origin\"><summary aria-label=\"Where (1.2) is from\"></summary>\
+            <p><span class=\"source\">corrects (20), (21) of the source</span></p></details><a class=\"number\" href=\"#eq-y\">(1.2)</a></div></div>\n\n\
+            See [(1.2)](a.md#eq-y), [source\u{a0}19](a.md#source-19), [§1.1](a.md#sec-motion \"Motion\") and `@eq:z`.\n";
         assert_eq!(printed(page), expected);
     }
 }

@@ -6,31 +6,36 @@ use crate::print::nonbreaking;
 use crate::read::items::{Label, LabelKind, Mention};
 use live::numbers::BLANK;
 
+/// A reference as it is printed.
+pub(super) struct Reference {
+    pub(super) words: String,
+    pub(super) target: String,
+    /// What it refers to, for those who point at it; empty if its words say so.
+    pub(super) title: String,
+}
+
 impl Printer<'_, '_> {
-    /// The words of a reference behind the text `before`, and where it leads.
-    pub(super) fn mention(
-        &mut self,
-        mention: &Mention,
-        before: &str,
-        offset: usize,
-    ) -> Option<(String, String)> {
+    /// A reference behind the text `before`.
+    pub(super) fn mention(&mut self, mention: &Mention, before: &str, offset: usize) -> Option<Reference> {
         let found = match mention {
             Mention::Source(number) => self.registry.find_source(*number).map(|entry| {
-                (format!("source{BLANK}{number}"), entry.page.clone(), format!("source-{number}"))
+                let words = format!("source{BLANK}{number}");
+                Reference { words, target: format!("{}#source-{number}", entry.page), title: String::new() }
             }),
             Mention::Label(label) => {
                 let pages = self.cited.entry(label.clone()).or_default();
                 if pages.last().is_none_or(|&(last, _)| last != self.index) {
                     pages.push((self.index, false));
                 }
-                self.words(label).map(|(words, page)| (words, page, label.id()))
+                self.reference(label)
             }
         };
         match found {
-            Ok((words, page, id)) => {
-                let words = nonbreaking::in_place(words, before);
-                Some((words, format!("{}#{id}", relative(&self.page.path, &page))))
-            }
+            Ok(found) => Some(Reference {
+                words: nonbreaking::in_place(found.words, before),
+                target: relative(&self.page.path, &found.target),
+                title: found.title,
+            }),
             Err(message) => {
                 self.fault(offset, message);
                 None
@@ -38,26 +43,31 @@ impl Printer<'_, '_> {
         }
     }
 
-    /// What a reference to `label` says, and on which page it is.
-    pub(super) fn words(&self, label: &Label) -> Result<(String, String), String> {
+    /// A reference to `label`, from the root of the book.
+    fn reference(&self, label: &Label) -> Result<Reference, String> {
         let entry = self.registry.find(label)?;
+        let (number, mut title) = (&entry.number, String::new());
         let words = match label.kind {
-            LabelKind::Equation => format!("({})", entry.number),
-            LabelKind::Figure if entry.number.is_empty() => {
+            LabelKind::Equation => format!("({number})"),
+            LabelKind::Figure if number.is_empty() => {
                 return Err(format!("{} has no number by which to refer to it", label.written()));
             }
-            LabelKind::Figure => format!("Figure{BLANK}{}", entry.number),
-            LabelKind::Scene => format!("Scene{BLANK}{}", entry.number),
-            LabelKind::Exercise => format!("Exercise{BLANK}{}", entry.number),
+            LabelKind::Figure => format!("Figure{BLANK}{number}"),
+            LabelKind::Scene => format!("Scene{BLANK}{number}"),
+            LabelKind::Exercise => format!("Exercise{BLANK}{number}"),
             LabelKind::Solution => {
                 let exercise =
                     self.registry.find(&Label { kind: LabelKind::Exercise, name: label.name.clone() })?;
                 format!("Solution{BLANK}{}", exercise.number)
             }
-            LabelKind::Section => format!("“{}”", entry.title),
+            LabelKind::Section if number.is_empty() => format!("“{}”", entry.title),
+            LabelKind::Section => {
+                title.clone_from(&entry.title);
+                if number.contains('.') { format!("§{number}") } else { format!("Chapter{BLANK}{number}") }
+            }
             LabelKind::Citation => entry.title.replace(' ', BLANK),
         };
-        Ok((words, entry.page.clone()))
+        Ok(Reference { words, target: format!("{}#{}", entry.page, label.id()), title })
     }
 
     /// A link to another page or to an anchor must lead somewhere.
@@ -87,6 +97,20 @@ impl Printer<'_, '_> {
 #[cfg(test)]
 mod tests {
     use crate::print::render::tests::printed;
+
+    #[test]
+    fn a_section_is_named_by_its_number_and_its_title_is_there_for_those_who_point() {
+        let page = printed(
+            "# A {#sec:a}\n\n## One\n\n## The \"two\" {#sec:two}\n\n### In it {#sec:in}\n\n@sec:two.[^n] @sec:in, @sec:a\n\n[^n]: @sec:two.\n",
+        );
+        for link in [
+            "[§1.2](a.md#sec-two \"The &quot;two&quot;\").",
+            "[§1.2](a.md#sec-in \"In it\"), [Chapter\u{a0}1](a.md#sec-a \"A\")",
+            "<a href=\"a.md#sec-two\" title=\"The &quot;two&quot;\">§1.2</a>.",
+        ] {
+            assert!(page.contains(link), "{link} in {page}");
+        }
+    }
 
     #[test]
     fn brackets_around_the_number_of_an_equation_are_its_own() {

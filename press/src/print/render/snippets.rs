@@ -18,10 +18,10 @@ impl Printer<'_, '_> {
         let mut done = 0;
         for (place, name) in snippets::cited_labels(code, &(0..code.len())) {
             let label = Label { kind: LabelKind::Equation, name: name["eq:".len()..].to_owned() };
-            match self.words(&label) {
-                Ok((number, _)) => {
+            match self.registry.find(&label) {
+                Ok(entry) => {
                     shown.push_str(&code[done..place.start]);
-                    shown.push_str(&number);
+                    shown.push_str(&format!("({})", entry.number));
                     done = place.end;
                 }
                 Err(message) => self.fault(offset + place.start, message),

@@ -160,7 +160,7 @@ mod tests {
             "<div class=\"table-wrapper\">\n<table>\n<caption>Words and <em>more</em>.{}</caption>\n<thead>\n\
              <tr><th scope=\"col\">what{}</th><th scope=\"col\" class=\"number\">it’s</th></tr>\n</thead>\n<tbody>\n\
              <tr><td><code>a</code></td><td class=\"number\">1.25</td></tr>\n\
-             <tr><td><a href=\"a.md#sec-x\">“X”</a></td><td class=\"number\">10<sup>−3</sup>{}</td></tr>\n\
+             <tr><td><a href=\"a.md#sec-x\" title=\"X\">§1.1</a></td><td class=\"number\">10<sup>−3</sup>{}</td></tr>\n\
              <tr><td>b</td><td class=\"number\">–{}</td></tr>\n</tbody>\n</table>\n</div>\n\n\n<aside ",
             mark(1, "b"),
             mark(2, "a"),

@@ -1,6 +1,7 @@
 //! Captions, notes, cells of tables and words of scenes: Markdown that the press itself makes HTML of.
 
 use super::Printer;
+use super::references::Reference;
 use crate::colours::Quantity;
 use crate::html::{escaped, prose};
 use crate::print::nonbreaking;
@@ -76,8 +77,10 @@ impl Printer<'_, '_> {
             out.push_str(&prose(&text[done..range.start]));
             let before = format!("{before}{}", &text[..range.start]);
             match self.mention(&mention, &before, offset) {
-                Some((words, target)) => {
-                    let _ = write!(out, "<a href=\"{target}\">{}</a>", escaped(&words));
+                Some(Reference { words, target, title }) => {
+                    let title =
+                        if title.is_empty() { title } else { format!(" title=\"{}\"", escaped(&title)) };
+                    let _ = write!(out, "<a href=\"{target}\"{title}>{}</a>", escaped(&words));
                 }
                 None => out.push_str(&escaped(&text[range.clone()])),
             }
