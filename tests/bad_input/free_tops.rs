@@ -374,23 +374,3 @@ fn a_pinned_body_spins_and_its_point_lies_on_it() {
         assert_eq!(at(0.0, distance).is_ok(), lies_on_it, "{distance}");
     }
 }
-
-#[test]
-fn a_list_of_times_is_refused_at_the_first_that_is_none() {
-    let top = FreeTop::new(brick(), turning(Vector3::new(0.1, 1.0, 0.2))).expect("a free top");
-    let mut times = [3.0; 40];
-    assert_eq!(top.sample(&times).expect("times"), [top.sample(&[3.0]).expect("a time")[0]; 40]);
-    (times[35], times[37]) = (f64::NAN, f64::INFINITY);
-    assert_eq!(message(top.sample(&times)), "time NaN s is not a finite number");
-    assert!(top.sample(&[]).expect("nothing to refuse").is_empty());
-}
-
-#[test]
-fn a_body_at_rest_has_no_infinite_times_either() {
-    for moments in [disc(), brick()] {
-        let top = FreeTop::new(moments, turning(Vector3::zeros())).expect("a body at rest");
-        for time in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN, 1e60] {
-            assert_eq!(message(top.sample(&[time])), message(top.at(time)));
-        }
-    }
-}
