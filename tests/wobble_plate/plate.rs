@@ -61,6 +61,29 @@ fn eq37_the_momentum_along_the_principal_axes_is_the_sum_over_the_mass() {
 }
 
 #[test]
+fn the_momentum_in_the_room_is_the_sum_over_the_mass_and_leans_towards_the_normal() {
+    let mut random = fastrand::Rng::with_seed(370);
+    for _ in 0..100 {
+        let numbers = numbers(&mut random);
+        let [mass, radius, thickness, tilt, spin] = numbers;
+        let phase = TAU * random.f64();
+        let momentum = summed_momentum(numbers, phase);
+        let rotating = plate(numbers).angular_momentum_rotating(spin);
+        assert_relative_eq!(in_room(&rotating, phase), momentum, epsilon = ROUNDING * momentum.norm());
+        let difference = mass * (radius * radius / 4.0 - thickness * thickness / 12.0);
+        let across = -difference * tilt.sin() * tilt.cos() * spin;
+        assert_relative_eq!(rotating.x, across, max_relative = 1e-12);
+        assert!(rotating.x < 0.0); // the normal leans towards −x'
+        // (44) writes this part as L sin β with the momentum of the plate.
+        assert_relative_eq!(
+            -rotating.x,
+            rotating.norm() * plate(numbers).momentum_angle().sin(),
+            max_relative = 1e-12
+        );
+    }
+}
+
+#[test]
 fn eq38_the_momentum_leans_by_beta_from_the_shaft() {
     let mut random = fastrand::Rng::with_seed(38);
     for _ in 0..200 {
