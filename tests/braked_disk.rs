@@ -95,9 +95,9 @@ fn in_steady_rolling_it_loses_the_power_of_its_law() {
     }
 }
 
-/// The force of the table along axis 1, towards the centre's side and up, N, from the rates of a disk on which a torque −`drag`
-/// times its angular velocity across the axle acts: by the whole body's equations of motion about the contact, in vectors
-/// of the room, which must hold.
+/// The force of the table along axis 1, towards the centre's side and up, N. It follows from the rates of a disk on which
+/// a torque −`drag` times its angular velocity across the axle acts, by the whole body's equations of motion about the
+/// contact, in vectors of the room, which must hold.
 fn pushed(
     parameters: DiskParameters,
     rates: impl Fn(&[f64; 8]) -> [f64; 8],

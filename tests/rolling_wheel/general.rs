@@ -48,8 +48,8 @@ fn whole(state: &Rolling) -> State {
     placed(state.lean(), state.heading, [state.omega_1, state.omega_2, state.omega_3], state.centre)
 }
 
-/// The state that the rates of the library lead to in six tenths of a second, and that of the whole body, which must agree;
-/// nothing where the wheel lies almost flat by then.
+/// The state that the rates of the library lead to in six tenths of a second, and that of the whole body, which must
+/// agree; nothing where the wheel lies almost flat by then.
 pub(crate) fn as_the_whole_body(
     state: &Rolling,
     reduced: impl FnMut(f64, &[f64; 8]) -> [f64; 8],

@@ -74,8 +74,8 @@ pub(crate) struct Truth {
 }
 
 impl Truth {
-    /// What a place and a rate at the start have become, position and velocity. The judge has no digits of what has died
-    /// out.
+    /// What a place and a rate at the start have become, position and velocity. The judge has no digits of what
+    /// has died out.
     pub(crate) fn carried(&self, [place, rate]: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|i| place * (self.of_place[i] + 1e-9) + rate * (self.of_rate[i] + 1e-9))
     }
