@@ -192,8 +192,8 @@ fn the_ramp_is_as_exact_where_no_integrator_comes() {
 #[test]
 fn every_ramp_answers_at_its_start() {
     keeps_its_promise("start of a ramp", 20_000, &["any"], |draw| {
-        let damping = if draw.below(2) == 0 { draw.unit(50) } else { damping(draw) };
-        let spin = draw.unit(50) * draw.one_of(&[-1.0, 0.0, 1.0]);
+        let damping = if draw.below(2) == 0 { draw.unit(49) } else { damping(draw) };
+        let spin = draw.unit(49) * draw.one_of(&[-1.0, 0.0, 1.0]);
         let acceleration = draw.decades(1e-12, 1e12) * draw.one_of(&[-1.0, 1.0]);
         let start = start(draw);
         let ours = Units::SI.machine(damping, spin).ramp(acceleration, start).expect("a motion").at(0.0);
