@@ -2,7 +2,7 @@
 //! (`tests/data/README.md`).
 
 use mechanics::integrate::Dop853;
-use mechanics::measure::{drift, max_error};
+use mechanics::measure::max_error;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use serde_json::Value;
 
@@ -155,58 +155,4 @@ fn dop853_keeps_its_promise_over_ten_decades_of_tolerance() {
         held += 1;
     }
     assert_eq!(held, 10);
-}
-
-/// Dense output of order seven has an error of the power of the step that the steps have, with another factor in front.
-const WORSE_BETWEEN: f64 = 3.0;
-
-#[test]
-fn dense_output_is_as_accurate_as_the_steps() {
-    // The sampled fall between the steps; ends of steps are compared with the closed form.
-    let Turns { machine, times, states: reference, .. } = two_hundred_turns();
-    let closed = machine.transient(Shaft::AT_REST).unwrap();
-    for tolerance in [1e-6, 1e-9, 1e-12] {
-        let solver = Dop853::new(tolerance).unwrap();
-        let rates = |t: f64, y: &[f64; 4]| machine.cartesian_rates(t, y);
-        let (between, _) = solver.sample(rates, 0.0, [0.0; 4], &times).unwrap();
-        let (mut at_steps, mut exact) = (Vec::new(), Vec::new());
-        solver
-            .solve_with(rates, 0.0, [0.0; 4], times[200], |step| {
-                at_steps.push(*step.final_state());
-                exact.push(closed.at(step.end()).unwrap().to_array());
-                std::ops::ControlFlow::Continue(())
-            })
-            .unwrap();
-        let ratio = max_error(&between, &reference) / max_error(&at_steps, &exact);
-        assert!(
-            ratio < WORSE_BETWEEN,
-            "tolerance {tolerance:e}: sampled are {ratio} times less accurate than steps"
-        );
-    }
-}
-
-/// What a tolerance of 1e-12 a step leaves over some 5000 steps.
-const BALANCE: f64 = 1e-10;
-
-#[test]
-fn energy_balance_closes_over_two_hundred_turns() {
-    // What the motor gives is heat or energy: with the power integrated as a fifth and sixth variable.
-    let Turns { machine, times, .. } = two_hundred_turns();
-    let rates = |t: f64, &[x, y, vx, vy, _, _]: &[f64; 6]| {
-        let state = [x, y, vx, vy];
-        let shaft = Shaft::from_array(state);
-        let [dx, dy, dvx, dvy] = machine.cartesian_rates(t, &state);
-        [dx, dy, dvx, dvy, machine.motor_torque(t, &shaft) * machine.spin(), machine.dissipation(&shaft)]
-    };
-    let (states, _) = Dop853::new(1e-12).unwrap().sample(rates, 0.0, [0.0; 6], &times).unwrap();
-    let balance: Vec<f64> = states
-        .iter()
-        .zip(&times)
-        .map(|(&[x, y, vx, vy, supplied, heat], &t)| {
-            machine.energy(t, &Shaft::from_array([x, y, vx, vy])) - supplied + heat
-        })
-        .collect();
-    let supplied = states[200][4];
-    let lost = drift(&balance, supplied);
-    assert!(supplied > 1.0 && lost < BALANCE, "supplied {supplied} J, of which {lost:e} went astray");
 }

@@ -505,22 +505,6 @@ fn a_ball_does_not_linger_and_its_diameter_keeps_its_angle() {
 }
 
 #[test]
-fn the_pinned_point_may_be_given_by_its_place() {
-    let pinned = |pin: Pin| {
-        Pinning::new(PinningParameters { shape: Shape::Hoop, mass: 1.0, radius: 2.0, spin: 3.0, pin })
-    };
-    let by_angle = pinned(Pin::Angle(0.6)).unwrap();
-    let (sin, cos) = 0.6_f64.sin_cos();
-    let by_place = pinned(Pin::Point { from_axis: 2.0 * sin, height: 2.0 * cos }).unwrap();
-    assert_relative_eq!(by_angle.omega_after(), by_place.omega_after(), max_relative = 1e-15);
-    let error = pinned(Pin::Point { from_axis: 1.0, height: 1.0 }).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "distance of the point from the centre 1.4142135623730951 m is not 2 m to rounding"
-    );
-}
-
-#[test]
 fn the_reference_hoop_is_met_to_the_digits_of_a_double() {
     let file: Value = serde_json::from_str(include_str!("data/hoop-pinned.json")).expect("a valid file");
     let value = |name: &str| file["values"][name].as_str().unwrap().parse::<f64>().unwrap();

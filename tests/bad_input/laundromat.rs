@@ -1,5 +1,7 @@
 //! The washing machine, its motion, and the integrators.
 
+use crate::Sign::{Any, NotNegative, Positive};
+use crate::{Setter, every_number_is_checked};
 use mechanics::integrate::{Direction, Dop853, Failure, Taylor, rk4};
 use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Shaft};
 use mechanics::{InvalidQuantity, Rule};
@@ -26,75 +28,28 @@ fn refusal(parameters: MachineParameters) -> (InvalidQuantity, String) {
     (error, error.to_string())
 }
 
-/// What a parameter is set by, called and measured in.
-type Setter = (fn(&mut MachineParameters) -> &mut f64, &'static str, &'static str);
-
-const SETTERS: [Setter; 6] = [
-    (|p| &mut p.drum_mass, "drum mass", "kg"),
-    (|p| &mut p.load_mass, "load mass", "kg"),
-    (|p| &mut p.load_radius, "load radius", "m"),
-    (|p| &mut p.stiffness, "stiffness", "N/m"),
-    (|p| &mut p.damping, "damping", "kg/s"),
-    (|p| &mut p.spin, "spin", "rad/s"),
-];
-
 #[test]
-fn parameters_must_be_finite() {
-    for (set, name, unit_name) in SETTERS {
-        for (bad, shown) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")] {
-            let mut parameters = WASHER;
-            *set(&mut parameters) = bad;
-            let (error, message) = refusal(parameters);
-            assert_eq!((error.quantity, error.unit, error.rule), (name, unit_name, Rule::Finite));
-            assert_eq!(message, format!("{name} {shown} {unit_name} is not a finite number"));
-        }
-    }
-}
-
-#[test]
-fn parameters_other_than_the_spin_must_not_be_negative() {
-    for (set, name, unit_name) in SETTERS {
-        let mut parameters = WASHER;
-        *set(&mut parameters) = -2.5;
-        if name == "spin" {
-            assert!(Machine::new(parameters).is_ok());
-            continue;
-        }
-        let (error, message) = refusal(parameters);
-        let (rule, said) = match name {
-            "stiffness" => (Rule::Positive, "is not positive; it must be more than zero"),
-            _ => (Rule::NotNegative, "is negative; it must be zero or more"),
-        };
-        let expected = InvalidQuantity { quantity: name, value: -2.5, unit: unit_name, rule };
-        assert_eq!(error, expected);
-        assert_eq!(message, format!("{name} -2.5 {unit_name} {said}"));
-    }
+fn parameters_are_finite_and_but_for_the_spin_not_negative() {
+    let numbers: [Setter<MachineParameters>; 6] = [
+        (|p| &mut p.drum_mass, "drum mass", "kg", NotNegative),
+        (|p| &mut p.load_mass, "load mass", "kg", NotNegative),
+        (|p| &mut p.load_radius, "load radius", "m", NotNegative),
+        (|p| &mut p.stiffness, "stiffness", "N/m", Positive),
+        (|p| &mut p.damping, "damping", "kg/s", NotNegative),
+        (|p| &mut p.spin, "spin", "rad/s", Any),
+    ];
+    every_number_is_checked(WASHER, &numbers, |parameters| {
+        let machine = Machine::new(parameters)?;
+        assert!(machine.transient(Shaft::AT_REST)?.at(1.0).is_ok() && machine.steady().is_ok());
+        Ok::<_, InvalidQuantity>(machine)
+    });
+    assert!(Machine::new(MachineParameters { spin: -2.5, ..WASHER }).is_ok());
 }
 
 #[test]
 fn a_machine_has_mass_and_a_spring() {
     let (_, message) = refusal(MachineParameters { drum_mass: 0.0, load_mass: 0.0, ..WASHER });
     assert_eq!(message, "mass of drum and load 0 kg is not positive; it must be more than zero");
-    let (_, message) = refusal(MachineParameters { stiffness: 0.0, ..WASHER });
-    assert_eq!(message, "stiffness 0 N/m is not positive; it must be more than zero");
-}
-
-#[test]
-fn zero_is_allowed_where_it_makes_sense() {
-    let zeros: [fn(&mut MachineParameters); 5] = [
-        |p| p.drum_mass = 0.0,
-        |p| p.load_mass = 0.0,
-        |p| p.load_radius = 0.0,
-        |p| p.damping = 0.0,
-        |p| p.spin = 0.0,
-    ];
-    for zero in zeros {
-        let mut parameters = WASHER;
-        zero(&mut parameters);
-        let machine = Machine::new(parameters).expect("a machine of this world");
-        assert!(machine.transient(Shaft::AT_REST).unwrap().at(1.0).is_ok());
-        assert!(machine.steady().is_ok());
-    }
 }
 
 #[test]
@@ -102,10 +57,7 @@ fn derived_quantities_must_stay_in_range() {
     let four = MachineParameters { drum_mass: 3.0, load_mass: 1.0, ..WASHER };
     assert!(Machine::new(MachineParameters { stiffness: 4e80, damping: 3e50, ..four }).is_ok());
     let cases = [
-        (MachineParameters { drum_mass: 1e60, ..WASHER }, "drum mass 1e60 kg"),
         (MachineParameters { load_mass: 1e-310, ..WASHER }, "load mass 1e-310 kg"),
-        (MachineParameters { load_radius: 1e90, ..WASHER }, "load radius 1e90 m"),
-        (MachineParameters { spin: 1e60, ..WASHER }, "spin 1e60 rad/s"),
         (MachineParameters { spin: -1e-60, ..WASHER }, "spin -1e-60 rad/s"),
     ];
     for (parameters, start) in cases {
@@ -196,6 +148,22 @@ fn a_start_must_be_finite_and_within_reach() {
 }
 
 #[test]
+fn a_ramp_is_neither_too_slow_nor_too_quick() {
+    let machine = Machine::new(MachineParameters { stiffness: 30.0, ..WASHER }).unwrap(); // ω₀ = 1 rad/s
+    let name = "angular acceleration over the square of the natural frequency";
+    for (ratio, rule) in [
+        (0.0, "0 is too small; it must be at least 1e-12"),
+        (1e-13, "1e-13 is too small; it must be at least 1e-12"),
+        (-1e13, "1e13 is too large; it must be at most 1e12"),
+    ] {
+        let error = machine.ramp(ratio, Shaft::AT_REST).unwrap_err();
+        assert_eq!(error.to_string(), format!("{name} {rule}"));
+    }
+    let error = machine.ramp(f64::NAN, Shaft::AT_REST).unwrap_err();
+    assert_eq!(error.to_string(), "angular acceleration NaN rad/s² is not a finite number");
+}
+
+#[test]
 fn a_time_must_be_finite_and_within_reach() {
     let motion = washer().transient(Shaft::AT_REST).unwrap();
     for (bad, said) in [
@@ -209,7 +177,10 @@ fn a_time_must_be_finite_and_within_reach() {
         assert_eq!(motion.sample(&[1.0, bad, 2.0]).unwrap_err().to_string(), said);
         assert!(motion.centre_of_mass(bad).is_err());
     }
-    assert!(motion.at(-400.0).is_ok());
+    let ramp = washer().ramp(1.0, Shaft::AT_REST).unwrap();
+    assert!(ramp.at(f64::NAN).is_err() && ramp.at(1e51).is_err() && ramp.at(-1e6).is_err());
+    assert!(ramp.sample(&[]).unwrap().is_empty() && ramp.sample(&[1.0, f64::NAN]).is_err());
+    assert!(motion.at(1e50).is_ok() && ramp.at(1e50).is_ok() && motion.at(-400.0).is_ok());
     let running_away = washer().locked(LockedState { radius: 0.1, radius_rate: 0.0 }).unwrap();
     assert!(running_away.at(10.0).is_ok() && running_away.at(f64::NAN).is_err());
     assert_eq!(

@@ -1,18 +1,10 @@
 //! The methods that only turn.
 
+use crate::{brick, turning};
 use mechanics::euler::Turning;
 use mechanics::geometric::{Splitting, commutator_free};
-use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Failure;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-
-fn brick() -> PrincipalMoments {
-    PrincipalMoments::new(1.0, 1.5, 2.0).expect("a brick")
-}
-
-fn spinning(omega_body: Vector3<f64>) -> Turning {
-    Turning { world_from_body: UnitQuaternion::identity(), omega_body }
-}
 
 fn free(_: f64, _: &Turning) -> Vector3<f64> {
     Vector3::zeros()
@@ -31,7 +23,7 @@ fn all(start: Turning, duration: f64, steps: usize) -> [Outcome; 3] {
 
 #[test]
 fn what_cannot_be_stepped_is_refused_with_a_reason() {
-    let start = spinning(Vector3::new(1.0, 2.0, 3.0));
+    let start = turning(Vector3::new(1.0, 2.0, 3.0));
     for outcome in all(start, 1.0, 0) {
         assert_eq!(outcome, Err(Failure::NoSteps));
     }
@@ -44,7 +36,7 @@ fn what_cannot_be_stepped_is_refused_with_a_reason() {
             "the interval from 0 to NaN must have finite ends"
         );
     }
-    for outcome in all(spinning(Vector3::new(1.0, f64::NEG_INFINITY, 3.0)), 1.0, 3) {
+    for outcome in all(turning(Vector3::new(1.0, f64::NEG_INFINITY, 3.0)), 1.0, 3) {
         assert_eq!(
             outcome.expect_err("no motion").to_string(),
             "the initial state [1.0, 0.0, 0.0, 0.0, 1.0, -inf, 3.0] must be finite"
@@ -61,13 +53,13 @@ fn what_cannot_be_stepped_is_refused_with_a_reason() {
 #[test]
 fn a_motion_that_leaves_the_numbers_stops_with_the_last_that_was_finite() {
     // 1e300 rad/s: the squares in the length of a turn overflow, and with them everything.
-    for outcome in all(spinning(Vector3::new(1e300, 2e300, 3e300)), 1e10, 2) {
+    for outcome in all(turning(Vector3::new(1e300, 2e300, 3e300)), 1e10, 2) {
         let Err(Failure::NotFinite { time, state, step }) = outcome else { panic!("{outcome:?}") };
         assert_eq!((time, state[4], step), (0.0, 1e300, 5e9));
     }
     // A torque that is lost on the way.
     let torque = |time: f64, _: &Turning| Vector3::new(if time > 0.55 { f64::NAN } else { 0.1 }, 0.0, 0.0);
-    let outcome = commutator_free(&brick(), torque, 0.0, spinning(Vector3::zeros()), 1.0, 10);
+    let outcome = commutator_free(&brick(), torque, 0.0, turning(Vector3::zeros()), 1.0, 10);
     let Err(Failure::NotFinite { time, state, .. }) = outcome else { panic!("{outcome:?}") };
     assert!((time - 0.5).abs() < 1e-15 && (state[4] - 0.05).abs() < 1e-15);
 }

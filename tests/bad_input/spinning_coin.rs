@@ -1,15 +1,11 @@
 //! Wheels, and coins that spin down.
 
+use crate::Sign::{NotNegative, Positive};
+use crate::{Setter, every_number_is_checked, message};
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{EulersDisk, Loss, SpinDown, SpinningCoin};
-use mechanics::{InvalidQuantity, Rule};
-use std::fmt;
-
-fn message<T: fmt::Debug>(result: Result<T, impl fmt::Display>) -> String {
-    result.map(|value| format!("{value:?} was taken")).map_err(|error| error.to_string()).unwrap_err()
-}
 
 /// The toy of the shops.
 const TOY: DiskParameters =
@@ -21,23 +17,17 @@ fn coin() -> SpinningCoin {
 
 #[test]
 fn a_loss_is_positive_and_its_exponent_from_zero_to_ten() {
-    assert_eq!(
-        message(Loss::new(0.0, 2.0)),
-        "coefficient of the loss 0 W is not positive; it must be more than zero"
-    );
-    assert_eq!(
-        message(Loss::new(1.0, -0.5)),
-        "exponent of the loss -0.5 is negative; it must be zero or more"
-    );
-    assert_eq!(
-        message(Loss::new(1.0, 10.5)),
-        "exponent of the loss 10.5 is too large; it must be at most 10"
-    );
-    assert_eq!(message(Loss::new(1.0, f64::NAN)), "exponent of the loss NaN is not a finite number");
-    assert_eq!(
-        message(Loss::air_film(&coin(), -1.0)),
-        "viscosity -1 Pa·s is not positive; it must be more than zero"
-    );
+    let numbers: [Setter<[f64; 2]>; 2] = [
+        (|p| &mut p[0], "coefficient of the loss", "W", Positive),
+        (|p| &mut p[1], "exponent of the loss", "", NotNegative),
+    ];
+    every_number_is_checked([1.0, 2.0], &numbers, |[coefficient, exponent]| Loss::new(coefficient, exponent));
+    let steep = message(Loss::new(1.0, 10.5));
+    assert_eq!(steep, "exponent of the loss 10.5 is too large; it must be at most 10");
+    let viscosity: [Setter<f64>; 1] = [(|p| p, "viscosity", "Pa·s", Positive)];
+    every_number_is_checked(1e-5, &viscosity, |viscosity| Loss::air_film(&coin(), viscosity));
+    let none_too: [Setter<f64>; 1] = [(|p| p, "viscosity", "Pa·s", NotNegative)];
+    every_number_is_checked(1e-5, &none_too, |viscosity| EulersDisk::in_air(TOY, viscosity));
 }
 
 #[test]
@@ -61,6 +51,8 @@ fn a_coin_that_spins_down_has_mass_time_and_tilt() {
         "time left -1 s is not positive; it must be more than zero"
     );
     assert!(message(spin_down.with_time_left(1e-200)).contains("is outside the range"));
+    assert!(spin_down.at(spin_down.life()).is_err() && spin_down.at(spin_down.life().next_down()).is_ok());
+    assert!(coin().tilt_for_contact_speed(0.0).is_err() && coin().tilt_for_contact_speed(1e60).is_err());
     for tilt in [0.0, -0.1, 1.6, f64::NAN] {
         assert!(message(spin_down.time_left(tilt)).starts_with("tilt from lying flat"));
         assert!(message(spin_down.time_to(tilt)).starts_with("tilt from lying flat"));
@@ -97,58 +89,37 @@ fn a_time_of_a_tilt_is_a_number_or_an_error() {
 }
 
 #[test]
-fn no_speed_of_the_contact_is_beyond_all_tilts() {
-    let coin = coin();
-    for speed in [1e-50, 1e-9, 343.0, 1e42, 1e50] {
-        let tilt = coin.tilt_for_contact_speed(speed).unwrap();
-        assert!(tilt > 0.0 && tilt <= std::f64::consts::FRAC_PI_2, "{speed:e}: {tilt:e}");
-    }
-    assert!(coin.tilt_for_contact_speed(1e60).is_err());
-}
-
-/// The toy with one of its five numbers another, and what that is called.
-fn with(number: usize, value: f64) -> (DiskParameters, &'static str) {
-    let MomentFactors { transverse, axial } = TOY.moments;
-    match number {
-        0 => (DiskParameters { mass: value, ..TOY }, "mass"),
-        1 => (DiskParameters { radius: value, ..TOY }, "radius"),
-        2 => {
-            let moments = MomentFactors { transverse: value, axial };
-            (DiskParameters { moments, ..TOY }, "transverse moment factor")
-        }
-        3 => {
-            let moments = MomentFactors { transverse, axial: value };
-            (DiskParameters { moments, ..TOY }, "axial moment factor")
-        }
-        _ => (DiskParameters { gravity: value, ..TOY }, "gravity"),
-    }
-}
-
-#[test]
 fn wheel_coin_and_disk_are_made_of_positive_numbers() {
-    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e60] {
-        for number in 0..5 {
-            let (parameters, name) = with(number, bad);
-            for refused in [
-                message(Wheel::new(parameters)),
-                message(SpinningCoin::new(parameters, 0.1)),
-                message(EulersDisk::new(parameters, 1e-5)),
-                message(EulersDisk::in_air(parameters, 1.78e-5)),
-            ] {
-                assert!(refused.starts_with(name), "{bad}: {refused}");
-            }
-        }
-        let wheel = Wheel::new(TOY).unwrap();
-        if !(bad.is_finite() && bad.abs() < 1e50) {
-            assert!(message(wheel.steady(0.3, bad)).starts_with("radius of the centre's circle"), "{bad}");
-        }
-        if bad != 0.0 {
-            assert!(message(EulersDisk::new(TOY, bad)).starts_with("film number K"), "{bad}");
-            assert!(message(EulersDisk::in_air(TOY, bad)).starts_with("viscosity"), "{bad}");
-        }
+    let numbers: [Setter<DiskParameters>; 5] = [
+        (|p| &mut p.mass, "mass", "kg", Positive),
+        (|p| &mut p.radius, "radius", "m", Positive),
+        (|p| &mut p.moments.transverse, "transverse moment factor", "", Positive),
+        (|p| &mut p.moments.axial, "axial moment factor", "", Positive),
+        (|p| &mut p.gravity, "gravity", "m/s²", Positive),
+    ];
+    every_number_is_checked(TOY, &numbers, Wheel::new);
+    every_number_is_checked(TOY, &numbers, |toy| SpinningCoin::new(toy, 0.1));
+    every_number_is_checked(TOY, &numbers, |toy| EulersDisk::new(toy, 1e-5));
+    let film: [Setter<f64>; 1] = [(|p| p, "film number K", "", NotNegative)];
+    every_number_is_checked(1e-5, &film, |film| EulersDisk::new(TOY, film));
+    for bad in [f64::NAN, f64::INFINITY, 1e60] {
+        let refused = message(Wheel::new(TOY).unwrap().steady(0.3, bad));
+        assert!(refused.starts_with("radius of the centre's circle"), "{bad}");
     }
-    let (long, _) = with(3, 0.5_f64.next_up());
-    assert!(matches!(Wheel::new(long), Err(InvalidQuantity { rule: Rule::NotAbove { limit: 0.5, .. }, .. })));
+    for (tilt, rule) in [
+        (0.0, "0 rad is not positive; it must be more than zero"),
+        (-0.1, "-0.1 rad is not positive; it must be more than zero"),
+        (1.6, "1.6 rad is too large; it must be less than 1.5707963267948966 rad"),
+    ] {
+        let refused = message(SpinningCoin::new(TOY, tilt));
+        assert_eq!(refused, format!("tilt from lying flat {rule}"));
+    }
+    let moments = MomentFactors { transverse: 0.25, axial: 0.5_f64.next_up() };
+    let refused = message(Wheel::new(DiskParameters { moments, ..TOY }));
+    assert_eq!(refused, "axial moment factor 0.5000000000000001 exceeds twice the transverse one, 0.5");
+    // Mass beyond the rim, or far out on the axle.
+    let moments = MomentFactors { transverse: 3.0, axial: 1.2 };
+    assert!(Wheel::new(DiskParameters { moments, ..TOY }).is_ok());
 }
 
 #[test]

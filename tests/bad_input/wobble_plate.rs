@@ -1,63 +1,51 @@
 //! Plates, pistons and masses that balance nothing.
 
-use mechanics::InvalidQuantity;
-use mechanics::scenes::wobble_plate::{PistonParameters, Pistons, Plate, PlateParameters};
+use crate::Sign::{Any, NotNegative, Positive};
+use crate::{every_number_is_checked, message};
+use mechanics::scenes::wobble_plate::{Piston, PistonParameters, Pistons, Plate, PlateParameters, Unbalance};
 
 const PLATE: PlateParameters = PlateParameters { mass: 2.0, radius: 0.1, thickness: 0.0, tilt: 0.4 };
 const PISTONS: PistonParameters = PistonParameters { count: 3, mass: 1.0, distance: 0.1, rod: 0.1 };
 
-fn message<T>(result: Result<T, InvalidQuantity>) -> String {
-    result.err().expect("this should be refused").to_string()
-}
-
 #[test]
 fn plates_and_pistons_that_cannot_be_say_why() {
-    let plate = |parameters: PlateParameters| message(Plate::new(parameters));
-    let pistons = |parameters: PistonParameters| message(Pistons::new(parameters));
-    let cases = [
-        (
-            plate(PlateParameters { tilt: -0.1, ..PLATE }),
-            "tilt -0.1 rad is negative; it must be zero or more",
-        ),
-        (
-            plate(PlateParameters { tilt: 1.6, ..PLATE }),
-            "tilt 1.6 rad is too large; it must be less than 1.5707963267948966 rad",
-        ),
-        (plate(PlateParameters { tilt: f64::NAN, ..PLATE }), "tilt NaN rad is not a finite number"),
-        (
-            plate(PlateParameters { mass: -2.0, ..PLATE }),
-            "mass -2 kg is not positive; it must be more than zero",
-        ),
-        (
-            plate(PlateParameters { radius: 0.0, ..PLATE }),
-            "radius 0 m is not positive; it must be more than zero",
-        ),
-        (
-            plate(PlateParameters { thickness: -1.0, ..PLATE }),
-            "thickness -1 m is negative; it must be zero or more",
-        ),
-        (
-            pistons(PistonParameters { count: 0, ..PISTONS }),
-            "number of pistons 0 is too small; it must be at least 1",
-        ),
-        (
-            pistons(PistonParameters { count: 1001, ..PISTONS }),
-            "number of pistons 1001 is too large; it must be at most 1000",
-        ),
-        (
-            pistons(PistonParameters { mass: -1.0, ..PISTONS }),
-            "piston mass -1 kg is negative; it must be zero or more",
-        ),
-        (
-            pistons(PistonParameters { distance: 0.0, ..PISTONS }),
-            "distance of the pistons 0 m is not positive; it must be more than zero",
-        ),
-        (pistons(PistonParameters { rod: f64::NAN, ..PISTONS }), "rod length NaN m is not a finite number"),
-    ];
-    assert!(Pistons::new(PistonParameters { count: 1000, ..PISTONS }).is_ok());
-    for (found, expected) in cases {
-        assert_eq!(found, expected);
+    every_number_is_checked(
+        PLATE,
+        &[
+            (|p| &mut p.tilt, "tilt", "rad", NotNegative),
+            (|p| &mut p.mass, "mass", "kg", Positive),
+            (|p| &mut p.radius, "radius", "m", Positive),
+            (|p| &mut p.thickness, "thickness", "m", NotNegative),
+        ],
+        Plate::new,
+    );
+    every_number_is_checked(
+        PISTONS,
+        &[
+            (|p| &mut p.mass, "piston mass", "kg", NotNegative),
+            (|p| &mut p.distance, "distance of the pistons", "m", Positive),
+            (|p| &mut p.rod, "rod length", "m", NotNegative),
+        ],
+        Pistons::new,
+    );
+    every_number_is_checked(
+        Piston { mass: 1.0, distance: 0.1, azimuth: 0.0 },
+        &[
+            (|p| &mut p.mass, "piston mass", "kg", NotNegative),
+            (|p| &mut p.distance, "distance of the piston", "m", NotNegative),
+            (|p| &mut p.azimuth, "azimuth of the piston", "rad", Any),
+        ],
+        |piston| Unbalance::of(&Plate::new(PLATE).unwrap(), &[piston]),
+    );
+    let steep = message(Plate::new(PlateParameters { tilt: 1.6, ..PLATE }));
+    assert_eq!(steep, "tilt 1.6 rad is too large; it must be less than 1.5707963267948966 rad");
+    for (count, rule) in
+        [(0, "0 is too small; it must be at least 1"), (1001, "1001 is too large; it must be at most 1000")]
+    {
+        let refused = message(Pistons::new(PistonParameters { count, ..PISTONS }));
+        assert_eq!(refused, format!("number of pistons {rule}"));
     }
+    assert!(Pistons::new(PistonParameters { count: 1000, ..PISTONS }).is_ok());
 }
 
 #[test]

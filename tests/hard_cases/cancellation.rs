@@ -154,3 +154,28 @@ fn near_critical_damping_the_difference_of_exponentials_loses_half_a_digit_a_dec
     assert_slope("critical damping", &errors, -0.5, 0.15);
     assert_level("critical damping", &errors, |beyond| ROUNDOFF / (8.0 * beyond).sqrt(), 0.1..0.7);
 }
+
+#[test]
+fn heavy_damping_after_a_hard_push_keeps_the_digits_of_the_small_velocity() {
+    // A push of 1 m/s at Γ = 1e6 moves the drum by 1e-6 m; it creeps back at λ_slow times that.
+    let push = Shaft { velocity: 1.0.into(), ..Shaft::AT_REST };
+    let late = machine(1e6, 0.0).transient(push).unwrap().at(1.0).unwrap();
+    // With q = ω₀²/Γ² = 1e-12: λ_slow = (1 + q) ω₀²/Γ and 1/(λ_fast − λ_slow) = (1 + 2q)/Γ, both to 24 digits.
+    let q = 1e-12_f64;
+    let slow = 1e-6 * (1.0 + q);
+    let position = 1e-6 * (1.0 + 2.0 * q) * (-slow).exp();
+    assert!(relative(late.position.re, position) < FEW_ULPS);
+    assert!(relative(late.velocity.re, -slow * position) < FEW_ULPS);
+}
+
+#[test]
+fn motion_long_before_a_heavily_damped_start_is_found_if_it_can_be_written_down() {
+    // Released at rest at 1e-40 m: fifteen seconds before, e^{−λt} alone is beyond the largest number, the motion is
+    // not.
+    let released = Shaft { position: 1e-40.into(), ..Shaft::AT_REST };
+    let ours = machine(50.0, 0.0).transient(released).unwrap().at(-15.0).unwrap().position.re;
+    let half_gap = 624.0_f64.sqrt();
+    let (fast, slow) = (25.0 + half_gap, 1.0 / (25.0 + half_gap));
+    let logarithm = (1e-40 * slow / (2.0 * half_gap)).ln() + 15.0 * fast;
+    assert!(ours < 0.0 && relative(ours.abs().ln(), logarithm) < 1e-14, "{ours:e}, ln {logarithm}");
+}

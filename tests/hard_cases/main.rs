@@ -8,6 +8,7 @@ mod cancellation;
 mod drift;
 mod ending;
 mod phase;
+mod resonance;
 mod separatrix;
 mod tolerance;
 mod vanishing;

@@ -50,6 +50,10 @@ fn polar_program_loses_four_digits_a_decade_and_the_cartesian_one_none() {
     let row = &rows("passes")[3]; // a centimetre
     let of_step = [250, 500, 1000, 2000].map(|steps| (1.0 / steps as f64, polar_error(row, steps).unwrap()));
     assert_slope("polar against step", &of_step, 4.0, 0.15);
+
+    // From O itself, where every start is, the polar program does not get away at all.
+    let machine = machine(0.01, 3.0);
+    assert!(rk4(|t, y: &[f64; 4]| machine.polar_rates(t, y), 0.0, [0.0; 4], 1.0, 1000).is_err());
 }
 
 #[test]

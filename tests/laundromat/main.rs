@@ -2,12 +2,14 @@
 //!
 //! Where the source is wrong the same test shows that the printed form fails.
 
+mod jacobi;
 mod linear;
 mod motion;
 mod orbit;
 mod passage;
 #[path = "../printed/mod.rs"]
 mod printed;
+mod radial;
 mod stability;
 mod steady;
 mod whirl;
@@ -66,4 +68,11 @@ fn newton(p: &MachineParameters, t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4]
 /// The constants of a machine by their letters on the page: ω₀, b, Γ, Ω.
 fn letters(machine: &Machine) -> (f64, f64, f64, f64) {
     (machine.natural_frequency(), machine.offset(), machine.damping_rate(), machine.spin())
+}
+
+/// ω₀ = 1 rad/s, b = 1 m: one kilogram, all of it the load.
+fn unit_machine(damping: f64, spin: f64) -> Machine {
+    let (drum_mass, load_mass, load_radius, stiffness) = (0.0, 1.0, 1.0, 1.0);
+    let parameters = MachineParameters { drum_mass, load_mass, load_radius, stiffness, damping, spin };
+    Machine::new(parameters).expect("a valid machine")
 }

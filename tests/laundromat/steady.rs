@@ -82,14 +82,6 @@ fn eq19_radius_is_that_of_the_simulated_circle() {
     }
 }
 
-#[test]
-fn eq19_radius_tends_to_b_and_a_balanced_drum_stays_put() {
-    let fast = washer().with_spin(1e8).unwrap();
-    assert_relative_eq!(fast.steady().unwrap().radius(), fast.offset(), max_relative = 1e-13);
-    let balanced = Machine::new(MachineParameters { load_mass: 0.0, ..WASHER }).unwrap();
-    assert_eq!(balanced.steady().unwrap().radius(), 0.0);
-}
-
 /// r₀ as a function of the spin, for differentiation.
 fn radius<D: DualNum<Primitive = f64>>(spin: D, (w0, b, gamma, _): (f64, f64, f64, f64)) -> D {
     let square = spin.clone() * spin;
@@ -183,46 +175,6 @@ fn motor_torque_feeds_the_dampers() {
         // m a r₀ Ω² sin φ₀, from eq:motor-torque.
         let pull = p.load_mass * p.load_radius * steady.radius() * p.spin.powi(2) * steady.phase().sin();
         assert_relative_eq!(steady.motor_torque(), pull, max_relative = 1e-11);
-    }
-}
-
-/// The folds of a motor whose torque falls in proportion to the speed, T = T₀(1 − Ω/3): where this line
-/// touches the steady torque, to 32 digits from the polynomial that eq:steady-torque then is; m + M = ω₀ = 1,
-/// b = Γ = 0.1.
-const FOLDS: [(f64, f64); 2] = [
-    (1.004_422_967_404_502_5, 0.151_158_419_846_002_62),
-    (1.660_291_771_790_034_6, 0.009_074_863_538_338_883),
-];
-
-#[test]
-fn the_slope_of_the_torque_finds_the_folds_of_a_weak_motor() {
-    let machine = |spin| {
-        let parameters = MachineParameters {
-            drum_mass: 0.0,
-            load_mass: 1.0,
-            load_radius: 0.1,
-            stiffness: 1.0,
-            damping: 0.1,
-            spin,
-        };
-        Machine::new(parameters).unwrap().steady().unwrap()
-    };
-    // τ/(1 − Ω/3) is extreme.
-    let slope = |spin: f64| {
-        let steady = machine(spin);
-        steady.motor_torque_slope() * (1.0 - spin / 3.0) + steady.motor_torque() / 3.0
-    };
-    for (fold, torque) in FOLDS {
-        let (mut low, mut high) = (0.99 * fold, 1.01 * fold);
-        let falls = slope(low) > 0.0;
-        assert!(slope(high) * slope(low) < 0.0, "{fold}");
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            *(if (slope(middle) > 0.0) == falls { &mut low } else { &mut high }) = middle;
-        }
-        assert!((low / fold - 1.0).abs() < 2e-15, "{low} for {fold}");
-        let needed = machine(low).motor_torque() / (1.0 - low / 3.0);
-        assert!((needed / torque - 1.0).abs() < 4e-15, "{needed} for {torque}");
     }
 }
 

@@ -1,7 +1,6 @@
 //! The washing machine.
 
 use crate::{any, between};
-use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Polar, Shaft};
 use nalgebra::Complex;
 
@@ -134,78 +133,6 @@ fn polar_and_cartesian_states_are_the_same_state() {
     let shaft = Shaft { position: Complex::new(0.0, 0.0), velocity: Complex::new(0.0, -2.0) };
     assert_eq!(shaft.to_polar(), Polar::from_array([0.0, -std::f64::consts::FRAC_PI_2, 2.0, 0.0]));
     assert_eq!(Shaft::AT_REST.to_polar(), Polar::from_array([0.0; 4]));
-}
-
-#[test]
-fn motion_starts_where_it_is_told() {
-    let mut random = fastrand::Rng::with_seed(4);
-    for _ in 0..10_000 {
-        let (machine, start) = (machine(&mut random, 6.0), start(&mut random));
-        let shaft = machine.transient(start).unwrap().at(0.0).unwrap();
-        let steady = machine.steady().map_or(0.0, |steady| steady.radius().min(machine.offset() * 10.0));
-        let speed = start.velocity.norm()
-            + machine.natural_frequency() * start.position.norm() // the speed that it soon takes up
-            + (machine.spin().abs() + machine.natural_frequency()) * (steady + machine.offset());
-        assert!(
-            (shaft.position - start.position).norm() <= ROUNDING * (start.position.norm() + steady),
-            "{machine:?}"
-        );
-        assert!(
-            (shaft.velocity - start.velocity).norm() <= ROUNDING * speed,
-            "{machine:?} {start:?} {shaft:?}"
-        );
-    }
-}
-
-#[test]
-fn difference_of_two_motions_does_not_know_the_spin() {
-    // The equation is linear: take two motions of one machine, and the same two starts without a load and without spin.
-    let mut random = fastrand::Rng::with_seed(5);
-    for _ in 0..5_000 {
-        let machine = machine(&mut random, 1.5);
-        let (a, b) = (start(&mut random), start(&mut random));
-        let MachineParameters { drum_mass, load_mass, .. } = machine.parameters();
-        let bare = MachineParameters {
-            drum_mass: drum_mass + load_mass,
-            load_mass: 0.0,
-            spin: 0.0,
-            ..machine.parameters()
-        };
-        let free = Machine::new(bare).unwrap();
-        let difference = Shaft { position: a.position - b.position, velocity: a.velocity - b.velocity };
-        let t = between(&mut random, 1e-2, 1e2) / machine.natural_frequency();
-        let at = |machine: &Machine, start: Shaft| machine.transient(start).unwrap().at(t).unwrap();
-        let (a, b, alone) = (at(&machine, a), at(&machine, b), at(&free, difference));
-        let natural = machine.natural_frequency();
-        let size = |s: &Shaft| s.position.norm() + s.velocity.norm() / natural;
-        let scale = size(&a) + size(&b) + size(&alone) + size(&difference) + machine.offset();
-        assert!((a.position - b.position - alone.position).norm() <= ROUNDING * scale, "{machine:?} t = {t}");
-        let speed = natural * scale + machine.spin().abs() * (size(&a) + size(&b));
-        assert!((a.velocity - b.velocity - alone.velocity).norm() <= ROUNDING * speed, "{machine:?} t = {t}");
-    }
-}
-
-#[test]
-fn motion_obeys_its_equation() {
-    // By DOP853 over a short while at random times of random machines, restarted there with the load where it is by
-    // then.
-    let mut random = fastrand::Rng::with_seed(6);
-    for _ in 0..300 {
-        let (machine, start) = (machine(&mut random, 1.0), start(&mut random));
-        let motion = machine.transient(start).unwrap();
-        let from = between(&mut random, 1e-2, 3.0) / machine.natural_frequency();
-        let to = from + 0.5 / machine.natural_frequency();
-        let begin = motion.at(from).unwrap();
-        let rates = |t: f64, y: &[f64; 4]| machine.cartesian_rates(t, y);
-        let end =
-            Dop853::with_tolerances(1e-13, 0.0).unwrap().solve(rates, from, begin.to_array(), to).unwrap();
-        let (judge, ours) = (Shaft::from_array(end.state), motion.at(to).unwrap());
-        let scale = begin.position.norm().max(judge.position.norm()).max(machine.offset())
-            + begin.velocity.norm().max(judge.velocity.norm()) / machine.natural_frequency();
-        assert!((judge.position - ours.position).norm() < 1e-11 * scale, "{machine:?} from {from} to {to}");
-        let speed = scale * machine.natural_frequency().max(machine.spin().abs());
-        assert!((judge.velocity - ours.velocity).norm() < 1e-11 * speed, "{machine:?} from {from} to {to}");
-    }
 }
 
 #[test]

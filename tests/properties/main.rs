@@ -2,8 +2,12 @@
 //! because the cases are numbers over a hundred decades and a failing one is printed whole; there is nothing
 //! to shrink.
 
+#[path = "../common/mod.rs"]
+mod common;
 mod free_tops;
 mod laundromat;
+
+use common::between;
 
 /// A number of any size and sign that `f64` has, zero and the ends of the range more often than fair.
 fn any(random: &mut fastrand::Rng) -> f64 {
@@ -17,9 +21,4 @@ fn any(random: &mut fastrand::Rng) -> f64 {
         _ => 10.0_f64.powf(12.0 * random.f64() - 6.0),
     };
     if random.bool() { size } else { -size }
-}
-
-/// A number between `low` and `high`, even on a logarithmic scale.
-fn between(random: &mut fastrand::Rng, low: f64, high: f64) -> f64 {
-    low * (high / low).powf(random.f64())
 }

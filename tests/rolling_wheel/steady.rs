@@ -2,14 +2,14 @@
 
 use crate::printed::corrected_holds_and_printed_fails;
 use crate::whole_body::{arm, axle, frame, placed, solve};
-use crate::{GRAVITY, MASS, RADIUS, parameters, wheel};
+use crate::{GRAVITY, MASS, RADIUS, wheel};
 use approx::assert_relative_eq;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
-use mechanics::integrate::{Dop853, Taylor};
+use mechanics::integrate::Dop853;
 use mechanics::rolling::MomentFactors;
-use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel};
+use mechanics::scenes::rolling_wheel::SteadyRolling;
 use mechanics::{InvalidQuantity, Rule};
 use nalgebra::{Complex, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
@@ -259,18 +259,6 @@ fn stable_steady_motions_hold_for_a_hundred_turns_and_an_unstable_one_does_not()
 }
 
 #[test]
-fn small_wobbles_have_the_frequency_of_the_formula() {
-    for (k, _, _, steady) in cases() {
-        let wheel = wheel(k);
-        let mut state = steady.state();
-        state.omega_1 = 1e-4;
-        let wobble = wheel.wobble(state, &Taylor::new(1e-13).unwrap()).unwrap();
-        let frequency = std::f64::consts::TAU / wobble.period();
-        assert_relative_eq!(frequency, steady.wobble_square().sqrt(), max_relative = 1e-5);
-    }
-}
-
-#[test]
 fn friction_and_support_are_those_of_the_whole_body() {
     for (k, lean, b, steady) in cases() {
         let start = placed(lean, 0.0, steady.omega().into(), Complex::new(0.0, b));
@@ -307,37 +295,4 @@ fn steady_rolling_exists_on_one_side_of_its_bound_only() {
     // (b, θ) and (−b, −θ) are the same motion seen from the other end.
     let (a, b) = (disc.steady(0.4, 0.3).unwrap(), disc.steady(-0.4, -0.3).unwrap());
     assert_eq!(a.turn_rate(), b.turn_rate());
-}
-
-#[test]
-fn a_wheel_with_a_hub_rolls_steadily_and_wobbles_as_the_whole_body_does() {
-    // Neither hoop nor disc: mass about the axle, and mass out along it.
-    for (transverse, axial) in [(2.0 / 3.0, 1.0 / 3.0), (0.3, 0.5), (1.5, 1.2)] {
-        let moments = MomentFactors { transverse, axial };
-        for (lean, b) in [(0.6, 0.5), (0.9, 0.3), (1.1, -0.02), (-0.7, -0.4), (0.8, 0.0)] {
-            let steady = Wheel::new(parameters(moments)).unwrap().steady(lean, b).unwrap();
-            assert!(steady.is_stable(), "{moments:?}, {lean}, {b}");
-            let end = |push: f64, time: f64| {
-                let omega = steady.omega() + Vector3::x() * push;
-                let start = placed(lean, 0.0, omega.into(), Complex::new(0.0, b));
-                let rates = |_: f64, state: &[f64; 13]| solve(moments, state).0;
-                Dop853::new(1e-12).unwrap().solve(rates, 0.0, start, time).unwrap().state
-            };
-            let leaning = |state: &[f64; 13]| (-axle(state).z).asin();
-            // For two rounds it keeps its lean and its circle.
-            let round = TAU / steady.turn_rate();
-            let held = end(0.0, 2.0 * round);
-            assert_relative_eq!(leaning(&held), lean, epsilon = 1e-7);
-            assert_relative_eq!(held[0], 0.0, epsilon = 1e-6 * RADIUS);
-            assert_relative_eq!(held[1], b, epsilon = 1e-6 * RADIUS);
-            // Pushed a little it swings through its lean again after each half of the wobble.
-            let half = 0.5 * TAU / steady.wobble_square().sqrt();
-            let push = 1e-5 * steady.turn_rate();
-            let [early, late] = [0.5, 1.0].map(|part| leaning(&end(push, part * half)) - lean);
-            assert!(
-                early > 0.1 * push / steady.turn_rate() && late.abs() < 1e-4 * early,
-                "{early:e}, {late:e}"
-            );
-        }
-    }
 }

@@ -1,9 +1,9 @@
 //! Moments of bodies by adding up their mass.
 
-use crate::{ROUNDING, attitude, between, moments, vector};
+use crate::{ROUNDING, attitude, between, vector};
 use approx::assert_relative_eq;
 use mechanics::InvalidQuantity;
-use mechanics::inertia::{Body, Cylinder, InertiaTensor, PrincipalAxes, PrincipalMoments, Ring, Spheroid};
+use mechanics::inertia::{Body, Cylinder, InertiaTensor, PrincipalMoments, Ring, Spheroid};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::f64::consts::TAU;
 
@@ -88,13 +88,11 @@ fn shapes(random: &mut fastrand::Rng) -> Result<Vec<(f64, Body, Elements)>, Inva
     let [a, b, c, mass] = [length(), length(), length(), length()];
     let hoop = around().map(|(sin, cos)| (1.0, Vector3::new(a * cos, a * sin, 0.0))).collect();
     let shell = shell_directions().into_iter().map(|(weight, n)| (weight, n * a)).collect();
-    let flat = tube(0.0, a, 0.0).len(); // a disc without height has no volume: give it an area
     let disc: Elements = gauss(0.0, a)
         .flat_map(|(weight, r)| {
             around().map(move |(sin, cos)| (weight * r, Vector3::new(r * cos, r * sin, 0.0)))
         })
         .collect();
-    assert!(flat > 0 && !disc.is_empty());
     let ring = Ring { inner_radius: a, outer_radius: a + b, height: c };
     let rod = Cylinder { radius: 0.1 * b, height: 10.0 * a };
     Ok(vec![
@@ -108,54 +106,6 @@ fn shapes(random: &mut fastrand::Rng) -> Result<Vec<(f64, Body, Elements)>, Inva
         (mass, Body::cuboid(mass, [a, b, c])?, block([a, b, c])),
         (mass, Body::spheroid(mass, Spheroid { equatorial_radius: a, polar_radius: b })?, spheroid(a, b)),
     ])
-}
-
-#[test]
-fn moments_of_the_shapes_are_the_sums_over_their_mass() {
-    let mut random = fastrand::Rng::with_seed(34);
-    for _ in 0..50 {
-        for (mass, body, elements) in shapes(&mut random).unwrap() {
-            let sum = inertia(mass, &elements, &Vector3::zeros());
-            let expected = Matrix3::from_diagonal(&body.moments().to_array().into());
-            assert_relative_eq!(sum, expected, epsilon = ROUNDING * expected.amax());
-        }
-    }
-}
-
-#[test]
-fn the_table_of_moments_is_the_integral_over_the_mass() {
-    // The rows of the page as they stand there, I₁ and I₃ of a mass m: integrated, without the library's formulas.
-    let mut random = fastrand::Rng::with_seed(340);
-    for _ in 0..50 {
-        let [m, a, b, height] = std::array::from_fn(|_| between(&mut random, 0.1, 10.0));
-        let ring: Elements = around().map(|(sin, cos)| (1.0, Vector3::new(a * cos, a * sin, 0.0))).collect();
-        let disc: Elements = gauss(0.0, a)
-            .flat_map(|(weight, r)| {
-                around().map(move |(sin, cos)| (weight * r, Vector3::new(r * cos, r * sin, 0.0)))
-            })
-            .collect();
-        let shell: Elements = shell_directions().into_iter().map(|(weight, n)| (weight, n * a)).collect();
-        let square = m * a * a;
-        // A rod is that high and has no width; a brick, of which the page gives one moment, has three edges.
-        let rod: Elements = gauss(-0.5 * height, 0.5 * height)
-            .map(|(weight, z)| (weight, Vector3::new(0.0, 0.0, z)))
-            .collect();
-        let brick = inertia(m, &block([a, b, height]), &Vector3::zeros());
-        assert_relative_eq!(brick[(0, 0)], m * (b * b + height * height) / 12.0, max_relative = ROUNDING);
-        for (row, elements, first, third) in [
-            ("rod", rod, m * height * height / 12.0, 0.0),
-            ("hoop", ring, square / 2.0, square),
-            ("thin disc", disc, square / 4.0, square / 2.0),
-            ("thick disc", tube(0.0, a, height), m * (a * a / 4.0 + height * height / 12.0), square / 2.0),
-            ("ball", spheroid(a, a), 0.4 * square, 0.4 * square),
-            ("shell", shell, square / 1.5, square / 1.5),
-            ("spheroid", spheroid(a, b), 0.2 * m * (a * a + b * b), 0.4 * square),
-        ] {
-            let sum = inertia(m, &elements, &Vector3::zeros());
-            let stated = Matrix3::from_diagonal(&Vector3::new(first, first, third));
-            assert!((sum - stated).amax() < ROUNDING * stated.amax(), "{row}: {sum} for {stated}");
-        }
-    }
 }
 
 #[test]
@@ -201,26 +151,6 @@ fn angular_momentum_is_the_sum_of_r_cross_v() {
             omega,
             epsilon = 1e-12 * omega.norm()
         );
-    }
-}
-
-#[test]
-fn principal_axes_of_a_turned_body_are_found_again() {
-    let mut random = fastrand::Rng::with_seed(37);
-    for _ in 0..1000 {
-        let moments = moments(&mut random, 2.0);
-        let other_from_body = attitude(&mut random).to_rotation_matrix();
-        let tensor = InertiaTensor::principal(moments).rotated(&other_from_body);
-        let PrincipalAxes { moments: found, present_from_principal: other_from_principal } =
-            tensor.principal_axes().unwrap();
-        let mut expected = moments.to_array();
-        expected.sort_by(f64::total_cmp);
-        for (found, expected) in found.to_array().into_iter().zip(expected) {
-            assert_relative_eq!(found, expected, epsilon = ROUNDING);
-        }
-        assert_relative_eq!(other_from_principal.matrix().determinant(), 1.0, max_relative = ROUNDING);
-        let rebuilt = InertiaTensor::principal(found).rotated(&other_from_principal);
-        assert_relative_eq!(*rebuilt.matrix(), *tensor.matrix(), epsilon = 10.0 * ROUNDING);
     }
 }
 

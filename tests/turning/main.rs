@@ -3,10 +3,13 @@
 
 mod any_body;
 mod closed_form;
+#[path = "../common/mod.rs"]
+mod common;
 mod euler;
 mod inertia;
 mod middle_axis;
 
+use common::between;
 use mechanics::euler::Turning;
 use mechanics::inertia::PrincipalMoments;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -14,22 +17,10 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// What a few dozen operations in `f64` may cost, relative to the largest term.
 const ROUNDING: f64 = 1e-13;
 
-/// A number between `low` and `high`, even on a logarithmic scale.
-fn between(random: &mut fastrand::Rng, low: f64, high: f64) -> f64 {
-    low * (high / low).powf(random.f64())
-}
-
 /// Moments that obey the triangle rule: sums of pairs of three positive numbers over `decades` decades.
 fn moments(random: &mut fastrand::Rng, decades: f64) -> PrincipalMoments {
     let [x, y, z] = std::array::from_fn(|_| between(random, 10_f64.powf(-decades), 1.0));
     PrincipalMoments::new(y + z, x + z, x + y).expect("three integrals of squares make a body")
-}
-
-/// The same with an axis of symmetry along 3, from needles to plates.
-fn symmetric_moments(random: &mut fastrand::Rng) -> PrincipalMoments {
-    let transverse = between(random, 0.01, 100.0);
-    let axial = transverse * between(random, 1e-3, 2.0);
-    PrincipalMoments::symmetric(transverse, axial).expect("an axial moment up to twice the transverse one")
 }
 
 fn vector(random: &mut fastrand::Rng, size: f64) -> Vector3<f64> {

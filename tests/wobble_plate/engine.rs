@@ -305,8 +305,3 @@ fn a_plate_as_thick_as_root_three_radii_needs_no_balance() {
     let refused = thicker.balancing_mass(&pistons).unwrap_err();
     assert!(matches!(refused.rule, Rule::NotAbove { .. }), "{refused}");
 }
-
-#[test]
-fn another_mass_leaves_everything_else_of_the_pistons_as_it_was() {
-    assert_eq!(pistons(5, 0.3, 0.07, 0.2).with_mass(0.8), Ok(pistons(5, 0.8, 0.07, 0.2)));
-}

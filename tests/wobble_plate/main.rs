@@ -1,20 +1,19 @@
 //! The wobble plate: equations (34) to (45), (1) and (2), each by a route that shares no code with it.
 
+#[path = "../common/mod.rs"]
+mod common;
 mod engine;
 mod plate;
 #[path = "../printed/mod.rs"]
 mod printed;
 mod unbalance;
 
+use common::between;
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 const ROUNDING: f64 = 1e-13;
-
-fn between(random: &mut fastrand::Rng, low: f64, high: f64) -> f64 {
-    low * (high / low).powf(random.f64())
-}
 
 /// Mass, radius, thickness, tilt and spin of any plate.
 fn numbers(random: &mut fastrand::Rng) -> [f64; 5] {

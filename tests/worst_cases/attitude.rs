@@ -1,7 +1,7 @@
 //! Angles between vectors and between attitudes, however small, and principal axes.
 
-use crate::long::{Long, long};
-use crate::search::{Case, Draw, search, worse};
+use crate::long::{Long, long, off_angle};
+use crate::search::{Case, Draw, keeps_its_promise, worse};
 use mechanics::attitude::{angle_between, rotation_between};
 use mechanics::inertia::{InertiaTensor, PrincipalAxes, PrincipalMoments};
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
@@ -16,12 +16,6 @@ fn cross([a, b, c]: [Long; 3], [x, y, z]: [Long; 3]) -> [Long; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
-/// How far an angle is off that of these two components.
-fn off((sin, cos): (Long, Long), angle: f64) -> f64 {
-    let (s, c) = long(angle).sin_cos();
-    ((s * cos - c * sin) / (sin * sin + cos * cos).sqrt()).abs().rounded()
-}
-
 /// Three numbers, and three that are the same but for a hair.
 fn neighbours<const N: usize>(draw: &mut Draw<'_>) -> [[f64; N]; 2] {
     let a = std::array::from_fn(|_| draw.between(-1.0, 1.0));
@@ -31,45 +25,43 @@ fn neighbours<const N: usize>(draw: &mut Draw<'_>) -> [[f64; N]; 2] {
 
 #[test]
 fn an_angle_between_vectors_keeps_its_digits() {
-    let worst = search("angle between vectors", 4000, |draw| {
+    keeps_its_promise("angle between vectors", 4000, &["towards", "away"], |draw| {
         let [a, b] = neighbours::<3>(draw);
-        let scale = |draw: &mut Draw<'_>| 2_f64.powi(draw.below(2000) as i32 - 1000);
-        let (to_a, to_b) = if draw.below(2) == 0 { (1.0, 1.0) } else { (scale(draw), -scale(draw)) };
+        let sign = draw.one_of(&[-1.0, 1.0]);
+        let (to_a, to_b) = (draw.binary_unit(1000), sign * draw.binary_unit(1000));
         let found = angle_between(&(Vector3::from(a) * to_a), &(Vector3::from(b) * to_b));
         let (p, q) = (a.map(long), b.map(|x| long(x * to_b.signum())));
         let product = cross(p, q);
-        let error = off((dot(product, product).sqrt(), dot(p, q)), found);
+        let error = off_angle((dot(product, product).sqrt(), dot(p, q)), found);
         let way = if dot(p, q) > long(0.0) { "towards" } else { "away" };
-        let ratio = if error == 0.0 { 0.0 } else { error / (4.0 * EPS * found) };
-        Some(Case {
-            ratio,
-            way,
-            said: format!("{a:?} · {to_a:e}, {b:?} · {to_b:e}: {found:?}, off {error:e}"),
-        })
+        let said = format!("{a:?} · {to_a:e}, {b:?} · {to_b:e}: {found:?}, off {error:e}");
+        Some(Case { ratio: error / (4.0 * EPS), way, said })
     });
-    worst.keeps_its_promise(&["towards", "away"]);
+    assert_eq!(angle_between(&Vector3::x(), &-Vector3::x()), std::f64::consts::PI);
+    assert_eq!(angle_between(&Vector3::zeros(), &Vector3::x()), 0.0);
 }
 
 #[test]
 fn a_rotation_between_attitudes_keeps_its_digits() {
-    let worst = search("rotation between attitudes", 4000, |draw| {
+    keeps_its_promise("rotation between attitudes", 4000, &["any"], |draw| {
         let [a, b] = neighbours::<4>(draw)
             .map(|[w, i, j, k]| UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k)));
+        // A quaternion and its negative are one attitude.
+        let b = if draw.below(2) == 0 { b } else { UnitQuaternion::new_unchecked(-b.into_inner()) };
         let found = rotation_between(&a, &b);
         let parts = |q: &UnitQuaternion<f64>| (long(q.w), [q.i, q.j, q.k].map(long));
         let ((w, u), (z, v)) = (parts(&a), parts(&b));
         let product = cross(u, v);
         let imaginary: [Long; 3] = std::array::from_fn(|n| w * v[n] - z * u[n] - product[n]);
-        let error = 2.0 * off((dot(imaginary, imaginary).sqrt(), (w * z + dot(u, v)).abs()), 0.5 * found);
-        let ratio = if error == 0.0 { 0.0 } else { error / (4.0 * EPS * found) };
-        Some(Case { ratio, way: "any", said: format!("{a:?} {b:?}: {found:?}, off {error:e}") })
+        let error = off_angle((dot(imaginary, imaginary).sqrt(), (w * z + dot(u, v)).abs()), 0.5 * found);
+        let said = format!("{a:?} {b:?}: {found:?}, off {error:e}");
+        Some(Case { ratio: error / (4.0 * EPS), way: "any", said })
     });
-    worst.keeps_its_promise(&["any"]);
 }
 
 #[test]
 fn principal_axes_are_good_to_a_few_roundings_of_the_largest_moment() {
-    let worst = search("principal axes", 2000, |draw| {
+    keeps_its_promise("principal axes", 2000, &["flat", "with some thickness"], |draw| {
         // One in four is flat.
         let x = if draw.below(4) == 0 { 0.0 } else { draw.decades(1e-6, 1.0) };
         let y = if draw.below(2) == 0 { draw.beside(1.0) } else { draw.decades(1e-6, 1.0) };
@@ -82,7 +74,7 @@ fn principal_axes_are_good_to_a_few_roundings_of_the_largest_moment() {
         let PrincipalAxes { moments: found, present_from_principal: axes } = match tensor.principal_axes() {
             Ok(found) => found,
             Err(error) => {
-                return Some(Case { ratio: f64::INFINITY, way, said: format!("{moments:?}: {error}") });
+                return Case::refused(way, format!("{moments:?}: {error}"));
             }
         };
         // I a = λ a and a·a = 1, in 32 digits; and the axes are right-handed.
@@ -101,11 +93,7 @@ fn principal_axes_are_good_to_a_few_roundings_of_the_largest_moment() {
         }
         let upright = dot(cross(columns[0], columns[1]), columns[2]) > long(0.0);
         let error = if upright { error } else { f64::INFINITY };
-        Some(Case {
-            ratio: error / 5e-15,
-            way,
-            said: format!("{moments:?} {roll:?} {pitch:?} {yaw:?}: {error:e}"),
-        })
+        let said = format!("{moments:?} {roll:?} {pitch:?} {yaw:?}: {error:e}");
+        Some(Case { ratio: error / 5e-15, way, said })
     });
-    worst.keeps_its_promise(&["flat", "with some thickness"]);
 }

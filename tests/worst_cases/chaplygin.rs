@@ -2,7 +2,7 @@
 
 use crate::conical;
 use crate::long::{Long, long};
-use crate::search::{Case, Draw, search};
+use crate::search::{Case, Draw, keeps_its_promise};
 use crate::taylor::System;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
@@ -61,7 +61,8 @@ fn tilt(draw: &mut Draw<'_>) -> f64 {
 
 #[test]
 fn the_constants_give_the_angular_velocities_at_any_other_tilt() {
-    let worst = search("constants", 300, |draw| {
+    let ways = ["about the upright", "between upright and end", "from end to end", "near one end"];
+    keeps_its_promise("constants", 300, &ways, |draw| {
         let transverse = draw.decades(1e-6, 10.0);
         let ratio = if draw.below(2) == 0 { 2.0 } else { draw.decades(1e-6, 2.0) };
         let moments = MomentFactors { transverse, axial: ratio * transverse };
@@ -88,16 +89,7 @@ fn the_constants_give_the_angular_velocities_at_any_other_tilt() {
             (false, false, _) => "about the upright",
             _ => "between upright and end",
         };
-        Some(Case {
-            ratio: error(0).max(error(1)) / (PROMISE * f64::EPSILON),
-            way,
-            said: format!("{moments:?}, from {state:?} to the tilt {to:?}: {ours:?}"),
-        })
+        let said = format!("{moments:?}, from {state:?} to the tilt {to:?}: {ours:?}");
+        Some(Case { ratio: error(0).max(error(1)) / (PROMISE * f64::EPSILON), way, said })
     });
-    worst.keeps_its_promise(&[
-        "about the upright",
-        "between upright and end",
-        "from end to end",
-        "near one end",
-    ]);
 }

@@ -2,7 +2,7 @@
 //! its face.
 
 use crate::long::{Long, PI, long};
-use crate::search::{Case, Draw, search, worse};
+use crate::search::{Case, Draw, keeps_its_promise, worse};
 use mechanics::inertia::{Cylinder, PrincipalMoments};
 use mechanics::scenes::coin_toss::{
     Face, Flight, FlightParameters, Toss, TossParameters, angle_for_probability, ratio_for_probability,
@@ -12,7 +12,7 @@ const EPS: f64 = f64::EPSILON;
 
 /// A coin and its two spins.
 fn coin(draw: &mut Draw<'_>) -> Option<(Toss, [Long; 4])> {
-    let across = draw.one_of(&[1.0, 0.3, 2_f64.powi(150), 2_f64.powi(-150)]);
+    let across = draw.one_of(&[1.0, 0.3]) * draw.binary_unit(150);
     let ratio = if draw.below(2) == 0 { 2.0 } else { draw.decades(1e-4, 2.0) };
     let tumble = draw.signed(1e-6, 1e3);
     // At the threshold I₃ω₃ = I₁ω₁, next to it, and anywhere.
@@ -26,17 +26,15 @@ fn coin(draw: &mut Draw<'_>) -> Option<(Toss, [Long; 4])> {
 
 #[test]
 fn the_lowest_height_and_what_follows_from_it_have_all_their_digits() {
-    let worst = search("coin toss", 4000, |draw| {
+    let ways = ["just keeps its face", "keeps its face", "just goes over", "goes over"];
+    keeps_its_promise("coin toss", 4000, &ways, |draw| {
         let (toss, [a, c, tumble, spin]) = coin(draw)?;
         let (across, along) = (a * tumble, c * spin);
         let square = across * across + along * along;
         let lowest = (along - across) * (along + across) / square;
         let keeps = lowest >= long(0.0);
-        let off = |truth: Long, found: f64| {
-            if truth == long(found) { 0.0 } else { ((truth - found) / truth).abs().rounded() }
-        };
         let rate = square.sqrt() / a;
-        let mut error = worse(off(lowest, toss.lowest_normal()), off(rate, toss.precession_rate()));
+        let mut error = worse(lowest.off(toss.lowest_normal()), rate.off(toss.precession_rate()));
         if keeps != toss.keeps_its_face() || keeps != toss.first_edge().is_none() {
             error = f64::INFINITY;
         }
@@ -47,7 +45,7 @@ fn the_lowest_height_and_what_follows_from_it_have_all_their_digits() {
             let (sin, cos) = half.sin_cos();
             error = worse(error, ((sin * (-lowest).sqrt() - cos) / half).abs().rounded());
             probability = toss.same_face_probability();
-            error = worse(error, ((half * 2.0 / PI - probability) / probability).abs().rounded());
+            error = worse(error, (half * 2.0 / PI).off(probability));
         }
         let way = match (keeps, lowest.abs() < long(1e-3)) {
             (true, true) => "just keeps its face",
@@ -58,12 +56,11 @@ fn the_lowest_height_and_what_follows_from_it_have_all_their_digits() {
         let said = format!("{toss:?}: probability {probability:?}, off {error:e}");
         Some(Case { ratio: error / (4.0 * EPS), way, said })
     });
-    worst.keeps_its_promise(&["just keeps its face", "keeps its face", "just goes over", "goes over"]);
 }
 
 #[test]
 fn the_height_of_the_normal_is_good_to_a_few_units_for_a_hundred_million_million_radians() {
-    let worst = search("height of the normal", 4000, |draw| {
+    keeps_its_promise("height of the normal", 4000, &["any"], |draw| {
         let (toss, [a, c, tumble, spin]) = coin(draw)?;
         let (across, along) = (a * tumble, c * spin);
         let square = across * across + along * along;
@@ -82,18 +79,14 @@ fn the_height_of_the_normal_is_good_to_a_few_units_for_a_hundred_million_million
         let keeps_its_word = face == seen && (face != Face::Other || !toss.keeps_its_face());
         let normal = (toss.normal(time).ok()?.z - found).abs();
         let error = if keeps_its_word { worse(error, normal / 3.0) } else { f64::INFINITY };
-        Some(Case {
-            ratio: error / 2e-15,
-            way: "any",
-            said: format!("{toss:?} at {time:e}: {found:?}, off {error:e}"),
-        })
+        let said = format!("{toss:?} at {time:e}: {found:?}, off {error:e}");
+        Some(Case { ratio: error / 2e-15, way: "any", said })
     });
-    worst.keeps_its_promise(&["any"]);
 }
 
 #[test]
 fn shares_of_landings_keep_the_digits_that_the_distance_to_a_border_leaves() {
-    let worst = search("landings", 4000, |draw| {
+    keeps_its_promise("landings", 4000, &["anywhere", "next to a border"], |draw| {
         let (toss, [a, c, tumble, spin]) = coin(draw)?;
         let (across, along) = (a * tumble, c * spin);
         let (lowest, square) = ((along - across) * (along + across), across * across + along * along);
@@ -129,12 +122,11 @@ fn shares_of_landings_keep_the_digits_that_the_distance_to_a_border_leaves() {
         let said = format!("{toss:?}, height {height:?}: {found:?}, off {error:e}, promised {promise:e}");
         Some(Case { ratio: error / promise, way, said })
     });
-    worst.keeps_its_promise(&["anywhere", "next to a border"]);
 }
 
 #[test]
 fn ratio_and_angle_for_a_probability_have_all_their_digits() {
-    let worst = search("ratio for a probability", 2000, |draw| {
+    keeps_its_promise("ratio for a probability", 2000, &["towards one half", "towards one"], |draw| {
         let probability = match draw.below(3) {
             0 => 0.5 + draw.decades(1e-16, 0.4),
             1 => 1.0 - draw.decades(1e-16, 0.4),
@@ -145,29 +137,21 @@ fn ratio_and_angle_for_a_probability_have_all_their_digits() {
         // The cotangent of ψ, √(−cos πp) = √(sin π(p − ½)).
         let cotangent = (PI * (long(probability) - 0.5)).sin_cos().0.sqrt();
         let found = ratio_for_probability(moments, probability).ok()?;
-        let off_ratio = if found == 0.0 {
-            cotangent.rounded()
-        } else {
-            ((cotangent / ratio - found) / found).abs().rounded()
-        };
+        let off_ratio = if found == 0.0 { cotangent.rounded() } else { (cotangent / ratio).off(found) };
         let angle = angle_for_probability(probability).ok()?;
         let (sin, cos) = long(angle).sin_cos();
         let off_angle = ((sin * cotangent - cos) / angle).abs().rounded();
         let way = if probability < 0.75 { "towards one half" } else { "towards one" };
         let error = worse(off_ratio, off_angle);
-        Some(Case {
-            ratio: error / (4.0 * EPS),
-            way,
-            said: format!("p {probability:?}: {found:?} {angle:?}, off {error:e}"),
-        })
+        let said = format!("p {probability:?}: {found:?} {angle:?}, off {error:e}");
+        Some(Case { ratio: error / (4.0 * EPS), way, said })
     });
-    worst.keeps_its_promise(&["towards one half", "towards one"]);
 }
 
 #[test]
 fn a_flight_is_as_long_as_the_height_of_the_catch_can_say() {
-    let worst = search("flight", 2000, |draw| {
-        let [speed, gravity] = std::array::from_fn(|_| draw.decades(1e-20, 1e20));
+    keeps_its_promise("flight", 2000, &["caught at the top", "caught anywhere"], |draw| {
+        let [speed, gravity] = std::array::from_fn(|_| draw.unit(20));
         let highest = 0.5 * speed * speed / gravity;
         let catch = if draw.below(2) == 0 {
             highest * (1.0 - draw.decades(1e-16, 1.0))
@@ -181,12 +165,11 @@ fn a_flight_is_as_long_as_the_height_of_the_catch_can_say() {
             return None;
         }
         let truth = (v + square.sqrt()) / g;
-        let error = ((truth - flight.duration()) / truth).abs().rounded();
+        let error = truth.off(flight.duration());
         // What a rounding of the height of the catch is worth: near the top its root counts.
         let steep = (v * v / square).rounded();
         let ratio = error / (4.0 * EPS + 1.5 * EPS * if catch > 0.0 { steep.sqrt() } else { 0.0 });
         let way = if steep > 1e4 { "caught at the top" } else { "caught anywhere" };
         Some(Case { ratio, way, said: format!("v {speed:?} g {gravity:?} h {catch:?}: off {error:e}") })
     });
-    worst.keeps_its_promise(&["caught at the top", "caught anywhere"]);
 }

@@ -1,7 +1,7 @@
 //! The conical functions, by stepping Legendre's equation out from the middle.
 
 use crate::long::{Long, long};
-use crate::search::{Case, Draw, search};
+use crate::search::{Case, Draw, keeps_its_promise};
 use crate::taylor::System;
 use mechanics::conical::Conical;
 
@@ -67,18 +67,14 @@ fn place(draw: &mut Draw<'_>) -> (f64, f64) {
 
 #[test]
 fn conical_functions_have_all_their_digits() {
-    let worst = search("conical", 300, |draw| {
+    keeps_its_promise("conical", 300, &["about the centre", "near an end"], |draw| {
         let a = if draw.below(2) == 0 { draw.between(1.0, 2.0) } else { draw.decades(1e-10, 2.0) };
         let (x, gap) = place(draw);
         let (error, ours) = error(a, x, gap);
         let (way, promise) = if x.abs() <= 0.5 { ("about the centre", 4.0) } else { ("near an end", 30.0) };
-        Some(Case {
-            ratio: error / (promise * f64::EPSILON),
-            way,
-            said: format!("a {a:?}, X {x:?}, gap {gap:?}: {ours:?}"),
-        })
+        let said = format!("a {a:?}, X {x:?}, gap {gap:?}: {ours:?}");
+        Some(Case { ratio: error / (promise * f64::EPSILON), way, said })
     });
-    worst.keeps_its_promise(&["about the centre", "near an end"]);
 }
 
 #[test]

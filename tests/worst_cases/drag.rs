@@ -2,7 +2,7 @@
 //! the test against the equations by series.
 
 use crate::long::{Long, long};
-use crate::search::{Case, Draw, search, worse};
+use crate::search::{Case, Draw, keeps_its_promise, worse};
 use crate::taylor::System;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
@@ -18,7 +18,7 @@ struct Body {
 
 impl Body {
     fn draw(draw: &mut Draw<'_>) -> Self {
-        let across = draw.one_of(&[1.0, 3.0, 2_f64.powi(120), 2_f64.powi(-120)]);
+        let across = draw.one_of(&[1.0, 3.0]) * draw.binary_unit(120);
         let ratio = match draw.below(4) {
             0 => draw.beside(1.0),
             1 => draw.beside(2.0).min(2.0),
@@ -77,7 +77,7 @@ impl Body {
 
 #[test]
 fn the_judge_of_the_drag_solves_eulers_equations() {
-    let worst = search("the judge of the drag", 100, |draw| {
+    keeps_its_promise("the judge of the drag", 100, &["any"], |draw| {
         let body = Body::draw(draw);
         body.top()?;
         let (mut system, states @ [x, y, z]) = System::new();
@@ -95,12 +95,11 @@ fn the_judge_of_the_drag_solves_eulers_equations() {
             states.iter().enumerate().map(|(n, _)| (truth[n] - found[n]).abs().rounded()).fold(0.0, worse);
         Some(Case { ratio: error / 1e-27, way: "any", said: format!("{}: {error:e}", body.said(time)) })
     });
-    worst.keeps_its_promise(&["any"]);
 }
 
 #[test]
 fn the_angular_velocity_in_air_is_good_to_a_few_units_of_the_start_and_of_its_phase() {
-    let worst = search("drag", 4000, |draw| {
+    keeps_its_promise("drag", 4000, &["no drag", "drag across only", "early", "late"], |draw| {
         let body = Body::draw(draw);
         let top = body.top()?;
         let time = if draw.below(20) == 0 { 0.0 } else { draw.decades(1e-6, 1e12) };
@@ -122,18 +121,14 @@ fn the_angular_velocity_in_air_is_good_to_a_few_units_of_the_start_and_of_its_ph
             ([_, _], false) => "early",
             ([_, _], true) => "late",
         };
-        Some(Case {
-            ratio: worse(one, many) / promise,
-            way,
-            said: format!("{}: {one:e}, of many {many:e}", body.said(time)),
-        })
+        let said = format!("{}: {one:e}, of many {many:e}", body.said(time));
+        Some(Case { ratio: worse(one, many) / promise, way, said })
     });
-    worst.keeps_its_promise(&["no drag", "drag across only", "early", "late"]);
 }
 
 #[test]
 fn the_angle_of_the_axis_has_all_its_digits_however_small_it_is() {
-    let worst = search("angle in air", 2000, |draw| {
+    keeps_its_promise("angle in air", 2000, &["along the axis", "against the axis"], |draw| {
         let body = Body::draw(draw);
         let top = body.top()?;
         let time = draw.decades(1e-6, 1e6);
@@ -163,7 +158,6 @@ fn the_angle_of_the_axis_has_all_its_digits_however_small_it_is() {
         let ratio = error / (4.0 * EPS * size);
         Some(Case { ratio, way, said: format!("{}: {found:e}, error {error:e}", body.said(time)) })
     });
-    worst.keeps_its_promise(&["along the axis", "against the axis"]);
 }
 
 #[test]

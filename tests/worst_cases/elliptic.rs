@@ -2,7 +2,7 @@
 //! their counterpart in hyperbolic functions, the logarithmic series of K, and sums for `R_F`.
 
 use crate::long::{Long, PI, long};
-use crate::search::{Case, Draw, search, worse};
+use crate::search::{Case, Draw, keeps_its_promise, worse};
 use mechanics::elliptic::{carlson_rf, jacobi, quarter_period};
 
 const EPS: f64 = f64::EPSILON;
@@ -105,7 +105,7 @@ fn complement(draw: &mut Draw<'_>) -> f64 {
 
 #[test]
 fn sn_cn_and_dn_are_good_to_a_few_units_of_one_and_the_roundings_of_a_large_argument() {
-    let worst = search("jacobi", 4000, |draw| {
+    keeps_its_promise("jacobi", 4000, &["hyperbolic", "small argument", "up to K", "beyond K"], |draw| {
         let complement = complement(draw);
         let quarter = quarter_period(complement).min(1e3);
         let u = match draw.below(6) {
@@ -130,12 +130,11 @@ fn sn_cn_and_dn_are_good_to_a_few_units_of_one_and_the_roundings_of_a_large_argu
         let ratio = error / (1e-15 * (1.0 + beyond));
         Some(Case { ratio, way, said: format!("jacobi({u:?}, {complement:?}) = {found:?}, error {error:e}") })
     });
-    worst.keeps_its_promise(&["hyperbolic", "small argument", "up to K", "beyond K"]);
 }
 
 #[test]
 fn the_quarter_period_is_good_to_a_few_units_in_the_last_place() {
-    let worst = search("quarter period", 4000, |draw| {
+    keeps_its_promise("quarter period", 4000, &["separatrix", "circular", "hyperbolic"], |draw| {
         let complement = complement(draw);
         let (found, c) = (quarter_period(complement), long(complement));
         if complement == 0.0 {
@@ -143,15 +142,11 @@ fn the_quarter_period_is_good_to_a_few_units_in_the_last_place() {
             return Some(Case { ratio, way: "separatrix", said: format!("{found:?}") });
         }
         let truth = quarter(long(1.0) - complement, c);
-        let error = ((truth - found) / truth).abs().rounded();
+        let error = truth.off(found);
         let way = if complement > 0.5 { "circular" } else { "hyperbolic" };
-        Some(Case {
-            ratio: error / 1e-15,
-            way,
-            said: format!("K({complement:?}) = {found:?}, error {error:e}"),
-        })
+        let said = format!("K({complement:?}) = {found:?}, error {error:e}");
+        Some(Case { ratio: error / 1e-15, way, said })
     });
-    worst.keeps_its_promise(&["separatrix", "circular", "hyperbolic"]);
 }
 
 /// ½∫dt/√((t+x)(t+y)(t+z)) by sums of equal steps of ln t, exact to e^{−2π²/step}; of numbers between 1e-110 and one.
@@ -171,7 +166,7 @@ fn by_sums(arguments: [f64; 3]) -> Long {
 
 #[test]
 fn carlsons_integral_is_good_to_a_few_units_in_the_last_place_at_any_size() {
-    let worst = search("Carlson's integral", 400, |draw| {
+    keeps_its_promise("Carlson's integral", 400, &["tiny", "huge", "between"], |draw| {
         let mut arguments = [1.0; 3];
         for argument in &mut arguments[1..] {
             *argument = match draw.below(4) {
@@ -197,7 +192,7 @@ fn carlsons_integral_is_good_to_a_few_units_in_the_last_place_at_any_size() {
             return None;
         }
         let (truth, found) = (by_sums(arguments), carlson_rf(scaled[0], scaled[1], scaled[2]) * half);
-        let error = ((truth - found) / truth).abs().rounded();
+        let error = truth.off(found);
         let way = match scaled.iter().copied().fold(0.0, f64::max) {
             x if x < 1e-250 => "tiny",
             x if x > 1e300 => "huge",
@@ -205,11 +200,10 @@ fn carlsons_integral_is_good_to_a_few_units_in_the_last_place_at_any_size() {
         };
         Some(Case { ratio: error / 1.5e-15, way, said: format!("{scaled:?}: {found:?}, error {error:e}") })
     });
-    worst.keeps_its_promise(&["tiny", "huge", "between"]);
 }
 
 #[test]
-fn carlsons_integral_knows_its_ends() {
+fn functions_know_their_ends() {
     // For y and z far below x it is ln(4√x/(√y + √z))/√x · (1 + ...): sizes that no common scale brings into one range.
     for (x, y, z) in [(1e308, 1e-308, 1e-308), (1e300, 5e-324, 1e-300), (1e10, 1e-300, 0.0)] {
         let expected = long(x).sqrt().ln() + long(16.0).ln() * 0.5
@@ -228,4 +222,9 @@ fn carlsons_integral_knows_its_ends() {
     assert_eq!(carlson_rf(f64::MAX, f64::MAX, f64::MAX), f64::MAX.sqrt().recip());
     assert_eq!(carlson_rf(1.0, 2.0, f64::INFINITY), 0.0);
     assert!(carlson_rf(f64::INFINITY, f64::NAN, 1.0).is_nan());
+    assert_eq!(carlson_rf(0.0, 0.0, 1.0), f64::INFINITY);
+    assert!(carlson_rf(-1.0, 1.0, 1.0).is_nan() && carlson_rf(f64::NAN, 1.0, 1.0).is_nan());
+    for outside in [-0.1, -1e-300, 1.0_f64.next_up(), 1.5, f64::NAN] {
+        assert!(quarter_period(outside).is_nan() && jacobi(0.3, outside).iter().all(|x| x.is_nan()));
+    }
 }

@@ -1,7 +1,7 @@
 //! Faddeeva's function.
 
 use crate::long::{Long, PI, long};
-use crate::search::{Case, Draw, search};
+use crate::search::{Case, Draw, keeps_its_promise};
 use crate::taylor::System;
 use mechanics::faddeeva::faddeeva;
 use nalgebra::Complex;
@@ -88,7 +88,8 @@ fn anywhere(draw: &mut Draw<'_>) -> Complex<f64> {
 
 #[test]
 fn w_has_its_digits_in_the_upper_half_plane() {
-    let worst = search("faddeeva", 4000, |draw| {
+    let ways = ["beyond the nodes", "either rule", "no residue", "pole only", "the rule between"];
+    keeps_its_promise("faddeeva", 4000, &ways, |draw| {
         let z = anywhere(draw);
         let truth = truth(z);
         let ours = faddeeva(z);
@@ -101,24 +102,14 @@ fn w_has_its_digits_in_the_upper_half_plane() {
             (_, _, true) => "either rule",
             (_, _, false) => "the rule between",
         };
-        Some(Case {
-            ratio: distance(ours, truth) / size / UNITS,
-            way,
-            said: format!("{z:?}: {ours:?} for {truth:?}"),
-        })
+        let said = format!("{z:?}: {ours:?} for {truth:?}");
+        Some(Case { ratio: distance(ours, truth) / size / UNITS, way, said })
     });
-    worst.keeps_its_promise(&[
-        "beyond the nodes",
-        "either rule",
-        "no residue",
-        "pole only",
-        "the rule between",
-    ]);
 }
 
 #[test]
 fn in_the_lower_half_plane_it_is_the_gaussian_less_the_mirror_image() {
-    let worst = search("faddeeva below", 4000, |draw| {
+    keeps_its_promise("faddeeva below", 4000, &["grown", "small"], |draw| {
         let above = anywhere(draw);
         let square = times([above.re, above.im].map(long), [above.re, above.im].map(long));
         if above.im == 0.0 || square[0].rounded() < -700.0 || above.norm() > 1e7 {
@@ -132,13 +123,9 @@ fn in_the_lower_half_plane_it_is_the_gaussian_less_the_mirror_image() {
         let grown = gauss.rounded() * (1.0 + above.norm_sqr());
         let size = grown + truth.re.rounded().hypot(truth.im.rounded());
         let way = if gauss.rounded() > 1.0 { "grown" } else { "small" };
-        Some(Case {
-            ratio: distance(ours, below) / size / UNITS,
-            way,
-            said: format!("{:?}: {ours:?} for {below:?}", -above),
-        })
+        let said = format!("{:?}: {ours:?} for {below:?}", -above);
+        Some(Case { ratio: distance(ours, below) / size / UNITS, way, said })
     });
-    worst.keeps_its_promise(&["grown", "small"]);
     for (z, expected) in [
         (Complex::new(0.0, -27.0), Complex::new(f64::INFINITY, 0.0)),
         (Complex::new(0.0, -1e200), Complex::new(f64::INFINITY, 0.0)),

@@ -6,7 +6,8 @@
 //! precision that shares no code with the library, and then walks from the worst cases to where they are
 //! worse still. The promise it holds is the one in the library's documentation.
 //!
-//! `WORST_CASES=50 cargo test --test worst_cases` looks fifty times as long.
+//! `WORST_CASES=50 cargo test --test worst_cases` looks fifty times as long, and draws also what no scene can show:
+//! units of measurement at the ends of what is computed with, and machines of any numbers at all.
 
 mod attitude;
 mod blows;

@@ -1,21 +1,13 @@
 //! A drum that speeds up or slows down steadily.
 
-use crate::long::{Long, long};
-use crate::search::{Case, search, worse};
+use crate::long::long;
+use crate::search::{Case, is_long, keeps_its_promise, worse};
 use crate::taylor::System;
-use crate::transient::{Units, agreement, damping, hostile, start};
-use mechanics::scenes::laundromat::Shaft;
+use crate::transient::{Truth, Units, agreement, damping, hostile, start};
+use mechanics::scenes::laundromat::{Ramp, Shaft};
 
 /// The documented error, in units in the last place of what the documentation names.
 const UNITS: f64 = 40.0 * f64::EPSILON;
-
-/// x, y, ẋ, ẏ at a time, and what the free motion makes by then of one metre and of one metre a second, position and
-/// velocity.
-struct Truth {
-    state: [Long; 4],
-    of_place: [f64; 2],
-    of_rate: [f64; 2],
-}
 
 fn truth(damping: f64, spin: f64, acceleration: f64, start: Shaft, time: f64) -> Truth {
     let (mut system, [x, y, vx, vy, c, s, p, p_rate, q, q_rate, turning]) = System::new();
@@ -47,7 +39,17 @@ fn truth(damping: f64, spin: f64, acceleration: f64, start: Shaft, time: f64) ->
 
 #[test]
 fn the_ramp_is_exact_to_units_of_the_offset_the_motion_and_what_the_start_makes_of_itself() {
-    let worst = search("ramp", 1500, |draw| {
+    let ways = [
+        "early, after",
+        "early, before",
+        "real, after",
+        "real, before",
+        "together, after",
+        "together, before",
+        "turning, after",
+        "turning, before",
+    ];
+    keeps_its_promise("ramp", 1500, &ways, |draw| {
         let damping = damping(draw);
         let spin = match draw.below(3) {
             0 => draw.beside(1.0),
@@ -82,16 +84,6 @@ fn the_ramp_is_exact_to_units_of_the_offset_the_motion_and_what_the_start_makes_
         }
         Some(case(Units::drawn(draw), damping, spin, acceleration, start, time))
     });
-    worst.keeps_its_promise(&[
-        "early, after",
-        "early, before",
-        "real, after",
-        "real, before",
-        "together, after",
-        "together, before",
-        "turning, after",
-        "turning, before",
-    ]);
 }
 
 /// One motion at one time beside the judge.
@@ -113,22 +105,10 @@ fn case(units: Units, damping: f64, spin: f64, acceleration: f64, start: Shaft, 
 
     let fastest = 1.0 + damping + spin.abs() + (spin + acceleration * time).abs() + acceleration.abs().sqrt();
     let [place, rate] = [start.position.norm() + 1.0, start.velocity.norm() + fastest];
-    let carried = |i: usize| place * (truth.of_place[i] + 1e-9) + rate * (truth.of_rate[i] + 1e-9);
-    // What a change of the time by a unit in its last place does.
-    let later = |i: usize| (truth.state[i].rounded() * time).abs();
-    let places = 1.0 + carried(0) + later(2).max(later(3));
-    let rates = fastest + carried(1) + damping * later(2).max(later(3)) + later(0).max(later(1));
-    let (mut ratio, mut what) = (0.0_f64, "");
-    let sampled = (["sampled x", "sampled y", "sampled ẋ", "sampled ẏ"], sampled);
-    for (names, shaft) in [(["x", "y", "ẋ", "ẏ"], ours), sampled] {
-        for (i, size) in [places, places, rates, rates].into_iter().enumerate() {
-            let away = (truth.state[i] - shaft.to_array()[i]).abs().rounded();
-            let away = away / (size + truth.state[i].abs().rounded()) / UNITS;
-            if worse(away, ratio) > ratio {
-                (ratio, what) = (worse(away, ratio), names[i]);
-            }
-        }
-    }
+    let ([carried, carried_rate], [later, later_rate]) =
+        (truth.carried([place, rate]), truth.later(time, damping));
+    let sizes = [1.0 + carried + later, fastest + carried_rate + later_rate];
+    let (ratio, what) = truth.worst([ours, sampled], sizes, UNITS);
     Case { ratio, way, said: said(what, ours) }
 }
 
@@ -211,31 +191,73 @@ fn the_ramp_is_as_exact_where_no_integrator_comes() {
 
 #[test]
 fn every_ramp_answers_at_its_start() {
-    let worst = search("start of a ramp", 20_000, |draw| {
-        let damping = if draw.below(2) == 0 { draw.decades(1e-50, 1e50) } else { damping(draw) };
-        let spin = draw.signed(1e-50, 1e50);
+    keeps_its_promise("start of a ramp", 20_000, &["any"], |draw| {
+        let damping = if draw.below(2) == 0 { draw.unit(49) } else { damping(draw) };
+        let spin = draw.unit(49) * draw.one_of(&[-1.0, 0.0, 1.0]);
         let acceleration = draw.decades(1e-12, 1e12) * draw.one_of(&[-1.0, 1.0]);
         let start = start(draw);
         let ours = Units::SI.machine(damping, spin).ramp(acceleration, start).expect("a motion").at(0.0);
         let size = 1.0 + start.position.norm();
         let ratio = ours.map_or(f64::INFINITY, |ours| (ours.position - start.position).norm() / size / UNITS);
-        Some(Case {
-            ratio,
-            way: "any",
-            said: format!("Γ {damping:?}, Ω {spin:?}, α {acceleration:?}: {ours:?}"),
-        })
+        let said = format!("Γ {damping:?}, Ω {spin:?}, α {acceleration:?}: {ours:?}");
+        Some(Case { ratio, way: "any", said })
     });
-    worst.keeps_its_promise(&["any"]);
 }
 
 #[test]
 fn no_ramp_answers_with_what_is_no_number_and_a_sample_refuses_what_one_does() {
-    let worst = search("hostile ramp", 10_000, |draw| {
+    if !is_long() {
+        return; // machines of no scene: for the night
+    }
+    keeps_its_promise("hostile ramp", 10_000, &["answered", "refused"], |draw| {
         let (machine, start, times) = hostile(draw)?;
         let acceleration = machine.natural_frequency().powi(2) * draw.decades(1e-12, 1e12);
         let motion = machine.ramp(acceleration * draw.one_of(&[-1.0, 1.0]), start).ok()?;
         let (ratio, way) = agreement(&motion, &times);
         Some(Case { ratio, way, said: format!("{machine:?}, {acceleration:?}, {start:?}, {times:?}") })
     });
-    worst.keeps_its_promise(&["answered", "refused"]);
+}
+
+#[test]
+fn times_beyond_reach_are_refused_one_by_one_and_many_at_once() {
+    let refused = |ramp: &Ramp, t: f64| {
+        let alone = ramp.at(t).map(|_| ());
+        assert_eq!(ramp.sample(&[t]).map(|_| ()), alone, "{t}");
+        alone.is_err()
+    };
+    // Without damping every time has an answer.
+    for (spin, acceleration) in [(1.5, 0.02), (1.5, -0.02), (1e3, 1e-12)] {
+        let ramp = Units::SI
+            .machine(0.0, spin)
+            .ramp(acceleration, Shaft::from_array([0.7, -0.4, -0.3, 0.9]))
+            .unwrap();
+        for t in [1e7, -1e7, 2e8, 1e12, -1e20] {
+            assert!(!refused(&ramp, t), "{t}");
+        }
+    }
+    // With it, before the start, as long as what has grown backwards is a number. There |v + ½Γz|² + ω₁²|z|² grows by
+    // e a second.
+    let size = |shaft: Shaft| {
+        let [z, v] = [shaft.position, shaft.velocity].map(|part| part * 1e-280);
+        ((v + z * 0.5).norm_sqr() + 0.75 * z.norm_sqr()).ln()
+    };
+    for (spin, acceleration) in [(0.0, 0.5), (3.0, 0.5), (3.0, 0.01)] {
+        let ramp = Units::SI
+            .machine(1.0, spin)
+            .ramp(acceleration, Shaft::from_array([0.7, -0.4, -0.3, 0.9]))
+            .unwrap();
+        let mut last = size(ramp.at(-1200.0).unwrap());
+        let mut answered = 0;
+        for t in 1201..2000 {
+            if refused(&ramp, -f64::from(t)) {
+                continue;
+            }
+            assert_eq!(t, 1201 + answered, "an answer behind a refusal");
+            answered += 1;
+            let now = size(ramp.at(-f64::from(t)).unwrap());
+            assert!((now - last - 1.0).abs() < 1e-9, "{t}: {now} after {last}");
+            last = now;
+        }
+        assert!((90..250).contains(&answered), "{answered}");
+    }
 }

@@ -47,6 +47,18 @@ impl Draw<'_> {
         }
     }
 
+    /// A unit of measurement: everyday ones, three decades to either side of one, and in a long search so many.
+    pub(crate) fn unit(&mut self, decades: i32) -> f64 {
+        let far = 10_f64.powi(if is_long() { decades } else { 3 });
+        self.decades(1.0 / far, far)
+    }
+
+    /// The same as a power of two, with which a motion in another unit is the same to the last bit.
+    pub(crate) fn binary_unit(&mut self, power: i32) -> f64 {
+        let far = if is_long() { power } else { 10 };
+        2_f64.powi(self.below(2 * far as usize + 1) as i32 - far)
+    }
+
     /// A whole number below `count`.
     pub(crate) fn below(&mut self, count: usize) -> usize {
         ((self.coordinate() * count as f64) as usize).min(count - 1)
@@ -76,27 +88,40 @@ pub(crate) fn worse(a: f64, b: f64) -> f64 {
 
 /// What was found of one case.
 pub(crate) struct Case {
-    /// The error over what is promised; infinite for an answer that is not a number or a refusal that is not
-    /// documented.
+    /// The error over what is promised; infinite for an answer that is not a number.
     pub(crate) ratio: f64,
-    /// Which of the ways the case goes; each way that a test names has to be gone.
+    /// Which of the ways the case goes; each way that a test names has to be taken.
     pub(crate) way: &'static str,
     /// The parameters and what came out.
     pub(crate) said: String,
 }
 
-/// The worst of many cases.
-pub(crate) struct Worst {
-    /// The case.
-    pub(crate) case: Case,
-    /// How often each way was gone.
-    pub(crate) ways: BTreeMap<&'static str, usize>,
+impl Case {
+    /// A case that was refused, which no documentation says.
+    pub(crate) fn refused(way: &'static str, said: String) -> Option<Self> {
+        Some(Self { ratio: f64::INFINITY, way, said })
+    }
 }
 
-/// Judges `count` random cases, times the environment's `WORST_CASES`, walks on from the worst, and prints
-/// and returns the worst of all. A draw that makes no case is `None`.
-pub(crate) fn search(name: &str, count: usize, judge: impl Fn(&mut Draw<'_>) -> Option<Case>) -> Worst {
-    let longer: f64 = std::env::var("WORST_CASES").map_or(1.0, |factor| factor.parse().expect("a number"));
+/// How many times as long as usual to search, from the environment's `WORST_CASES`: 1 at every change, more at night.
+fn longer() -> f64 {
+    std::env::var("WORST_CASES").map_or(1.0, |factor| factor.parse().expect("a number"))
+}
+
+/// Whether this is a long search, which also draws what no scene can show.
+pub(crate) fn is_long() -> bool {
+    longer() > 1.0
+}
+
+/// Judges `count` random cases, times the environment's `WORST_CASES`, and walks on from the worst: the promise is kept
+/// in the worst of all, and every one of these ways was taken, and no other. A draw that makes no case is `None`.
+pub(crate) fn keeps_its_promise(
+    name: &str,
+    count: usize,
+    named: &[&str],
+    judge: impl Fn(&mut Draw<'_>) -> Option<Case>,
+) {
+    let longer = longer();
     let count = (count as f64 * longer).ceil() as usize;
     let mut random = fastrand::Rng::with_seed(
         name.bytes().fold(longer.to_bits(), |hash, byte| hash.wrapping_mul(31).wrapping_add(u64::from(byte))),
@@ -151,18 +176,11 @@ pub(crate) fn search(name: &str, count: usize, judge: impl Fn(&mut Draw<'_>) -> 
         }
     }
     println!("{name}: {ways:?}");
-    Worst { case: found.swap_remove(0).1, ways }
-}
-
-impl Worst {
-    /// The promise is kept in the worst case, and every one of these ways was gone, and no other.
-    pub(crate) fn keeps_its_promise(&self, ways: &[&str]) {
-        let gone: Vec<&str> = self.ways.keys().copied().collect();
-        let mut named = ways.to_vec();
-        named.sort_unstable();
-        assert_eq!(gone, named, "the ways that were gone");
-        let rarest = self.ways.iter().min_by_key(|(_, count)| **count);
-        assert!(rarest.is_some_and(|(_, count)| *count >= 20), "a way that was hardly gone: {:?}", self.ways);
-        assert!(self.case.ratio < 1.0, "{:.3} of the promise: {}", self.case.ratio, self.case.said);
-    }
+    let taken: Vec<&str> = ways.keys().copied().collect();
+    let mut named = named.to_vec();
+    named.sort_unstable();
+    assert_eq!(taken, named, "the ways that were taken");
+    assert!(ways.values().all(|count| *count >= 20), "a way that was hardly taken: {ways:?}");
+    let (_, worst) = &found[0];
+    assert!(worst.ratio < 1.0, "{:.3} of the promise: {}", worst.ratio, worst.said);
 }

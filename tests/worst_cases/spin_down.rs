@@ -1,7 +1,7 @@
 //! A coin that sinks, against its law in 32 digits: sin α = sin α₀ (τ/t₀)^{1/(p+1)}.
 
-use crate::long::{Long, PI, long};
-use crate::search::{Case, Draw, search, worse};
+use crate::long::{Long, PI, long, off_angle};
+use crate::search::{Case, Draw, keeps_its_promise, worse};
 use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use std::f64::consts::FRAC_PI_2;
@@ -33,12 +33,6 @@ fn said(down: &SpinDown, exponent: f64, more: &str) -> String {
     format!("α₀ {:?}, p {exponent:?}, t₀ {:?}: {more}", down.start().tilt(), down.life())
 }
 
-/// The angle of a coin off what its sine and cosine should be.
-fn off(tilt: f64, (sin, cos): (Long, Long)) -> f64 {
-    let (s, c) = long(tilt).sin_cos();
-    (s * cos - c * sin).abs().rounded()
-}
-
 /// Sine and cosine when a part of the life is left.
 fn law(down: &SpinDown, exponent: f64, part: Long, gone: Long) -> (Long, Long) {
     let (sin, cos) = long(down.start().tilt()).sin_cos();
@@ -61,76 +55,38 @@ fn law(down: &SpinDown, exponent: f64, part: Long, gone: Long) -> (Long, Long) {
 }
 
 #[test]
-fn the_tilt_is_good_to_a_few_units_however_little_time_is_left() {
-    let worst = search("tilt from the time left", 2000, |draw| {
+fn the_tilt_is_good_to_a_few_units_by_the_time_that_is_left_and_by_that_since_the_start() {
+    keeps_its_promise("tilt", 4000, &["near the start", "far", "early", "near the end"], |draw| {
         let (down, exponent) = spin_down(draw)?;
         let part =
             if draw.below(2) == 0 { draw.decades(1e-300, 1.0) } else { 1.0 - draw.decades(1e-16, 1.0) };
-        let left = part * down.life();
-        let life = long(down.life());
-        let (exact, gone) = (long(left) / life, (life - left) / life);
-        let truth = law(&down, exponent, exact, gone);
-        let found = match down.with_time_left(left) {
+        let (time, life) = (part * down.life(), long(down.life()));
+        // The difference of two times is exact, but each of the two is rounded.
+        let (given, rest) = (long(time) / life, (life - time) / life);
+        let is_left = draw.below(2) == 0;
+        let (left, gone, way, answer) = if is_left {
+            let way = if rest.rounded() < 0.1 { "near the start" } else { "far" };
+            (given, rest, way, down.with_time_left(time))
+        } else {
+            let way = if rest.rounded() < 0.1 { "near the end" } else { "early" };
+            (rest, given, way, down.at(time))
+        };
+        let truth = law(&down, exponent, left, gone);
+        let found = match answer {
             Ok(coin) => coin.tilt(),
             // A tilt below 1e-50 is refused, and a time that is no time.
-            Err(_) if truth.0.rounded() < 1.0001e-50 || left == 0.0 || left > down.life() => return None,
-            Err(error) => {
-                return Some(Case {
-                    ratio: f64::INFINITY,
-                    way: "far",
-                    said: said(&down, exponent, &error.to_string()),
-                });
-            }
+            Err(_) if truth.0.rounded() < 1.0001e-50 || left <= long(0.0) || gone < long(0.0) => return None,
+            Err(error) => return Case::refused(way, said(&down, exponent, &error.to_string())),
         };
-        let error = off(found, truth);
-        let ratio = error / (4.0 * EPS * found);
-        let way = if gone.rounded() < 0.1 { "near the start" } else { "far" };
-        Some(Case {
-            ratio,
-            way,
-            said: said(&down, exponent, &format!("{left:e} s left: {found:?}, off {error:e}")),
-        })
+        let error = off_angle(truth, found);
+        let said = said(&down, exponent, &format!("{time:e} s: {found:?}, off {error:e}"));
+        Some(Case { ratio: error / (4.0 * EPS), way, said })
     });
-    worst.keeps_its_promise(&["near the start", "far"]);
-}
-
-#[test]
-fn the_tilt_by_the_time_since_the_start_is_as_good_as_a_difference_of_two_times() {
-    let worst = search("tilt from the time", 2000, |draw| {
-        let (down, exponent) = spin_down(draw)?;
-        let part =
-            if draw.below(2) == 0 { draw.decades(1e-300, 1.0) } else { 1.0 - draw.decades(1e-16, 1.0) };
-        let time = part * down.life();
-        let life = long(down.life());
-        let (gone, exact) = (long(time) / life, (life - time) / life);
-        let truth = law(&down, exponent, exact, gone);
-        let found = match down.at(time) {
-            Ok(coin) => coin.tilt(),
-            Err(_) if truth.0.rounded() < 1.0001e-50 || time >= down.life() => return None,
-            Err(error) => {
-                return Some(Case {
-                    ratio: f64::INFINITY,
-                    way: "near the end",
-                    said: said(&down, exponent, &error.to_string()),
-                });
-            }
-        };
-        let error = off(found, truth);
-        // t₀ − t is exact, but each of the two is rounded.
-        let ratio = error / (4.0 * EPS * found);
-        let way = if exact.rounded() < 0.1 { "near the end" } else { "early" };
-        Some(Case {
-            ratio,
-            way,
-            said: said(&down, exponent, &format!("at {time:e} s: {found:?}, off {error:e}")),
-        })
-    });
-    worst.keeps_its_promise(&["near the end", "early"]);
 }
 
 #[test]
 fn times_of_a_tilt_are_good_to_a_few_units_at_any_tilt() {
-    let worst = search("time of a tilt", 4000, |draw| {
+    keeps_its_promise("time of a tilt", 4000, &["above", "far above", "below", "far below"], |draw| {
         let (down, exponent) = spin_down(draw)?;
         let start = down.start().tilt();
         let tilt = match draw.below(4) {
@@ -181,11 +137,7 @@ fn times_of_a_tilt_are_good_to_a_few_units_at_any_tilt() {
                 said_times += &format!("to {tilt:?} in {found:?} s, off {error:e}; ");
             }
             Err(error) if time.abs().rounded() < 1e300 => {
-                return Some(Case {
-                    ratio: f64::INFINITY,
-                    way,
-                    said: said(&down, exponent, &error.to_string()),
-                });
+                return Case::refused(way, said(&down, exponent, &error.to_string()));
             }
             Err(_) => {}
         }
@@ -198,22 +150,17 @@ fn times_of_a_tilt_are_good_to_a_few_units_at_any_tilt() {
                 said_times += &format!("{found:?} s left, off {error:e}");
             }
             Err(error) if (1e-290..1e290).contains(&left.rounded()) => {
-                return Some(Case {
-                    ratio: f64::INFINITY,
-                    way,
-                    said: said(&down, exponent, &error.to_string()),
-                });
+                return Case::refused(way, said(&down, exponent, &error.to_string()));
             }
             Err(_) => {}
         }
         Some(Case { ratio, way, said: said(&down, exponent, &said_times) })
     });
-    worst.keeps_its_promise(&["above", "far above", "below", "far below"]);
 }
 
 #[test]
 fn the_rates_of_a_coin_and_the_tilt_for_a_speed_have_their_digits_at_any_tilt() {
-    let worst = search("rates of a coin", 4000, |draw| {
+    keeps_its_promise("rates of a coin", 4000, &["slow", "between", "fast beyond all bounds"], |draw| {
         let tilt = match draw.below(3) {
             0 => FRAC_PI_2 - draw.decades(1e-16, 1.0),
             1 => draw.decades(1e-50, 1.0),
@@ -244,15 +191,14 @@ fn the_rates_of_a_coin_and_the_tilt_for_a_speed_have_their_digits_at_any_tilt() 
             coin.contact_speed(),
             coin.wobble_rate(),
         ];
-        let off_rates =
-            truths.iter().zip(found).map(|(&t, f)| ((t - f) / t).abs().rounded()).fold(0.0, worse);
+        let off_rates = truths.iter().zip(found).map(|(truth, found)| truth.off(found)).fold(0.0, worse);
         // The tilt at which the contact runs so fast: I₁ c² sin α = g a cos² α.
         let speed = draw.decades(1e-50, 1e50);
         let fast = coin.tilt_for_contact_speed(speed).ok()?;
         let s = i1 * speed * speed / (g * a);
         let sine = long(2.0) / (s + (s * s + 4.0).sqrt());
         let off_tilt = if s.rounded() < 1e140 {
-            off(fast, (sine, (s * sine).sqrt())) / fast
+            off_angle((sine, (s * sine).sqrt()), fast)
         } else {
             (1.0 - (s * fast).rounded()).abs()
         };
@@ -267,12 +213,11 @@ fn the_rates_of_a_coin_and_the_tilt_for_a_speed_have_their_digits_at_any_tilt() 
         );
         Some(Case { ratio, way, said })
     });
-    worst.keeps_its_promise(&["slow", "between", "fast beyond all bounds"]);
 }
 
 #[test]
 fn the_attitude_of_a_coin_takes_whole_turns_off_exactly() {
-    let worst = search("attitude of a coin", 1000, |draw| {
+    keeps_its_promise("attitude of a coin", 1000, &["any"], |draw| {
         let tilt = if draw.below(2) == 0 { draw.decades(1e-20, 1.5) } else { draw.between(0.01, 1.57) };
         let parameters =
             DiskParameters { mass: 1.0, radius: 0.03, moments: MomentFactors::DISK, gravity: 9.81 };
@@ -280,11 +225,7 @@ fn the_attitude_of_a_coin_takes_whole_turns_off_exactly() {
         let turns = draw.signed(1e-3, 1e12);
         let lost = coin.attitude(turns * 1e290);
         if !(lost.coords.norm() - 1.0).abs().lt(&1e-14) {
-            return Some(Case {
-                ratio: f64::INFINITY,
-                way: "any",
-                said: format!("{lost} after {turns:?}e290"),
-            });
+            return Case::refused("any", format!("{lost} after {turns:?}e290"));
         }
         let half = |angle: Long| (angle * 0.5).sin_cos();
         let turn = PI * 2.0 * turns;
@@ -305,11 +246,7 @@ fn the_attitude_of_a_coin_takes_whole_turns_off_exactly() {
         let error = far(1.0).min(far(-1.0));
         let figure = coin.figure_rate() / coin.turn_rate() * std::f64::consts::TAU * turns.abs();
         let ratio = error / ((2.0 + figure) * 2.0 * EPS);
-        Some(Case {
-            ratio,
-            way: "any",
-            said: format!("α {tilt:?}, {turns:?} turns: {error:e}, the figure {figure:e} rad"),
-        })
+        let said = format!("α {tilt:?}, {turns:?} turns: {error:e}, the figure {figure:e} rad");
+        Some(Case { ratio, way: "any", said })
     });
-    worst.keeps_its_promise(&["any"]);
 }

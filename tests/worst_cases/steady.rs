@@ -2,7 +2,7 @@
 
 use crate::linear::carried;
 use crate::long::{Long, long};
-use crate::search::{Case, Draw, search, worse};
+use crate::search::{Case, Draw, keeps_its_promise, worse};
 use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters};
 
 /// The documented error.
@@ -49,13 +49,13 @@ fn subject(draw: &mut Draw<'_>) -> Subject {
 
 /// The largest relative error of some numbers.
 fn worst(pairs: &[(f64, Long)]) -> f64 {
-    let relative = |&(ours, truth): &(f64, Long)| ((truth - ours) / truth).abs().rounded();
+    let relative = |&(ours, truth): &(f64, Long)| truth.off(ours);
     pairs.iter().map(relative).fold(0.0, worse)
 }
 
 #[test]
 fn every_number_of_the_steady_circle_has_its_digits() {
-    let found = search("steady circle", 20_000, |draw| {
+    keeps_its_promise("steady circle", 20_000, &["at resonance", "elsewhere"], |draw| {
         let Subject { machine, stiffness, damping, offset } = subject(draw);
         let Ok(steady) = machine.steady() else { return None };
         if machine.spin() == 0.0 {
@@ -99,12 +99,11 @@ fn every_number_of_the_steady_circle_has_its_digits() {
         let way = if detuning.abs() < stiffness * 1e-3 { "at resonance" } else { "elsewhere" };
         Some(Case { ratio: error / UNITS, way, said: format!("{machine:?}: {steady:?}") })
     });
-    found.keeps_its_promise(&["at resonance", "elsewhere"]);
 }
 
 #[test]
 fn the_peak_has_its_digits_even_where_it_moves_off_to_infinity() {
-    let found = search("peak", 20_000, |draw| {
+    keeps_its_promise("peak", 20_000, &["nearly none", "none", "one"], |draw| {
         let Subject { machine, stiffness, damping, offset } = subject(draw);
         let below = stiffness * 2.0 - damping * damping;
         let there = below.rounded() > 0.0 && damping.rounded() > 0.0;
@@ -125,12 +124,11 @@ fn the_peak_has_its_digits_even_where_it_moves_off_to_infinity() {
         };
         Some(Case { ratio, way, said: format!("{machine:?}: {:?}", machine.peak()) })
     });
-    found.keeps_its_promise(&["nearly none", "none", "one"]);
 }
 
 #[test]
 fn the_rates_of_the_modes_have_their_digits_however_heavy_the_damping() {
-    let found = search("modes", 20_000, |draw| {
+    keeps_its_promise("modes", 20_000, &["creeping", "turning"], |draw| {
         let Subject { machine, stiffness, damping, .. } = subject(draw);
         // Of e^{iωt} less the spin: ν² − iΓν − ω₀² = 0.
         let below = stiffness - damping * damping * 0.25;
@@ -155,12 +153,11 @@ fn the_rates_of_the_modes_have_their_digits_however_heavy_the_damping() {
         };
         Some(Case { ratio: ratio / UNITS, way, said: format!("{machine:?}: {first:?} {second:?}") })
     });
-    found.keeps_its_promise(&["creeping", "turning"]);
 }
 
 #[test]
 fn the_locked_motion_is_exact_to_units_of_what_takes_part() {
-    let found = search("locked", 2000, |draw| {
+    keeps_its_promise("locked", 2000, &["creeps", "runs away", "swings"], |draw| {
         let Subject { machine, stiffness, damping, offset } = subject(draw);
         let Ok(steady) = machine.steady() else { return None };
         let natural = machine.natural_frequency();
@@ -213,11 +210,7 @@ fn the_locked_motion_is_exact_to_units_of_what_takes_part() {
             (false, true) => "creeps",
             (false, false) => "runs away",
         };
-        Some(Case {
-            ratio: error / UNITS,
-            way,
-            said: format!("{machine:?}, {start:?}, {time:?}: {r:?} {r_dot:?} for {truth:?}"),
-        })
+        let said = format!("{machine:?}, {start:?}, {time:?}: {r:?} {r_dot:?} for {truth:?}");
+        Some(Case { ratio: error / UNITS, way, said })
     });
-    found.keeps_its_promise(&["creeps", "runs away", "swings"]);
 }

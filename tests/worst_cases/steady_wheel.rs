@@ -2,10 +2,9 @@
 //! balanced engine.
 
 use crate::long::{Long, PI, long};
-use crate::search::{Case, search, worse};
+use crate::search::{Case, keeps_its_promise, worse};
 use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::rolling_wheel::Wheel;
-use mechanics::scenes::spinning_coin::SpinningCoin;
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use std::f64::consts::FRAC_PI_2;
 
@@ -14,7 +13,7 @@ const FEW: f64 = 4.0 * f64::EPSILON;
 
 #[test]
 fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() {
-    let worst = search("steady rolling", 4000, |draw| {
+    keeps_its_promise("steady rolling", 4000, &["any circle", "near the bound"], |draw| {
         let moments = match draw.below(3) {
             0 => draw.one_of(&[MomentFactors::DISK, MomentFactors::HOOP]),
             1 => MomentFactors::flat(draw.decades(1e-10, 1.0)),
@@ -54,7 +53,7 @@ fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() 
             return None; // the bound itself, to rounding, and nothing is left
         }
         let turn = square.sqrt();
-        let turn_error = ((turn - steady.turn_rate()) / turn).abs().rounded() / (1.0 + lost);
+        let turn_error = turn.off(steady.turn_rate()) / (1.0 + lost);
         let spin_error = (turn * (ratio + s) - steady.relative_spin()).abs().rounded()
             / (turn * (ratio.abs() + s.abs())).rounded()
             / (1.0 + lost);
@@ -83,38 +82,31 @@ fn steady_rolling_balances_torque_and_momentum_and_wobbles_as_the_motion_does() 
         .into_iter()
         .fold(0.0, f64::max);
         let wobble_error = (sum - steady.wobble_square()).abs().rounded() / size / (1.0 + lost);
-        Some(Case {
-            ratio: worse(worse(turn_error, spin_error), 0.5 * wobble_error) / FEW, // and twice as much of the wobble
-            way,
-            said: format!(
-                "{moments:?}, a {radius:?}, g {gravity:?}, lean {lean:?}, b {b:?}: {turn_error:e} {spin_error:e} {wobble_error:e}, {lost}"
-            ),
-        })
+        let said = format!(
+            "{moments:?}, a {radius:?}, g {gravity:?}, lean {lean:?}, b {b:?}: {turn_error:e} {spin_error:e} {wobble_error:e}, {lost}"
+        );
+        // And twice as much of the wobble.
+        Some(Case { ratio: worse(worse(turn_error, spin_error), 0.5 * wobble_error) / FEW, way, said })
     });
-    worst.keeps_its_promise(&["any circle", "near the bound"]);
 }
 
 #[test]
 fn the_turn_of_a_wheel_that_is_almost_flat_has_all_its_digits() {
-    let worst = search("near-flat turn", 1000, |draw| {
+    keeps_its_promise("near-flat turn", 1000, &["any wheel"], |draw| {
         let transverse = draw.decades(1e-50, 10.0);
         let turn = PI * (long(1.0) / transverse + 1.0).sqrt();
         let moments = MomentFactors { transverse, axial: transverse };
         let wheel = Wheel::new(DiskParameters { mass: 1.0, radius: 1.0, moments, gravity: 1.0 }).ok()?;
         let found = wheel.near_flat_turn();
-        let error = ((turn - found) / turn).abs().rounded();
-        Some(Case {
-            ratio: error / (2.0 * f64::EPSILON),
-            way: "any wheel",
-            said: format!("I₁ {transverse:?}: {found:?}"),
-        })
+        let error = turn.off(found);
+        let said = format!("I₁ {transverse:?}: {found:?}");
+        Some(Case { ratio: error / (2.0 * f64::EPSILON), way: "any wheel", said })
     });
-    worst.keeps_its_promise(&["any wheel"]);
 }
 
 #[test]
 fn the_lean_from_which_on_all_circles_are_stable_has_all_its_digits() {
-    let worst = search("safe lean", 2000, |draw| {
+    keeps_its_promise("safe lean", 2000, &["any wheel"], |draw| {
         let transverse = draw.decades(1e-10, 10.0);
         let axial = transverse * draw.decades(1e-6, 2.0);
         let moments = MomentFactors { transverse, axial };
@@ -132,37 +124,11 @@ fn the_lean_from_which_on_all_circles_are_stable_has_all_its_digits() {
         let error = (value / (slope * s * c * 2.0)).abs().rounded() / found;
         Some(Case { ratio: error / FEW, way: "any wheel", said: format!("{moments:?}: {found:?}") })
     });
-    worst.keeps_its_promise(&["any wheel"]);
-}
-
-#[test]
-fn the_tilt_for_a_speed_has_all_its_digits() {
-    let worst = search("tilt for a speed", 2000, |draw| {
-        let transverse = draw.decades(1e-3, 10.0);
-        let (radius, gravity) = (draw.decades(1e-20, 1e20), draw.decades(1e-20, 1e20));
-        let of_unit = (gravity * radius / transverse).sqrt();
-        let speed =
-            if draw.below(2) == 0 { draw.beside(of_unit) } else { of_unit * draw.decades(1e-20, 1e20) };
-        let moments = MomentFactors { transverse, axial: transverse };
-        let coin = SpinningCoin::new(DiskParameters { mass: 1.0, radius, moments, gravity }, 0.1).ok()?;
-        let found = coin.tilt_for_contact_speed(speed).ok()?;
-        // s sin α = cos²α with s = I₁c²/ga; one step of Newton's method says how far α is off.
-        let s = long(transverse) * speed * speed / (long(gravity) * radius);
-        let (sin, cos) = long(found).sin_cos();
-        let error = ((s * sin - cos * cos) / (s * cos + sin * cos * 2.0)).abs().rounded() / found;
-        let way = if s.rounded() < 1.0 { "steep" } else { "flat" };
-        Some(Case {
-            ratio: error / (4.0 * f64::EPSILON),
-            way,
-            said: format!("I₁ {transverse:?}, a {radius:?}, g {gravity:?}, {speed:?} m/s: {found:?}"),
-        })
-    });
-    worst.keeps_its_promise(&["flat", "steep"]);
 }
 
 #[test]
 fn a_balanced_engine_shakes_by_rounding_only() {
-    let worst = search("balanced engine", 1000, |draw| {
+    keeps_its_promise("balanced engine", 1000, &["few", "many"], |draw| {
         let tilt = match draw.below(3) {
             0 => draw.between(0.01, 1.5),
             1 => draw.decades(1e-20, 1.0),
@@ -181,11 +147,7 @@ fn a_balanced_engine_shakes_by_rounding_only() {
         let own = plate.bearing_torque_rotating(spin).norm();
         let error = engine.frame_torque(phase, spin).norm() / own;
         let promise = if count <= 10 { 2e-15 } else { 1e-14 };
-        Some(Case {
-            ratio: error / promise,
-            way,
-            said: format!("{count} pistons, tilt {tilt:?}, phase {phase:?}: {engine:?}"),
-        })
+        let said = format!("{count} pistons, tilt {tilt:?}, phase {phase:?}: {engine:?}");
+        Some(Case { ratio: error / promise, way, said })
     });
-    worst.keeps_its_promise(&["few", "many"]);
 }

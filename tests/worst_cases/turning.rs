@@ -1,6 +1,6 @@
 //! The splittings: what they keep, of any body and at any step.
 
-use crate::search::{Case, Draw, search};
+use crate::search::{Case, Draw, keeps_its_promise};
 use mechanics::euler::Turning;
 use mechanics::geometric::Splitting;
 use mechanics::inertia::PrincipalMoments;
@@ -20,7 +20,7 @@ fn turning(draw: &mut Draw<'_>) -> Option<(PrincipalMoments, Turning)> {
 
 #[test]
 fn splittings_keep_momentum_and_length_of_any_body_to_rounding() {
-    let worst = search("splittings", 3000, |draw| {
+    keeps_its_promise("splittings", 3000, &["Blanes–Moan", "Strang"], |draw| {
         let (moments, start) = turning(draw)?;
         let (splitting, way) =
             draw.one_of(&[(Splitting::Strang, "Strang"), (Splitting::BlanesMoan, "Blanes–Moan")]);
@@ -31,11 +31,7 @@ fn splittings_keep_momentum_and_length_of_any_body_to_rounding() {
         let length = (end.world_from_body.coords.norm() - 1.0).abs();
         let turns = (steps * splitting.turns_per_step() + 2) as f64;
         // Three units in the last place for each turn.
-        Some(Case {
-            ratio: lost.max(length) / (f64::EPSILON * turns) / 3.0,
-            way,
-            said: format!("{moments:?}, {start:?}, {duration:?} s in {steps} steps: {lost:e} {length:e}"),
-        })
+        let said = format!("{moments:?}, {start:?}, {duration:?} s in {steps} steps: {lost:e} {length:e}");
+        Some(Case { ratio: lost.max(length) / (f64::EPSILON * turns) / 3.0, way, said })
     });
-    worst.keeps_its_promise(&["Blanes–Moan", "Strang"]);
 }

@@ -2,7 +2,7 @@
 
 use crate::linear::carried;
 use crate::long::long;
-use crate::search::{Case, search, worse};
+use crate::search::{Case, keeps_its_promise, worse};
 use crate::transient::{Units, damping, start};
 use mechanics::scenes::laundromat::{Machine, Shaft};
 use nalgebra::Complex;
@@ -71,7 +71,8 @@ fn judged(units: Units, [outer, inner, spin]: [f64; 3], start: Shaft, time: f64)
 
 #[test]
 fn the_motion_with_friction_on_board_is_exact_to_units_of_the_circle_and_of_what_the_start_becomes() {
-    let worst = search("whirl", 1500, |draw| {
+    let ways = ["near resonance", "roots near each other", "growing", "dying out"];
+    keeps_its_promise("whirl", 1500, &ways, |draw| {
         let outer = damping(draw);
         // Any damping on board, or so much that both together are next to critical.
         let inner = if draw.below(2) == 0 { damping(draw) } else { (draw.beside(2.0) - outer).max(0.0) };
@@ -89,7 +90,6 @@ fn the_motion_with_friction_on_board_is_exact_to_units_of_the_circle_and_of_what
         };
         judged(units, [outer, inner, spin], start, time)
     });
-    worst.keeps_its_promise(&["near resonance", "roots near each other", "growing", "dying out"]);
 }
 
 #[test]

@@ -105,13 +105,9 @@ pub(super) fn attitude(draw: &mut Draw<'_>) -> UnitQuaternion<f64> {
     UnitQuaternion::from_quaternion(Quaternion::new(w, i, j, k + 1e-9))
 }
 
-/// Powers of two that scale moments, rates and times, from everyday ones to the ends of what is taken.
+/// Units of moments and of rates, up to the ends of what is taken.
 pub(super) fn scales(draw: &mut Draw<'_>) -> [f64; 2] {
-    if draw.below(2) == 0 {
-        [1.0, 1.0]
-    } else {
-        std::array::from_fn(|_| 2_f64.powi(draw.below(320) as i32 - 160))
-    }
+    std::array::from_fn(|_| draw.binary_unit(160))
 }
 
 /// Which branch of the closed form a motion takes, found from its numbers alone; and k'² where there is one.

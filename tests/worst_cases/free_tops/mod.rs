@@ -7,7 +7,7 @@ mod long_runs;
 use self::bodies::{WAYS, motion};
 use self::judge::{Judge, errors};
 use crate::long::long;
-use crate::search::search;
+use crate::search::keeps_its_promise;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
@@ -18,7 +18,7 @@ const PROMISE: f64 = 4e-15;
 
 #[test]
 fn any_free_body_is_followed_to_rounding_for_some_turns() {
-    let worst = search("free top", 600, |draw| {
+    keeps_its_promise("free top", 600, &WAYS, |draw| {
         let motion = motion(draw)?;
         let size = (motion.start.omega_body.norm() / motion.rate).max(1e-3);
         // A needle turns about itself far more quickly than ω along its other axes says.
@@ -39,7 +39,6 @@ fn any_free_body_is_followed_to_rounding_for_some_turns() {
         let truth = motion.judge.after(&motion.judge.start, long(time));
         Some(motion.case(time, &truth))
     });
-    worst.keeps_its_promise(&WAYS);
 }
 
 #[test]

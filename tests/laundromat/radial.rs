@@ -1,30 +1,12 @@
-//! The stability matrices are the derivatives of the equations of motion, and the modes are their eigenvectors.
+//! The damper on the radius alone: its force, and its matrix, which is the derivative of the motion.
 
+use crate::machines;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4, Vector4};
 
 /// What central differences of step 1e-5 leave: 1e-10 of truncation and 1e-11 of rounding, relative to the largest
 /// entry.
 const DIFFERENCES: f64 = 1e-8;
-
-/// Machines over two decades of damping and spin, in units of the natural frequency.
-fn machines(seed: u64, count: usize) -> impl Iterator<Item = Machine> {
-    let mut random = fastrand::Rng::with_seed(seed);
-    let mut between = move |low: f64, high: f64| low * (high / low).powf(random.f64());
-    (0..count).map(move |n| {
-        let (natural, total) = (between(0.1, 100.0), between(0.1, 100.0));
-        let load_mass = total * between(0.01, 1.0);
-        Machine::new(MachineParameters {
-            drum_mass: total - load_mass,
-            load_mass,
-            load_radius: between(0.01, 1.0),
-            stiffness: natural * natural * total,
-            damping: natural * total * between(0.1, 10.0),
-            spin: natural * between(0.1, 10.0) * if n % 2 == 0 { 1.0 } else { -1.0 },
-        })
-        .expect("a valid machine")
-    })
-}
 
 /// (ε̇, ε̈, δ̇, δ̈) at (ε, ε̇, δ, δ̇) beside the steady motion of radius `r0` and lead `phi0`, from accelerations in
 /// the laboratory.
@@ -64,19 +46,6 @@ fn assert_close(found: &Matrix4<f64>, expected: &Matrix4<f64>, what: &str) {
 }
 
 #[test]
-fn stability_matrix_is_the_derivative_of_the_motion() {
-    for machine in machines(1, 500) {
-        let steady = machine.steady().unwrap();
-        let rates = |t: f64, y: &[f64; 4]| machine.cartesian_rates(t, y);
-        let f = |x: &Vector4<f64>| disturbed(&machine, steady.radius(), steady.phase(), rates, x);
-        let at_rest = f(&Vector4::zeros());
-        let rate = machine.natural_frequency().max(machine.spin().abs());
-        assert!(at_rest.amax() < 1e-10 * rate.powi(2).max(1.0), "the steady motion is steady: {at_rest}");
-        assert_close(&machine.stability_matrix(), &differentiated(f, rate), "damping on the velocity");
-    }
-}
-
-#[test]
 fn radial_damping_matrix_is_the_derivative_of_that_motion() {
     for machine in machines(2, 500) {
         // The damper does nothing in steady motion, so the radius and the lead are those of the undamped machine.
@@ -103,47 +72,6 @@ fn radial_damping_is_the_same_on_either_side_of_the_origin() {
     let [_, _, ax, ay] = balanced.radial_damping_rates(0.0, &[0.3, 0.0, 0.0, 0.7]);
     let pull = balanced.natural_frequency().powi(2) * 0.3;
     assert!((ax + pull).abs() < 1e-14 * pull && ay == 0.0);
-}
-
-#[test]
-fn modes_are_eigenvectors_of_the_stability_matrix() {
-    let i = Complex::<f64>::i();
-    for machine in machines(4, 3000) {
-        let matrix = machine.stability_matrix().map(Complex::from);
-        let scale = machine.stability_matrix().amax();
-        for mode in machine.modes() {
-            // (ε, ε̇, δ, δ̇) = (1, iω, s, iωs) e^{iωt}
-            let rate = i * mode.frequency;
-            let vector = Vector4::new(1.0.into(), rate, mode.shape, rate * mode.shape);
-            let residue = matrix * vector - vector * rate;
-            // Rounding of the largest products: entries of the matrix, and the square of the rate.
-            let size = scale + rate.norm() * (scale / machine.natural_frequency()).max(rate.norm());
-            let worst = residue.iter().map(|z| z.norm()).fold(0.0, f64::max);
-            assert!(
-                worst < 1e-13 * size.max(vector.map(Complex::norm).amax() * scale),
-                "{machine:?}: {worst:e}"
-            );
-        }
-        // Four modes of four different motions: together they have the trace and the determinant.
-        let sum: Complex<f64> = machine.modes().iter().map(|mode| i * mode.frequency).sum();
-        assert!((sum - machine.stability_matrix().trace()).norm() < 1e-12 * scale.max(1.0));
-    }
-}
-
-#[test]
-fn slow_mode_of_a_heavy_damper_keeps_its_digits() {
-    let machine = Machine::new(MachineParameters {
-        drum_mass: 1.0,
-        load_mass: 0.0,
-        load_radius: 0.0,
-        stiffness: 1.0,
-        damping: 1e8,
-        spin: 2.0,
-    })
-    .unwrap();
-    let [fast, slow, ..] = machine.modes().map(|mode| mode.frequency);
-    assert_eq!((fast.re, slow.re), (2.0, 2.0));
-    assert!((fast.im / 1e8 - 1.0).abs() < 1e-15 && (slow.im / 1e-8 - 1.0).abs() < 1e-15);
 }
 
 #[test]

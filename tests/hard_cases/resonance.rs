@@ -3,7 +3,6 @@
 use crate::{FEW_ULPS, machine};
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
-use std::f64::consts::{FRAC_PI_2, PI};
 
 #[test]
 fn undamped_resonance_grows_in_proportion_to_the_time() {
@@ -77,21 +76,6 @@ fn next_to_resonance(steps: u32) -> (Machine, f64) {
 }
 
 #[test]
-fn steady_motion_keeps_its_digits_one_rounding_from_resonance() {
-    for steps in 0..5 {
-        let (machine, detuning) = next_to_resonance(steps);
-        let exact = machine.spin().powi(2) / detuning; // b = 1
-        let amplitude = machine.steady().unwrap().amplitude();
-        assert!((amplitude.re / exact - 1.0).abs() < FEW_ULPS, "{steps}: {amplitude} for {exact}");
-        let naive = machine.spin().powi(2) / (3.0 / 7.0 - machine.spin().powi(2));
-        assert!(
-            (naive / exact - 1.0).abs() > 1e-2,
-            "the difference of rounded squares should fail: {naive:e}"
-        );
-    }
-}
-
-#[test]
 fn beat_of_a_hundred_million_years_is_found() {
     // Beside resonance, z = Z(e^{iΩt} − e^{iω₀t}) up to terms of size b, so |z| = 2|Z sin((Ω − ω₀)t/2)|, with Ω − ω₀
     // = −κ/2Ω.
@@ -106,31 +90,4 @@ fn beat_of_a_hundred_million_years_is_found() {
             assert!((ours - exact).abs() < 1e-11 * exact + 2.0, "{steps}, t = {t:e}: {ours} for {exact}");
         }
     }
-}
-
-#[test]
-fn light_damping_at_resonance_builds_up_as_one_minus_exp() {
-    // For Γ ≪ ω₀ at Ω = ω₀ the envelope is (b/Γ)(1 − e^{−Γt/2}), to first order in Γ.
-    for damping in [1e-13, 1e-10, 1e-7] {
-        let motion = machine(damping, 1.0).transient(Shaft::AT_REST).unwrap();
-        for turns in [1e3, 1e5, 1e7, 1e9] {
-            let t: f64 = turns * PI;
-            let envelope = -(-0.5 * damping * t).exp_m1() / damping;
-            let radius = motion.at(t).unwrap().position.norm();
-            assert!(
-                (radius / envelope - 1.0).abs() < 1.0 / turns,
-                "Γ = {damping:e}, t = {t}: {radius} for {envelope}"
-            );
-        }
-    }
-}
-
-#[test]
-fn phase_is_a_right_angle_exactly_at_resonance() {
-    assert_eq!(machine(0.3, 1.0).steady().unwrap().phase(), FRAC_PI_2);
-    // One unit in the last place from resonance, κ = ω₀² − Ω² is −2η: still right to sixteen digits.
-    let spin = 1.0 + f64::EPSILON;
-    let undamped = machine(0.0, spin).steady().unwrap();
-    assert!((undamped.radius() * 2.0 * f64::EPSILON - 1.0).abs() < 1e-15);
-    assert_eq!(undamped.phase(), PI);
 }
