@@ -31,8 +31,8 @@ pub(crate) const SCENE: Scene = Scene {
                   the height of the normal through one precession, which dips below zero in the middle, \
                   and the probability of the same face against the angle psi between the normal and \
                   L: certainty up to 45 degrees, then falling to a half.",
-    question: "How fast must a coin be twisted if heads, and nothing but heads, is to be seen from above? \
-               And where both faces show, which has the longer part of the time?",
+    question: "A thumb tumbles the coin 38 times a second. How fast must it twist the coin as well, if heads, \
+               and nothing but heads, is to be seen from above?",
     size: [[640.0, 520.0], [380.0, 872.0]],
     view: Some([-0.55, 0.42]),
     still: 0.0366,
