@@ -22,8 +22,8 @@ pub(crate) const SCENE: Scene = Scene {
                   a circle. Beside it the plane of the three arrows: L over I1 reaches twice as high \
                   along the axis as omega. Below, the axis swings to the right twice between two passages \
                   of the stripe.",
-    question: "How often does a plate wobble while it turns once? And what becomes of the wobble, and of \
-               the order of the three arrows, as it grows into a long can?",
+    question: "While the plate turns once, how often does its axis swing to the right and back? And when it \
+               has grown into a long can?",
     size: [[640.0, 480.0], [380.0, 716.0]],
     view: Some([-1.35, 0.36]),
     still: 0.0,
