@@ -22,9 +22,9 @@ pub(crate) const SCENE: Scene = Scene {
                   about the circle on which it would roll undisturbed. Beside it a map of circles and \
                   leans, with a shaded tongue of unstable ones and a dot for this one above it, and the \
                   potential of the lean: a well, in which a marble rolls below the level of the energy.",
-    question: "Take a circle and a lean on the map, and kick the wheel. Where does the kick stay as small \
-               as it was, where does it grow, and what becomes of the circle then? And why do circles get \
-               smaller?",
+    question: "A disc rolls round a small circle and is nudged. Is it safer nearly upright, or leaning well \
+               over? Choose a place on the map and kick it. And why do the circles shrink when something \
+               slows the disc?",
     size: [[660.0, 440.0], [380.0, 550.0]],
     view: Some([-1.3, 0.6]),
     still: 2.35,
