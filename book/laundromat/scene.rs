@@ -29,8 +29,8 @@ pub(crate) const SCENE: Scene = Scene {
                   plots: the force on the floor against the spin, with a peak of 176 newtons at the natural \
                   frequency and its least at 25 radians a second; the lead of the load, from 0 to 180 degrees; and \
                   the distance of the shaft from O against time.",
-    question: "Where does the load go while the spin $\\Omega$ passes $\\omega_0$? At which spin is the floor quietest? \
-               And why does a kick die with one damper and grow with another?",
+    question: "A flash shows the fast drum just when its centre is farthest to the right. Where is the load: on the \
+               right, on the left, or a quarter turn ahead?",
     size: [[640.0, 440.0], [380.0, 864.0]],
     view: Some([-FRAC_PI_2, 1.0]),
     still: 0.62,
