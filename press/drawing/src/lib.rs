@@ -21,7 +21,7 @@
 //! | `clip`, `simplify` | polylines cut at a frame and thinned below what can be seen |
 //! | `ink` | what a drawing covers: an SVG is cut to it |
 //! | `layout` | panels that stand side by side or one below another, and a second layout for narrow pages |
-//! | `flaw` | why a drawing is refused: a coordinate that is no number, a curve that nobody sees |
+//! | `flaw` | why something cannot be drawn |
 //! | `svg`, `style` | the writer, and the style sheet of figures that stand alone |
 //!
 //! A figure of panels is [`Drawing::panels`], one that needs another layout on a phone has [`Drawing::with_narrow`].
@@ -56,12 +56,12 @@ mod style;
 mod svg;
 mod trace;
 
-pub use axis::{Axes, Axis, InvalidAxis, Scale};
+pub use axis::{Axes, Axis, Scale};
 pub use clip::clip;
 pub use drawing::Drawing;
 pub use flaw::Flaw;
 pub use ink::MARGIN;
-pub use label::{Glyph, Label, LabelError, Piece, Segment, Side, Symbol, with_symbols};
+pub use label::{Glyph, Label, Piece, Segment, Side, Symbol, with_symbols};
 #[cfg(feature = "typesetter")]
 pub use label::{symbols_of, tex_commands};
 pub use layout::{GAP, NARROW, PANEL, Room};

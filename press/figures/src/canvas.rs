@@ -1,6 +1,6 @@
 //! A drawing as a backend of plotters: a thousandth of a pixel is its unit.
 
-use drawing::{Drawing, Hue, Label, LabelError, Point, Role, Shape, Side, Stroke, at};
+use drawing::{Drawing, Flaw, Hue, Label, Point, Role, Shape, Side, Stroke, at};
 use plotters_backend::text_anchor::HPos;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
@@ -29,10 +29,10 @@ pub(crate) struct Canvas<'a> {
     pub(crate) hue: Hue,
 }
 
-type Drawn = Result<(), DrawingErrorKind<LabelError>>;
+type Drawn = Result<(), DrawingErrorKind<Flaw>>;
 
 impl DrawingBackend for Canvas<'_> {
-    type ErrorType = LabelError;
+    type ErrorType = Flaw;
 
     fn get_size(&self) -> (u32, u32) {
         (units(self.drawing.width()).unsigned_abs(), units(self.drawing.height()).unsigned_abs())

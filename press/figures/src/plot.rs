@@ -8,8 +8,7 @@ use crate::axis::Ticks;
 use crate::canvas::{Canvas, point, units};
 use drawing::kit::{self, Marker};
 use drawing::{
-    Axes, Axis, Drawing, Fill, Flaw, Hue, InvalidAxis, Label, LabelError, Point, Rect, Role, Scale, Shape,
-    Side, Stroke, at, clip,
+    Axes, Axis, Drawing, Fill, Flaw, Hue, Label, Point, Rect, Role, Scale, Shape, Side, Stroke, at, clip,
 };
 use plotters::coord::cartesian::{Cartesian2d, MeshLine};
 use plotters::prelude::{
@@ -37,7 +36,7 @@ impl<'a> Plot<'a> {
     /// are drawn at once.
     ///
     /// # Errors
-    /// [`InvalidAxis`] for an axis that cannot be, [`LabelError`] if a title or a tick's label cannot be set.
+    /// [`Flaw`] for an axis that cannot be, and if a title or a tick's label cannot be set.
     pub fn new(drawing: &'a mut Drawing, frame: Rect, x: Axis<'_>, y: Axis<'_>) -> Result<Self, Cause> {
         draw_axes(drawing, frame, &x, &y)?;
         draw_title(drawing, x.title, |width| at(frame.right - width, frame.bottom + 40.0))?;
@@ -48,13 +47,8 @@ impl<'a> Plot<'a> {
     /// A plot without axes: the same values along x and along y, one unit of them `scale` px, about the point `origin`.
     ///
     /// # Errors
-    /// [`InvalidAxis`] if the reach or the scale is not a positive number.
-    pub fn plane(
-        drawing: &'a mut Drawing,
-        origin: Point,
-        scale: f64,
-        reach: f64,
-    ) -> Result<Self, InvalidAxis> {
+    /// [`Flaw`] if the reach or the scale is not a positive number.
+    pub fn plane(drawing: &'a mut Drawing, origin: Point, scale: f64, reach: f64) -> Result<Self, Flaw> {
         Axis::linear(0.0, scale, scale).ticks()?;
         let half = scale * reach;
         let axis = Axis::linear(-reach, reach, reach);
@@ -62,12 +56,7 @@ impl<'a> Plot<'a> {
         Self::in_frame(drawing, frame, &axis, &axis)
     }
 
-    fn in_frame(
-        drawing: &'a mut Drawing,
-        frame: Rect,
-        x: &Axis<'_>,
-        y: &Axis<'_>,
-    ) -> Result<Self, InvalidAxis> {
+    fn in_frame(drawing: &'a mut Drawing, frame: Rect, x: &Axis<'_>, y: &Axis<'_>) -> Result<Self, Flaw> {
         let pixels = (units(frame.left)..units(frame.right), units(frame.bottom)..units(frame.top));
         let parts = Cartesian2d::new(Ticks::of(x)?, Ticks::of(y)?, pixels);
         drawing.add_axes(Axes::new(frame, x.scale, y.scale));
@@ -101,7 +90,7 @@ impl<'a> Plot<'a> {
     fn placed(&mut self, what: &str, value: (f64, f64)) -> Option<Point> {
         let parts = self.parts_to(value);
         if parts.is_none() {
-            self.drawing.refuse(Flaw::NoNumber { what: what.to_owned(), place: value });
+            self.drawing.refuse(Flaw::nowhere(what, value));
         }
         parts
     }
@@ -132,7 +121,7 @@ impl<'a> Plot<'a> {
         let pieces = self.line(&what, &values, stroke, hue);
         // A series may have a single point, or none, and then no curve.
         if pieces == 0 && values.len() > 1 {
-            self.drawing.refuse(Flaw::NothingToSee { what });
+            self.drawing.refuse(Flaw::new(format!("no part of {what} lies inside the frame")));
         }
         self.drawing.name_curve(name, pieces);
     }
@@ -175,10 +164,7 @@ impl<'a> Plot<'a> {
     }
 
     /// A label beside a pair of values.
-    ///
-    /// # Errors
-    /// [`LabelError`] if the label cannot be set.
-    pub fn label(&mut self, value: (f64, f64), side: Side, text: &str, hue: Hue) -> Result<(), LabelError> {
+    pub fn label(&mut self, value: (f64, f64), side: Side, text: &str, hue: Hue) -> Result<(), Flaw> {
         let point = self.at(value);
         self.drawing.label(point, side, text, hue)
     }
@@ -209,7 +195,7 @@ fn draw_axes(drawing: &mut Drawing, frame: Rect, x: &Axis<'_>, y: &Axis<'_>) -> 
 }
 
 /// Draws the title of an axis, if it has one; its baseline starts at a place that may depend on its width.
-fn draw_title(drawing: &mut Drawing, title: &str, place: impl Fn(f64) -> Point) -> Result<(), LabelError> {
+fn draw_title(drawing: &mut Drawing, title: &str, place: impl Fn(f64) -> Point) -> Result<(), Flaw> {
     if title.is_empty() {
         return Ok(());
     }

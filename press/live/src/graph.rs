@@ -2,7 +2,7 @@
 
 use crate::Cause;
 use drawing::{
-    Axes, Axis, Drawing, Fill, Hue, Label, LabelError, Point, Rect, Role, Shape, Side, Stroke, at, clip,
+    Axes, Axis, Drawing, Fill, Flaw, Hue, Label, Point, Rect, Role, Shape, Side, Stroke, at, clip,
 };
 
 /// Lengths of ticks, px; the type sizes of their numbers and of titles.
@@ -110,10 +110,7 @@ impl<'a> Graph<'a> {
     }
 
     /// A label beside a pair of values.
-    ///
-    /// # Errors
-    /// [`LabelError`] if the label cannot be set.
-    pub fn label(&mut self, value: (f64, f64), side: Side, text: &str, hue: Hue) -> Result<(), LabelError> {
+    pub fn label(&mut self, value: (f64, f64), side: Side, text: &str, hue: Hue) -> Result<(), Flaw> {
         let point = self.at(value);
         self.drawing.label(point, side, text, hue)
     }
