@@ -13,7 +13,7 @@ const SIZE: f64 = 14.0;
 const GAP: f64 = 6.0;
 
 /// A figure: shapes with roles, in the order in which they are painted.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Drawing {
     pub(crate) id: String,
     width: f64,
@@ -32,21 +32,7 @@ pub struct Drawing {
 impl Drawing {
     /// An empty figure with its id (`fig:orbit`) and its full size, px.
     pub fn new(id: &str, width: f64, height: f64) -> Self {
-        let [title, description] = [String::new(), String::new()];
-        Self {
-            id: id.into(),
-            width,
-            height,
-            title,
-            description,
-            items: Vec::new(),
-            axes: Vec::new(),
-            flaw: None,
-            panels: Vec::new(),
-            narrow: None,
-            link: None,
-            is_framed: false,
-        }
+        Self { id: id.into(), width, height, ..Self::default() }
     }
 
     /// The figure with the words for readers who cannot see it: a short title, and what it shows.

@@ -45,9 +45,9 @@ pub(super) struct Run {
 
 /// A solid as something that may hide lines.
 pub(super) struct Shield<'a> {
-    form: &'a dyn Form,
+    pub(super) form: &'a dyn Form,
     /// Whether it hides at all: a ghost does not.
-    is_solid: bool,
+    pub(super) is_solid: bool,
     /// The part of the page that it can hide.
     bounds: Rect,
 }
@@ -56,14 +56,6 @@ impl<'a> Shield<'a> {
     pub(super) fn new(form: &'a dyn Form, is_solid: bool, camera: &Camera) -> Self {
         let corners = form.corners().into_iter().map(|corner| camera.land(corner));
         Self { form, is_solid, bounds: Rect::around(corners).unwrap_or_default().grown(1.0) }
-    }
-
-    pub(super) fn form(&self) -> &'a dyn Form {
-        self.form
-    }
-
-    pub(super) fn is_solid(&self) -> bool {
-        self.is_solid
     }
 
     /// Whether the solid stands between a point and the eye. A point on its surface, or just below, is not hidden by

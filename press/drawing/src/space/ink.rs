@@ -49,19 +49,19 @@ impl<'a> Ink<'a> {
 
     /// Whether any solid stands before a point.
     pub(super) fn hidden(&self, point: Vec3) -> bool {
-        self.shields.iter().any(|shield| shield.is_solid() && shield.hides(self.camera, point))
+        self.shields.iter().any(|shield| shield.is_solid && shield.hides(self.camera, point))
     }
 
     /// The edges and the outline of a solid, and the lines where it passes through others.
     pub(super) fn solid(&mut self, index: usize, solid: &Solid, junctions: &[Vec<Junction>], hue: Hue) {
         let others = |point: Vec3| {
             let mut others = self.shields.iter().enumerate().filter(|&(other, _)| other != index);
-            others.any(|(_, other)| other.is_solid() && other.hides(self.camera, point))
+            others.any(|(_, other)| other.is_solid && other.hides(self.camera, point))
         };
         let own = &self.shields[index];
-        let stroke = if own.is_solid() { Stroke::Outline } else { Stroke::Pale };
+        let stroke = if own.is_solid { Stroke::Outline } else { Stroke::Pale };
         let mut found: Vec<(Track, Vec<Run>)> = Vec::new();
-        for edge in own.form().edges(self.camera) {
+        for edge in own.form.edges(self.camera) {
             let judge = |point: Vec3| {
                 if !edge.outline && own.hides(self.camera, point) {
                     Sight::BehindSelf

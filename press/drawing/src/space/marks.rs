@@ -70,7 +70,7 @@ impl Stage {
     ) -> Result<(), Flaw> {
         let vertex = finite("vertex", vertex)?;
         let curve = Curve::between(vertex.0, from, to, radius)?;
-        let middle = curve.track.middle();
+        let middle = curve.track.points[curve.track.chords() / 2];
         self.camera.check(vertex)?;
         self.curve(curve, Stroke::Outline, hue)?;
         if name.is_empty() {
