@@ -9,21 +9,6 @@
 //! radians and counter-clockwise **as seen on the page**, from the direction to the right, so that drawn
 //! angles turn like those of the text.
 //!
-//! | module | holds |
-//! |---|---|
-//! | [`point`](Point) | points and rectangles |
-//! | `role` | what a shape means |
-//! | `shape` | shapes with their roles |
-//! | `drawing` | the display list |
-//! | `label` | words and mathematics, measured and set without any font on the reader's machine |
-//! | `axis` | scales of plots, and where ticks stand on their axes |
-//! | [`kit`] | arrows, angles, dimensions, springs, dampers, fixed points |
-//! | `clip`, `simplify` | polylines cut at a frame and thinned below what can be seen |
-//! | `ink` | what a drawing covers: an SVG is cut to it |
-//! | `layout` | panels that stand side by side or one below another, and a second layout for narrow pages |
-//! | `flaw` | why something cannot be drawn |
-//! | `svg`, `style` | the writer, and the style sheet of figures that stand alone |
-//!
 //! A figure of panels is [`Drawing::panels`], one that needs another layout on a phone has [`Drawing::with_narrow`].
 //! What dashes mean is said at [`Stroke`], what hues mean at [`Hue`].
 //!

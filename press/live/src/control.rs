@@ -123,6 +123,12 @@ impl Control {
     }
 }
 
+/// Where a control stands among those of its scene.
+pub(crate) fn place_of(controls: &[Control], name: &str) -> Result<usize, Cause> {
+    let place = controls.iter().position(|control| control.name == name);
+    place.ok_or_else(|| format!("the scene has no control `{name}`").into())
+}
+
 /// What a scene is set to. It answers with an error if the scene has no control of the name.
 #[derive(Debug, Clone, Copy)]
 pub struct Settings<'a> {
@@ -133,9 +139,7 @@ pub struct Settings<'a> {
 impl Settings<'_> {
     /// The value of a control.
     pub fn of(&self, name: &str) -> Result<f64, Cause> {
-        let place = self.controls.iter().position(|control| control.name == name);
-        let value = place.and_then(|place| self.values.get(place));
-        value.copied().ok_or_else(|| format!("the scene has no control `{name}`").into())
+        Ok(self.values[place_of(self.controls, name)?])
     }
 
     /// Which of several was chosen, from 0 on.

@@ -1,7 +1,7 @@
 //! A scene in use: its settings, its motion, its picture. The module of the page is a thin wrapper of it.
 
 use crate::Cause;
-use crate::control::Settings;
+use crate::control::{Settings, place_of};
 use crate::numbers::tied;
 use crate::scene::{Moment, Motion, Run, Scene};
 use crate::written::written;
@@ -146,8 +146,7 @@ pub(crate) fn changed(
     settings: &[(&str, f64)],
 ) -> Result<Vec<f64>, Cause> {
     for (name, value) in settings {
-        let place = scene.controls.iter().position(|control| control.name == *name);
-        let place = place.ok_or_else(|| format!("the scene has no control `{name}`"))?;
+        let place = place_of(scene.controls, name)?;
         if let Some(nearest) = scene.controls[place].nearest(*value) {
             values[place] = nearest;
         }

@@ -3,6 +3,7 @@
 
 use super::font::{self, em};
 use super::no_glyph;
+use super::symbol::Glyph;
 use super::tex::{Class, Node};
 
 /// Set mathematics: everything in ems of the label's size, y upwards from the baseline.
@@ -15,8 +16,7 @@ pub(super) struct Set {
     italic: f64,
     /// Where an accent over this is centred.
     accent: Option<f64>,
-    /// Glyph, x, y, size.
-    pub(super) glyphs: Vec<(&'static font::Glyph, f64, f64, f64)>,
+    pub(super) glyphs: Vec<Glyph>,
     /// Rules: left, bottom, width, height.
     pub(super) rules: Vec<[f64; 4]>,
 }
@@ -25,8 +25,7 @@ impl Set {
     fn place(&mut self, other: Self, x: f64, y: f64) {
         self.high = self.high.max(other.high + y);
         self.low = self.low.min(other.low + y);
-        self.glyphs
-            .extend(other.glyphs.into_iter().map(|(glyph, gx, gy, size)| (glyph, gx + x, gy + y, size)));
+        self.glyphs.extend(other.glyphs.into_iter().map(|own| Glyph { x: own.x + x, y: own.y + y, ..own }));
         self.rules.extend(other.rules.into_iter().map(|[left, bottom, w, h]| [left + x, bottom + y, w, h]));
     }
 
@@ -91,13 +90,22 @@ fn glyph(character: char, depth: u8) -> Result<Set, String> {
 }
 
 fn set_glyph(glyph: &'static font::Glyph, size: f64) -> Set {
+    let (left, right, units_per_em) = (glyph.left, glyph.right, f64::from(font::UNITS_PER_EM));
     Set {
-        width: f64::from(glyph.advance) / f64::from(font::UNITS_PER_EM) * size,
+        width: f64::from(glyph.advance) / units_per_em * size,
         high: em(glyph.high) * size,
         low: em(glyph.low) * size,
         italic: em(glyph.italic) * size,
         accent: Some(em(glyph.accent) * size),
-        glyphs: vec![(glyph, 0.0, 0.0, size)],
+        glyphs: vec![Glyph {
+            outline: glyph.outline,
+            left,
+            right,
+            units_per_em,
+            x: 0.0,
+            y: 0.0,
+            scale: size,
+        }],
         rules: Vec::new(),
     }
 }

@@ -1,25 +1,16 @@
 //! Sets formulas, and writes them as a table for programs without a typesetter.
 
+use super::layout::{self, Set};
 use super::symbol::{Glyph, Symbol};
-use super::{flaw, font, layout, tex};
+use super::{flaw, tex};
 use crate::flaw::Flaw;
 use std::fmt::Write as _;
 
 /// Sets a formula of a label.
 pub(super) fn set(formula: &str) -> Result<Symbol, String> {
-    let set = layout::set(&tex::parse(formula)?, 0)?;
-    let sign = |&(glyph, x, y, scale): &(&'static font::Glyph, f64, f64, f64)| Glyph {
-        outline: glyph.outline,
-        left: glyph.left,
-        right: glyph.right,
-        units_per_em: f64::from(font::UNITS_PER_EM),
-        x,
-        y,
-        scale,
-    };
-    let glyphs = set.glyphs.iter().map(sign).collect();
+    let Set { width, high, low, glyphs, rules, .. } = layout::set(&tex::parse(formula)?, 0)?;
     let source = formula.to_owned().into();
-    Ok(Symbol { source, width: set.width, high: set.high, low: set.low, glyphs, rules: set.rules.into() })
+    Ok(Symbol { source, width, high, low, glyphs: glyphs.into(), rules: rules.into() })
 }
 
 /// A table of formulas as Rust, to be compiled into a program that depends on this crate and has no typesetter: an

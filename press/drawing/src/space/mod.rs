@@ -25,15 +25,6 @@
 //! face. A path of many turns about a sphere is heavy in front and pale behind with
 //! [`Stroke::Curve`](crate::Stroke::Curve) and [`Hiding::Pale`].
 //!
-//! | module | holds |
-//! |---|---|
-//! | `camera`, `checks` | the eye and its page, and what is asked of numbers |
-//! | `solid`, `form` | solids, and what each can say of itself: `tube` (disc, rod, ring), `cone`, `ellipsoid` |
-//! | `curve`, `track` | lines in space |
-//! | `hide` | lines divided into what is seen and what is hidden |
-//! | `pierce`, `order` | which areas are painted when |
-//! | `stage`, `marks`, `ink` | the scene |
-//!
 //! ```
 //! use drawing::{Drawing, Hue, at, space::{Camera, Solid, Stage, View}};
 //! let camera = Camera::new(View {
