@@ -21,12 +21,11 @@ pub(crate) fn point((x, y): BackendCoord) -> Point {
     at(f64::from(x) / UNITS, f64::from(y) / UNITS)
 }
 
-/// The backend. It draws what the axes and lines of a plot need, all lines with one stroke and one hue: the colours of
-/// plotters mean nothing here.
+/// The backend. It draws what the axes of a plot need, all lines with one stroke: the colours of plotters mean nothing
+/// here.
 pub(crate) struct Canvas<'a> {
     pub(crate) drawing: &'a mut Drawing,
     pub(crate) stroke: Stroke,
-    pub(crate) hue: Hue,
 }
 
 type Drawn = Result<(), DrawingErrorKind<Flaw>>;
@@ -47,13 +46,13 @@ impl DrawingBackend for Canvas<'_> {
     }
 
     fn draw_pixel(&mut self, place: BackendCoord, _: BackendColor) -> Drawn {
-        self.drawing.dot(point(place), 0.5, self.hue);
+        self.drawing.dot(point(place), 0.5, Hue::Ink);
         Ok(())
     }
 
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, _: &S) -> Drawn {
         let points: Vec<Point> = path.into_iter().map(point).collect();
-        self.drawing.polyline(&points, self.stroke, self.hue);
+        self.drawing.polyline(&points, self.stroke, Hue::Ink);
         Ok(())
     }
 

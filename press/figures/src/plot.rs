@@ -12,7 +12,7 @@ use drawing::{
 };
 use plotters::coord::cartesian::{Cartesian2d, MeshLine};
 use plotters::prelude::{
-    BLACK, ChartBuilder, CoordTranslate, DrawingBackend, IntoDrawingArea, LabelAreaPosition, PathElement,
+    BLACK, ChartBuilder, CoordTranslate, DrawingBackend, IntoDrawingArea, LabelAreaPosition,
 };
 
 /// The type size of titles, px.
@@ -75,8 +75,12 @@ impl<'a> Plot<'a> {
 
     /// Where a pair of values lies in the drawing, px; NaN for what has no place on these axes.
     pub fn at(&self, value: (f64, f64)) -> Point {
-        let place = self.parts_to(value).map(|parts| point(self.parts.translate(&(parts.x, parts.y))));
-        place.unwrap_or(at(f64::NAN, f64::NAN))
+        self.parts_to(value).map_or(at(f64::NAN, f64::NAN), |parts| self.place(parts))
+    }
+
+    /// The place in the drawing that parts of both scales lead to, px.
+    fn place(&self, parts: Point) -> Point {
+        point(self.parts.translate(&(parts.x, parts.y)))
     }
 
     /// The parts of both scales that lead to a pair of values; none for what has no place there. Values far outside,
@@ -95,16 +99,15 @@ impl<'a> Plot<'a> {
         parts
     }
 
-    /// Draws a line through values in pieces, cut at the frame, along which plotters would go on. How many
-    /// pieces there are.
+    /// Draws a line through values in pieces, cut at the frame. How many pieces there are.
     fn line(&mut self, what: &str, values: &[(f64, f64)], stroke: Stroke, hue: Hue) -> usize {
         let parts: Vec<Point> = values.iter().filter_map(|&value| self.placed(what, value)).collect();
         let pieces = clip(&parts, &Rect::new(0.0, 0.0, 1.0, 1.0));
-        let canvas = Canvas { drawing: self.drawing, stroke, hue };
-        let area = canvas.into_drawing_area().apply_coord_spec(&self.parts);
-        let pairs = |piece: &[Point]| piece.iter().map(|part| (part.x, part.y)).collect::<Vec<_>>();
-        let drawn = |piece: &&Vec<Point>| area.draw(&PathElement::new(pairs(piece), BLACK)).is_ok();
-        pieces.iter().filter(drawn).count()
+        for piece in &pieces {
+            let points: Vec<Point> = piece.iter().map(|&parts| self.place(parts)).collect();
+            self.drawing.polyline(&points, stroke, hue);
+        }
+        pieces.len()
     }
 
     /// A curve through values, cut at the frame and thinned to what can be seen. Its name becomes an id; if
@@ -173,7 +176,7 @@ impl<'a> Plot<'a> {
 fn draw_axes(drawing: &mut Drawing, frame: Rect, x: &Axis<'_>, y: &Axis<'_>) -> Result<(), Cause> {
     let (ticks_x, ticks_y) = (Ticks::of(x)?, Ticks::of(y)?);
     let [right, below] = [drawing.width() - frame.right, drawing.height() - frame.bottom];
-    let area = Canvas { drawing, stroke: Stroke::Axis, hue: Hue::Ink }.into_drawing_area();
+    let area = Canvas { drawing, stroke: Stroke::Axis }.into_drawing_area();
     let mut chart = ChartBuilder::on(&area)
         .margin_top(units(frame.top))
         .margin_right(units(right))

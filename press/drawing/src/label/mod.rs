@@ -1,9 +1,9 @@
 //! Labels: words and mathematics, measured and set without any font on the reader's machine.
 //!
-//! A label is written as words with mathematics between `$` signs, in a subset of TeX: letters and digits,
-//! Greek, `^` and `_` (nested too), primes, accents, `\mathbf`, `\boldsymbol`, `\sqrt{}`, `\tfrac{}{}`,
-//! `\text{}`, relations and operations ([`tex_commands`]). Among the words, `^{…}` raises what it holds:
-//! `10^{-4}`. Whatever is not understood is an error.
+//! A label is written as words with mathematics between `$` signs, in a subset of TeX: letters, digits and the
+//! signs of the keyboard, `^` and `_` (nested too), primes, and the commands that figures have needed so far
+//! ([`tex_commands`]). Among the words, `^{…}` raises what it holds: `10^{-4}`. Whatever is not understood is an
+//! error.
 //!
 //! Mathematics becomes outlines of the math font's glyphs, set by the `typesetter` (a feature of the crate)
 //! or taken from a table of [`Symbol`]s that it has set before, which is all that a page in a browser
