@@ -102,3 +102,21 @@ impl Mul<f64> for Vec3 {
         self.map(|component| component * factor)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Vec3;
+
+    #[test]
+    fn companions_complete_a_right_handed_triad() {
+        for axis in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [-0.3, 2.0, 0.1], [1.0, -1.0, 1.0], [1e-300, 0.0, 0.0]]
+        {
+            let third = Vec3(axis).unit().expect("a direction");
+            let (first, second) = third.companions();
+            assert!((first.cross(second) - third).length() < 1e-15, "{axis:?}");
+            assert!((first.length() - 1.0).abs() < 1e-15 && first.dot(third).abs() < 1e-15);
+        }
+        assert_eq!(Vec3::ZERO.unit(), None);
+        assert_eq!(Vec3([f64::NAN, 0.0, 0.0]).unit(), None);
+    }
+}

@@ -202,6 +202,10 @@ fn what_lies_in_no_panel_is_refused() {
     let broken = dotted(100.0, f64::NAN, 20.0);
     assert!(Drawing::panels("fig:dots", vec![broken.clone()]).to_svg().is_err());
     assert!(dotted(100.0, 0.0, 0.0).with_narrow(broken).to_standalone_svg().is_err());
+    let mut labelled = dotted(100.0, 0.0, 0.0);
+    labelled.label(at(f64::NAN, 20.0), Side::Right, "here", Hue::Ink).expect("it can be set");
+    let flaw = labelled.to_svg().expect_err("it stands nowhere").to_string();
+    assert!(flaw.starts_with("the label `here` goes through (NaN, "), "{flaw}");
 }
 
 #[test]

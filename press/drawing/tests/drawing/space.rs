@@ -417,6 +417,7 @@ fn what_is_hidden_is_pale_or_left_out() -> Done {
         stage.curve(Curve::circle(ORIGIN, UP, 0.9)?.hiding(hiding), Stroke::Curve, Hue::Pink)?;
         stage.dot(behind, 3.0, Hue::Pink)?;
         stage.dot([0.0, 0.0, 0.2], 5.0, Hue::Pink)?;
+        stage.dot_in_front(behind, 3.0, Hue::Green)?;
         Ok(drawn(&stage))
     };
     let pink = |hiding: Hiding| -> Result<Vec<Role>, Flaw> {
@@ -425,6 +426,7 @@ fn what_is_hidden_is_pale_or_left_out() -> Done {
         let is_pink = |role: &Role| matches!(role, Role::Line(_, Hue::Pink) | Role::Area(_, Hue::Pink));
         Ok(roles.filter(is_pink).collect())
     };
+    assert_eq!(lines(&scene(Hiding::Dashed)?, Role::Area(Fill::Solid, Hue::Green)).len(), 1);
     let dashed = pink(Hiding::Dashed)?;
     assert!(dashed.len() >= 5 && dashed.iter().all(|&role| role == HIDDEN), "{dashed:?}");
     assert_eq!(pink(Hiding::Omitted)?, vec![HIDDEN; 2], "only the two points");
@@ -472,6 +474,12 @@ fn arrowheads_keep_their_size_and_end_at_their_points() -> Done {
         let gap = (shaft[shaft.len() - 1] - eye.project(tip)).length();
         assert!((gap - 7.8).abs() < 1e-9, "{gap} px");
     }
+    let mut stage = staged();
+    stage.arrow(Curve::segment(ORIGIN, UP)?, Stroke::Vector, Heads::Both, Hue::Pink)?;
+    let heads = lines(&drawn(&stage), Role::Area(Fill::Solid, Hue::Pink));
+    let tips: Vec<Point> = heads.iter().map(|head| head[0]).collect();
+    let close = |tip: Vector| tips.iter().any(|&head| (head - eye.project(tip)).length() < 1e-9);
+    assert!(tips.len() == 2 && close(UP) && close(ORIGIN), "{tips:?}");
     Ok(())
 }
 
