@@ -1,8 +1,8 @@
 //! The scene of the chapter "The coin toss": a coin in slow motion beside the path of its normal on a sphere.
 
 use coin::draw_coin;
-use drawing::space::{Camera, Curve, Solid, SpaceError, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at, kit::Heads};
+use drawing::space::{Camera, Curve, Solid, Stage, View};
+use drawing::{Drawing, Fill, Flaw, Hue, Point, Rect, Role, Shape, Side, Stroke, at, kit::Heads};
 use live::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
     point_at, value_at,
@@ -184,7 +184,7 @@ impl Throw {
     }
 
     /// The way of the tip of the normal, blue where heads shows and grey where tails does.
-    fn draw_path(&self, stage: &mut Stage, size: f64, stroke: Stroke) -> Result<(), SpaceError> {
+    fn draw_path(&self, stage: &mut Stage, size: f64, stroke: Stroke) -> Result<(), Flaw> {
         for (path, hue) in self.paths.iter().zip([Hue::Blue, Hue::Muted]) {
             if path.len() > 1 {
                 stage.curve(Curve::smooth(path.iter().map(|tip| tip * size))?, stroke, hue)?;
@@ -351,7 +351,7 @@ impl Throw {
 const REACH: f64 = 1.4;
 
 /// The eye that looks at the sphere.
-fn sphere(moment: &Moment) -> Result<Camera, SpaceError> {
+fn sphere(moment: &Moment) -> Result<Camera, Flaw> {
     moment.camera(View {
         target: [0.0; 3],
         azimuth: 0.0,

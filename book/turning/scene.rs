@@ -1,7 +1,7 @@
 //! The scene of the chapter "How a body turns": a plate is thrown, and its wobbles are counted.
 
-use drawing::space::{Curve, Finish, Hiding, Solid, SpaceError, Stage, View};
-use drawing::{Drawing, Hue, Point, Rect, Role, Room, Side, Stroke, at, kit, kit::Heads};
+use drawing::space::{Curve, Finish, Hiding, Solid, Stage, View};
+use drawing::{Drawing, Flaw, Hue, Point, Rect, Role, Room, Side, Stroke, at, kit, kit::Heads};
 use live::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
     point_at, value_at,
@@ -154,7 +154,7 @@ impl Throw {
         arrows.map(|(vector, hue)| (seen(vector), hue)).collect()
     }
 
-    fn draw_body(&self, stage: &mut Stage, now: &Turning) -> Result<(), SpaceError> {
+    fn draw_body(&self, stage: &mut Stage, now: &Turning) -> Result<(), Flaw> {
         let seen = if self.on_board { UnitQuaternion::identity() } else { now.world_from_body };
         let [radius, half] = self.form();
         let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()].map(|axis| seen * axis);
@@ -184,7 +184,7 @@ impl Throw {
     }
 
     /// The cone that ω draws in the body and the one that it draws in the room, which touch along ω.
-    fn draw_cones(&self, stage: &mut Stage, arrows: &[(Vector3<f64>, Hue)]) -> Result<(), SpaceError> {
+    fn draw_cones(&self, stage: &mut Stage, arrows: &[(Vector3<f64>, Hue)]) -> Result<(), Flaw> {
         let [(momentum, _), (omega, _), (axis, _)] = arrows else { return Ok(()) };
         let [in_body, in_room] =
             [self.top.omega_angle(), (self.top.omega_angle() - self.top.momentum_angle()).abs()];

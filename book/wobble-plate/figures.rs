@@ -1,7 +1,7 @@
 //! The figures of the chapter "The wobble plate".
 
 use drawing::kit::{self, Heads};
-use drawing::space::{Camera, Curve, Edges, Solid, Stage, View};
+use drawing::space::{Camera, Curve, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Side, Stroke, at};
 use figures::{Axis, Cause, Figure, Outcome, Plot, figures, in_both, linear_steps};
 use mechanics::InvalidQuantity;
@@ -59,7 +59,7 @@ pub(crate) fn wobble_plate(id: &str) -> Outcome {
     stage.ground([-1.5, -1.2], [1.5, 1.2], floor, 0.3)?;
     stage.solid(Solid::disc([0.0; 3], normal, 1.0, 0.07)?, Hue::Blue)?;
     let shaft = Solid::rod([0.0, 0.0, floor], [0.0, 0.0, 1.45], 0.045)?;
-    stage.solid(shaft.edges(Edges::BehindOthers), Hue::Muted)?;
+    stage.solid(shaft.dashed(), Hue::Muted)?;
     stage.named_vector([0.0, 0.0, 1.45], [0.0, 0.0, 2.0], r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.turning([0.0, 0.0, 1.68], [0.0, 0.0, 1.0], 0.2, Hue::Orange)?;
     for (tip, name) in [
@@ -249,7 +249,7 @@ fn pistons_under_the_plate() -> Outcome {
     })?);
     stage.solid(Solid::disc([0.0; 3], normal, 1.0, 0.07)?, Hue::Blue)?;
     let shaft = Solid::rod([0.0, 0.0, -1.75], [0.0, 0.0, 0.75], 0.045)?;
-    stage.solid(shaft.edges(Edges::BehindOthers), Hue::Muted)?;
+    stage.solid(shaft.dashed(), Hue::Muted)?;
     for n in 1..=4 {
         let (contact, centre) = (engine.contact(n, phase), engine.centre(n, phase));
         let half = Vector3::new(0.0, 0.0, 0.17);

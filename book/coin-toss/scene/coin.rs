@@ -1,7 +1,7 @@
 //! A coin with its faces.
 
-use drawing::space::{Curve, Hiding, Solid, SpaceError, Stage};
-use drawing::{Hue, Stroke};
+use drawing::space::{Curve, Hiding, Solid, Stage};
+use drawing::{Flaw, Hue, Stroke};
 use mechanics::inertia::PrincipalMoments;
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -19,7 +19,7 @@ pub(super) fn draw_coin(
     stage: &mut Stage,
     attitude: &UnitQuaternion<f64>,
     towards_eye: &Vector3<f64>,
-) -> Result<(), SpaceError> {
+) -> Result<(), Flaw> {
     // I₃/I₁ = 2/(1 + h²/3) of a cylinder of radius 1 and height h
     let [_, _, axial] = moments.to_array();
     let half = (0.5 * (3.0 * (2.0 / axial - 1.0)).sqrt()).max(HALF);

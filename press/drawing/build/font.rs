@@ -12,9 +12,9 @@ use std::fmt::Write as _;
 const FONT: &str = "font/math.otf";
 
 /// Everything that the TeX subset of the labels can ask for, beside the alphabets.
-const SYMBOLS: &str = "+−×·±=<>≤≥≪≫≈∼≠∞→∂√()[]|,;:.!/°′⊥";
-/// Combining accents: hat, dot, two dots.
-const ACCENTS: &str = "\u{302}\u{307}\u{308}";
+const SYMBOLS: &str = "+−=<>√()[]|,;:.!/°′⊥";
+/// Combining accents: hat, dot.
+const ACCENTS: &str = "\u{302}\u{307}";
 /// First and last of: letters, digits, Greek, and the mathematical alphabets (italic, bold, bold italic;
 /// Latin, Greek, digits).
 const ALPHABETS: [(u32, u32); 10] = [
@@ -29,8 +29,8 @@ const ALPHABETS: [(u32, u32); 10] = [
     (0x1d6e2, 0x1d755),
     (0x1d7ce, 0x1d7d7),
 ];
-/// Letters that stand apart in Unicode: the italic h, the dotless i (upright and italic), variants of Greek letters.
-const STRAYS: &str = "ℎı\u{1d6a4}ϵϕϑϱ";
+/// Letters that stand apart in Unicode: the italic h, a variant of a Greek letter.
+const STRAYS: &str = "ℎϕ";
 
 /// Where glyphs without a character of their own get their keys: larger roots, and shapes drawn for small sizes.
 const ROOTS: u32 = 0x0f_0000;

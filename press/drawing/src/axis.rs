@@ -1,8 +1,7 @@
 //! Axes of plots: where values go, and where ticks stand.
 
+use crate::flaw::Flaw;
 use crate::point::{Point, Rect, at};
-use std::error::Error;
-use std::fmt;
 
 /// A scale of a plot, from the value at its beginning to that at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -150,7 +149,7 @@ impl<'a> Axis<'a> {
     /// The major ticks: the parts of the axis where they stand, and their labels.
     ///
     /// # Errors
-    /// [`InvalidAxis`] for a range that is empty, or does not begin above zero on a logarithmic axis, or a step that
+    /// [`Flaw`] for a range that is empty, or does not begin above zero on a logarithmic axis, or a step that
     /// gives no ticks or more than a hundred.
     ///
     /// ```
@@ -160,13 +159,18 @@ impl<'a> Axis<'a> {
     /// assert_eq!(ticks[2], (0.5, "0".to_owned()));
     /// assert_eq!(Axis::log(1e-3, 1.0, 3).ticks()?[0].1, "10^{−3}");
     /// assert!(Axis::log(0.0, 1.0, 1).ticks().is_err());
-    /// # Ok::<(), drawing::InvalidAxis>(())
+    /// # Ok::<(), drawing::Flaw>(())
     /// ```
-    pub fn ticks(&self) -> Result<Vec<(f64, String)>, InvalidAxis> {
+    pub fn ticks(&self) -> Result<Vec<(f64, String)>, Flaw> {
         let [from, to] = self.scale.ends();
         let sound = from.is_finite() && to.is_finite() && from < to;
         if !(sound && self.step > 0.0 && (to - from) / self.step <= 100.0) {
-            return Err(InvalidAxis { from: self.scale.from, to: self.scale.to, step: self.step });
+            let Scale { from, to, .. } = self.scale;
+            return Err(Flaw::new(format!(
+                "axis from {from} to {to}, ticks every {}: it must end beyond its beginning, a logarithmic one begin \
+                 above zero, and ticks be a positive distance apart that gives at most a hundred",
+                self.step
+            )));
         }
         if let Words::Marks(marks) = self.words {
             return Ok(marks
@@ -221,33 +225,9 @@ fn power_of_ten(power: f64) -> String {
     }
 }
 
-/// An axis that no plot can have.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct InvalidAxis {
-    /// Where it would begin.
-    pub from: f64,
-    /// Where it would end.
-    pub to: f64,
-    /// The distance between its ticks: a difference of values, or a number of decades.
-    pub step: f64,
-}
-
-impl fmt::Display for InvalidAxis {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            out,
-            "axis from {} to {}, ticks every {}: it must end beyond its beginning, a logarithmic one begin above zero, \
-             and ticks be a positive distance apart that gives at most a hundred",
-            self.from, self.to, self.step
-        )
-    }
-}
-
-impl Error for InvalidAxis {}
-
 #[cfg(test)]
 mod tests {
-    use super::{Axis, InvalidAxis};
+    use super::Axis;
 
     fn labels(axis: &Axis<'_>) -> Vec<String> {
         axis.ticks().expect("an axis").into_iter().map(|(_, label)| label).collect()
@@ -272,12 +252,15 @@ mod tests {
 
     #[test]
     fn axes_that_cannot_be_are_refused() {
-        let refused = |from, to, step| Some(InvalidAxis { from, to, step });
-        assert_eq!(Axis::linear(1.0, 1.0, 0.1).ticks().err(), refused(1.0, 1.0, 0.1));
-        assert_eq!(Axis::log(0.0, 1.0, 1).ticks().err(), refused(0.0, 1.0, 1.0));
-        assert_eq!(Axis::linear(0.0, 1.0, 1e-3).ticks().err(), refused(0.0, 1.0, 1e-3));
-        assert!(
-            Axis::linear(0.0, f64::NAN, 1.0).ticks().is_err() && Axis::log(-1.0, 1.0, 1).ticks().is_err()
-        );
+        for (axis, said) in [
+            (Axis::linear(1.0, 1.0, 0.1), "axis from 1 to 1, ticks every 0.1: "),
+            (Axis::log(0.0, 1.0, 1), "axis from 0 to 1, ticks every 1: "),
+            (Axis::log(-1.0, 1.0, 1), "axis from -1 to 1, "),
+            (Axis::linear(0.0, 1.0, 1e-3), "axis from 0 to 1, ticks every 0.001: "),
+            (Axis::linear(0.0, f64::NAN, 1.0), "axis from 0 to NaN, "),
+        ] {
+            let flaw = axis.ticks().expect_err(said).to_string();
+            assert!(flaw.starts_with(said), "{flaw}");
+        }
     }
 }

@@ -37,7 +37,7 @@ pub fn clip(points: &[Point], frame: &Rect) -> Vec<Vec<Point>> {
 /// Graphics 3, 1984).
 fn inside(start: Point, end: Point, frame: &Rect) -> Option<(f64, f64)> {
     let step = end - start;
-    if !(start.x.is_finite() && start.y.is_finite() && end.x.is_finite() && end.y.is_finite()) {
+    if !(start.is_finite() && end.is_finite()) {
         return None;
     }
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);

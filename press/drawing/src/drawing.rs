@@ -2,7 +2,7 @@
 
 use crate::axis::Axes;
 use crate::flaw::{self, Flaw};
-use crate::label::{Label, LabelError, Side};
+use crate::label::{Label, Side};
 use crate::point::{Point, Rect, at};
 use crate::role::{Fill, Hue, Role, Stroke};
 use crate::shape::{Item, Shape};
@@ -13,7 +13,7 @@ const SIZE: f64 = 14.0;
 const GAP: f64 = 6.0;
 
 /// A figure: shapes with roles, in the order in which they are painted.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Drawing {
     pub(crate) id: String,
     width: f64,
@@ -32,21 +32,7 @@ pub struct Drawing {
 impl Drawing {
     /// An empty figure with its id (`fig:orbit`) and its full size, px.
     pub fn new(id: &str, width: f64, height: f64) -> Self {
-        let [title, description] = [String::new(), String::new()];
-        Self {
-            id: id.into(),
-            width,
-            height,
-            title,
-            description,
-            items: Vec::new(),
-            axes: Vec::new(),
-            flaw: None,
-            panels: Vec::new(),
-            narrow: None,
-            link: None,
-            is_framed: false,
-        }
+        Self { id: id.into(), width, height, ..Self::default() }
     }
 
     /// The figure with the words for readers who cannot see it: a short title, and what it shows.
@@ -116,7 +102,8 @@ impl Drawing {
 
     /// Why the drawing cannot be shown, if it cannot.
     pub(crate) fn flaw(&self) -> Option<Flaw> {
-        let beside = |item: &Item| Flaw::BesidePanels { what: flaw::what(item) };
+        let beside =
+            |item: &Item| Flaw::new(format!("{} lies in no panel of a figure of panels", flaw::what(item)));
         let astray = self.items.first().filter(|_| !self.panels.is_empty()).map(beside);
         let below = || self.panels.iter().chain(self.narrow.as_deref()).find_map(Self::flaw);
         self.flaw.clone().or_else(|| self.items.iter().find_map(flaw::of)).or(astray).or_else(below)
@@ -151,7 +138,7 @@ impl Drawing {
     /// drawing.part_labels();
     /// let [Shape::Label(one), Shape::Label(other)] = [0, 1].map(|k| &drawing.items()[k].shape) else { panic!() };
     /// assert!(!one.bounds.overlaps(&other.bounds) && other.bounds.top >= one.bounds.bottom);
-    /// # Ok::<(), drawing::LabelError>(())
+    /// # Ok::<(), drawing::Flaw>(())
     /// ```
     pub fn part_labels(&mut self) {
         let page = self.frame();
@@ -181,7 +168,7 @@ impl Drawing {
 
     /// A polyline, thinned to what can be seen.
     pub fn polyline(&mut self, points: &[Point], stroke: Stroke, hue: Hue) {
-        let sound = points.iter().all(|point| point.x.is_finite() && point.y.is_finite());
+        let sound = points.iter().all(|point| point.is_finite());
         let points = if sound { simplify(points, TOLERANCE) } else { points.to_vec() }; // which would lose the flaw
         self.push(Role::Line(stroke, hue), Shape::Polyline(points));
     }
@@ -216,31 +203,16 @@ impl Drawing {
     }
 
     /// A label of 14 px beside a point, with a rim in the colour of the page.
-    ///
-    /// # Errors
-    /// [`LabelError`] if the label cannot be set.
-    pub fn label(&mut self, point: Point, side: Side, text: &str, hue: Hue) -> Result<(), LabelError> {
+    pub fn label(&mut self, point: Point, side: Side, text: &str, hue: Hue) -> Result<(), Flaw> {
         self.label_set(point, side, GAP, SIZE, text, Role::Text(hue))
     }
 
     /// A label of 14 px beside a point, without rim: for filled faces, and where it may touch nothing.
-    ///
-    /// # Errors
-    /// [`LabelError`] if the label cannot be set.
-    pub fn label_on_face(
-        &mut self,
-        point: Point,
-        side: Side,
-        text: &str,
-        hue: Hue,
-    ) -> Result<(), LabelError> {
+    pub fn label_on_face(&mut self, point: Point, side: Side, text: &str, hue: Hue) -> Result<(), Flaw> {
         self.label_set(point, side, GAP, SIZE, text, Role::PlainText(hue))
     }
 
     /// A label with its distance from the point, px, its type size, px, and its role.
-    ///
-    /// # Errors
-    /// [`LabelError`] if the label cannot be set.
     pub fn label_set(
         &mut self,
         point: Point,
@@ -249,7 +221,7 @@ impl Drawing {
         size: f64,
         text: &str,
         role: Role,
-    ) -> Result<(), LabelError> {
+    ) -> Result<(), Flaw> {
         let label = Label::new(text, size)?.placed(point, side, gap);
         self.push(role, Shape::Label(label));
         Ok(())

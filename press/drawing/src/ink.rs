@@ -36,7 +36,5 @@ fn ink(item: &Item) -> Option<Rect> {
         Role::Line(stroke, _) => stroke.width(),
         Role::Area(..) | Role::Text(_) | Role::PlainText(_) => 0.0,
     };
-    let points = item.shape.points().into_iter();
-    let covered = points.map(|point| Rect { left: point.x, top: point.y, right: point.x, bottom: point.y });
-    covered.reduce(|all, next| all.union(&next)).map(|rect| rect.grown(0.5 * stroke))
+    Rect::around(item.shape.points()).map(|rect| rect.grown(0.5 * stroke))
 }

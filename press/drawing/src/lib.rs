@@ -9,21 +9,6 @@
 //! radians and counter-clockwise **as seen on the page**, from the direction to the right, so that drawn
 //! angles turn like those of the text.
 //!
-//! | module | holds |
-//! |---|---|
-//! | [`point`](Point) | points and rectangles |
-//! | `role` | what a shape means |
-//! | `shape` | shapes with their roles |
-//! | `drawing` | the display list |
-//! | `label` | words and mathematics, measured and set without any font on the reader's machine |
-//! | `axis` | scales of plots, and where ticks stand on their axes |
-//! | [`kit`] | arrows, angles, dimensions, springs, dampers, fixed points |
-//! | `clip`, `simplify` | polylines cut at a frame and thinned below what can be seen |
-//! | `ink` | what a drawing covers: an SVG is cut to it |
-//! | `layout` | panels that stand side by side or one below another, and a second layout for narrow pages |
-//! | `flaw` | why a drawing is refused: a coordinate that is no number, a curve that nobody sees |
-//! | `svg`, `style` | the writer, and the style sheet of figures that stand alone |
-//!
 //! A figure of panels is [`Drawing::panels`], one that needs another layout on a phone has [`Drawing::with_narrow`].
 //! What dashes mean is said at [`Stroke`], what hues mean at [`Hue`].
 //!
@@ -56,12 +41,12 @@ mod style;
 mod svg;
 mod trace;
 
-pub use axis::{Axes, Axis, InvalidAxis, Scale};
+pub use axis::{Axes, Axis, Scale};
 pub use clip::clip;
 pub use drawing::Drawing;
 pub use flaw::Flaw;
 pub use ink::MARGIN;
-pub use label::{Glyph, Label, LabelError, Piece, Segment, Side, Symbol, with_symbols};
+pub use label::{Glyph, Label, Piece, Segment, Side, Symbol, with_symbols};
 #[cfg(feature = "typesetter")]
 pub use label::{symbols_of, tex_commands};
 pub use layout::{GAP, NARROW, PANEL, Room};

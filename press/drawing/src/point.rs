@@ -28,6 +28,11 @@ impl Point {
         (self.x * self.x + self.y * self.y).sqrt()
     }
 
+    /// Whether it has a place.
+    pub fn is_finite(self) -> bool {
+        self.x.is_finite() && self.y.is_finite()
+    }
+
     /// The direction of the step, counter-clockwise on the page from the right, rad.
     pub fn angle(self) -> f64 {
         (-self.y).atan2(self.x)
@@ -79,7 +84,7 @@ impl Neg for Point {
 }
 
 /// An upright rectangle, px.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rect {
     /// The left edge.
     pub left: f64,
@@ -140,6 +145,12 @@ impl Rect {
             right: self.right.max(other.right),
             bottom: self.bottom.max(other.bottom),
         }
+    }
+
+    /// The smallest rectangle that holds all points; none without points.
+    pub(crate) fn around(points: impl IntoIterator<Item = Point>) -> Option<Self> {
+        let points = points.into_iter().map(|Point { x, y }| Self { left: x, top: y, right: x, bottom: y });
+        points.reduce(|all, next| all.union(&next))
     }
 
     /// Whether the point is inside or on the edge.

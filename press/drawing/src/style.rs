@@ -96,17 +96,14 @@ fn halves(arguments: &str) -> (&str, &str) {
 #[cfg(test)]
 mod tests {
     use super::{PAGE, standalone};
-    use crate::role::{Fill, Hue, OPAQUE, Role, STOPS, Stroke};
+    use crate::role::{Fill, Hue, OPAQUE, RIM, Role, STOPS, Stroke};
 
     #[test]
     fn every_role_has_a_rule_in_the_style_sheet() {
-        let classes = Hue::ALL
-            .map(Hue::class)
-            .into_iter()
-            .chain(Stroke::ALL.map(Stroke::class))
-            .chain(Fill::ALL.map(Fill::class))
-            .chain(STOPS)
-            .chain(["f-line", "f-text", "f-plain", "f-rim", OPAQUE]);
+        let roles = Hue::ALL.iter().map(|hue| hue.class());
+        let roles = roles.chain(Stroke::ALL.iter().map(|stroke| stroke.class()));
+        let roles = roles.chain(Fill::ALL.iter().map(|fill| fill.class()));
+        let classes = roles.chain(STOPS).chain(["f-line", "f-text", "f-plain", RIM, OPAQUE]);
         for class in classes {
             let rule = format!(".{class} {{");
             assert!(PAGE.lines().any(|line| line.starts_with(&rule)), "figures.css has no rule for {class}");
@@ -118,17 +115,19 @@ mod tests {
     fn lines_are_as_wide_as_the_style_sheet_draws_them() {
         for stroke in Stroke::ALL {
             let (class, width) = (stroke.class(), stroke.width());
-            let rule = format!(".{class} {{ stroke-width: {width};");
-            let plain = format!(".{class} {{ stroke-width: {width} ");
-            let agrees = |line: &str| line.starts_with(&rule) || line.starts_with(&plain);
+            let rule = format!(".{class} {{ stroke-width: {width}");
+            let agrees =
+                |line: &str| line.strip_prefix(&rule).is_some_and(|rest| rest.starts_with([';', ' ']));
             assert!(PAGE.lines().any(agrees), "{class} is not {width} px wide");
         }
     }
 
     #[test]
     fn each_meaning_of_a_broken_line_has_a_pattern_of_its_own() {
-        let rules = Stroke::ALL.map(|stroke| format!(".{} {{", stroke.class()));
-        let rules = rules.iter().filter_map(|rule| PAGE.lines().find(|line| line.starts_with(rule)));
+        let rules = Stroke::ALL.iter().filter_map(|stroke| {
+            let rule = format!(".{} {{", stroke.class());
+            PAGE.lines().find(|line| line.starts_with(&rule))
+        });
         let pattern =
             |rule: &str| rule.split_once("stroke-dasharray: ")?.1.split(';').next().map(str::to_owned);
         let patterns: Vec<String> = rules.filter_map(pattern).collect();

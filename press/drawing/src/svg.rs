@@ -61,9 +61,6 @@ impl Drawing {
 
     /// What stands inside of the SVG of a drawing without panels: an element a line, in the order in which they are
     /// painted.
-    ///
-    /// # Errors
-    /// [`Flaw`] if a coordinate is no number, or something could not be added.
     pub fn to_elements(&self) -> Result<String, Flaw> {
         self.flaw().map_or(Ok(()), Err)?;
         let mut out = String::new();
@@ -73,9 +70,6 @@ impl Drawing {
 
     /// The drawing as an SVG file of its own, in full size, with its style sheet for light and dark inside. Panels
     /// stand side by side, in rows. Its words are outlines, so that it looks the same wherever it is opened.
-    ///
-    /// # Errors
-    /// [`Flaw`] if a coordinate is no number, or something could not be added.
     pub fn to_standalone_svg(&self) -> Result<String, Flaw> {
         self.flaw().map_or(Ok(()), Err)?;
         let parts = self.parts();
@@ -165,7 +159,7 @@ fn view_box(seen: Rect) -> String {
 
 /// How far to move each drawing so that all stand in rows, and the rectangle of all. The first stays where it is.
 fn rows(seen: &[Rect]) -> (Vec<Point>, Rect) {
-    let first = seen.first().copied().unwrap_or(Rect::new(0.0, 0.0, 0.0, 0.0));
+    let first = seen.first().copied().unwrap_or_default();
     let (mut all, mut places) = (first, Vec::new());
     let (mut right, mut top) = (first.left - layout::GAP, first.top);
     for own in seen {

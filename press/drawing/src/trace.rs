@@ -33,12 +33,9 @@ pub(crate) fn all<'a>(shapes: impl Iterator<Item = &'a Shape>) -> String {
 pub(crate) fn outline(segments: &[Segment]) -> String {
     let mut trace = Trace::default();
     for segment in segments {
-        match *segment {
-            Segment::Move(end) => trace.draw('m', &[end]),
-            Segment::Line(end) => trace.draw('l', &[end]),
-            Segment::Quadratic(control, end) => trace.draw('q', &[control, end]),
-            Segment::Cubic(first, second, end) => trace.draw('c', &[first, second, end]),
-            Segment::Close => trace.close(),
+        match segment.letter {
+            'z' => trace.close(),
+            letter => trace.draw(letter, &segment.points),
         }
     }
     trace.data
@@ -193,17 +190,18 @@ mod tests {
 
     #[test]
     fn the_same_letter_elsewhere_is_written_alike() {
+        let steps: [(char, &[[f64; 2]]); 7] = [
+            ('m', &[[0.0, 0.0]]),
+            ('c', &[[0.333, 0.2], [1.277, 2.0], [2.0, 2.0]]),
+            ('q', &[[3.0, 3.0], [4.0, 4.0]]),
+            ('z', &[]),
+            ('m', &[[1.0, 1.0]]),
+            ('l', &[[1.5, 1.5]]),
+            ('z', &[]),
+        ];
         let letter = |x: f64, y: f64| {
-            let place = |dx: f64, dy: f64| at(x + dx, y + dy);
-            outline(&[
-                Segment::Move(place(0.0, 0.0)),
-                Segment::Cubic(place(0.333, 0.2), place(1.277, 2.0), place(2.0, 2.0)),
-                Segment::Quadratic(place(3.0, 3.0), place(4.0, 4.0)),
-                Segment::Close,
-                Segment::Move(place(1.0, 1.0)),
-                Segment::Line(place(1.5, 1.5)),
-                Segment::Close,
-            ])
+            let place = |points: &[[f64; 2]]| points.iter().map(|[dx, dy]| at(x + dx, y + dy)).collect();
+            outline(&steps.map(|(letter, points)| Segment { letter, points: place(points) }))
         };
         let behind_start = |data: &str| data[data.find('c').unwrap()..].to_owned();
         assert_eq!(behind_start(&letter(0.0, 0.0)), "c.33.2 1.28 2 2 2q1 1 2 2zm1 1l.5.5z");

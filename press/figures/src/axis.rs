@@ -1,6 +1,6 @@
 //! Axes as plotters asks for them.
 
-use drawing::{Axis, InvalidAxis};
+use drawing::{Axis, Flaw};
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::coord::types::RangedCoordf64;
 use std::ops::Range;
@@ -14,7 +14,7 @@ pub(crate) struct Ticks {
 }
 
 impl Ticks {
-    pub(crate) fn of(axis: &Axis<'_>) -> Result<Self, InvalidAxis> {
+    pub(crate) fn of(axis: &Axis<'_>) -> Result<Self, Flaw> {
         let major = axis.ticks()?;
         let is_free = |part: &f64| {
             (-1e-9..=1.0 + 1e-9).contains(part) && major.iter().all(|(other, _)| (part - other).abs() >= 5e-4)

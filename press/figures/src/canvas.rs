@@ -1,6 +1,6 @@
 //! A drawing as a backend of plotters: a thousandth of a pixel is its unit.
 
-use drawing::{Drawing, Hue, Label, LabelError, Point, Role, Shape, Side, Stroke, at};
+use drawing::{Drawing, Flaw, Hue, Label, Point, Role, Shape, Side, Stroke, at};
 use plotters_backend::text_anchor::HPos;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingBackend, DrawingErrorKind,
@@ -21,18 +21,17 @@ pub(crate) fn point((x, y): BackendCoord) -> Point {
     at(f64::from(x) / UNITS, f64::from(y) / UNITS)
 }
 
-/// The backend. It draws what the axes and lines of a plot need, all lines with one stroke and one hue: the colours of
-/// plotters mean nothing here.
+/// The backend. It draws what the axes of a plot need, all lines with one stroke: the colours of plotters mean nothing
+/// here.
 pub(crate) struct Canvas<'a> {
     pub(crate) drawing: &'a mut Drawing,
     pub(crate) stroke: Stroke,
-    pub(crate) hue: Hue,
 }
 
-type Drawn = Result<(), DrawingErrorKind<LabelError>>;
+type Drawn = Result<(), DrawingErrorKind<Flaw>>;
 
 impl DrawingBackend for Canvas<'_> {
-    type ErrorType = LabelError;
+    type ErrorType = Flaw;
 
     fn get_size(&self) -> (u32, u32) {
         (units(self.drawing.width()).unsigned_abs(), units(self.drawing.height()).unsigned_abs())
@@ -47,13 +46,13 @@ impl DrawingBackend for Canvas<'_> {
     }
 
     fn draw_pixel(&mut self, place: BackendCoord, _: BackendColor) -> Drawn {
-        self.drawing.dot(point(place), 0.5, self.hue);
+        self.drawing.dot(point(place), 0.5, Hue::Ink);
         Ok(())
     }
 
     fn draw_path<S: BackendStyle, I: IntoIterator<Item = BackendCoord>>(&mut self, path: I, _: &S) -> Drawn {
         let points: Vec<Point> = path.into_iter().map(point).collect();
-        self.drawing.polyline(&points, self.stroke, self.hue);
+        self.drawing.polyline(&points, self.stroke, Hue::Ink);
         Ok(())
     }
 

@@ -5,14 +5,12 @@
 
 mod axis;
 mod canvas;
-mod failure;
 mod look;
 mod plot;
 mod room;
 mod sample;
 
 pub use drawing::{Axis, Drawing, Room};
-pub use failure::Failure;
 pub use look::Look;
 pub use plot::Plot;
 pub use room::in_both;
@@ -21,6 +19,7 @@ pub use sample::{linear_steps, log_steps};
 use drawing::Flaw;
 use std::collections::BTreeMap;
 use std::error::Error;
+use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -91,9 +90,13 @@ impl Figure {
     /// Draws it and writes its SVGs.
     ///
     /// # Errors
-    /// [`Failure`]: what the figure says, or that it lacks words for those who cannot see it.
-    pub fn render(&self) -> Result<Rendered, Failure> {
-        rendered(self).map_err(|cause| Failure { file: self.file, line: self.line, figure: self.id(), cause })
+    /// What the figure says, or that it lacks words for those who cannot see it, behind its place and its name.
+    pub fn render(&self) -> Result<Rendered, String> {
+        rendered(self).map_err(|cause| self.failure(&cause))
+    }
+
+    fn failure(&self, why: impl Display) -> String {
+        format!("{}:{}: {}: {why}", self.file, self.line, self.id())
     }
 }
 
@@ -102,10 +105,6 @@ impl Figure {
 pub struct Rendered {
     /// Its label on the page, as in `fig:machine`.
     pub id: String,
-    /// A short title, for readers who cannot see it.
-    pub title: String,
-    /// What it shows, in words, for readers who cannot see it.
-    pub description: String,
     /// Its SVGs in the box that lays them out on a page; the page's style sheet gives their roles colours.
     pub svg: String,
     /// Whether it is wider than a column of text, its panels side by side.
@@ -135,8 +134,7 @@ pub fn write(figures: &[&[Figure]], tables: &[Table]) -> ExitCode {
 fn written(figures: &[&[Figure]], tables: &[Table]) -> Result<(), Vec<String>> {
     let one = |error: Cause| vec![error.to_string()];
     let out = env::var_os("OUT_DIR").ok_or_else(|| one("Cargo sets OUT_DIR".into()))?;
-    let rendered =
-        all(figures).map_err(|failures| failures.iter().map(ToString::to_string).collect::<Vec<_>>())?;
+    let rendered = all(figures)?;
     let out = Path::new(&out);
     let mut list = String::new();
     let files = || -> Result<(), Cause> {
@@ -160,8 +158,8 @@ fn written(figures: &[&[Figure]], tables: &[Table]) -> Result<(), Vec<String>> {
 /// Renders all figures, on all processors, in their order.
 ///
 /// # Errors
-/// A [`Failure`] for each figure that could not be drawn, with its file and the reason; also for two of one name.
-pub fn all(figures: &[&[Figure]]) -> Result<Vec<Rendered>, Vec<Failure>> {
+/// A line for each figure that could not be drawn, with its file and the reason; also for two of one name.
+pub fn all(figures: &[&[Figure]]) -> Result<Vec<Rendered>, Vec<String>> {
     let figures: Vec<&Figure> = figures.iter().copied().flatten().collect();
     let mut failures = twice(&figures);
     let next = AtomicUsize::new(0);
@@ -187,13 +185,12 @@ pub fn all(figures: &[&[Figure]]) -> Result<Vec<Rendered>, Vec<Failure>> {
     if failures.is_empty() { Ok(rendered) } else { Err(failures) }
 }
 
-/// A failure for each figure whose name another one has.
-fn twice(figures: &[&Figure]) -> Vec<Failure> {
+/// A line for each figure whose name another one has.
+fn twice(figures: &[&Figure]) -> Vec<String> {
     let mut known = BTreeMap::new();
     let again = figures.iter().filter_map(|figure| {
         let before: &Figure = known.insert(figure.id(), *figure)?;
-        let cause = format!("{} has a figure of this name too", before.file).into();
-        Some(Failure { file: figure.file, line: figure.line, figure: figure.id(), cause })
+        Some(figure.failure(format!("{} has a figure of this name too", before.file)))
     });
     again.collect()
 }
@@ -217,8 +214,6 @@ fn rendered(figure: &Figure) -> Result<Rendered, Cause> {
     }
     Ok(Rendered {
         id,
-        title: drawing.title().into(),
-        description: drawing.description().into(),
         svg: boxed(&drawing)?,
         wide: drawing.room() > COLUMN,
         standalone: drawing.to_standalone_svg()?,
@@ -240,7 +235,7 @@ mod tests {
     /// What is said of a figure that is drawn by `draw`, in the third line of its file.
     fn said(draw: fn(&str) -> Outcome) -> String {
         let figure = Figure { name: "typo", file: "book/nowhere/figures.rs", line: 3, draw };
-        figure.render().expect_err("it is wrong").to_string()
+        figure.render().expect_err("it is wrong")
     }
 
     fn empty(id: &str) -> Drawing {
@@ -323,10 +318,10 @@ mod tests {
         }
         assert_eq!([one.id(), other.id()], ["fig:two-clocks", "fig:empty-too"]);
         let again = all(&[&[*one], &[*one, *other]]).expect_err("two have one name");
-        assert!(again[0].to_string().contains("fig:two-clocks: ") && again.len() == 1, "{again:?}");
-        assert!(again[0].to_string().ends_with(" has a figure of this name too"), "{again:?}");
+        assert!(again[0].contains("fig:two-clocks: ") && again.len() == 1, "{again:?}");
+        assert!(again[0].ends_with(" has a figure of this name too"), "{again:?}");
         for name in ["Gimbal", "two__bodies", "_top", "top_"] {
-            let said = Figure { name, ..*one }.render().expect_err(name).to_string();
+            let said = Figure { name, ..*one }.render().expect_err(name);
             assert!(said.contains("the name of a figure is lower-case"), "{said}");
         }
     }

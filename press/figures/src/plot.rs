@@ -8,12 +8,11 @@ use crate::axis::Ticks;
 use crate::canvas::{Canvas, point, units};
 use drawing::kit::{self, Marker};
 use drawing::{
-    Axes, Axis, Drawing, Fill, Flaw, Hue, InvalidAxis, Label, LabelError, Point, Rect, Role, Scale, Shape,
-    Side, Stroke, at, clip,
+    Axes, Axis, Drawing, Fill, Flaw, Hue, Label, Point, Rect, Role, Scale, Shape, Side, Stroke, at, clip,
 };
 use plotters::coord::cartesian::{Cartesian2d, MeshLine};
 use plotters::prelude::{
-    BLACK, ChartBuilder, CoordTranslate, DrawingBackend, IntoDrawingArea, LabelAreaPosition, PathElement,
+    BLACK, ChartBuilder, CoordTranslate, DrawingBackend, IntoDrawingArea, LabelAreaPosition,
 };
 
 /// The type size of titles, px.
@@ -37,7 +36,7 @@ impl<'a> Plot<'a> {
     /// are drawn at once.
     ///
     /// # Errors
-    /// [`InvalidAxis`] for an axis that cannot be, [`LabelError`] if a title or a tick's label cannot be set.
+    /// [`Flaw`] for an axis that cannot be, and if a title or a tick's label cannot be set.
     pub fn new(drawing: &'a mut Drawing, frame: Rect, x: Axis<'_>, y: Axis<'_>) -> Result<Self, Cause> {
         draw_axes(drawing, frame, &x, &y)?;
         draw_title(drawing, x.title, |width| at(frame.right - width, frame.bottom + 40.0))?;
@@ -48,13 +47,8 @@ impl<'a> Plot<'a> {
     /// A plot without axes: the same values along x and along y, one unit of them `scale` px, about the point `origin`.
     ///
     /// # Errors
-    /// [`InvalidAxis`] if the reach or the scale is not a positive number.
-    pub fn plane(
-        drawing: &'a mut Drawing,
-        origin: Point,
-        scale: f64,
-        reach: f64,
-    ) -> Result<Self, InvalidAxis> {
+    /// [`Flaw`] if the reach or the scale is not a positive number.
+    pub fn plane(drawing: &'a mut Drawing, origin: Point, scale: f64, reach: f64) -> Result<Self, Flaw> {
         Axis::linear(0.0, scale, scale).ticks()?;
         let half = scale * reach;
         let axis = Axis::linear(-reach, reach, reach);
@@ -62,12 +56,7 @@ impl<'a> Plot<'a> {
         Self::in_frame(drawing, frame, &axis, &axis)
     }
 
-    fn in_frame(
-        drawing: &'a mut Drawing,
-        frame: Rect,
-        x: &Axis<'_>,
-        y: &Axis<'_>,
-    ) -> Result<Self, InvalidAxis> {
+    fn in_frame(drawing: &'a mut Drawing, frame: Rect, x: &Axis<'_>, y: &Axis<'_>) -> Result<Self, Flaw> {
         let pixels = (units(frame.left)..units(frame.right), units(frame.bottom)..units(frame.top));
         let parts = Cartesian2d::new(Ticks::of(x)?, Ticks::of(y)?, pixels);
         drawing.add_axes(Axes::new(frame, x.scale, y.scale));
@@ -86,8 +75,12 @@ impl<'a> Plot<'a> {
 
     /// Where a pair of values lies in the drawing, px; NaN for what has no place on these axes.
     pub fn at(&self, value: (f64, f64)) -> Point {
-        let place = self.parts_to(value).map(|parts| point(self.parts.translate(&(parts.x, parts.y))));
-        place.unwrap_or(at(f64::NAN, f64::NAN))
+        self.parts_to(value).map_or(at(f64::NAN, f64::NAN), |parts| self.place(parts))
+    }
+
+    /// The place in the drawing that parts of both scales lead to, px.
+    fn place(&self, parts: Point) -> Point {
+        point(self.parts.translate(&(parts.x, parts.y)))
     }
 
     /// The parts of both scales that lead to a pair of values; none for what has no place there. Values far outside,
@@ -101,21 +94,20 @@ impl<'a> Plot<'a> {
     fn placed(&mut self, what: &str, value: (f64, f64)) -> Option<Point> {
         let parts = self.parts_to(value);
         if parts.is_none() {
-            self.drawing.refuse(Flaw::NoNumber { what: what.to_owned(), place: value });
+            self.drawing.refuse(Flaw::nowhere(what, value));
         }
         parts
     }
 
-    /// Draws a line through values in pieces, cut at the frame, along which plotters would go on. How many
-    /// pieces there are.
+    /// Draws a line through values in pieces, cut at the frame. How many pieces there are.
     fn line(&mut self, what: &str, values: &[(f64, f64)], stroke: Stroke, hue: Hue) -> usize {
         let parts: Vec<Point> = values.iter().filter_map(|&value| self.placed(what, value)).collect();
         let pieces = clip(&parts, &Rect::new(0.0, 0.0, 1.0, 1.0));
-        let canvas = Canvas { drawing: self.drawing, stroke, hue };
-        let area = canvas.into_drawing_area().apply_coord_spec(&self.parts);
-        let pairs = |piece: &[Point]| piece.iter().map(|part| (part.x, part.y)).collect::<Vec<_>>();
-        let drawn = |piece: &&Vec<Point>| area.draw(&PathElement::new(pairs(piece), BLACK)).is_ok();
-        pieces.iter().filter(drawn).count()
+        for piece in &pieces {
+            let points: Vec<Point> = piece.iter().map(|&parts| self.place(parts)).collect();
+            self.drawing.polyline(&points, stroke, hue);
+        }
+        pieces.len()
     }
 
     /// A curve through values, cut at the frame and thinned to what can be seen. Its name becomes an id; if
@@ -132,7 +124,7 @@ impl<'a> Plot<'a> {
         let pieces = self.line(&what, &values, stroke, hue);
         // A series may have a single point, or none, and then no curve.
         if pieces == 0 && values.len() > 1 {
-            self.drawing.refuse(Flaw::NothingToSee { what });
+            self.drawing.refuse(Flaw::new(format!("no part of {what} lies inside the frame")));
         }
         self.drawing.name_curve(name, pieces);
     }
@@ -175,10 +167,7 @@ impl<'a> Plot<'a> {
     }
 
     /// A label beside a pair of values.
-    ///
-    /// # Errors
-    /// [`LabelError`] if the label cannot be set.
-    pub fn label(&mut self, value: (f64, f64), side: Side, text: &str, hue: Hue) -> Result<(), LabelError> {
+    pub fn label(&mut self, value: (f64, f64), side: Side, text: &str, hue: Hue) -> Result<(), Flaw> {
         let point = self.at(value);
         self.drawing.label(point, side, text, hue)
     }
@@ -187,7 +176,7 @@ impl<'a> Plot<'a> {
 fn draw_axes(drawing: &mut Drawing, frame: Rect, x: &Axis<'_>, y: &Axis<'_>) -> Result<(), Cause> {
     let (ticks_x, ticks_y) = (Ticks::of(x)?, Ticks::of(y)?);
     let [right, below] = [drawing.width() - frame.right, drawing.height() - frame.bottom];
-    let area = Canvas { drawing, stroke: Stroke::Axis, hue: Hue::Ink }.into_drawing_area();
+    let area = Canvas { drawing, stroke: Stroke::Axis }.into_drawing_area();
     let mut chart = ChartBuilder::on(&area)
         .margin_top(units(frame.top))
         .margin_right(units(right))
@@ -209,7 +198,7 @@ fn draw_axes(drawing: &mut Drawing, frame: Rect, x: &Axis<'_>, y: &Axis<'_>) -> 
 }
 
 /// Draws the title of an axis, if it has one; its baseline starts at a place that may depend on its width.
-fn draw_title(drawing: &mut Drawing, title: &str, place: impl Fn(f64) -> Point) -> Result<(), LabelError> {
+fn draw_title(drawing: &mut Drawing, title: &str, place: impl Fn(f64) -> Point) -> Result<(), Flaw> {
     if title.is_empty() {
         return Ok(());
     }

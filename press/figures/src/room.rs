@@ -22,9 +22,6 @@ use drawing::Room;
 /// }
 /// assert_eq!(parabola("it").unwrap().all_parts()[1].id(), "it-narrow");
 /// ```
-///
-/// # Errors
-/// Those of the function.
 pub fn in_both(draw: impl Fn(Room) -> Outcome) -> Outcome {
     Ok(draw(Room::Wide)?.with_narrow(draw(Room::Narrow)?))
 }

@@ -123,7 +123,13 @@ impl Control {
     }
 }
 
-/// What a scene is set to.
+/// Where a control stands among those of its scene.
+pub(crate) fn place_of(controls: &[Control], name: &str) -> Result<usize, Cause> {
+    let place = controls.iter().position(|control| control.name == name);
+    place.ok_or_else(|| format!("the scene has no control `{name}`").into())
+}
+
+/// What a scene is set to. It answers with an error if the scene has no control of the name.
 #[derive(Debug, Clone, Copy)]
 pub struct Settings<'a> {
     pub(crate) controls: &'a [Control],
@@ -132,35 +138,21 @@ pub struct Settings<'a> {
 
 impl Settings<'_> {
     /// The value of a control.
-    ///
-    /// # Errors
-    /// If the scene has no control of this name.
     pub fn of(&self, name: &str) -> Result<f64, Cause> {
-        let place = self.controls.iter().position(|control| control.name == name);
-        let value = place.and_then(|place| self.values.get(place));
-        value.copied().ok_or_else(|| format!("the scene has no control `{name}`").into())
+        Ok(self.values[place_of(self.controls, name)?])
     }
 
     /// Which of several was chosen, from 0 on.
-    ///
-    /// # Errors
-    /// If the scene has no control of this name.
     pub fn choice(&self, name: &str) -> Result<usize, Cause> {
         Ok(self.of(name)? as usize)
     }
 
     /// Whether a switch is on.
-    ///
-    /// # Errors
-    /// If the scene has no control of this name.
     pub fn is_on(&self, name: &str) -> Result<bool, Cause> {
         Ok(self.of(name)? != 0.0)
     }
 
     /// When a button was pressed last, s of the scene.
-    ///
-    /// # Errors
-    /// If the scene has no control of this name.
     pub fn pressed(&self, name: &str) -> Result<Option<f64>, Cause> {
         Ok(Some(self.of(name)?).filter(|time| *time >= 0.0))
     }

@@ -2,7 +2,7 @@
 
 use crate::Cause;
 use drawing::{
-    Axes, Axis, Drawing, Fill, Hue, Label, LabelError, Point, Rect, Role, Shape, Side, Stroke, at, clip,
+    Axes, Axis, Drawing, Fill, Flaw, Hue, Label, Point, Rect, Role, Shape, Side, Stroke, at, clip,
 };
 
 /// Lengths of ticks, px; the type sizes of their numbers and of titles.
@@ -68,11 +68,8 @@ impl<'a> Graph<'a> {
     /// A curve through values, cut at the frame; it ends where a value is no number.
     pub fn curve(&mut self, values: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke, hue: Hue) {
         let points: Vec<Point> = values.into_iter().map(|value| self.at(value)).collect();
-        let is_sound = |point: &Point| point.x.is_finite() && point.y.is_finite();
-        for part in points.split(|point| !is_sound(point)) {
-            for piece in clip(part, &self.axes.frame) {
-                self.drawing.polyline(&piece, stroke, hue);
-            }
+        for piece in clip(&points, &self.axes.frame) {
+            self.drawing.polyline(&piece, stroke, hue);
         }
     }
 
@@ -110,10 +107,7 @@ impl<'a> Graph<'a> {
     }
 
     /// A label beside a pair of values.
-    ///
-    /// # Errors
-    /// [`LabelError`] if the label cannot be set.
-    pub fn label(&mut self, value: (f64, f64), side: Side, text: &str, hue: Hue) -> Result<(), LabelError> {
+    pub fn label(&mut self, value: (f64, f64), side: Side, text: &str, hue: Hue) -> Result<(), Flaw> {
         let point = self.at(value);
         self.drawing.label(point, side, text, hue)
     }

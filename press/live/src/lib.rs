@@ -4,17 +4,6 @@
 //! changed and what is shown, and a [`Motion`] that the library computes for some settings, drawn with the shapes of
 //! the figures. The picture on the page before a scene wakes (and on paper) and the one that moves are drawn by the
 //! same code, here and in a browser.
-//!
-//! | module | holds |
-//! |---|---|
-//! | `scene` | what a scene is |
-//! | `control` | what a reader can change |
-//! | `graph` | plots in a scene |
-//! | `numbers`, `written` | numbers as they are shown |
-//! | `player` | a scene in use |
-//! | [`snippet`] | snippets of pages, as tests and with live numbers |
-//! | [`module`] | what a browser calls; [`pages!`] makes a crate of it |
-//! | [`limit`] | an end for what runs for ever |
 
 mod control;
 mod graph;

@@ -1,7 +1,7 @@
 //! A scene in use: its settings, its motion, its picture. The module of the page is a thin wrapper of it.
 
 use crate::Cause;
-use crate::control::Settings;
+use crate::control::{Settings, place_of};
 use crate::numbers::tied;
 use crate::scene::{Moment, Motion, Run, Scene};
 use crate::written::written;
@@ -21,9 +21,6 @@ pub struct Player {
 
 impl Player {
     /// A scene with the settings with which its page opens.
-    ///
-    /// # Errors
-    /// What the scene says.
     pub fn new(scene: &'static Scene) -> Result<Self, Cause> {
         let values = scene.controls.iter().map(|control| control.start).collect();
         Self::with(scene, values)
@@ -83,9 +80,6 @@ impl Player {
     }
 
     /// The picture of a moment.
-    ///
-    /// # Errors
-    /// What the scene says.
     pub fn draw(&mut self, moment: Moment) -> Result<Drawing, Cause> {
         let new = self.motion.found(self.drawn, moment.time).filter(|found| !self.found.contains(found));
         self.found.extend(new);
@@ -99,9 +93,6 @@ impl Player {
     }
 
     /// The picture that stands on the page until the scene wakes, and on paper.
-    ///
-    /// # Errors
-    /// What the scene says.
     pub fn still(&mut self) -> Result<Drawing, Cause> {
         let [azimuth, elevation] = self.scene.view.unwrap_or_default();
         let moment = |room| Moment { time: self.scene.still, azimuth, elevation, room };
@@ -123,9 +114,6 @@ impl Player {
     }
 
     /// The numbers beside the picture, as HTML.
-    ///
-    /// # Errors
-    /// As for [`numbers`](Self::numbers).
     pub fn readings(&self, time: f64) -> Result<Vec<String>, Cause> {
         let values = self.numbers(time)?;
         let with_unit = self.scene.readings.iter().zip(values);
@@ -158,8 +146,7 @@ pub(crate) fn changed(
     settings: &[(&str, f64)],
 ) -> Result<Vec<f64>, Cause> {
     for (name, value) in settings {
-        let place = scene.controls.iter().position(|control| control.name == *name);
-        let place = place.ok_or_else(|| format!("the scene has no control `{name}`"))?;
+        let place = place_of(scene.controls, name)?;
         if let Some(nearest) = scene.controls[place].nearest(*value) {
             values[place] = nearest;
         }

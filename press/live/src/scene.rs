@@ -2,8 +2,8 @@
 
 use crate::Cause;
 use crate::control::{Control, Settings};
-use drawing::space::{Camera, SpaceError, View};
-use drawing::{Drawing, Point, Room, Symbol};
+use drawing::space::{Camera, View};
+use drawing::{Drawing, Flaw, Point, Room, Symbol};
 
 /// A live scene: everything about it that does not move.
 #[derive(Debug, Clone, Copy)]
@@ -80,9 +80,6 @@ pub trait Motion {
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause>;
 
     /// The numbers beside the picture, in the order of [`Scene::readings`].
-    ///
-    /// # Errors
-    /// What the library says.
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause>;
 
     /// What happens, in a sentence or two: the answer to the question for these settings. It is read aloud to those
@@ -135,10 +132,7 @@ pub struct Moment {
 
 impl Moment {
     /// A camera where the reader has put it: azimuth and elevation of the view are replaced.
-    ///
-    /// # Errors
-    /// [`SpaceError`] as for [`Camera::new`].
-    pub fn camera(&self, view: View) -> Result<Camera, SpaceError> {
+    pub fn camera(&self, view: View) -> Result<Camera, Flaw> {
         Camera::new(View { azimuth: self.azimuth, elevation: self.elevation, ..view })
     }
 }

@@ -1,8 +1,9 @@
 //! Mathematics set by the measures of the math font, after the rules of TeX (D. E. Knuth's book on TeX,
 //! appendix G) with the constants of OpenType's MATH table.
 
-use super::error::LabelError;
 use super::font::{self, em};
+use super::no_glyph;
+use super::symbol::Glyph;
 use super::tex::{Class, Node};
 
 /// Set mathematics: everything in ems of the label's size, y upwards from the baseline.
@@ -15,8 +16,7 @@ pub(super) struct Set {
     italic: f64,
     /// Where an accent over this is centred.
     accent: Option<f64>,
-    /// Glyph, x, y, size.
-    pub(super) glyphs: Vec<(&'static font::Glyph, f64, f64, f64)>,
+    pub(super) glyphs: Vec<Glyph>,
     /// Rules: left, bottom, width, height.
     pub(super) rules: Vec<[f64; 4]>,
 }
@@ -25,9 +25,15 @@ impl Set {
     fn place(&mut self, other: Self, x: f64, y: f64) {
         self.high = self.high.max(other.high + y);
         self.low = self.low.min(other.low + y);
-        self.glyphs
-            .extend(other.glyphs.into_iter().map(|(glyph, gx, gy, size)| (glyph, gx + x, gy + y, size)));
+        self.glyphs.extend(other.glyphs.into_iter().map(|own| Glyph { x: own.x + x, y: own.y + y, ..own }));
         self.rules.extend(other.rules.into_iter().map(|[left, bottom, w, h]| [left + x, bottom + y, w, h]));
+    }
+
+    /// Adds what stands behind it on the line.
+    fn append(&mut self, next: Self) {
+        let (x, width) = (self.width, next.width);
+        self.place(next, x, 0.0);
+        self.width += width;
     }
 
     fn rule(&mut self, rule: [f64; 4]) {
@@ -46,11 +52,10 @@ fn size(depth: u8) -> f64 {
     }
 }
 
-/// Sets a tree at a depth of nesting. `label` is the whole label, for messages.
-pub(super) fn set(node: &Node, depth: u8, label: &str) -> Result<Set, LabelError> {
+/// Sets a tree at a depth of nesting.
+pub(super) fn set(node: &Node, depth: u8) -> Result<Set, String> {
     match node {
-        Node::Symbol(_, character) => glyph(u32::from(*character), depth)
-            .ok_or_else(|| LabelError::UnknownCharacter { label: label.into(), character: *character }),
+        Node::Symbol(_, character) => glyph(*character, depth),
         Node::Word(_, word) => {
             let mut row = Set::default();
             for character in word.chars() {
@@ -58,49 +63,49 @@ pub(super) fn set(node: &Node, depth: u8, label: &str) -> Result<Set, LabelError
                     row.width += 0.28 * size(depth);
                     continue;
                 }
-                let next = glyph(u32::from(character), depth)
-                    .ok_or_else(|| LabelError::UnknownCharacter { label: label.into(), character })?;
-                let (x, width) = (row.width, next.width);
-                row.place(next, x, 0.0);
-                row.width += width;
+                row.append(glyph(character, depth)?);
             }
             Ok(row)
         }
         Node::Space => Ok(Set { width: 3.0 / 18.0 * size(depth), ..Set::default() }),
-        Node::Row(nodes) => set_row(nodes, depth, label),
+        Node::Row(nodes) => set_row(nodes, depth),
         Node::Script { base, below, above } => {
-            let base = set(base, depth, label)?;
-            let below = below.as_ref().map(|node| set(node, depth + 1, label)).transpose()?;
-            let above = above.as_ref().map(|node| set(node, depth + 1, label)).transpose()?;
+            let base = set(base, depth)?;
+            let below = below.as_ref().map(|node| set(node, depth + 1)).transpose()?;
+            let above = above.as_ref().map(|node| set(node, depth + 1)).transpose()?;
             Ok(set_scripts(base, below, above, size(depth)))
         }
-        Node::Accent(accent, base) => {
-            let base = set(base, depth, label)?;
-            let accent = glyph(u32::from(*accent), depth)
-                .ok_or_else(|| LabelError::UnknownCharacter { label: label.into(), character: *accent })?;
-            Ok(set_accent(base, accent, size(depth)))
-        }
-        Node::Root(inner) => Ok(set_root(set(inner, depth, label)?, size(depth))),
+        Node::Accent(accent, base) => Ok(set_accent(set(base, depth)?, glyph(*accent, depth)?, size(depth))),
+        Node::Root(inner) => Ok(set_root(set(inner, depth)?, size(depth))),
         Node::Fraction(above, below) => {
-            Ok(set_fraction(set(above, depth + 1, label)?, set(below, depth + 1, label)?, size(depth)))
+            Ok(set_fraction(set(above, depth + 1)?, set(below, depth + 1)?, size(depth)))
         }
     }
 }
 
-fn glyph(key: u32, depth: u8) -> Option<Set> {
-    let plain = font::glyph(key)?;
+fn glyph(character: char, depth: u8) -> Result<Set, String> {
+    let plain = font::glyph(character.into()).ok_or_else(|| no_glyph(character))?;
     let glyph = if depth > 0 { plain.script.and_then(font::glyph).unwrap_or(plain) } else { plain };
-    Some(set_glyph(glyph, size(depth)))
+    Ok(set_glyph(glyph, size(depth)))
 }
 
 fn set_glyph(glyph: &'static font::Glyph, size: f64) -> Set {
+    let (left, right, units_per_em) = (glyph.left, glyph.right, f64::from(font::UNITS_PER_EM));
     Set {
-        width: f64::from(glyph.advance) / f64::from(font::UNITS_PER_EM) * size,
+        width: f64::from(glyph.advance) / units_per_em * size,
         high: em(glyph.high) * size,
         low: em(glyph.low) * size,
         italic: em(glyph.italic) * size,
         accent: Some(em(glyph.accent) * size),
-        glyphs: vec![(glyph, 0.0, 0.0, size)],
+        glyphs: vec![Glyph {
+            outline: glyph.outline,
+            left,
+            right,
+            units_per_em,
+            x: 0.0,
+            y: 0.0,
+            scale: size,
+        }],
         rules: Vec::new(),
     }
 }
@@ -113,12 +118,12 @@ fn class(node: &Node) -> Class {
     }
 }
 
-fn set_row(nodes: &[Node], depth: u8, label: &str) -> Result<Set, LabelError> {
+fn set_row(nodes: &[Node], depth: u8) -> Result<Set, String> {
     let mut row = Set::default();
     let mut before: Option<Class> = None;
     for (index, node) in nodes.iter().enumerate() {
         if let Node::Space = node {
-            row.width += set(node, depth, label)?.width;
+            row.width += set(node, depth)?.width;
             continue;
         }
         let mut here = class(node);
@@ -134,13 +139,10 @@ fn set_row(nodes: &[Node], depth: u8, label: &str) -> Result<Set, LabelError> {
         if let Some(before) = before {
             row.width += f64::from(space(before, here, depth)) / 18.0 * size(depth);
         }
-        let next = set(node, depth, label)?;
+        let next = set(node, depth)?;
         // An upright neighbour must not touch a leaning top; a script or a leaning neighbour follows the advance.
-        let (x, width) = (row.width, next.width);
         row.italic = next.italic;
-        row.accent = None;
-        row.place(next, x, 0.0);
-        row.width += width;
+        row.append(next);
         before = Some(here);
     }
     Ok(row)

@@ -1,16 +1,15 @@
 //! Labels: words and mathematics, measured and set without any font on the reader's machine.
 //!
-//! A label is written as words with mathematics between `$` signs, in a subset of TeX: letters and digits,
-//! Greek, `^` and `_` (nested too), primes, accents, `\mathbf`, `\boldsymbol`, `\sqrt{}`, `\tfrac{}{}`,
-//! `\text{}`, relations and operations ([`tex_commands`]). Among the words, `^{…}` raises what it holds:
-//! `10^{-4}`. Whatever is not understood is an error.
+//! A label is written as words with mathematics between `$` signs, in a subset of TeX: letters, digits and the
+//! signs of the keyboard, `^` and `_` (nested too), primes, and the commands that figures have needed so far
+//! ([`tex_commands`]). Among the words, `^{…}` raises what it holds: `10^{-4}`. Whatever is not understood is an
+//! error.
 //!
 //! Mathematics becomes outlines of the math font's glyphs, set by the `typesetter` (a feature of the crate)
 //! or taken from a table of [`Symbol`]s that it has set before, which is all that a page in a browser
 //! carries. On a page words stay text, with their widths given, so that they can be searched and copied and
 //! yet take the same room with every font. In a file of its own they become outlines too ([`Label::outline`]).
 
-mod error;
 #[cfg(feature = "typesetter")]
 mod font;
 #[cfg(feature = "typesetter")]
@@ -22,14 +21,15 @@ mod tex;
 mod typesetter;
 mod words;
 
-pub use error::LabelError;
 pub use symbol::{Glyph, Symbol, with_symbols};
 #[cfg(feature = "typesetter")]
 pub use tex::tex_commands;
 #[cfg(feature = "typesetter")]
 pub use typesetter::symbols_of;
 
+use crate::flaw::Flaw;
 use crate::point::{Point, Rect, at};
+use arrayvec::ArrayVec;
 use std::borrow::Cow;
 
 /// Mathematics is set this much larger than words, whose letters are tall for their size.
@@ -61,32 +61,17 @@ pub enum Side {
 }
 
 /// One step of a glyph's outline.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Segment {
-    /// Begin at this point.
-    Move(Point),
-    /// A straight line to this point.
-    Line(Point),
-    /// A quadratic curve: control point, end.
-    Quadratic(Point, Point),
-    /// A cubic curve: two control points, end.
-    Cubic(Point, Point, Point),
-    /// Back to the beginning.
-    Close,
+#[derive(Debug, Clone, PartialEq)]
+pub struct Segment {
+    /// Its letter in the paths of SVG: `m` begins at a point, `l` is a straight line, `q` and `c` are curves with one and
+    /// two points of control, `z` goes back to the beginning.
+    pub letter: char,
+    /// The points of control, and the end.
+    pub points: ArrayVec<Point, 3>,
 }
 
-impl Segment {
-    /// The step with every point moved.
-    fn mapped(self, place: impl Fn(Point) -> Point) -> Self {
-        match self {
-            Self::Move(end) => Self::Move(place(end)),
-            Self::Line(end) => Self::Line(place(end)),
-            Self::Quadratic(control, end) => Self::Quadratic(place(control), place(end)),
-            Self::Cubic(first, second, end) => Self::Cubic(place(first), place(second), place(end)),
-            Self::Close => Self::Close,
-        }
-    }
-}
+/// The steps as outlines of the tables number them, and how many points each has.
+const STEPS: [(char, usize); 5] = [('m', 1), ('l', 1), ('q', 2), ('c', 3), ('z', 0)];
 
 /// A part of a label.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,38 +110,38 @@ impl Label {
     /// Sets a label at a type size, px.
     ///
     /// # Errors
-    /// [`LabelError`] for a command or character that is not known, for braces and `$` without partners, and
-    /// for commands without what they apply to.
+    /// [`Flaw`] for a command or character that is not known, for braces and `$` without partners, and for
+    /// commands without what they apply to.
     ///
     /// ```
-    /// use drawing::{Label, LabelError};
+    /// use drawing::{Flaw, Label};
     /// let wide = Label::new(r"spin rate $\Omega/\omega_0$", 14.0)?;
     /// let narrow = Label::new(r"$\omega_0$", 14.0)?;
     /// assert!(narrow.width() < wide.width());
     /// let error = Label::new(r"$\omga$", 14.0).unwrap_err();
     /// assert_eq!(error.to_string(), r"label `$\omga$`: unknown command `\omga`");
-    /// # Ok::<(), LabelError>(())
+    /// # Ok::<(), Flaw>(())
     /// ```
-    pub fn new(source: &str, size: f64) -> Result<Self, LabelError> {
-        let bounds = Rect::new(0.0, 0.0, 0.0, 0.0);
+    pub fn new(source: &str, size: f64) -> Result<Self, Flaw> {
+        let bounds = Rect::default();
         let mut label = Self { pieces: Vec::new(), bounds, size, smallest: size, width: 0.0 };
-        let mut ink: Option<Rect> = None;
+        label.read(source).map_err(|why| flaw(source, &why))?;
+        Ok(label)
+    }
+
+    fn read(&mut self, source: &str) -> Result<(), String> {
         let parts: Vec<&str> = source.split('$').collect();
         if parts.len().is_multiple_of(2) {
-            return Err(LabelError::Unbalanced { label: source.into(), delimiter: '$' });
+            return Err(unbalanced('$'));
         }
         for (index, part) in parts.into_iter().enumerate() {
-            if part.is_empty() {
-                continue;
-            }
-            if index % 2 == 1 {
-                label.push_mathematics(part, source, &mut ink)?;
-            } else {
-                label.push_words(part, source, &mut ink)?;
+            if index % 2 == 0 {
+                self.push_words(part)?;
+            } else if !part.is_empty() {
+                self.push_mathematics(part)?;
             }
         }
-        label.bounds = ink.unwrap_or(label.bounds);
-        Ok(label)
+        Ok(())
     }
 
     /// The room that it takes along its line, px.
@@ -167,17 +152,17 @@ impl Label {
     /// All of it as one outline, its words too: what needs no font, wherever it is shown.
     ///
     /// ```
-    /// use drawing::{Label, Segment};
+    /// use drawing::Label;
     /// let outline = Label::new("spin $x$", 14.0)?.outline();
     /// // Five letters, of which the p has an eye and the i a dot.
-    /// assert_eq!(outline.iter().filter(|segment| matches!(segment, Segment::Move(_))).count(), 7);
-    /// # Ok::<(), drawing::LabelError>(())
+    /// assert_eq!(outline.iter().filter(|segment| segment.letter == 'm').count(), 7);
+    /// # Ok::<(), drawing::Flaw>(())
     /// ```
     pub fn outline(&self) -> Vec<Segment> {
         let mut segments = Vec::new();
         for piece in &self.pieces {
             match piece {
-                Piece::Outline(own) => segments.extend(own),
+                Piece::Outline(own) => segments.extend_from_slice(own),
                 Piece::Words { text, start, size, .. } => {
                     let mut x = start.x;
                     for (outline, advance, unit) in text.chars().filter_map(words::letter) {
@@ -230,38 +215,34 @@ impl Label {
             match piece {
                 Piece::Words { start, .. } => *start = *start + step,
                 Piece::Outline(segments) => {
-                    for segment in segments {
-                        *segment = segment.mapped(|point| point + step);
-                    }
+                    let points = segments.iter_mut().flat_map(|segment| &mut segment.points);
+                    points.for_each(|point| *point = *point + step);
                 }
             }
         }
     }
 
-    fn push_words(&mut self, part: &str, source: &str, ink: &mut Option<Rect>) -> Result<(), LabelError> {
-        let mut rest = part;
-        while let Some((plain, after)) = rest.split_once("^{") {
-            let (raised, after) = after
-                .split_once('}')
-                .ok_or_else(|| LabelError::Unbalanced { label: source.into(), delimiter: '{' })?;
-            self.push_run(plain, 1.0, 0.0, source, ink)?;
-            self.push_run(raised, RAISED.0, RAISED.1, source, ink)?;
-            rest = after;
-        }
-        if let Some(stray) = rest.chars().find(|c| matches!(c, '{' | '}')) {
-            return Err(LabelError::Unbalanced { label: source.into(), delimiter: stray });
-        }
-        self.push_run(rest, 1.0, 0.0, source, ink)
+    /// Adds a piece and the rectangle that its ink fills.
+    fn push(&mut self, piece: Piece, ink: Rect) {
+        self.bounds = if self.pieces.is_empty() { ink } else { self.bounds.union(&ink) };
+        self.pieces.push(piece);
     }
 
-    fn push_run(
-        &mut self,
-        text: &str,
-        scale: f64,
-        rise: f64,
-        source: &str,
-        ink: &mut Option<Rect>,
-    ) -> Result<(), LabelError> {
+    fn push_words(&mut self, part: &str) -> Result<(), String> {
+        let mut rest = part;
+        while let Some((plain, after)) = rest.split_once("^{") {
+            let (raised, after) = after.split_once('}').ok_or_else(|| unbalanced('{'))?;
+            self.push_run(plain, 1.0, 0.0)?;
+            self.push_run(raised, RAISED.0, RAISED.1)?;
+            rest = after;
+        }
+        match rest.chars().find(|c| matches!(c, '{' | '}')) {
+            Some(stray) => Err(unbalanced(stray)),
+            None => self.push_run(rest, 1.0, 0.0),
+        }
+    }
+
+    fn push_run(&mut self, text: &str, scale: f64, rise: f64) -> Result<(), String> {
         if text.is_empty() {
             return Ok(());
         }
@@ -269,9 +250,7 @@ impl Label {
         self.smallest = self.smallest.min(size);
         let (mut width, mut above, mut below) = (0.0, 0.0_f64, 0.0_f64);
         for character in text.chars() {
-            let advance = words::advance(character)
-                .ok_or_else(|| LabelError::UnknownCharacter { label: source.into(), character })?;
-            width += advance * size;
+            width += words::advance(character).ok_or_else(|| no_glyph(character))? * size;
             let (high, low) = words::extent(character);
             above = above.max(high * size);
             below = below.max(low * size);
@@ -285,26 +264,16 @@ impl Label {
         if !inner.is_empty() {
             let start = at(self.width + leading, baseline);
             let inner_width = width - leading - trailing;
-            let bounds = Rect {
-                left: start.x,
-                top: baseline - above,
-                right: start.x + inner_width,
-                bottom: baseline + below,
-            };
-            *ink = Some(ink.map_or(bounds, |all| all.union(&bounds)));
-            self.pieces.push(Piece::Words { text: inner.into(), start, width: inner_width, size });
+            let (top, bottom) = (baseline - above, baseline + below);
+            let ink = Rect { left: start.x, top, right: start.x + inner_width, bottom };
+            self.push(Piece::Words { text: inner.into(), start, width: inner_width, size }, ink);
         }
         self.width += width;
         Ok(())
     }
 
-    fn push_mathematics(
-        &mut self,
-        part: &str,
-        source: &str,
-        ink: &mut Option<Rect>,
-    ) -> Result<(), LabelError> {
-        let set = set(part, source)?;
+    fn push_mathematics(&mut self, part: &str) -> Result<(), String> {
+        let set = set(part)?;
         let size = MATHEMATICS * self.size;
         let x0 = self.width;
         let mut segments = Vec::new();
@@ -321,19 +290,17 @@ impl Label {
         }
         for &[rule_left, bottom, width, height] in &*set.rules {
             let place = |x: f64, y: f64| at(x0 + x * size, -y * size);
-            segments.extend([
-                Segment::Move(place(rule_left, bottom)),
-                Segment::Line(place(rule_left + width, bottom)),
-                Segment::Line(place(rule_left + width, bottom + height)),
-                Segment::Line(place(rule_left, bottom + height)),
-                Segment::Close,
-            ]);
-            right = right.max(place(rule_left + width, 0.0).x);
+            let (end, top) = (rule_left + width, bottom + height);
+            let corners =
+                [('m', rule_left, bottom), ('l', end, bottom), ('l', end, top), ('l', rule_left, top)];
+            let line = |(letter, x, y)| Segment { letter, points: ArrayVec::from_iter([place(x, y)]) };
+            segments.extend(corners.map(line));
+            segments.push(Segment { letter: 'z', points: ArrayVec::new() });
+            right = right.max(place(end, 0.0).x);
         }
         if !segments.is_empty() {
-            let bounds = Rect { left, top: -set.high * size, right, bottom: -set.low * size };
-            *ink = Some(ink.map_or(bounds, |all| all.union(&bounds)));
-            self.pieces.push(Piece::Outline(segments));
+            let ink = Rect { left, top: -set.high * size, right, bottom: -set.low * size };
+            self.push(Piece::Outline(segments), ink);
         }
         self.width += set.width * size;
         Ok(())
@@ -341,44 +308,40 @@ impl Label {
 }
 
 /// A formula of a label, set: out of the table, where there is one, or by the typesetter.
-fn set(formula: &str, label: &str) -> Result<Cow<'static, Symbol>, LabelError> {
-    let not_set = || LabelError::NotSet { label: label.into(), formula: formula.into() };
+fn set(formula: &str) -> Result<Cow<'static, Symbol>, String> {
+    let not_set = || format!("`{formula}` was not set beforehand");
     match symbol::table() {
         Some(table) => {
             table.iter().find(|symbol| symbol.source == formula).map(Cow::Borrowed).ok_or_else(not_set)
         }
         #[cfg(feature = "typesetter")]
-        None => typesetter::set(formula, label).map(Cow::Owned),
+        None => typesetter::set(formula).map(Cow::Owned),
         #[cfg(not(feature = "typesetter"))]
         None => Err(not_set()),
     }
 }
 
+/// The flaw of a label, from what is wrong in it.
+fn flaw(label: &str, why: &str) -> Flaw {
+    Flaw::new(format!("label `{label}`: {why}"))
+}
+
+fn unbalanced(delimiter: char) -> String {
+    format!("`{delimiter}` without its partner")
+}
+
+fn no_glyph(character: char) -> String {
+    format!("no glyph for `{character}` (U+{:04X})", u32::from(character))
+}
+
 /// Reads an outline of the table into segments.
 fn trace(outline: &[i16], place: impl Fn(i16, i16) -> Point, segments: &mut Vec<Segment>) {
     let mut rest = outline;
-    while let [command, after @ ..] = rest {
-        rest = match (command, after) {
-            (0, [x, y, after @ ..]) => {
-                segments.push(Segment::Move(place(*x, *y)));
-                after
-            }
-            (1, [x, y, after @ ..]) => {
-                segments.push(Segment::Line(place(*x, *y)));
-                after
-            }
-            (2, [x1, y1, x, y, after @ ..]) => {
-                segments.push(Segment::Quadratic(place(*x1, *y1), place(*x, *y)));
-                after
-            }
-            (3, [x1, y1, x2, y2, x, y, after @ ..]) => {
-                segments.push(Segment::Cubic(place(*x1, *y1), place(*x2, *y2), place(*x, *y)));
-                after
-            }
-            _ => {
-                segments.push(Segment::Close);
-                after
-            }
-        };
+    while let [step, after @ ..] = rest {
+        let (letter, count) = STEPS[*step as usize];
+        let (own, after) = after.split_at(2 * count);
+        let points = own.chunks_exact(2).map(|pair| place(pair[0], pair[1])).collect();
+        segments.push(Segment { letter, points });
+        rest = after;
     }
 }

@@ -1,7 +1,8 @@
 //! The TeX subset of the labels, read into a tree. The converter of the pages gives MathML, which leaves it to browsers
 //! what is an operation, a relation or a bracket, and the layout of labels has to know that.
 
-use super::error::LabelError;
+use super::{no_glyph, unbalanced};
+use std::fmt::Display;
 
 /// What TeX knows a symbol as, which decides the space around it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,23 +46,14 @@ enum Alphabet {
 use Class::{Binary, Close, Open, Operator, Ordinary, Punctuation, Relation};
 
 /// Commands that stand for one character.
-const SYMBOLS: [(&str, Class, char); 49] = [
+const SYMBOLS: [(&str, Class, char); 20] = [
     ("alpha", Ordinary, 'α'),
     ("beta", Ordinary, 'β'),
     ("gamma", Ordinary, 'γ'),
     ("delta", Ordinary, 'δ'),
-    ("epsilon", Ordinary, 'ϵ'),
-    ("varepsilon", Ordinary, 'ε'),
-    ("zeta", Ordinary, 'ζ'),
-    ("eta", Ordinary, 'η'),
     ("theta", Ordinary, 'θ'),
-    ("kappa", Ordinary, 'κ'),
     ("lambda", Ordinary, 'λ'),
-    ("mu", Ordinary, 'μ'),
-    ("nu", Ordinary, 'ν'),
-    ("xi", Ordinary, 'ξ'),
     ("pi", Ordinary, 'π'),
-    ("rho", Ordinary, 'ρ'),
     ("sigma", Ordinary, 'σ'),
     ("tau", Ordinary, 'τ'),
     ("phi", Ordinary, 'ϕ'),
@@ -69,37 +61,17 @@ const SYMBOLS: [(&str, Class, char); 49] = [
     ("chi", Ordinary, 'χ'),
     ("psi", Ordinary, 'ψ'),
     ("omega", Ordinary, 'ω'),
-    ("imath", Ordinary, 'ı'),
     ("Gamma", Ordinary, 'Γ'),
-    ("Delta", Ordinary, 'Δ'),
-    ("Theta", Ordinary, 'Θ'),
     ("Lambda", Ordinary, 'Λ'),
-    ("Pi", Ordinary, 'Π'),
-    ("Sigma", Ordinary, 'Σ'),
-    ("Phi", Ordinary, 'Φ'),
-    ("Psi", Ordinary, 'Ψ'),
     ("Omega", Ordinary, 'Ω'),
-    ("infty", Ordinary, '∞'),
-    ("partial", Ordinary, '∂'),
-    ("pm", Binary, '±'),
-    ("times", Binary, '×'),
-    ("cdot", Binary, '·'),
-    ("ll", Relation, '≪'),
-    ("gg", Relation, '≫'),
-    ("le", Relation, '≤'),
-    ("ge", Relation, '≥'),
-    ("ne", Relation, '≠'),
-    ("approx", Relation, '≈'),
-    ("sim", Relation, '∼'),
-    ("to", Relation, '→'),
     ("perp", Relation, '⊥'),
     ("lvert", Open, '|'),
     ("rvert", Close, '|'),
 ];
 
-const FUNCTIONS: [&str; 10] = ["sin", "cos", "tan", "log", "ln", "exp", "max", "min", "Re", "Im"];
+const FUNCTIONS: [&str; 3] = ["sin", "cos", "tan"];
 
-const ACCENTS: [(&str, char); 3] = [("hat", '\u{302}'), ("dot", '\u{307}'), ("ddot", '\u{308}')];
+const ACCENTS: [(&str, char); 2] = [("hat", '\u{302}'), ("dot", '\u{307}')];
 
 const ALPHABETS: [(&str, Alphabet); 2] = [("mathbf", Alphabet::Bold), ("boldsymbol", Alphabet::BoldItalic)];
 
@@ -110,27 +82,23 @@ pub fn tex_commands() -> impl Iterator<Item = &'static str> {
     signs.chain(changes).chain([",", "sqrt", "tfrac", "text"])
 }
 
-/// Reads mathematics (what stands between two `$`). `label` is the whole label, for messages.
-pub(super) fn parse(mathematics: &str, label: &str) -> Result<Node, LabelError> {
-    let mut reader = Reader { rest: mathematics, label };
+/// Reads mathematics: what stands between two `$`.
+pub(super) fn parse(mathematics: &str) -> Result<Node, String> {
+    let mut reader = Reader { rest: mathematics };
     let row = reader.row(Alphabet::Italic)?;
-    if reader.rest.is_empty() { Ok(row) } else { Err(reader.unbalanced('}')) }
+    if reader.rest.is_empty() { Ok(row) } else { Err(unbalanced('}')) }
+}
+
+/// A command, `^` or `_` without what it applies to, or with two of the same.
+fn incomplete(command: impl Display) -> String {
+    format!("`{command}` lacks what it applies to, or has it twice")
 }
 
 struct Reader<'a> {
     rest: &'a str,
-    label: &'a str,
 }
 
 impl<'a> Reader<'a> {
-    fn unbalanced(&self, delimiter: char) -> LabelError {
-        LabelError::Unbalanced { label: self.label.into(), delimiter }
-    }
-
-    fn incomplete(&self, command: impl Into<String>) -> LabelError {
-        LabelError::Incomplete { label: self.label.into(), command: command.into() }
-    }
-
     fn peek(&self) -> Option<char> {
         self.rest.chars().next()
     }
@@ -142,7 +110,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Everything up to the end or to a closing brace, which stays.
-    fn row(&mut self, alphabet: Alphabet) -> Result<Node, LabelError> {
+    fn row(&mut self, alphabet: Alphabet) -> Result<Node, String> {
         let mut nodes: Vec<Node> = Vec::new();
         while let Some(next) = self.peek() {
             match next {
@@ -151,7 +119,7 @@ impl<'a> Reader<'a> {
                     self.take();
                 }
                 '^' | '_' | '\'' => {
-                    let base = nodes.pop().ok_or_else(|| self.incomplete(next))?;
+                    let base = nodes.pop().ok_or_else(|| incomplete(next))?;
                     nodes.push(self.scripts(base, alphabet)?);
                 }
                 _ => {
@@ -166,7 +134,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn scripts(&mut self, base: Node, alphabet: Alphabet) -> Result<Node, LabelError> {
+    fn scripts(&mut self, base: Node, alphabet: Alphabet) -> Result<Node, String> {
         let (mut below, mut above, mut primes) = (None, None, 0);
         while let Some(sign @ ('^' | '_' | '\'')) = self.peek() {
             self.take();
@@ -179,7 +147,7 @@ impl<'a> Reader<'a> {
                 _ => &mut below,
             };
             if slot.is_some() {
-                return Err(self.incomplete(sign));
+                return Err(incomplete(sign));
             }
             *slot = Some(Box::new(self.argument(&sign.to_string(), alphabet)?));
         }
@@ -192,18 +160,18 @@ impl<'a> Reader<'a> {
     }
 
     /// What a command or sign applies to: a group in braces or one item.
-    fn argument(&mut self, command: &str, alphabet: Alphabet) -> Result<Node, LabelError> {
+    fn argument(&mut self, command: &str, alphabet: Alphabet) -> Result<Node, String> {
         while self.peek() == Some(' ') {
             self.take();
         }
         match self.peek() {
-            None | Some('}' | '^' | '_') => Err(self.incomplete(command)),
+            None | Some('}' | '^' | '_') => Err(incomplete(command)),
             Some(_) => self.item(alphabet),
         }
     }
 
-    fn item(&mut self, alphabet: Alphabet) -> Result<Node, LabelError> {
-        let Some(next) = self.take() else { return Err(self.incomplete("")) };
+    fn item(&mut self, alphabet: Alphabet) -> Result<Node, String> {
+        let Some(next) = self.take() else { return Err(incomplete("")) };
         Ok(match next {
             '{' => {
                 let row = self.row(alphabet)?;
@@ -213,7 +181,7 @@ impl<'a> Reader<'a> {
                         Node::Row(vec![row])
                     }
                     Some('}') => row,
-                    _ => return Err(self.unbalanced('{')),
+                    _ => return Err(unbalanced('{')),
                 }
             }
             '\\' => return self.command(alphabet),
@@ -227,11 +195,11 @@ impl<'a> Reader<'a> {
             ',' | ';' => Node::Symbol(Punctuation, next),
             '/' | '|' | '.' | '!' | '°' => Node::Symbol(Ordinary, next),
             ':' => Node::Symbol(Relation, next),
-            character => return Err(LabelError::UnknownCharacter { label: self.label.into(), character }),
+            character => return Err(no_glyph(character)),
         })
     }
 
-    fn command(&mut self, alphabet: Alphabet) -> Result<Node, LabelError> {
+    fn command(&mut self, alphabet: Alphabet) -> Result<Node, String> {
         let letters = self.rest.chars().take_while(char::is_ascii_alphabetic).count();
         let length = if letters > 0 { letters } else { self.peek().map_or(0, char::len_utf8) };
         let (name, rest) = self.rest.split_at(length);
@@ -257,14 +225,14 @@ impl<'a> Reader<'a> {
                 Ok(Node::Fraction(Box::new(above), Box::new(self.argument(&full, alphabet)?)))
             }
             "text" => self.words(&full),
-            _ => Err(LabelError::UnknownCommand { label: self.label.into(), command: full }),
+            _ => Err(format!("unknown command `{full}`")),
         }
     }
 
     /// `\text{…}`: upright letters as they stand.
-    fn words(&mut self, command: &str) -> Result<Node, LabelError> {
-        let inner: &'a str = self.rest.strip_prefix('{').ok_or_else(|| self.incomplete(command))?;
-        let (words, rest) = inner.split_once('}').ok_or_else(|| self.unbalanced('{'))?;
+    fn words(&mut self, command: &str) -> Result<Node, String> {
+        let inner: &'a str = self.rest.strip_prefix('{').ok_or_else(|| incomplete(command))?;
+        let (words, rest) = inner.split_once('}').ok_or_else(|| unbalanced('{'))?;
         self.rest = rest;
         Ok(Node::Word(Ordinary, words.into()))
     }
@@ -280,17 +248,13 @@ fn letter(plain: char, alphabet: Alphabet) -> char {
         (Alphabet::Italic, 'A'..='Z') => shifted(0x1d434, 'A'),
         (Alphabet::Italic, 'a'..='z') => shifted(0x1d44e, 'a'),
         (Alphabet::Italic, 'α'..='ω') => shifted(0x1d6fc, 'α'),
-        (Alphabet::Italic, 'ϵ') => '\u{1d716}',
         (Alphabet::Italic, 'ϕ') => '\u{1d719}',
-        (Alphabet::Italic, 'ı') => '\u{1d6a4}',
-        (Alphabet::Italic, '∂') => '\u{1d715}',
         (Alphabet::Bold, 'A'..='Z') => shifted(0x1d400, 'A'),
         (Alphabet::Bold, 'a'..='z') => shifted(0x1d41a, 'a'),
         (Alphabet::Bold | Alphabet::BoldItalic, 'Α'..='Ω') => shifted(0x1d6a8, 'Α'),
         (Alphabet::BoldItalic, 'A'..='Z') => shifted(0x1d468, 'A'),
         (Alphabet::BoldItalic, 'a'..='z') => shifted(0x1d482, 'a'),
         (Alphabet::Bold | Alphabet::BoldItalic, 'α'..='ω') => shifted(0x1d736, 'α'),
-        (Alphabet::Bold | Alphabet::BoldItalic, 'ϵ') => '\u{1d750}',
         (Alphabet::Bold | Alphabet::BoldItalic, 'ϕ') => '\u{1d753}',
         _ => plain,
     }

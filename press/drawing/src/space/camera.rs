@@ -1,9 +1,10 @@
 //! Where the eye is, and where the world lands on the page.
 
-use super::error::{SpaceError, finite, positive};
+use super::checks::{finite, positive};
 use super::ray::Ray;
 use super::track::CHORDS;
-use super::vector::Vec3;
+use super::vector::{Place, Vec3};
+use crate::flaw::Flaw;
 use crate::point::{Point, at};
 use std::f64::consts::FRAC_PI_2;
 
@@ -39,8 +40,8 @@ pub struct Camera {
     pub(super) right: Vec3,
     pub(super) up: Vec3,
     pub(super) back: Vec3,
-    /// 1/distance; 0 for an eye at infinity.
-    nearness: f64,
+    /// 1/distance, 0 for an eye at infinity: the eye's coordinate in formulas that hold for that too.
+    pub(super) nearness: f64,
     centre: Point,
     scale: f64,
 }
@@ -49,9 +50,8 @@ impl Camera {
     /// Checks a view.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite (the distance may be infinite), for a distance or scale
-    /// that is not positive, and for an elevation beyond ±π/2.
-    pub fn new(view: View) -> Result<Self, SpaceError> {
+    /// [`Flaw`] also for an elevation beyond ±π/2. Of its numbers only the distance may be infinite.
+    pub fn new(view: View) -> Result<Self, Flaw> {
         let target = finite("target", view.target)?;
         finite("camera", [view.azimuth, view.elevation, 0.0])?;
         finite("page centre", [view.centre.x, view.centre.y, 0.0])?;
@@ -59,7 +59,8 @@ impl Camera {
         let nearness =
             if view.distance == f64::INFINITY { 0.0 } else { 1.0 / positive("distance", view.distance)? };
         if view.elevation.abs() > FRAC_PI_2 {
-            return Err(SpaceError::Elevation { value: view.elevation });
+            let said = format!("the camera's elevation {} rad is not between −π/2 and π/2", view.elevation);
+            return Err(Flaw::new(said));
         }
         let (sin_azimuth, cos_azimuth) = view.azimuth.sin_cos();
         let (sin_elevation, cos_elevation) = view.elevation.sin_cos();
@@ -70,10 +71,7 @@ impl Camera {
     }
 
     /// Where a point of the world lands on the page: for what is drawn there by hand, and for grips.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for a point that is not finite or lies behind the eye.
-    pub fn on_page(&self, point: impl Into<[f64; 3]>) -> Result<Point, SpaceError> {
+    pub fn on_page(&self, point: impl Place) -> Result<Point, Flaw> {
         let point = finite("point", point)?;
         self.check(point)?;
         Ok(self.land(point))
@@ -85,9 +83,12 @@ impl Camera {
     }
 
     /// A point that must be seen.
-    pub(super) fn check(&self, point: Vec3) -> Result<(), SpaceError> {
-        let seen = point.is_finite() && self.weight(point) > NEAREST;
-        if seen { Ok(()) } else { Err(SpaceError::BehindTheEye { point: point.0 }) }
+    pub(super) fn check(&self, point: Vec3) -> Result<(), Flaw> {
+        if self.weight(point) > NEAREST {
+            return Ok(());
+        }
+        let [x, y, z] = point.0;
+        Err(Flaw::new(format!("the point ({x}, {y}, {z}) lies behind the eye or too close to it")))
     }
 
     /// The page point of a point that has been checked.
@@ -124,11 +125,6 @@ impl Camera {
     /// `distance` of these steps away.
     pub(super) fn sight(&self, point: Vec3) -> Vec3 {
         self.back - (point - self.target) * self.nearness
-    }
-
-    /// 1/distance; the eye's coordinate in the formulas that also hold for an eye at infinity.
-    pub(super) fn nearness(&self) -> f64 {
-        self.nearness
     }
 
     /// The line of sight through a point of the page. It begins in the plane of the target and runs away from the eye.

@@ -1,8 +1,9 @@
 //! Curves and straight lines that are drawn by themselves.
 
-use super::error::{SpaceError, direction, finite, positive};
+use super::checks::{direction, finite, no_plane, positive};
 use super::track::{CHORDS, Track};
-use super::vector::Vec3;
+use super::vector::{Place, Vec3};
+use crate::flaw::Flaw;
 
 /// How much of a curve is drawn where a solid hides it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -24,11 +25,11 @@ pub enum Hiding {
 /// the surface counts as lying on it.
 ///
 /// ```
-/// use drawing::space::{Curve, SpaceError};
+/// use drawing::{Flaw, space::Curve};
 /// // A quarter of a circle of radius 2 about z, from x to y.
 /// Curve::between([0.0; 3], [1.0, 0.0, 0.0], [0.0, 3.0, 0.0], 2.0)?;
-/// assert_eq!(Curve::segment([1.0; 3], [1.0; 3]), Err(SpaceError::NoCurve));
-/// # Ok::<(), SpaceError>(())
+/// assert_eq!(Curve::segment([1.0; 3], [1.0; 3]), Err(Flaw::new("a curve needs two points that differ")));
+/// # Ok::<(), Flaw>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
@@ -41,10 +42,7 @@ impl Curve {
         Self { track, hiding: Hiding::default() }
     }
 
-    fn joined(
-        points: impl IntoIterator<Item = impl Into<[f64; 3]>>,
-        smooth: bool,
-    ) -> Result<Self, SpaceError> {
+    fn joined(points: impl IntoIterator<Item = impl Place>, smooth: bool) -> Result<Self, Flaw> {
         let mut kept: Vec<Vec3> = Vec::new();
         for point in points {
             let point = finite("point of the curve", point)?;
@@ -53,37 +51,24 @@ impl Curve {
             }
         }
         if kept.len() < 2 {
-            return Err(SpaceError::NoCurve);
+            return Err(Flaw::new("a curve needs two points that differ"));
         }
         Ok(Self::new(Track { points: kept, smooth }))
     }
 
     /// A straight line.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite and ends that coincide.
-    pub fn segment(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>) -> Result<Self, SpaceError> {
+    pub fn segment(from: impl Place, to: impl Place) -> Result<Self, Flaw> {
         Self::joined([from.into(), to.into()], false)
     }
 
     /// A smooth curve through points that lie close enough for a cubic between neighbours: some hundred for a
     /// turn. It is closed if the last point is the first. Such a curve may lie on the surface of a solid.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite and fewer than two points that differ.
-    pub fn smooth(points: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Result<Self, SpaceError> {
+    pub fn smooth(points: impl IntoIterator<Item = impl Place>) -> Result<Self, Flaw> {
         Self::joined(points, true)
     }
 
     /// A circle about an axis.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius that is not positive.
-    pub fn circle(
-        centre: impl Into<[f64; 3]>,
-        axis: impl Into<[f64; 3]>,
-        radius: f64,
-    ) -> Result<Self, SpaceError> {
+    pub fn circle(centre: impl Place, axis: impl Place, radius: f64) -> Result<Self, Flaw> {
         let (centre, axis) = (finite("centre", centre)?, direction("axis", axis)?);
         let (first, second) = axis.companions();
         let radius = positive("radius", radius)?;
@@ -93,18 +78,12 @@ impl Curve {
     /// The arc of an angle at `vertex`, from one direction to another, by the shorter way.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, directions without length, parallel or opposite to
-    /// each other, and a radius that is not positive.
-    pub fn between(
-        vertex: impl Into<[f64; 3]>,
-        from: impl Into<[f64; 3]>,
-        to: impl Into<[f64; 3]>,
-        radius: f64,
-    ) -> Result<Self, SpaceError> {
+    /// [`Flaw`] also for directions that are parallel or opposite.
+    pub fn between(vertex: impl Place, from: impl Place, to: impl Place, radius: f64) -> Result<Self, Flaw> {
         let vertex = finite("vertex", vertex)?;
         let (from, to) = (direction("side of the angle", from)?, direction("side of the angle", to)?);
         let normal = from.cross(to);
-        let axis = normal.unit().filter(|_| normal.length() > 1e-9).ok_or(SpaceError::NoPlane)?;
+        let axis = normal.unit().filter(|_| normal.length() > 1e-9).ok_or_else(no_plane)?;
         let sweep = normal.length().atan2(from.dot(to));
         let radius = positive("radius", radius)?;
         Ok(Self::new(Track::arc(vertex, axis, from * radius, sweep)))

@@ -26,8 +26,7 @@ pub(super) struct Ellipsoid {
 impl Ellipsoid {
     /// A vector in coordinates in which the ellipsoid is the unit sphere.
     fn shrunk(&self, vector: Vec3) -> Vec3 {
-        let part = |index: usize| self.axes[index].dot(vector) / self.radii[index];
-        Vec3([part(0), part(1), part(2)])
+        Vec3([0, 1, 2].map(|index| self.axes[index].dot(vector) / self.radii[index]))
     }
 
     /// Back from those coordinates to a vector of the world.
@@ -40,24 +39,23 @@ impl Ellipsoid {
     fn seen_cap(&self, camera: &Camera) -> (Vec3, f64) {
         let sight = self.shrunk(camera.sight(self.centre));
         let length = sight.length();
-        (sight * (1.0 / length), camera.nearness() / length)
+        (sight * (1.0 / length), camera.nearness / length)
     }
 
     /// The circle in which a plane cuts the unit sphere, in the world: its centre and two radii.
-    fn circle(&self, normal: Vec3, offset: f64) -> (Vec3, Vec3, Vec3) {
+    fn circle(&self, (normal, offset): (Vec3, f64)) -> (Vec3, [Vec3; 2]) {
         let radius = (1.0 - offset * offset).max(0.0).sqrt();
         let (first, second) = normal.companions();
         let centre = self.centre + self.grown(normal * offset);
-        (centre, self.grown(first * radius), self.grown(second * radius))
+        (centre, [self.grown(first * radius), self.grown(second * radius)])
     }
 
     /// The point of the unit sphere where the light falls steepest, drawn towards the eye until it is well in sight.
     fn pole(&self, camera: &Camera, (middle, offset): (Vec3, f64)) -> Vec3 {
         let [right, up, back] = LIGHT;
         let light = camera.right * right + camera.up * up + camera.back * back;
-        let stretched = self.axes.map(|axis| axis.dot(light));
-        let mut pole = Vec3([0, 1, 2].map(|index| self.radii[index] * stretched[index]));
-        pole = pole.unit().unwrap_or(middle);
+        let pole = Vec3([0, 1, 2].map(|index| self.radii[index] * self.axes[index].dot(light)));
+        let mut pole = pole.unit().unwrap_or(middle);
         while pole.dot(middle) < offset + 0.3 * (1.0 - offset) {
             pole = (pole + middle * 0.5).unit().unwrap_or(middle);
         }
@@ -75,8 +73,7 @@ impl Form for Ellipsoid {
     }
 
     fn corners(&self) -> Vec<Vec3> {
-        let half = |index: usize| self.axes[index] * self.radii[index];
-        rim::box_corners(self.centre, [half(0), half(1), half(2)])
+        rim::box_corners(self.centre, [0, 1, 2].map(|index| self.axes[index] * self.radii[index]))
     }
 
     fn contains(&self, point: Vec3) -> bool {
@@ -90,15 +87,14 @@ impl Form for Ellipsoid {
 
     fn boundaries(&self, camera: &Camera, point: Vec3, values: &mut Vec<f64>) {
         let (step, sight) = (self.shrunk(point - self.centre), self.shrunk(camera.sight(self.centre)));
-        let slope = sight - step * camera.nearness();
+        let slope = sight - step * camera.nearness;
         values.extend([step.square() - 1.0, step.cross(sight).square() - slope.square()]);
     }
 
     fn edges(&self, camera: &Camera) -> Vec<Edge> {
-        let (normal, offset) = self.seen_cap(camera);
-        let (centre, first, second) = self.circle(normal, offset);
-        let chords = camera.chords(centre, first.length().max(second.length()));
-        vec![Edge { track: Track::circle(centre, [first, second], chords), outline: true }]
+        let (centre, radii) = self.circle(self.seen_cap(camera));
+        let chords = camera.chords(centre, radii[0].length().max(radii[1].length()));
+        vec![Edge { track: Track::circle(centre, radii, chords), outline: true }]
     }
 
     fn enters(&self, ray: &Ray, _: &Part) -> Option<f64> {
@@ -107,9 +103,9 @@ impl Form for Ellipsoid {
 
     fn patches(&self, camera: &Camera, _: &Part) -> Vec<Patch> {
         let cap = self.seen_cap(camera);
-        let (centre, first, second) = self.circle(cap.0, cap.1);
+        let (centre, radii) = self.circle(cap);
         let light = camera.land(self.centre + self.grown(self.pole(camera, cap)));
-        let shape = match rim::ellipse(camera, centre, first, second) {
+        let shape = match rim::ellipse(camera, centre, radii) {
             Shape::Ellipse { centre, radii, turn } => Shape::Rounded { centre, radii, turn, light },
             other => other,
         };

@@ -45,9 +45,9 @@ pub(super) struct Run {
 
 /// A solid as something that may hide lines.
 pub(super) struct Shield<'a> {
-    form: &'a dyn Form,
+    pub(super) form: &'a dyn Form,
     /// Whether it hides at all: a ghost does not.
-    is_solid: bool,
+    pub(super) is_solid: bool,
     /// The part of the page that it can hide.
     bounds: Rect,
 }
@@ -55,15 +55,7 @@ pub(super) struct Shield<'a> {
 impl<'a> Shield<'a> {
     pub(super) fn new(form: &'a dyn Form, is_solid: bool, camera: &Camera) -> Self {
         let corners = form.corners().into_iter().map(|corner| camera.land(corner));
-        Self { form, is_solid, bounds: bounds(corners).grown(1.0) }
-    }
-
-    pub(super) fn form(&self) -> &'a dyn Form {
-        self.form
-    }
-
-    pub(super) fn is_solid(&self) -> bool {
-        self.is_solid
+        Self { form, is_solid, bounds: Rect::around(corners).unwrap_or_default().grown(1.0) }
     }
 
     /// Whether the solid stands between a point and the eye. A point on its surface, or just below, is not hidden by
@@ -77,13 +69,6 @@ impl<'a> Shield<'a> {
         let spans = self.form.spans(&Ray { origin: point, direction });
         spans.iter().any(|span| span.leave > surface)
     }
-}
-
-/// The smallest rectangle that holds all points.
-fn bounds(points: impl Iterator<Item = Point>) -> Rect {
-    let nothing =
-        Rect { left: f64::INFINITY, top: f64::INFINITY, right: f64::NEG_INFINITY, bottom: f64::NEG_INFINITY };
-    points.fold(nothing, |all, Point { x, y }| all.union(&Rect { left: x, top: y, right: x, bottom: y }))
 }
 
 /// The pieces of a line, given all solids, and what hides a point of the line.
@@ -152,7 +137,8 @@ fn breaks(
     room: &mut [Boundaries],
 ) -> Option<Vec<f64>> {
     let (start, end) = (track.points[from], track.points[to]);
-    let seen = bounds([start, end].into_iter().map(|point| camera.land(point))).grown(1.0 + BEND);
+    let seen =
+        Rect::around([start, end].map(|point| camera.land(point))).unwrap_or_default().grown(1.0 + BEND);
     let mut breaks: Option<Vec<f64>> = None;
     for (shield, room) in shields.iter().zip(room) {
         if !shield.bounds.overlaps(&seen) {

@@ -5,7 +5,7 @@ use super::curve::{Curve, Hiding};
 use super::form::Form;
 use super::hide::{Run, Shield, Sight, landed, length, runs};
 use super::pierce::Junction;
-use super::solid::{Edges, Solid};
+use super::solid::Solid;
 use super::track::Track;
 use super::vector::Vec3;
 use crate::drawing::Drawing;
@@ -49,19 +49,19 @@ impl<'a> Ink<'a> {
 
     /// Whether any solid stands before a point.
     pub(super) fn hidden(&self, point: Vec3) -> bool {
-        self.shields.iter().any(|shield| shield.is_solid() && shield.hides(self.camera, point))
+        self.shields.iter().any(|shield| shield.is_solid && shield.hides(self.camera, point))
     }
 
     /// The edges and the outline of a solid, and the lines where it passes through others.
     pub(super) fn solid(&mut self, index: usize, solid: &Solid, junctions: &[Vec<Junction>], hue: Hue) {
         let others = |point: Vec3| {
             let mut others = self.shields.iter().enumerate().filter(|&(other, _)| other != index);
-            others.any(|(_, other)| other.is_solid() && other.hides(self.camera, point))
+            others.any(|(_, other)| other.is_solid && other.hides(self.camera, point))
         };
         let own = &self.shields[index];
-        let stroke = if own.is_solid() { Stroke::Outline } else { Stroke::Pale };
+        let stroke = if own.is_solid { Stroke::Outline } else { Stroke::Pale };
         let mut found: Vec<(Track, Vec<Run>)> = Vec::new();
-        for edge in own.form().edges(self.camera) {
+        for edge in own.form.edges(self.camera) {
             let judge = |point: Vec3| {
                 if !edge.outline && own.hides(self.camera, point) {
                     Sight::BehindSelf
@@ -80,7 +80,7 @@ impl<'a> Ink<'a> {
             found.push((junction.track.clone(), runs));
         }
         for (track, runs) in found {
-            let dashed = |sight: Sight| solid.edges == Edges::BehindOthers && sight == Sight::BehindOther;
+            let dashed = |sight: Sight| solid.dashed && sight == Sight::BehindOther;
             let kept: Vec<Run> =
                 runs.into_iter().filter(|run| run.sight == Sight::Seen || dashed(run.sight)).collect();
             let pieces = self.pieces(&track, &kept);
@@ -96,21 +96,15 @@ impl<'a> Ink<'a> {
         };
         let mut pieces = self.pieces(track, &runs(track, self.camera, &self.shields, judge));
         let whole: f64 = pieces.iter().map(|piece| length(&piece.points)).sum();
-        let ends = match heads {
-            Heads::None => 0,
-            Heads::End => 1,
-            Heads::Both => 2,
-        };
-        let scale = size(*stroke).min(0.5 * whole / (HEAD.0 * f64::from(ends.max(1))));
-        for _ in 0..ends {
+        let ends = if *heads == Heads::Both { 2.0 } else { 1.0 };
+        let scale = size(*stroke).min(0.5 * whole / (HEAD.0 * ends));
+        if *heads != Heads::None {
             self.head(&mut pieces, scale, *hiding, *hue);
-            // The other end comes last in turn; after two turns the line runs as before.
-            pieces.reverse();
-            pieces.iter_mut().for_each(|piece| piece.points.reverse());
         }
-        if ends == 1 {
-            pieces.reverse();
-            pieces.iter_mut().for_each(|piece| piece.points.reverse());
+        if *heads == Heads::Both {
+            turn(&mut pieces);
+            self.head(&mut pieces, scale, *hiding, *hue);
+            turn(&mut pieces);
         }
         if *hiding == Hiding::Omitted {
             pieces.retain(|piece| piece.seen);
@@ -190,6 +184,12 @@ impl<'a> Ink<'a> {
             kit::head(drawing, tip, direction, scale, hue);
         }
     }
+}
+
+/// Turns a line about, so that it begins at its end.
+fn turn(pieces: &mut [Piece]) {
+    pieces.reverse();
+    pieces.iter_mut().for_each(|piece| piece.points.reverse());
 }
 
 /// Takes a length off the end of a polyline that is longer.

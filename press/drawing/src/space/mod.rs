@@ -16,29 +16,24 @@
 //! another way, as two rods that cross in a point, are painted one over the other: lines remain right, areas
 //! do not.
 //!
+//! **What is refused.** Everything is checked when it is given. A [`Flaw`](crate::Flaw) tells of a number that is infinite
+//! or none, a direction without length, a length that is not positive, points that coincide, a label that cannot be set,
+//! and of what lies behind the eye; what else is refused stands beside it.
+//!
 //! **What shows motion.** [`Stage::turning`] is an arrow that turns about an axis, [`Finish::Ghost`] a body
 //! at another time, for stills; [`Stage::ground`] is a floor with its grid, [`Stage::patch`] a picture on a
 //! face. A path of many turns about a sphere is heavy in front and pale behind with
 //! [`Stroke::Curve`](crate::Stroke::Curve) and [`Hiding::Pale`].
 //!
-//! | module | holds |
-//! |---|---|
-//! | `camera` | the eye and its page |
-//! | `solid`, `form` | solids, and what each can say of itself: `tube` (disc, rod, ring), `cone`, `ellipsoid` |
-//! | `curve`, `track` | lines in space |
-//! | `hide` | lines divided into what is seen and what is hidden |
-//! | `pierce`, `order` | which areas are painted when |
-//! | `stage`, `marks`, `ground`, `ink` | the scene |
-//!
 //! ```
-//! use drawing::{Drawing, Hue, at, space::{Camera, Edges, Solid, Stage, View}};
+//! use drawing::{Drawing, Hue, at, space::{Camera, Solid, Stage, View}};
 //! let camera = Camera::new(View {
 //!     target: [0.0; 3], azimuth: -1.2, elevation: 0.4, distance: 8.0, centre: at(150.0, 160.0), scale: 80.0,
 //! })?;
 //! let mut stage = Stage::new(camera);
 //! let tilt = 0.6_f64;
 //! stage.solid(Solid::disc([0.0; 3], [-tilt.sin(), 0.0, tilt.cos()], 1.0, 0.08)?, Hue::Blue)?;
-//! stage.solid(Solid::rod([0.0, 0.0, -1.3], [0.0, 0.0, 1.2], 0.05)?.edges(Edges::BehindOthers), Hue::Ink)?;
+//! stage.solid(Solid::rod([0.0, 0.0, -1.3], [0.0, 0.0, 1.2], 0.05)?.dashed(), Hue::Ink)?;
 //! stage.named_vector([0.0, 0.0, 1.2], [0.0, 0.0, 1.8], r"$\boldsymbol\omega$", Hue::Orange)?;
 //! let mut drawing = Drawing::new("fig:plate", 300.0, 300.0).titled("A plate", "A tilted plate on a shaft.");
 //! stage.write(&mut drawing);
@@ -48,12 +43,11 @@
 //! ```
 
 mod camera;
+mod checks;
 mod cone;
 mod curve;
 mod ellipsoid;
-mod error;
 mod form;
-mod ground;
 mod hide;
 mod ink;
 mod marks;
@@ -69,6 +63,6 @@ mod vector;
 
 pub use camera::{Camera, View};
 pub use curve::{Curve, Hiding};
-pub use error::SpaceError;
-pub use solid::{Edges, Finish, Solid};
+pub use solid::{Finish, Solid};
 pub use stage::Stage;
+pub use vector::Place;

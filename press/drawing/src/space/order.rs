@@ -8,7 +8,7 @@
 
 use super::camera::Camera;
 use super::form::{Form, Part, Patch};
-use crate::point::{Point, Rect, at};
+use crate::point::{Rect, at};
 use std::cmp::Ordering;
 
 /// How many lines of sight in each direction compare two parts: few at first, and many if so many of the few do not say
@@ -68,10 +68,7 @@ pub(super) fn coats(bodies: &[Body<'_>], camera: &Camera) -> Vec<Coat> {
 
 fn piece(body: usize, form: &dyn Form, part: &Part, camera: &Camera) -> Option<Piece> {
     let patches = form.patches(camera, part);
-    let mut points = patches.iter().flat_map(|patch| patch.shape.points());
-    let first = points.next()?;
-    let point = |point: Point| Rect { left: point.x, top: point.y, right: point.x, bottom: point.y };
-    let bounds = points.fold(point(first), |bounds, next| bounds.union(&point(next)));
+    let bounds = Rect::around(patches.iter().flat_map(|patch| patch.shape.points()))?;
     Some(Piece { body, whole: None, part: part.clone(), patches, bounds })
 }
 

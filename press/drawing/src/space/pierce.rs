@@ -38,8 +38,8 @@ pub(super) fn junctions(rod: &Tube, other: &dyn Form) -> Vec<Junction> {
     let inside = TOUCH..1.0 - TOUCH;
     let mut lines: Vec<Vec<(Passage, Vec3)>> = Vec::new();
     for index in 0..CHORDS {
-        let origin = rod.point(TAU * f64::from(index) / f64::from(CHORDS), rod.outer, -rod.half);
-        let ray = Ray { origin, direction: rod.axis * length };
+        let origin = rod.round.point(TAU * f64::from(index) / f64::from(CHORDS), rod.outer, -rod.half);
+        let ray = Ray { origin, direction: rod.round.axis * length };
         let mut line = Vec::new();
         for span in other.spans(&ray) {
             let shell = span.enter == span.leave;
@@ -61,7 +61,7 @@ pub(super) fn junctions(rod: &Tube, other: &dyn Form) -> Vec<Junction> {
     let ends = lines.first().map_or(0, Vec::len);
     let junction = |end: usize| {
         let mut points: Vec<Vec3> = lines.iter().map(|line| line[end].1).collect();
-        let belt = Belt(points.iter().map(|&point| (point - rod.centre).dot(rod.axis)).collect());
+        let belt = Belt(points.iter().map(|&point| (point - rod.round.origin).dot(rod.round.axis)).collect());
         points.extend(points.first().copied());
         Junction { track: Track { points, smooth: true }, belt, passage: lines[0][end].0 }
     };

@@ -90,7 +90,7 @@ pub(super) fn zeros(start: f64, middle: f64, end: f64) -> impl Iterator<Item = f
 
 #[cfg(test)]
 mod tests {
-    use super::{Span, below_zero, roots, slab, zeros};
+    use super::roots;
 
     #[test]
     fn roots_keep_their_digits() {
@@ -100,26 +100,5 @@ mod tests {
         assert_eq!(roots(0.0, 1.0, -4.0)[..], [2.0], "a straight line has one");
         assert!(roots(1.0, 0.0, 1.0).is_empty() && roots(0.0, 0.0, 1.0).is_empty());
         assert!(roots(f64::NAN, 0.0, 1.0).is_empty());
-    }
-
-    #[test]
-    fn zeros_are_those_of_the_polynomial_through_three_values() {
-        let value = |t: f64| (t - 0.25) * (3.0 * t - 2.0);
-        let mut found: Vec<f64> = zeros(value(0.0), value(0.5), value(1.0)).collect();
-        found.sort_by(f64::total_cmp);
-        assert!((found[0] - 0.25).abs() < 1e-15 && (found[1] - 2.0 / 3.0).abs() < 1e-15, "{found:?}");
-    }
-
-    #[test]
-    fn spans_are_cut_and_holed() {
-        assert_eq!(slab(3.0, -1.0, 1.0), Some(Span { enter: 2.0, leave: 4.0 }));
-        assert_eq!((slab(0.5, 0.0, 1.0), slab(1.5, 0.0, 1.0)), (Some(Span::ALL), None));
-        assert_eq!(below_zero(1.0, 0.0, -4.0), Some(Span { enter: -2.0, leave: 2.0 }));
-        assert_eq!((below_zero(0.0, 0.0, -1.0), below_zero(0.0, 0.0, 1.0)), (Some(Span::ALL), None));
-        let span = Span { enter: 0.0, leave: 4.0 };
-        let pieces = span.without(Some(Span { enter: 1.0, leave: 2.0 }));
-        assert_eq!(pieces[..], [Span { enter: 0.0, leave: 1.0 }, Span { enter: 2.0, leave: 4.0 }]);
-        assert_eq!(span.without(Some(Span { enter: 4.0, leave: 5.0 }))[..], [span]);
-        assert!(span.without(Some(Span::ALL)).is_empty());
     }
 }

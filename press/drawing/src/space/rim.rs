@@ -1,38 +1,99 @@
-//! What several solids share: rims and their images, arcs of rims, and boxes about them.
+//! What several solids share: circles about an axis and their images, arcs of rims, and boxes.
 
 use super::camera::Camera;
-use super::track::CHORDS;
+use super::track::{CHORDS, Track};
 use super::vector::Vec3;
-use crate::point::at;
+use crate::point::{Point, at};
 use crate::shape::Shape;
+use crate::simplify::{TOLERANCE, simplify};
 use std::f64::consts::{PI, TAU};
 
-/// A polynomial in the point whose zeros are the cone that the eye spans with a circle (a cylinder for an eye
-/// at infinity).
-///
-/// A point at the step d from the circle's centre, moved along its line of sight into the circle's plane,
-/// lands at the step (d·a − g·h)/(a − k·h), with g the sight at the centre, a its part along the axis, h the
-/// height of the point and k the nearness of the eye.
-pub(super) fn shadow(camera: &Camera, centre: Vec3, axis: Vec3, radius: f64, point: Vec3) -> f64 {
-    let (step, sight) = (point - centre, camera.sight(centre));
-    let (height, rise) = (step.dot(axis), sight.dot(axis));
-    let landed = step * rise - sight * height;
-    landed.square() - (radius * (rise - camera.nearness() * height)).powi(2)
+/// An axis and the circles about it. Heights are counted along the axis from its origin, angles from the first of two
+/// directions across it.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Round {
+    pub(super) origin: Vec3,
+    pub(super) axis: Vec3,
+    /// Two unit vectors that complete the axis to a right-handed triad.
+    across: (Vec3, Vec3),
+}
+
+impl Round {
+    pub(super) fn new(origin: Vec3, axis: Vec3) -> Self {
+        Self { origin, axis, across: axis.companions() }
+    }
+
+    /// The point on the axis at a height.
+    pub(super) fn centre(&self, height: f64) -> Vec3 {
+        self.origin + self.axis * height
+    }
+
+    /// The point at an angle, on a radius, at a height.
+    pub(super) fn point(&self, angle: f64, radius: f64, height: f64) -> Vec3 {
+        let (sin, cos) = angle.sin_cos();
+        self.centre(height) + (self.across.0 * cos + self.across.1 * sin) * radius
+    }
+
+    /// The angle of a step from the axis.
+    pub(super) fn angle_of(&self, step: Vec3) -> f64 {
+        step.dot(self.across.1).atan2(step.dot(self.across.0))
+    }
+
+    /// The corners of a box that holds two circles of a radius, so far above and below a height.
+    pub(super) fn corners(&self, radius: f64, height: f64, half: f64) -> Vec<Vec3> {
+        let [first, second] = self.radii(radius);
+        box_corners(self.centre(height), [first, second, self.axis * half])
+    }
+
+    /// A circle.
+    pub(super) fn circle(&self, camera: &Camera, radius: f64, height: f64) -> Track {
+        let centre = self.centre(height);
+        Track::circle(centre, self.radii(radius), camera.chords(centre, radius))
+    }
+
+    /// A circle on the page.
+    pub(super) fn ellipse(&self, camera: &Camera, radius: f64, height: f64) -> Shape {
+        ellipse(camera, self.centre(height), self.radii(radius))
+    }
+
+    /// An arc on the page, from an angle over an angle.
+    pub(super) fn arc(&self, camera: &Camera, radius: f64, height: f64, arc: (f64, f64)) -> Vec<Point> {
+        let points = steps(arc).map(|angle| camera.land(self.point(angle, radius, height)));
+        simplify(&points.collect::<Vec<Point>>(), TOLERANCE)
+    }
+
+    /// A polynomial in the point whose zeros are the cone that the eye spans with a circle (a cylinder for an eye
+    /// at infinity).
+    ///
+    /// A point at the step d from the circle's centre, moved along its line of sight into the circle's plane,
+    /// lands at the step (d·a − g·h)/(a − k·h), with g the sight at the centre, a its part along the axis, h the
+    /// height of the point and k the nearness of the eye.
+    pub(super) fn shadow(&self, camera: &Camera, radius: f64, height: f64, point: Vec3) -> f64 {
+        let centre = self.centre(height);
+        let (step, sight) = (point - centre, camera.sight(centre));
+        let (height, rise) = (step.dot(self.axis), sight.dot(self.axis));
+        let landed = step * rise - sight * height;
+        landed.square() - (radius * (rise - camera.nearness * height)).powi(2)
+    }
+
+    fn radii(&self, radius: f64) -> [Vec3; 2] {
+        [self.across.0 * radius, self.across.1 * radius]
+    }
 }
 
 /// The corners of a box with these half-edges.
-pub(super) fn box_corners(centre: Vec3, [x, y, z]: [Vec3; 3]) -> Vec<Vec3> {
+pub(super) fn box_corners(centre: Vec3, halves: [Vec3; 3]) -> Vec<Vec3> {
     let mut corners = vec![centre];
-    for half in [x, y, z] {
+    for half in halves {
         corners = corners.iter().flat_map(|&corner| [corner - half, corner + half]).collect();
     }
     corners
 }
 
-/// Angles from one to another, as close as the chords of a circle.
-pub(super) fn steps(from: f64, sweep: f64) -> Vec<f64> {
+/// Angles from one on over another, as close as the chords of a circle.
+pub(super) fn steps((from, sweep): (f64, f64)) -> impl Iterator<Item = f64> {
     let count = (f64::from(CHORDS) * sweep.abs() / TAU).ceil().max(1.0);
-    (0..=count as u32).map(|index| from + sweep * f64::from(index) / count).collect()
+    (0..=count as u32).map(move |index| from + sweep * f64::from(index) / count)
 }
 
 /// What an arc has in common with a sector of less than half a turn: up to two arcs.
@@ -55,7 +116,7 @@ pub(super) fn common_arcs((from, sweep): (f64, f64), sector: Option<(f64, f64)>)
 /// With h the linear map to homogeneous page coordinates and H = (h(first), h(second), h(centre)), the lines
 /// that touch the image are those with lᵀ·D·l = 0, D = H·diag(1, 1, −1)·Hᵀ; centre and axes of the ellipse
 /// are read off D.
-pub(super) fn ellipse(camera: &Camera, centre: Vec3, first: Vec3, second: Vec3) -> Shape {
+pub(super) fn ellipse(camera: &Camera, centre: Vec3, [first, second]: [Vec3; 2]) -> Shape {
     let origin = camera.homogeneous(centre);
     let step = |radius: Vec3| {
         let [x, y, w] = camera.homogeneous(centre + radius);

@@ -1,21 +1,14 @@
 //! Solids.
 
+use super::checks::{direction, finite, no_plane, perpendicular, positive};
 use super::cone::Cone;
 use super::ellipsoid::Ellipsoid;
-use super::error::{SpaceError, direction, finite, perpendicular, positive};
 use super::form::Form;
+use super::rim::Round;
 use super::tube::Tube;
+use super::vector::{Place, Vec3};
+use crate::flaw::Flaw;
 use std::f64::consts::FRAC_PI_2;
-
-/// Which edges are drawn dashed where they cannot be seen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Edges {
-    /// None: only what is seen is drawn.
-    #[default]
-    Seen,
-    /// Those that another solid hides, as a shaft behind a plate; not those at the solid's own back.
-    BehindOthers,
-}
 
 /// What a solid does to what is painted behind it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -35,18 +28,19 @@ pub enum Finish {
 /// All lengths are in units of the world. Nothing about a solid depends on the camera.
 ///
 /// ```
-/// use drawing::space::{Solid, SpaceError};
+/// use drawing::{Flaw, space::Solid};
 /// let coin = Solid::disc([0.0, 0.0, 1.0], [0.0, 0.3, 1.0], 0.5, 0.06)?;
 /// // Of an axis only the direction matters.
 /// assert_eq!(coin, Solid::disc([0.0, 0.0, 1.0], [0.0, 0.6, 2.0], 0.5, 0.06)?);
 /// let hollow = Solid::ring([0.0; 3], [0.0, 0.0, 1.0], 1.0, 1.2, 0.1);
-/// assert_eq!(hollow, Err(SpaceError::HoleTooWide { inner: 1.2, outer: 1.0 }));
-/// # Ok::<(), SpaceError>(())
+/// assert_eq!(hollow, Err(Flaw::new("the hole's radius 1.2 is not less than the ring's, 1")));
+/// # Ok::<(), Flaw>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solid {
     body: Body,
-    pub(super) edges: Edges,
+    /// Whether edges are dashed where another solid hides them.
+    pub(super) dashed: bool,
     pub(super) finish: Finish,
 }
 
@@ -59,57 +53,47 @@ enum Body {
 
 impl Solid {
     fn new(body: Body) -> Self {
-        Self { body, edges: Edges::default(), finish: Finish::default() }
+        Self { body, dashed: false, finish: Finish::default() }
+    }
+
+    fn tube(name: &'static str, round: Round, [outer, inner]: [f64; 2], half: f64) -> Self {
+        Self::new(Body::Tube(Tube { name, round, outer, inner, half }))
     }
 
     /// A disc: a coin, a plate, a wheel. Its centre is half-way through its thickness.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius or thickness that is
-    /// not positive.
-    pub fn disc(
-        centre: impl Into<[f64; 3]>,
-        axis: impl Into<[f64; 3]>,
-        radius: f64,
-        thickness: f64,
-    ) -> Result<Self, SpaceError> {
+    pub fn disc(centre: impl Place, axis: impl Place, radius: f64, thickness: f64) -> Result<Self, Flaw> {
         let (centre, axis) = (finite("centre", centre)?, direction("axis", axis)?);
-        let radii = [positive("radius", radius)?, 0.0];
-        let half = 0.5 * positive("thickness", thickness)?;
-        Ok(Self::new(Body::Tube(Tube::new("disc", centre, axis, radii, half))))
+        let (outer, half) = (positive("radius", radius)?, 0.5 * positive("thickness", thickness)?);
+        Ok(Self::tube("disc", Round::new(centre, axis), [outer, 0.0], half))
     }
 
     /// A round rod from the middle of one end to the middle of the other: a shaft, a pencil, a piston.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, ends that coincide, a radius that is not positive.
-    pub fn rod(from: impl Into<[f64; 3]>, to: impl Into<[f64; 3]>, radius: f64) -> Result<Self, SpaceError> {
+    pub fn rod(from: impl Place, to: impl Place, radius: f64) -> Result<Self, Flaw> {
         let (from, to) = (finite("end of the rod", from)?, finite("end of the rod", to)?);
         let axis = direction("rod", (to - from).0)?;
-        let radii = [positive("radius", radius)?, 0.0];
-        let half = 0.5 * (to - from).length();
-        Ok(Self::new(Body::Tube(Tube::new("rod", from.towards(to, 0.5), axis, radii, half))))
+        let (outer, half) = (positive("radius", radius)?, 0.5 * (to - from).length());
+        Ok(Self::tube("rod", Round::new(from.towards(to, 0.5), axis), [outer, 0.0], half))
     }
 
     /// A ring: a disc of this height with a round hole.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, an axis without length, a radius or height that is not
-    /// positive, and a hole as wide as the ring.
+    /// [`Flaw`] also for a hole as wide as the ring.
     pub fn ring(
-        centre: impl Into<[f64; 3]>,
-        axis: impl Into<[f64; 3]>,
+        centre: impl Place,
+        axis: impl Place,
         outer: f64,
         inner: f64,
         height: f64,
-    ) -> Result<Self, SpaceError> {
+    ) -> Result<Self, Flaw> {
         let (centre, axis) = (finite("centre", centre)?, direction("axis", axis)?);
         let (outer, inner) = (positive("outer radius", outer)?, positive("inner radius", inner)?);
         if inner >= outer {
-            return Err(SpaceError::HoleTooWide { inner, outer });
+            let said = format!("the hole's radius {inner} is not less than the ring's, {outer}");
+            return Err(Flaw::new(said));
         }
         let half = 0.5 * positive("height", height)?;
-        Ok(Self::new(Body::Tube(Tube::new("ring", centre, axis, [outer, inner], half))))
+        Ok(Self::tube("ring", Round::new(centre, axis), [outer, inner], half))
     }
 
     /// The open shell of a cone, without thickness, from its apex along its axis. `half_angle` (rad, between
@@ -117,65 +101,49 @@ impl Solid {
     /// that roll on each other touch as far as their rims if they are of one length.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, an axis without length, a half-angle outside its
-    /// interval, a length that is not positive.
-    pub fn cone(
-        apex: impl Into<[f64; 3]>,
-        axis: impl Into<[f64; 3]>,
-        half_angle: f64,
-        length: f64,
-    ) -> Result<Self, SpaceError> {
+    /// [`Flaw`] also for a half-angle outside its interval.
+    pub fn cone(apex: impl Place, axis: impl Place, half_angle: f64, length: f64) -> Result<Self, Flaw> {
         let (apex, axis) = (finite("apex", apex)?, direction("axis", axis)?);
-        if !half_angle.is_finite() {
-            return Err(SpaceError::NotFinite { what: "half-angle" });
-        }
+        finite("half-angle", [half_angle, 0.0, 0.0])?;
         if half_angle <= 0.0 || half_angle >= FRAC_PI_2 {
-            return Err(SpaceError::HalfAngle { value: half_angle });
+            let said = format!("the cone's half-angle {half_angle} rad is not between 0 and π/2");
+            return Err(Flaw::new(said));
         }
         let length = positive("length", length)?;
-        Ok(Self::new(Body::Cone(Cone::new(apex, axis, half_angle, length))))
+        Ok(Self::new(Body::Cone(Cone::new(Round::new(apex, axis), half_angle, length))))
     }
 
     /// The half of such a cone that lies away from a direction: the other half is cut away, so that one sees into it.
     ///
     /// # Errors
-    /// [`SpaceError`] as for [`Solid::cone`], and for a direction along the axis.
+    /// [`Flaw`] also for a direction along the axis.
     pub fn half_cone(
-        apex: impl Into<[f64; 3]>,
-        axis: impl Into<[f64; 3]>,
+        apex: impl Place,
+        axis: impl Place,
         half_angle: f64,
         length: f64,
-        open: impl Into<[f64; 3]>,
-    ) -> Result<Self, SpaceError> {
+        open: impl Place,
+    ) -> Result<Self, Flaw> {
         let open = direction("opening", open)?;
         let mut solid = Self::cone(apex, axis, half_angle, length)?;
         if let Body::Cone(cone) = &mut solid.body {
-            cone.open = Some(open.across(cone.axis).unit().ok_or(SpaceError::NoPlane)?);
+            cone.open = Some(open.across(cone.round.axis).unit().ok_or_else(no_plane)?);
         }
         Ok(solid)
     }
 
     /// A sphere.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite and a radius that is not positive.
-    pub fn sphere(centre: impl Into<[f64; 3]>, radius: f64) -> Result<Self, SpaceError> {
-        let radii = [positive("radius", radius)?; 3];
-        let axes = perpendicular([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])?;
-        let centre = finite("centre", centre)?;
+    pub fn sphere(centre: impl Place, radius: f64) -> Result<Self, Flaw> {
+        let (centre, radii) = (finite("centre", centre)?, [positive("radius", radius)?; 3]);
+        let axes = [Vec3([1.0, 0.0, 0.0]), Vec3([0.0, 1.0, 0.0]), Vec3([0.0, 0.0, 1.0])];
         Ok(Self::new(Body::Ellipsoid(Ellipsoid { name: "sphere", centre, axes, radii })))
     }
 
     /// An ellipsoid with its semi-axes along three perpendicular directions.
     ///
     /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, directions without length or not perpendicular, and a
-    /// semi-axis that is not positive.
-    pub fn ellipsoid(
-        centre: impl Into<[f64; 3]>,
-        axes: [impl Into<[f64; 3]>; 3],
-        semi_axes: [f64; 3],
-    ) -> Result<Self, SpaceError> {
+    /// [`Flaw`] also for directions that are not perpendicular.
+    pub fn ellipsoid(centre: impl Place, axes: [impl Place; 3], semi_axes: [f64; 3]) -> Result<Self, Flaw> {
         let (centre, axes) = (finite("centre", centre)?, perpendicular(axes)?);
         for semi_axis in semi_axes {
             positive("semi-axis", semi_axis)?;
@@ -183,10 +151,11 @@ impl Solid {
         Ok(Self::new(Body::Ellipsoid(Ellipsoid { name: "ellipsoid", centre, axes, radii: semi_axes })))
     }
 
-    /// The solid with its hidden edges drawn dashed, or not.
+    /// The solid with its edges drawn dashed where another solid hides them, as a shaft behind a plate, and not at its
+    /// own back. Otherwise only what is seen is drawn.
     #[must_use]
-    pub fn edges(self, edges: Edges) -> Self {
-        Self { edges, ..self }
+    pub fn dashed(self) -> Self {
+        Self { dashed: true, ..self }
     }
 
     /// The solid with another finish.

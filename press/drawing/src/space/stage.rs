@@ -2,42 +2,27 @@
 
 use super::camera::Camera;
 use super::curve::Curve;
-use super::error::SpaceError;
-use super::ground::Ground;
 use super::ink::{Ink, Stroked};
 use super::order::{Body, coats};
 use super::pierce::{self, Junction};
 use super::solid::{Finish, Solid};
-use super::vector::Vec3;
+use super::vector::{Place, Vec3};
 use crate::drawing::Drawing;
+use crate::flaw::Flaw;
 use crate::kit::Heads;
 use crate::label::Label;
-use crate::point::Point;
 use crate::role::{Fill, Hue, Role, Stroke};
 use crate::shape::Shape;
 
 /// A point that is marked.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Dot {
-    Disc(f64),
-    /// A disc that is seen whatever stands before it.
-    InFront(f64),
-}
-
-/// A label where it stands on the page.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Caption {
-    pub(super) label: Label,
+pub(super) struct Dot {
+    pub(super) point: Vec3,
+    /// px
+    pub(super) radius: f64,
+    /// Whether it is seen whatever stands before it.
+    pub(super) in_front: bool,
     pub(super) hue: Hue,
-}
-
-impl Dot {
-    pub(super) fn write(self, drawing: &mut Drawing, centre: Point, hidden: bool, hue: Hue) {
-        match self {
-            Self::Disc(radius) if hidden => drawing.circle(centre, radius, Role::Line(Stroke::Hidden, hue)),
-            Self::Disc(radius) | Self::InFront(radius) => drawing.dot(centre, radius, hue),
-        }
-    }
 }
 
 /// A scene: solids, lines and labels in space, seen by one camera.
@@ -47,8 +32,8 @@ impl Dot {
 /// that are seen, points, labels.
 ///
 /// ```
-/// use drawing::space::{Camera, Solid, SpaceError, Stage, View};
-/// use drawing::{Drawing, Hue, Role, Stroke, at};
+/// use drawing::space::{Camera, Solid, Stage, View};
+/// use drawing::{Drawing, Flaw, Hue, Role, Stroke, at};
 /// let view = View {
 ///     target: [0.0; 3], azimuth: 0.0, elevation: 0.0, distance: 6.0, centre: at(100.0, 100.0), scale: 50.0,
 /// };
@@ -59,25 +44,25 @@ impl Dot {
 /// stage.write(&mut drawing);
 /// let drawn = |stroke: Stroke| drawing.items().iter().any(|item| item.role == Role::Line(stroke, Hue::Orange));
 /// assert!(drawn(Stroke::Hidden) && drawn(Stroke::Vector));
-/// # Ok::<(), SpaceError>(())
+/// # Ok::<(), Flaw>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stage {
     pub(super) camera: Camera,
-    grounds: Vec<Ground>,
+    pub(super) grounds: Vec<(Role, Shape)>,
     solids: Vec<(Solid, Hue)>,
     lines: Vec<Stroked>,
-    pub(super) patches: Vec<(Vec<Vec3>, Fill, Hue)>,
-    pub(super) points: Vec<(Vec3, Dot, Hue)>,
-    pub(super) captions: Vec<Caption>,
+    pub(super) patches: Vec<(Role, Shape)>,
+    pub(super) dots: Vec<Dot>,
+    pub(super) labels: Vec<(Label, Hue)>,
 }
 
 impl Stage {
     /// An empty scene.
     pub fn new(camera: Camera) -> Self {
-        let (grounds, solids, lines, patches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (points, captions) = (Vec::new(), Vec::new());
-        Self { camera, grounds, solids, lines, patches, points, captions }
+        let (grounds, solids, lines) = (Vec::new(), Vec::new(), Vec::new());
+        let (patches, dots, labels) = (Vec::new(), Vec::new(), Vec::new());
+        Self { camera, grounds, solids, lines, patches, dots, labels }
     }
 
     /// The camera.
@@ -88,11 +73,11 @@ impl Stage {
     /// Adds a solid, in tints of a hue.
     ///
     /// # Errors
-    /// [`SpaceError`] if the eye is inside it, or a part of it behind the eye.
-    pub fn solid(&mut self, solid: Solid, hue: Hue) -> Result<(), SpaceError> {
+    /// [`Flaw`] also if the eye is inside it.
+    pub fn solid(&mut self, solid: Solid, hue: Hue) -> Result<(), Flaw> {
         let form = solid.form();
         if self.camera.eye().is_some_and(|eye| form.contains(eye)) {
-            return Err(SpaceError::EyeInside { solid: form.name() });
+            return Err(Flaw::new(format!("the eye is inside the {}", form.name())));
         }
         form.corners().into_iter().try_for_each(|corner| self.camera.check(corner))?;
         self.solids.push((solid, hue));
@@ -100,61 +85,32 @@ impl Stage {
     }
 
     /// Adds a curve.
-    ///
-    /// # Errors
-    /// [`SpaceError`] if a part of it is behind the eye.
-    pub fn curve(&mut self, curve: Curve, stroke: Stroke, hue: Hue) -> Result<(), SpaceError> {
+    pub fn curve(&mut self, curve: Curve, stroke: Stroke, hue: Hue) -> Result<(), Flaw> {
         self.arrow(curve, stroke, Heads::None, hue)
     }
 
     /// Adds a curve with arrowheads of constant size on the page: smaller on thin lines than on thick ones. A
     /// head whose tip is hidden is drawn as a pale outline. On an arrow that is short on the page, as one
     /// that points at the eye, heads shrink with it.
-    ///
-    /// # Errors
-    /// [`SpaceError`] if a part of it is behind the eye.
-    pub fn arrow(&mut self, curve: Curve, stroke: Stroke, heads: Heads, hue: Hue) -> Result<(), SpaceError> {
+    pub fn arrow(&mut self, curve: Curve, stroke: Stroke, heads: Heads, hue: Hue) -> Result<(), Flaw> {
         curve.track.points.iter().try_for_each(|&point| self.camera.check(point))?;
         self.lines.push(Stroked { curve, stroke, heads, hue });
         Ok(())
     }
 
     /// Adds a vector: an arrow from a point to a point. Where a solid hides it, the shaft is dashed.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for points that are not finite, that coincide or lie behind the eye.
-    pub fn vector(
-        &mut self,
-        from: impl Into<[f64; 3]>,
-        to: impl Into<[f64; 3]>,
-        hue: Hue,
-    ) -> Result<(), SpaceError> {
+    pub fn vector(&mut self, from: impl Place, to: impl Place, hue: Hue) -> Result<(), Flaw> {
         self.arrow(Curve::segment(from, to)?, Stroke::Vector, Heads::End, hue)
-    }
-
-    /// Adds a horizontal piece of ground, a rectangle between two opposite corners (x, y) at a height, with
-    /// grid lines every `step` from the first corner. It is painted first and hides nothing.
-    ///
-    /// # Errors
-    /// [`SpaceError`] for numbers that are not finite, corners that enclose no area, a step that is not
-    /// positive or gives more lines than can be seen, and ground behind the eye.
-    pub fn ground(&mut self, from: [f64; 2], to: [f64; 2], height: f64, step: f64) -> Result<(), SpaceError> {
-        self.grounds.push(Ground::new(&self.camera, from, to, height, step)?);
-        Ok(())
     }
 
     /// Paints the scene into a drawing.
     pub fn write(&self, drawing: &mut Drawing) {
-        for ground in &self.grounds {
-            ground.write(&self.camera, drawing);
-        }
+        let add = |drawing: &mut Drawing, (role, shape): &(Role, Shape)| drawing.push(*role, shape.clone());
+        self.grounds.iter().for_each(|ground| add(drawing, ground));
         let junctions: Vec<Vec<Vec<Junction>>> =
             (0..self.solids.len()).map(|index| self.junctions(index)).collect();
         self.paint(drawing, &junctions);
-        for (corners, fill, hue) in &self.patches {
-            let corners = corners.iter().map(|&corner| self.camera.land(corner)).collect();
-            drawing.polygon(corners, *fill, *hue);
-        }
+        self.patches.iter().for_each(|patch| add(drawing, patch));
         let hides = |solid: &Solid| solid.finish != Finish::Ghost;
         let forms = self.solids.iter().map(|(solid, _)| (solid.form(), hides(solid))).collect();
         let mut ink = Ink::new(&self.camera, forms);
@@ -164,13 +120,15 @@ impl Stage {
         for line in &self.lines {
             ink.line(line);
         }
-        let dots: Vec<_> =
-            self.points.iter().map(|&(point, dot, hue)| (point, ink.hidden(point), dot, hue)).collect();
+        let dot = |&Dot { point, radius, in_front, hue }: &Dot| {
+            let is_seen = in_front || !ink.hidden(point);
+            let role = if is_seen { Role::Area(Fill::Solid, hue) } else { Role::Line(Stroke::Hidden, hue) };
+            (role, Shape::Circle { centre: self.camera.land(point), radius })
+        };
+        let dots: Vec<(Role, Shape)> = self.dots.iter().map(dot).collect();
         ink.write(drawing);
-        for (point, hidden, dot, hue) in dots {
-            dot.write(drawing, self.camera.land(point), hidden, hue);
-        }
-        for Caption { label, hue } in &self.captions {
+        dots.iter().for_each(|dot| add(drawing, dot));
+        for (label, hue) in &self.labels {
             let ray = self.camera.ray(label.bounds.centre());
             let covers = |(solid, _): &(Solid, Hue)| {
                 solid.finish != Finish::Glass && !solid.form().spans(&ray).is_empty()

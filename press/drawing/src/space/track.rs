@@ -23,20 +23,14 @@ impl Track {
         Self { points: vec![from, to], smooth: false }
     }
 
-    /// An arc about a centre, from `start` (a step from the centre) over `sweep` about a unit axis, rad.
+    /// An arc about a centre, from `start` (a step from the centre, across the axis) over `sweep` about a unit axis, rad.
     pub(super) fn arc(centre: Vec3, axis: Vec3, start: Vec3, sweep: f64) -> Self {
         let aside = axis.cross(start);
-        let along = axis * axis.dot(start);
-        let level = start - along;
         // An even number of chords, so that the middle is one of the points.
-        let half = (0.5 * f64::from(CHORDS) * sweep.abs() / TAU).ceil();
-        let chords = 2.0 * half.clamp(4.0, 32.0 * f64::from(CHORDS));
-        let full = sweep.abs() == TAU;
-        let points = (0..=chords as u32).map(|index| {
-            // A full turn ends exactly where it began.
-            let part = if full && f64::from(index) == chords { 0.0 } else { f64::from(index) / chords };
-            let (sin, cos) = (sweep * part).sin_cos();
-            centre + along + level * cos + aside * sin
+        let half = (0.5 * f64::from(CHORDS) * sweep.abs() / TAU).ceil().max(4.0) as u32;
+        let points = (0..=2 * half).map(|index| {
+            let (sin, cos) = (sweep * (f64::from(index) / f64::from(2 * half))).sin_cos();
+            centre + start * cos + aside * sin
         });
         Self { points: points.collect(), smooth: true }
     }
@@ -117,33 +111,27 @@ impl Track {
         let first = chord.saturating_sub(1).min((chords + 1).saturating_sub(4));
         (first..=chords.min(first + 3)).map(marked).collect()
     }
-
-    /// The point half-way along, by parameter.
-    pub(super) fn middle(&self) -> Vec3 {
-        self.at(0.5 * self.chords() as f64)
-    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{CHORDS, Track, Vec3};
-    use std::f64::consts::{FRAC_PI_2, TAU};
+    use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn between_its_points_a_circle_stays_a_circle() {
         let axis = Vec3([1.0, 2.0, -2.0]) * (1.0 / 3.0);
         let (first, second) = axis.companions();
-        let turn = Track::arc(Vec3::ZERO, axis, first, TAU);
         let quarter = Track::arc(Vec3::ZERO, axis, first, FRAC_PI_2);
         let circle = Track::circle(Vec3::ZERO, [first, second], CHORDS);
-        for track in [&turn, &quarter, &circle] {
+        for track in [&quarter, &circle] {
             let worst = (0..track.chords() * 10)
                 .map(|tenth| (track.at(tenth as f64 / 10.0).length() - 1.0).abs())
                 .fold(0.0, f64::max);
             assert!(worst < 1e-7, "{worst}"); // the chords themselves stay 1.5e-4 inside
         }
-        assert!(turn.closed() && circle.closed() && !quarter.closed());
-        assert!((turn.at(90.0) + first).length() < 1e-15);
+        assert!(circle.closed() && !quarter.closed());
+        assert!((circle.at(90.0) + first).length() < 1e-15);
         assert!((quarter.points[quarter.chords()] - second).length() < 1e-15);
         assert_eq!(Track::segment(first, second).at(0.25), first.towards(second, 0.25));
     }

@@ -2,6 +2,11 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+/// A point or a direction of the world: an array, or a vector of nalgebra.
+pub trait Place: Into<[f64; 3]> {}
+
+impl<T: Into<[f64; 3]>> Place for T {}
+
 /// A vector or a point of the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Vec3(pub(super) [f64; 3]);
@@ -9,11 +14,6 @@ pub(super) struct Vec3(pub(super) [f64; 3]);
 impl Vec3 {
     /// The origin.
     pub(super) const ZERO: Self = Self([0.0; 3]);
-
-    /// Whether all components are finite.
-    pub(super) fn is_finite(self) -> bool {
-        self.0.iter().all(|component| component.is_finite())
-    }
 
     pub(super) fn dot(self, other: Self) -> f64 {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);

@@ -38,6 +38,11 @@ impl Printable for f64 {
     }
 }
 
+/// Whether a number in print is a zero, which has no sign on paper.
+pub(super) fn is_zero(text: &str) -> bool {
+    !text.contains(|c: char| c.is_ascii_digit() && c != '0')
+}
+
 macro_rules! whole {
     ($($integer:ty),+) => {$(
         impl Printable for $integer {

@@ -1,6 +1,6 @@
 //! What a snippet prints and what its assertions find, while it runs.
 
-use super::printable::{Number, Printable};
+use super::printable::{Number, Printable, is_zero};
 use std::cell::RefCell;
 
 #[derive(Default)]
@@ -47,23 +47,17 @@ pub fn whole<T: TryFrom<i64>>(_text: T, value: f64) -> T {
         .unwrap_or_else(|_| panic!("the number that counts here cannot be {value}: its range is too wide"))
 }
 
-/// A number in the form of `shown`, or with two digits where this form has none left of it.
+/// A number in the form of `shown`, or with two digits where this form has none left of it and the page shows no zero.
 fn written(number: Number, shown: &str) -> String {
     let form = number.written_like(shown);
-    let is_zero = !form.contains(|c: char| c.is_ascii_digit() && c != '0');
     match number {
         Number::Real(value) if value.is_nan() => "no number".to_owned(),
         Number::Real(value) if value.is_infinite() => if value > 0.0 { "∞" } else { "-∞" }.to_owned(),
-        Number::Real(value) if is_zero && value != 0.0 && !is_zero_itself(shown) => format!("{value:.1e}"),
+        Number::Real(value) if is_zero(&form) && value != 0.0 && !is_zero(shown) => format!("{value:.1e}"),
         Number::Real(value) if value.abs() >= 1e9 => format!("{value:.2e}"),
-        _ if is_zero => form.trim_start_matches('-').to_owned(), // a zero has no sign on paper
+        _ if is_zero(&form) => form.trim_start_matches('-').to_owned(),
         _ => form,
     }
-}
-
-/// Whether the page shows a zero: then what rounds to it is one.
-fn is_zero_itself(shown: &str) -> bool {
-    !shown.contains(|c: char| c.is_ascii_digit() && c != '0')
 }
 
 /// Records what an assertion finds; it holds if it holds each time.

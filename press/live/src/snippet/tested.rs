@@ -1,6 +1,7 @@
 //! Snippets as documentation tests: what the build script of the crate of the pages writes into them.
 
 use super::Printable;
+use super::printable::is_zero;
 use crate::limit;
 use std::panic::{self, Location};
 
@@ -39,10 +40,8 @@ pub fn printed(value: &impl Printable, shown: &str, place: &str) {
     );
     for (number, shown) in numbers.into_iter().zip(shown.split(", ")) {
         let written = number.written_like(shown);
-        // A zero has no sign on paper.
-        let zero = |text: &str| !text.contains(|c: char| c.is_ascii_digit() && c != '0');
         assert!(
-            written == shown || (zero(&written) && zero(shown) && written.trim_start_matches('-') == shown),
+            written == shown || (is_zero(shown) && written.trim_start_matches('-') == shown),
             "{place}: the page prints {shown}, and the value is {written}, that is {number:?}"
         );
     }

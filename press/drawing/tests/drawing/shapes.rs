@@ -1,20 +1,9 @@
 //! Polylines, and the SVG that drawings become.
 
+use crate::distance;
 use drawing::kit::{self, Heads, Marker};
 use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, TOLERANCE, at, clip, simplify};
 use roxmltree::Document;
-
-/// The least distance of a point from a polyline, px.
-fn distance(polyline: &[Point], point: Point) -> f64 {
-    let segment = |start: Point, end: Point| {
-        let (chord, step) = (end - start, point - start);
-        let square = chord.x * chord.x + chord.y * chord.y;
-        let part =
-            if square > 0.0 { ((step.x * chord.x + step.y * chord.y) / square).clamp(0.0, 1.0) } else { 0.0 };
-        (step - chord * part).length()
-    };
-    polyline.windows(2).map(|pair| segment(pair[0], pair[1])).fold(f64::INFINITY, f64::min)
-}
 
 /// A resonance curve with 4000 points.
 fn resonance() -> Vec<Point> {
@@ -213,6 +202,10 @@ fn what_lies_in_no_panel_is_refused() {
     let broken = dotted(100.0, f64::NAN, 20.0);
     assert!(Drawing::panels("fig:dots", vec![broken.clone()]).to_svg().is_err());
     assert!(dotted(100.0, 0.0, 0.0).with_narrow(broken).to_standalone_svg().is_err());
+    let mut labelled = dotted(100.0, 0.0, 0.0);
+    labelled.label(at(f64::NAN, 20.0), Side::Right, "here", Hue::Ink).expect("it can be set");
+    let flaw = labelled.to_svg().expect_err("it stands nowhere").to_string();
+    assert!(flaw.starts_with("the label `here` goes through (NaN, "), "{flaw}");
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! A judge of scenes that shares no code with the crate: solids as conditions on points, lines of sight walked in small
 //! steps, an eye with its own arithmetic.
 
-use drawing::space::{Camera, Solid, SpaceError, View};
-use drawing::{Point, at};
+use drawing::space::{Camera, Solid, View};
+use drawing::{Flaw, Point, at};
 
 pub(crate) type Vector = [f64; 3];
 
@@ -120,16 +120,14 @@ impl Eye {
 pub(crate) enum Body {
     /// A cylinder with its ends' middles, its radius and that of its hole.
     Tube(Vector, Vector, f64, f64),
-    /// Apex, axis, half-angle, length of the side.
-    Cone(Vector, Vector, f64, f64),
-    /// The same, and the direction towards which half of it is cut away.
-    HalfCone(Vector, Vector, f64, f64, Vector),
+    /// Apex, axis, half-angle, length of the side, and the direction towards which half of it is cut away if it is.
+    Cone(Vector, Vector, f64, f64, Option<Vector>),
     /// Centre, axes, semi-axes.
     Ellipsoid(Vector, [Vector; 3], Vector),
 }
 
 impl Body {
-    pub(crate) fn solid(&self) -> Result<Solid, SpaceError> {
+    pub(crate) fn solid(&self) -> Result<Solid, Flaw> {
         match *self {
             Self::Tube(from, to, radius, hole) => {
                 let (axis, middle) = (step(from, to), times(sum(from, to), 0.5));
@@ -142,8 +140,8 @@ impl Body {
                     Solid::disc(middle, axis, radius, length)
                 }
             }
-            Self::Cone(apex, axis, half_angle, length) => Solid::cone(apex, axis, half_angle, length),
-            Self::HalfCone(apex, axis, half_angle, length, open) => {
+            Self::Cone(apex, axis, half_angle, length, None) => Solid::cone(apex, axis, half_angle, length),
+            Self::Cone(apex, axis, half_angle, length, Some(open)) => {
                 Solid::half_cone(apex, axis, half_angle, length, open)
             }
             Self::Ellipsoid(centre, axes, radii) => Solid::ellipsoid(centre, axes, radii),
@@ -160,17 +158,13 @@ impl Body {
                 let square = dot(level, level);
                 Some((0.0..=1.0).contains(&part) && square <= radius * radius && square >= hole * hole)
             }
-            Self::Cone(apex, axis, half_angle, length) => {
-                let far = step(apex, point);
-                let height = dot(far, unit(axis));
-                let within = (0.0..=length * half_angle.cos()).contains(&height);
-                within.then(|| height >= half_angle.cos() * dot(far, far).sqrt())
-            }
-            Self::HalfCone(apex, axis, half_angle, length, open) => {
+            Self::Cone(apex, axis, half_angle, length, open) => {
                 let (axis, far) = (unit(axis), step(apex, point));
-                let aside = step(times(axis, dot(far, axis)), far);
-                let there = dot(aside, step(times(axis, dot(open, axis)), open)) < 0.0;
-                Self::Cone(apex, axis, half_angle, length).side(point).filter(|_| there)
+                let height = dot(far, axis);
+                let aside = step(times(axis, height), far);
+                let is_cut = |open| dot(aside, step(times(axis, dot(open, axis)), open)) >= 0.0;
+                let within = (0.0..=length * half_angle.cos()).contains(&height) && !open.is_some_and(is_cut);
+                within.then(|| height >= half_angle.cos() * dot(far, far).sqrt())
             }
             Self::Ellipsoid(centre, axes, radii) => {
                 let far = step(centre, point);
@@ -187,9 +181,7 @@ impl Body {
             let side = self.side(sum(from, times(step(from, to), part)));
             let met = match self {
                 // A shell is met where the side changes.
-                Self::Cone(..) | Self::HalfCone(..) => {
-                    matches!((before, side), (Some(was), Some(is)) if was != is)
-                }
+                Self::Cone(..) => matches!((before, side), (Some(was), Some(is)) if was != is),
                 _ => side == Some(true),
             };
             before = side;
@@ -198,10 +190,10 @@ impl Body {
     }
 }
 
-/// A body at random near the origin.
+/// A body at random near the origin: a disc, a rod, a ring, a cone, an ellipsoid or half a cone.
 pub(crate) fn some_body(kind: u32, chance: &mut Chance) -> Body {
     let centre = chance.vector(0.4);
-    match kind % 5 {
+    match kind % 6 {
         kind @ 0..=2 => {
             let (long, wide) = match kind {
                 0 => (chance.number(0.05, 0.3), chance.number(0.5, 1.0)),
@@ -212,7 +204,11 @@ pub(crate) fn some_body(kind: u32, chance: &mut Chance) -> Body {
             let hole = if kind == 2 { wide * chance.number(0.5, 0.9) } else { 0.0 };
             Body::Tube(step(axis, centre), sum(centre, axis), wide, hole)
         }
-        3 => Body::Cone(centre, chance.direction(), chance.number(0.2, 1.2), chance.number(0.5, 1.3)),
+        kind @ (3 | 5) => {
+            let (axis, half_angle) = (chance.direction(), chance.number(0.2, 1.2));
+            let length = chance.number(0.5, 1.3);
+            Body::Cone(centre, axis, half_angle, length, (kind == 5).then(|| chance.direction()))
+        }
         _ => {
             let radii = [chance.number(0.3, 1.0), chance.number(0.3, 1.0), chance.number(0.3, 1.0)];
             Body::Ellipsoid(centre, chance.axes(), radii)
