@@ -30,16 +30,23 @@ styled! {
         Ink = "f-ink",
         /// A quieter ink, for what stands behind: references, bounds, remarks.
         Muted = "f-muted",
-        /// The body; in plots the first curve.
+        /// The faintest ink: with [`Ink`](Self::Ink) and [`Muted`](Self::Muted) a ramp of three for curves that differ by a
+        /// parameter. Too faint for words: name such a curve in the muted ink.
+        Faint = "f-faint",
+        /// The body.
         Blue = "f-blue",
-        /// Angular velocity; the second curve.
+        /// Angular velocity.
         Orange = "f-orange",
-        /// Angular momentum; the third curve.
+        /// Angular momentum.
         Green = "f-green",
-        /// Points of contact and impulses; the fourth curve.
+        /// Points of contact and impulses.
         Pink = "f-pink",
-        /// Forces and torques; the fifth curve.
+        /// Forces and torques.
         Purple = "f-purple",
+        /// Stepping methods: the first hue of a code of their own.
+        Teal = "f-teal",
+        /// Stepping methods: the second.
+        Ochre = "f-ochre",
     }
 }
 
@@ -62,6 +69,8 @@ styled! {
         Tick = "f-tick",
         /// A curve of a plot, 2 px.
         Curve = "f-curve",
+        /// The curve that a plot is about, among others, 3 px.
+        Heavy = "f-heavy",
         /// A curve that is shown as wrong or as an approximation, 2 px, in even dashes.
         DashedCurve = "f-dashed-curve",
         /// The second curve of a hue, right as the first, 2 px, in long dashes.
@@ -141,6 +150,7 @@ impl Stroke {
     /// How wide the style sheet draws it, px.
     pub const fn width(self) -> f64 {
         match self {
+            Self::Heavy => 3.0,
             Self::Curve | Self::DashedCurve | Self::Second | Self::Third => 2.0,
             Self::Border => 1.25,
             Self::Vector => 1.75,

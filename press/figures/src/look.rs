@@ -10,16 +10,17 @@ use drawing::{Hue, Stroke};
 ///
 /// | hue | family | methods |
 /// |---|---|---|
-/// | blue | the exact motion | closed form ◆ |
-/// | orange | Runge–Kutta with equal steps | RK4 ●, midpoint ▲ short dashes, Euler ○ long dashes |
-/// | pink | Runge–Kutta with step control | DOP853 ■ |
-/// | purple | power series | Taylor ▲ |
-/// | green | turns of the body | Strang ●, Blanes–Moan ◆ long dashes, CF4 ▲ short dashes |
+/// | ink | the exact motion | closed form ◆ heavy |
+/// | teal | Runge–Kutta with equal steps | RK4 ●, midpoint ▲ short dashes, Euler ○ long dashes |
+/// | ochre | step control | DOP853 ■, Taylor ▲ long dashes |
+/// | grey | turns of the body | Strang ●, Blanes–Moan ◆ long dashes, CF4 ▲ short dashes |
+///
+/// None of these hues stands for a quantity.
 ///
 /// ```
 /// # use drawing::{Hue, kit::Marker};
 /// # use figures::Look;
-/// assert_eq!((Look::RK4.name, Look::RK4.hue, Look::RK4.marker), ("RK4", Hue::Orange, Marker::Disc));
+/// assert_eq!((Look::RK4.name, Look::RK4.hue, Look::RK4.marker), ("RK4", Hue::Teal, Marker::Disc));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Look {
@@ -35,23 +36,23 @@ pub struct Look {
 
 impl Look {
     /// A formula, or what comes from one.
-    pub const EXACT: Self = Self::new("closed form", Hue::Blue, Marker::Diamond, Stroke::Curve);
+    pub const EXACT: Self = Self::new("closed form", Hue::Ink, Marker::Diamond, Stroke::Heavy);
     /// Euler's method.
-    pub const EULER: Self = Self::new("Euler", Hue::Orange, Marker::Ring, Stroke::Second);
+    pub const EULER: Self = Self::new("Euler", Hue::Teal, Marker::Ring, Stroke::Second);
     /// The midpoint rule, a Runge–Kutta method of order two.
-    pub const MIDPOINT: Self = Self::new("midpoint", Hue::Orange, Marker::Triangle, Stroke::Third);
+    pub const MIDPOINT: Self = Self::new("midpoint", Hue::Teal, Marker::Triangle, Stroke::Third);
     /// The classical Runge–Kutta method.
-    pub const RK4: Self = Self::new("RK4", Hue::Orange, Marker::Disc, Stroke::Curve);
+    pub const RK4: Self = Self::new("RK4", Hue::Teal, Marker::Disc, Stroke::Curve);
     /// The method of Dormand and Prince of order eight.
-    pub const DOP853: Self = Self::new("DOP853", Hue::Pink, Marker::Square, Stroke::Curve);
+    pub const DOP853: Self = Self::new("DOP853", Hue::Ochre, Marker::Square, Stroke::Curve);
     /// Power series.
-    pub const TAYLOR: Self = Self::new("Taylor", Hue::Purple, Marker::Triangle, Stroke::Curve);
+    pub const TAYLOR: Self = Self::new("Taylor", Hue::Ochre, Marker::Triangle, Stroke::Second);
     /// Strang's splitting.
-    pub const STRANG: Self = Self::new("Strang", Hue::Green, Marker::Disc, Stroke::Curve);
+    pub const STRANG: Self = Self::new("Strang", Hue::Muted, Marker::Disc, Stroke::Curve);
     /// The splitting of Blanes and Moan.
-    pub const BLANES_MOAN: Self = Self::new("Blanes–Moan", Hue::Green, Marker::Diamond, Stroke::Second);
+    pub const BLANES_MOAN: Self = Self::new("Blanes–Moan", Hue::Muted, Marker::Diamond, Stroke::Second);
     /// The commutator-free method of order four.
-    pub const CF4: Self = Self::new("CF4", Hue::Green, Marker::Triangle, Stroke::Third);
+    pub const CF4: Self = Self::new("CF4", Hue::Muted, Marker::Triangle, Stroke::Third);
 
     /// All of them.
     pub const ALL: [Self; 9] = [
