@@ -333,31 +333,4 @@ mod tests {
         assert_eq!(matter([&*page]), matter([&*other]));
         assert_ne!(matter([&*page]), matter([&*page.replace("0..60", "0..61")]));
     }
-
-    #[test]
-    fn what_looks_like_a_live_number_is_refused() {
-        for comment in [
-            "//live: 0..2",
-            "// Live: 0..2",
-            "//\tlive: 0..2",
-            "// m to either side; live: 0..2",
-            "// live 0..2",
-            "/* live: 0..2 */",
-        ] {
-            let line = format!("let x = 1.0; {comment}");
-            assert_eq!(live(&line), Some(Err(FORM.to_owned())), "{line}");
-        }
-        for line in ["let x = 1.0; // alive: so", "let live = 1.0; // they live long", "f(\"live: 0..2\")"] {
-            assert_eq!(live(line), None, "{line}");
-        }
-    }
-
-    #[test]
-    fn a_step_is_nice() {
-        for (range, whole, step) in
-            [(60.0, false, 0.5), (1.0, false, 0.005), (9.0, true, 1.0), (400.0, false, 2.0)]
-        {
-            assert!((nice(range / 200.0, whole) - step).abs() < 1e-12, "{range}");
-        }
-    }
 }

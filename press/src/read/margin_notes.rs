@@ -2,6 +2,7 @@
 
 use crate::fault::Reporter;
 use crate::read::items::{Note, Words};
+use crate::read::label_syntax;
 use pulldown_cmark::{CowStr, Event, Tag, TagEnd};
 use std::collections::{BTreeMap, HashSet};
 use std::ops::Range;
@@ -19,7 +20,7 @@ pub(crate) fn defined<'a>(
         let Event::Start(Tag::FootnoteDefinition(name)) = event else {
             continue;
         };
-        if !name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-') {
+        if !label_syntax::is_name(name) {
             report.fault(
                 range.start,
                 format!("the name of the footnote `[^{name}]` may hold only lower-case letters, digits and hyphens"),

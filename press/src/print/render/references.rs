@@ -83,19 +83,3 @@ impl Printer<'_, '_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::print::render::tests::printed;
-
-    #[test]
-    fn brackets_around_the_number_of_an_equation_are_its_own() {
-        let page = printed(
-            "# A\n\n$$\na\n$$ {#eq:x}\n\nBy @eq:x (@eq:x, as in @eq:x) and (so)\n@eq:x.[^a]\n\n[^a]: By (@eq:x) @eq:x.\n",
-        );
-        let [x, bare, word] = ["(1.1)", "1.1", "Eq.\u{a0}1.1"].map(|words| format!("[{words}](a.md#eq-x)"));
-        assert!(page.contains(&format!("By {x} ({bare}, as in {word}) and (so)\n{x}.")), "{page}");
-        let [x, bare] = ["(1.1)", "1.1"].map(|words| format!("<a href=\"a.md#eq-x\">{words}</a>"));
-        assert!(page.contains(&format!("By ({bare}) {x}.")), "{page}");
-    }
-}
