@@ -11,9 +11,6 @@ use std::fs;
 use std::path::Path;
 
 /// Checks the pages under `root`, which show what is `drawn`; returns how many there are.
-///
-/// # Errors
-/// Every fault of every page.
 pub fn check(root: &Path, drawn: &Rendered) -> Result<usize, Faults> {
     let (source, pages) = from_disk(root)?;
     rendered(&pages, root, &source, drawn)?;
