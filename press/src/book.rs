@@ -61,9 +61,7 @@ pub fn from_mdbook(book: &Book, source: &str) -> Vec<Page> {
 
 fn collect(items: &[BookItem], source: &str, pages: &mut Vec<Page>) {
     for item in items {
-        let BookItem::Chapter(chapter) = item else {
-            continue;
-        };
+        let BookItem::Chapter(chapter) = item else { continue };
         if let Some(path) = &chapter.source_path {
             let number = chapter.number.as_ref().and_then(|number| number.first().copied());
             let part = chapter.number.as_ref().and_then(|number| part(number, &chapter.name));

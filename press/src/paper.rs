@@ -236,9 +236,7 @@ impl Paper {
                 has_appendix = true;
                 lines += &line("of-chapter", APPENDIX, "", "Solutions");
             }
-            let Some((first, sections)) = sheet.headings.split_first() else {
-                continue;
-            };
+            let Some((first, sections)) = sheet.headings.split_first() else { continue };
             if sheet.is_leaf {
                 let words = if sheet.kind == Kind::Exercises { "Exercises" } else { &first.words };
                 lines += &line("of-leaf", &first.id, "", words);

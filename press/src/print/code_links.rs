@@ -45,9 +45,7 @@ pub(crate) fn places(
     let mut places: BTreeMap<String, Vec<CodePlace>> = BTreeMap::new();
     for (file, text) in code {
         let below = file.strip_prefix(sources).and_then(|file| file.strip_prefix('/'));
-        let Some(file) = below.filter(|_| !sources.is_empty()) else {
-            continue;
-        };
+        let Some(file) = below.filter(|_| !sources.is_empty()) else { continue };
         let lines: Vec<&str> = text.lines().collect();
         for (index, line) in lines.iter().enumerate() {
             for (at, label) in label_syntax::cited(line) {

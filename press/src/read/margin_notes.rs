@@ -17,9 +17,7 @@ pub(crate) fn defined<'a>(
 ) -> BTreeMap<String, Note<'a>> {
     let mut notes: BTreeMap<String, Note<'a>> = BTreeMap::new();
     for (n, (event, range)) in events.iter().enumerate() {
-        let Event::Start(Tag::FootnoteDefinition(name)) = event else {
-            continue;
-        };
+        let Event::Start(Tag::FootnoteDefinition(name)) = event else { continue };
         if !label_syntax::is_name(name) {
             report.fault(
                 range.start,

@@ -21,9 +21,7 @@ pub(crate) fn check(
     range: &Range<usize>,
     mut fault: impl FnMut(usize, String),
 ) {
-    let CodeBlockKind::Fenced(info) = kind else {
-        return;
-    };
+    let CodeBlockKind::Fenced(info) = kind else { return };
     if !is_closed(&text[range.clone()]) {
         fault(
             range.start,
@@ -109,9 +107,7 @@ pub(crate) fn check(
 
 /// Whether a fenced block ends with its fence, whatever quotation or list it stands in.
 fn is_closed(block: &str) -> bool {
-    let Some(mark) = block.chars().next() else {
-        return false;
-    };
+    let Some(mark) = block.chars().next() else { return false };
     let marks = block.chars().take_while(|&c| c == mark).count();
     let last = block.trim_end().lines().skip(1).last().unwrap_or_default();
     let last = last.trim_start_matches([' ', '\t', '>']);

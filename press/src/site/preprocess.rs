@@ -86,9 +86,7 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
 
 fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = String>) {
     for item in items {
-        let BookItem::Chapter(chapter) = item else {
-            continue;
-        };
+        let BookItem::Chapter(chapter) = item else { continue };
         if chapter.source_path.is_some()
             && let Some(text) = texts.next()
         {

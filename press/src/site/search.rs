@@ -92,12 +92,8 @@ fn index(context: &RenderContext, pages: &BTreeMap<String, String>, mut search: 
     let mut addresses = Vec::new();
     let mut looked_up = Vec::new();
     for item in context.book.iter() {
-        let BookItem::Chapter(chapter) = item else {
-            continue;
-        };
-        let Some(path) = &chapter.path else {
-            continue;
-        };
+        let BookItem::Chapter(chapter) = item else { continue };
+        let Some(path) = &chapter.path else { continue };
         let path = path.with_extension("html").to_string_lossy().replace('\\', "/");
         let mut way = chapter.parent_names.clone();
         way.push(chapter.name.clone());
@@ -141,9 +137,7 @@ fn index(context: &RenderContext, pages: &BTreeMap<String, String>, mut search: 
 /// Leaves out of the tree of words what nobody asks for: that no word ends at a letter, and all digits of weights but
 /// the first. A weight is the root of how often a word stands in a section.
 fn shorten(node: &mut Value) {
-    let Some(node) = node.as_object_mut() else {
-        return;
-    };
+    let Some(node) = node.as_object_mut() else { return };
     let ends = node.get("df").and_then(Value::as_u64).unwrap_or_default() > 0;
     if !ends {
         node.remove("df");

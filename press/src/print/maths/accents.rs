@@ -13,9 +13,7 @@ pub(super) fn centre(formula: &mut Element, font: &Font) {
         if !over.is("mover") || over.attribute("accent").is_none() {
             return;
         }
-        let Some(way) = over.elements().next().and_then(|letter| way(letter, font)) else {
-            return;
-        };
+        let Some(way) = over.elements().next().and_then(|letter| way(letter, font)) else { return };
         if let Some(accent) = over.element_mut(1) {
             accent.set("style", &format!("margin-left:{way:.2}em;margin-right:{:.2}em", -way));
         }
@@ -57,9 +55,7 @@ pub(super) fn keep_exponents_low(formula: &mut Element, font: &Font) {
         if !matches!(&*power.name, "msup" | "msubsup") {
             return;
         }
-        let Some(base) = power.element_mut(0).filter(|base| base.is("mover")) else {
-            return;
-        };
+        let Some(base) = power.element_mut(0).filter(|base| base.is("mover")) else { return };
         let height = base.elements().next().and_then(|letter| height(letter, font));
         if let Some(height) = height {
             let letter = std::mem::take(base);

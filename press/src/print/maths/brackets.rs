@@ -10,9 +10,7 @@ use read_fonts::tables::math::StretchAxis;
 /// box may be as wide as that of the largest bracket there is. The font knows how wide it is.
 pub(super) fn stand_close(formula: &mut Element, font: &Font) {
     formula.visit(&mut |bracket| {
-        let Some(size) = bracket.attribute("minsize").filter(|_| bracket.is("mo")) else {
-            return;
-        };
+        let Some(size) = bracket.attribute("minsize").filter(|_| bracket.is("mo")) else { return };
         let size = size.strip_suffix("em").and_then(|size| size.parse().ok());
         if let Some(width) = size.and_then(|size| width(&bracket.text(), size, font)) {
             bracket.set("style", &format!("width:{width:.3}em"));
@@ -39,9 +37,7 @@ pub(super) fn keep_their_height(formula: &mut Element) {
         if !matches!(&*scripts.name, "msup" | "msub" | "msubsup") {
             return;
         }
-        let Some(base) = scripts.element_mut(0).filter(|base| base.is("mo")) else {
-            return;
-        };
+        let Some(base) = scripts.element_mut(0).filter(|base| base.is("mo")) else { return };
         if base.attribute("minsize").is_some() || base.attribute("stretchy") == Some("true") {
             base.set("form", "postfix");
             let bracket = std::mem::take(base);

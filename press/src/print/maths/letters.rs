@@ -53,9 +53,7 @@ impl Letters {
                 let formulas = rows.iter().flatten().flat_map(formulas);
                 letters.shown.extend(formulas.map(|(offset, _)| (offset, folder.clone())));
             }
-            let Some((head, rows)) = rows.split_first() else {
-                continue;
-            };
+            let Some((head, rows)) = rows.split_first() else { continue };
             let column = |name: &str| head.iter().position(|cell| words(cell) == name);
             let (Some(colours), Some(signs)) = (column("colour"), column("letters")) else {
                 continue;
@@ -80,9 +78,7 @@ impl Letters {
                 }
                 for (offset, tex) in formulas(&row[signs]) {
                     // What LaTeX is not understood is reported where the formula is printed.
-                    let Some(formula) = convert(tex) else {
-                        continue;
-                    };
+                    let Some(formula) = convert(tex) else { continue };
                     let only = formula.elements().next().filter(|_| formula.elements().count() == 1);
                     let Some(key) = only.and_then(key) else {
                         report.fault(offset, format!("`{tex}` is not one letter, perhaps with a subscript"));

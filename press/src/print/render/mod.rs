@@ -150,9 +150,7 @@ impl Printer<'_, '_> {
                 }
                 item => self.item(item, range.start),
             };
-            let Some(replacement) = replacement else {
-                continue;
-            };
+            let Some(replacement) = replacement else { continue };
             let (head, tail) = match &placed.item {
                 Item::InlineMaths { .. } => nonbreaking::around(&text[done..range.start], &text[range.end..]),
                 _ => (0, 0),
