@@ -1,8 +1,7 @@
 //! Numbers that a reader may change in the page: `let spin = 30.0; // live: 0..60 rad/s`.
 //!
 //! A snippet with such a mark is printed with fields for its numbers, and the module of the pages holds the same text
-//! as a function of them, which answers with what the snippet prints and with what its assertions find. The press and
-//! the build script of the crate `module` share this file, as they share `markdown.rs` and `printed.rs`.
+//! as a function of them, which answers with what the snippet prints and with what its assertions find.
 
 use crate::{expected_output, markdown};
 
