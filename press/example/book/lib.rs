@@ -1,11 +1,11 @@
 //! The code of the pages: what is listed here is drawn, and what is not, is not.
 
 pub mod pendulum {
-    #[cfg(not(target_family = "wasm"))]
+    #[cfg(feature = "figures")]
     pub mod figures;
     pub mod scene;
 }
-#[cfg(not(target_family = "wasm"))]
+#[cfg(feature = "figures")]
 pub mod tables;
 
 /// All live scenes, each with the folder of its chapter.
