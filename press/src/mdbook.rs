@@ -56,8 +56,8 @@ pub(crate) fn this_program() -> Option<String> {
     Some(format!("\"{}\"", env::current_exe().ok()?.to_str()?))
 }
 
-/// Builds the site in `root`, in the folder `html` below `destination`, by a `press` that is known to be current, in place
-/// of that which book.toml has Cargo look after.
+/// Builds the site in `root`, in the folder `html` below `destination`, by a `press` that is known to be current, in
+/// place of that which book.toml has Cargo look after.
 pub(crate) fn build(press: Option<&str>, root: &Path, destination: &Path, for_whom: For) -> Result<()> {
     let built = settings(root).and_then(|mut settings| {
         settings.build.build_dir = root.join(destination);

@@ -60,7 +60,7 @@ impl RawHtml {
         }
     }
 
-    /// Reads a piece of HTML whose byte `n` is byte `place(n)` of the page; what it holds that the press has to look up.
+    /// Reads a piece of HTML whose byte `n` is byte `place(n)` of the page; what it holds for the press to look up.
     pub(crate) fn read(
         &mut self,
         html: &str,

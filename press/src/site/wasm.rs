@@ -82,7 +82,7 @@ impl Modules {
     /// With none to compile, only who publishes the site waits until rustup has been asked for what the compiler lacks.
     ///
     /// # Errors
-    /// If modules are required and there is no compiler for them; if one does not compile, with the words of the compiler.
+    /// If modules are required and there is no compiler for them; if one does not compile.
     pub(crate) fn made(&self, for_whom: For, most: usize) -> Result<Module> {
         let wish = env::var("BOOK_LIVE").unwrap_or_else(|_| "auto".to_owned());
         match wish.as_str() {

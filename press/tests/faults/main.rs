@@ -70,7 +70,7 @@ struct Book {
 }
 
 impl Book {
-    /// A book of one numbered chapter with two pages, `a.md` and `b.md`, and a suffix page `c.md`; `a` is the first one.
+    /// A book of one numbered chapter with two pages, `a.md`, which is given, and `b.md`, and a suffix page `c.md`.
     fn new(name: &str, a: &str) -> Self {
         let root = std::env::temp_dir().join(format!("press-faults-{}-{name}", std::process::id()));
         let _ = fs::remove_dir_all(&root);
