@@ -2,9 +2,10 @@
 //! and its live scenes.
 
 use crate::{Book, html};
+use anyhow::{Context as _, Result, anyhow};
 use live::Player;
+use std::fs;
 use std::path::Path;
-use std::{fs, io};
 
 /// What a build script has rendered, read from its folder, and what the program itself knows.
 #[derive(Debug, Clone, Default)]
@@ -39,11 +40,10 @@ impl Scene {
     }
 
     /// Draws the still, by the code that moves the scene in its page.
-    fn drawn(chapter: &'static str, scene: &'static live::Scene) -> Result<Self, String> {
-        let cannot = |why: String| format!("{}: the scene {}: {why}", scene.file, scene.name);
-        let still = Player::new(scene).and_then(|mut player| player.still());
-        let svg = still.map_err(|error| cannot(error.to_string()))?.to_svg();
-        Ok(Self { chapter, live: *scene, svg: svg.map_err(|flaw| cannot(flaw.to_string()))? })
+    fn drawn(chapter: &'static str, scene: &'static live::Scene) -> Result<Self> {
+        let still = Player::new(scene).and_then(|mut player| Ok(player.still()?.to_svg()?));
+        let cannot = |error| anyhow!("{}: the scene {}: {error}", scene.file, scene.name);
+        Ok(Self { chapter, live: *scene, svg: still.map_err(cannot)? })
     }
 }
 
@@ -67,23 +67,18 @@ impl Rendered {
     ///
     /// # Errors
     /// If a file of the build script is missing or cannot be read; which scene cannot be drawn as it starts, and why.
-    pub fn of(book: &Book) -> Result<Self, String> {
-        let mut rendered = Self::read(book).map_err(|error| format!("error: {error}"))?;
+    pub fn of(book: &Book) -> Result<Self> {
+        let mut rendered = Self::read(book)?;
         let scenes = book.scenes.iter().map(|(chapter, scene)| Scene::drawn(chapter, scene));
-        rendered.scenes = scenes.collect::<Result<_, _>>().map_err(|error| format!("error: {error}"))?;
+        rendered.scenes = scenes.collect::<Result<_>>()?;
         Ok(rendered)
     }
 
     /// The figures and tables, of which `figures::write` says how they lie in the folder.
-    ///
-    /// # Errors
-    /// If a file is missing or cannot be read.
-    pub(crate) fn read(book: &Book) -> io::Result<Self> {
+    pub(crate) fn read(book: &Book) -> Result<Self> {
         let folder = Path::new(book.drawn);
         let text = |name: &str| {
-            fs::read_to_string(folder.join(name)).map_err(|error| {
-                io::Error::new(error.kind(), format!("{}/{name}: {error}", folder.display()))
-            })
+            fs::read_to_string(folder.join(name)).with_context(|| format!("{}/{name}", folder.display()))
         };
         let mut rendered = Self { book: *book, ..Self::default() };
         for line in text("figures.txt")?.lines() {
@@ -108,13 +103,11 @@ impl Rendered {
     }
 
     /// Writes every figure into `folder` as a standalone SVG file, `machine.svg`; returns how many there are.
-    ///
-    /// # Errors
-    /// If the folder or a file cannot be written.
-    pub fn write_all(&self, folder: &Path) -> io::Result<usize> {
-        fs::create_dir_all(folder)?;
+    pub fn write_all(&self, folder: &Path) -> Result<usize> {
+        fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
         for figure in &self.figures {
-            fs::write(folder.join(figure.file_name()), &figure.standalone)?;
+            let file = folder.join(figure.file_name());
+            fs::write(&file, &figure.standalone).with_context(|| file.display().to_string())?;
         }
         Ok(self.figures.len())
     }

@@ -3,8 +3,8 @@
 use crate::fault::{Faults, Lines, Reporter};
 use dialect::pages;
 use mdbook_preprocessor::book::{Book, BookItem};
-use std::fs;
 use std::path::Path;
+use std::{fs, io};
 
 /// One page.
 #[derive(Debug, Clone)]
@@ -17,6 +17,8 @@ pub struct Page {
     pub chapter: Option<u32>,
     /// Its name in SUMMARY.md if it stands below the first page of its chapter: `Exercises`.
     pub part: Option<String>,
+    /// The part of the book that its chapter belongs to, if it is the first page of one and SUMMARY.md has parts.
+    pub(crate) part_of_book: Option<String>,
     /// Its Markdown.
     pub text: String,
     /// Where its lines begin.
@@ -33,7 +35,15 @@ impl Page {
         text: String,
     ) -> Self {
         let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text); // as mdBook does
-        Self { file: format!("{source}/{path}"), path, chapter, part, lines: Lines::of(&text), text }
+        Self {
+            file: format!("{source}/{path}"),
+            path,
+            chapter,
+            part,
+            part_of_book: None,
+            lines: Lines::of(&text),
+            text,
+        }
     }
 
     /// What reports the faults of this page.
@@ -51,9 +61,7 @@ pub fn from_mdbook(book: &Book, source: &str) -> Vec<Page> {
 
 fn collect(items: &[BookItem], source: &str, pages: &mut Vec<Page>) {
     for item in items {
-        let BookItem::Chapter(chapter) = item else {
-            continue;
-        };
+        let BookItem::Chapter(chapter) = item else { continue };
         if let Some(path) = &chapter.source_path {
             let number = chapter.number.as_ref().and_then(|number| number.first().copied());
             let part = chapter.number.as_ref().and_then(|number| part(number, &chapter.name));
@@ -83,6 +91,24 @@ pub(crate) fn text(root: &Path, file: &str, faults: &mut Faults) -> Option<Strin
             None
         }
     }
+}
+
+/// The files below a folder, in order, by their paths from there with forward slashes.
+pub(crate) fn files(folder: &Path) -> io::Result<Vec<String>> {
+    let (mut found, mut open) = (Vec::new(), vec![String::new()]);
+    while let Some(below) = open.pop() {
+        for entry in fs::read_dir(folder.join(&below))? {
+            let entry = entry?;
+            let name = format!("{below}{}", entry.file_name().to_string_lossy());
+            if entry.file_type()?.is_dir() {
+                open.push(name + "/");
+            } else {
+                found.push(name);
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
 }
 
 pub(crate) fn slashed(path: &Path) -> String {
@@ -119,18 +145,4 @@ pub(crate) fn resolve(from: &str, target: &str) -> Option<String> {
         }
     }
     Some(parts.join("/"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn links_lead_from_page_to_page() {
-        assert_eq!(relative("a/index.md", "a/solutions.md"), "solutions.md");
-        assert_eq!(relative("a/index.md", "bibliography.md"), "../bibliography.md");
-        assert_eq!(relative("preface.md", "a/index.md"), "a/index.md");
-        assert_eq!(resolve("a/index.md", "../b/x.md").as_deref(), Some("b/x.md"));
-        assert_eq!(resolve("a.md", "../b.md"), None);
-    }
 }

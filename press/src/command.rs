@@ -1,13 +1,12 @@
 //! `cargo book`: what one can ask of the press by hand.
 
 use crate::assets::Rendered;
-use crate::mdbook;
-use crate::mdbook::For;
-use crate::paper;
-use crate::paper::Paper;
+use crate::mdbook::{self, For};
+use crate::paper::{self, Paper};
 use crate::read::disk::from_disk;
 use crate::site::{check, page_metadata, publish};
 use crate::{new, serve};
+use anyhow::{Context as _, Error, Result, bail, ensure};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -59,25 +58,18 @@ enum Order {
     },
 }
 
-fn epub_file(name: &str) -> Result<PathBuf, String> {
-    if name.ends_with(".epub") {
-        Ok(name.into())
-    } else {
-        Err("the name of an EPUB ends with .epub".to_owned())
-    }
+fn epub_file(name: &str) -> Result<PathBuf> {
+    ensure!(name.ends_with(".epub"), "the name of an EPUB ends with .epub");
+    Ok(name.into())
 }
 
-/// Runs one command on the book under `root`, which shows what is `drawn`; `Err` holds what to print before
-/// exiting with status 1.
-///
-/// # Errors
-/// A message for the reader, complete.
-pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), String> {
+/// Runs one command on the book under `root`, which shows what is `drawn`.
+pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<()> {
     let help = ["help".to_owned()];
     let arguments = if arguments.is_empty() { &help } else { arguments };
     let own = drawn.book.commands;
     if let Some(command) = own.iter().find(|command| command.name == arguments[0]) {
-        return (command.run)(root, &arguments[1..]);
+        return (command.run)(root, &arguments[1..]).map_err(Error::msg);
     }
     let more: String = own.iter().map(|own| format!("  {:<8} {}\n", own.name, own.help)).collect();
     let more = if own.is_empty() { more } else { format!("Of this book:\n{more}") };
@@ -89,41 +81,39 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<(), St
             say(help.to_string().trim_end());
             return Ok(());
         }
-        Err(error) => return Err(error.to_string().trim_end().to_owned()),
+        Err(error) => bail!("{}", error.to_string().trim_end()),
     };
     match order {
-        Order::Serve(options) => serve::run(root, &options, &drawn.book),
-        Order::Build { dest_dir, paper } => build(root, dest_dir.as_deref(), paper),
+        Order::Serve(options) => return serve::run(root, &options, &drawn.book),
+        Order::Build { dest_dir, paper } => return build(root, dest_dir.as_deref(), paper),
         Order::Test => {
-            // Of a page that it cannot read mdBook tells no line.
-            from_disk(root).map_err(|faults| faults.to_string())?;
-            mdbook::test(root)
+            from_disk(root)?; // of a page that it cannot read mdBook tells no line
+            return mdbook::test(root);
         }
         Order::Check => {
-            let pages = check::check(root, drawn).map_err(|faults| faults.to_string())?;
+            let pages = check::check(root, drawn)?;
+            let (figures, scenes) = (drawn.figures.len(), drawn.scenes.len());
             say(&format!(
-                "{pages} pages, {} figures, {} scenes: nothing wrong; `cargo book test` runs the snippets",
-                drawn.figures.len(),
-                drawn.scenes.len()
+                "{pages} pages, {figures} figures, {scenes} scenes: nothing wrong; `cargo book test` runs the snippets"
             ));
-            Ok(())
         }
         Order::Figures { folder } => {
-            let count =
-                drawn.write_all(&folder).map_err(|error| format!("error: {}: {error}", folder.display()))?;
-            say(&format!("{count} figures in {}", folder.display()));
-            Ok(())
+            say(&format!("{} figures in {}", drawn.write_all(&folder)?, folder.display()));
         }
-        Order::Pdf { what, solutions } => pdf(root, what, solutions),
-        Order::Epub { file } => epub(root, file.as_deref()),
+        Order::Pdf { what, solutions } => return pdf(root, what, solutions),
+        Order::Epub { file } => {
+            let paper = built_for_paper(root, None, true)?;
+            let target = target(root, file, || format!("{}.epub", paper.file_name()))?;
+            paper.write_epub(&root.join(PAPER).join("html"), &target)?;
+            say_size(&target)?;
+        }
         Order::New { folder, git } => {
-            let folder = env::current_dir().map_err(|error| format!("error: {error}"))?.join(folder);
-            new::book(root, &folder, git.as_deref())
-                .map_err(|error| format!("error: {}: {error}", folder.display()))?;
+            let folder = env::current_dir()?.join(folder);
+            new::book(root, &folder, git.as_deref()).with_context(|| folder.display().to_string())?;
             say(&format!("a book in {}: `cargo book serve` there shows it", folder.display()));
-            Ok(())
         }
     }
+    Ok(())
 }
 
 /// Prints a line; a reader who has closed the pipe does not want it.
@@ -131,23 +121,32 @@ fn say(line: &str) {
     let _ = writeln!(io::stdout(), "{line}");
 }
 
+fn say_size(file: &Path) -> Result<()> {
+    say(&format!("{} ({} KB)", file.display(), fs::metadata(file)?.len() / 1024));
+    Ok(())
+}
+
 /// Where the site for paper is built.
 const PAPER: &str = "target/press/paper";
 
-fn build(root: &Path, folder: Option<&str>, with_paper: bool) -> Result<(), String> {
+fn build(root: &Path, folder: Option<&str>, with_paper: bool) -> Result<()> {
     let folder = mdbook::destination(root, folder)?;
     let browser = with_paper.then(paper::browser).transpose()?;
     // It is made beside its place, to which it comes at once when it is whole.
     let (site, beside) = (folder.join("html"), folder.join("unfinished"));
-    let cannot = |error: io::Error| format!("error: {}: {error}", folder.display());
-    publish::withdraw(&site).and_then(|()| publish::remove(&beside)).map_err(cannot)?;
+    let cannot = || folder.display().to_string();
+    publish::withdraw(&site).and_then(|()| publish::remove(&beside)).with_context(cannot)?;
     let fresh = beside.join("html");
-    let built = from_disk(root)
-        .map_err(|faults| faults.to_string())
-        .and_then(|_| mdbook::build(root, &beside, For::Readers))
-        .and_then(|()| browser.map_or(Ok(()), |browser| add_paper(root, &browser, &fresh)))
-        .and_then(|()| fs::rename(&fresh, &site).map_err(cannot));
-    publish::remove(&beside).map_err(cannot)?;
+    let made = || {
+        from_disk(root)?;
+        mdbook::build(mdbook::this_program().as_deref(), root, &beside, For::Readers)?;
+        if let Some(browser) = &browser {
+            add_paper(root, browser, &fresh)?;
+        }
+        fs::rename(&fresh, &site).with_context(cannot)
+    };
+    let built = made();
+    publish::remove(&beside).with_context(cannot)?;
     if built.is_ok() {
         say(&format!("The site is in {}", site.display()));
     }
@@ -155,59 +154,53 @@ fn build(root: &Path, folder: Option<&str>, with_paper: bool) -> Result<(), Stri
 }
 
 /// Puts the book on paper and for readers of EPUBs into its site, and leads to both from the foot of every page.
-fn add_paper(root: &Path, browser: &Path, site: &Path) -> Result<(), String> {
-    let cannot = |error: io::Error| format!("error: {}: {error}", site.display());
-    build_for_paper(root)?;
-    let pages = root.join(PAPER).join("html");
-    let book = Paper::read(root, &pages, None, true).map_err(cannot)?;
+fn add_paper(root: &Path, browser: &Path, site: &Path) -> Result<()> {
+    let book = built_for_paper(root, None, true)?;
     let [pdf, epub] = ["pdf", "epub"].map(|kind| format!("{}.{kind}", book.file_name()));
     print(root, browser, &book, &site.join(&pdf))?;
     eprintln!("Writing the EPUB");
-    book.write_epub(&pages, &site.join(&epub)).map_err(cannot)?;
-    page_metadata::add_downloads(site, &[("PDF", &pdf), ("EPUB", &epub)]).map_err(cannot)
+    book.write_epub(&root.join(PAPER).join("html"), &site.join(&epub))?;
+    Ok(page_metadata::add_downloads(site, &[("PDF", &pdf), ("EPUB", &epub)])?)
 }
 
 /// A chapter and a file, in any order, each at most once.
-fn chapter_and_file(what: Vec<String>) -> Result<(Option<String>, Option<String>), String> {
+fn chapter_and_file(what: Vec<String>) -> Result<(Option<String>, Option<PathBuf>)> {
     let (mut chapter, mut file) = (None, None);
     for word in what {
         let place = if word.ends_with(".pdf") { &mut file } else { &mut chapter };
         if let Some(first) = place.replace(word) {
             let second = place.as_deref().unwrap_or_default();
-            return Err(format!("error: `cargo book pdf` takes `{first}` or `{second}`, not both"));
+            bail!("`cargo book pdf` takes `{first}` or `{second}`, not both");
         }
     }
-    Ok((chapter, file))
+    Ok((chapter, file.map(PathBuf::from)))
 }
 
-/// The site is built once more for paper, with stills in place of live scenes; the one in target/book stays as it is.
-fn pdf(root: &Path, what: Vec<String>, solutions: bool) -> Result<(), String> {
+fn pdf(root: &Path, what: Vec<String>, solutions: bool) -> Result<()> {
     let (chapter, file) = chapter_and_file(what)?;
-    let (_, pages) = from_disk(root).map_err(|faults| faults.to_string())?;
+    let (_, pages) = from_disk(root)?;
     let chapter = chapter.map(|asked| paper::chapter(&pages, &asked)).transpose()?;
     let browser = paper::browser()?;
-    let cannot = |error: io::Error| format!("error: {error}");
-    build_for_paper(root)?;
-    let paper =
-        Paper::read(root, &root.join(PAPER).join("html"), chapter.as_deref(), solutions).map_err(cannot)?;
-    let name = match &chapter {
-        Some(chapter) if solutions => format!("{chapter}-with-solutions"),
-        Some(chapter) => chapter.clone(),
-        None => paper.file_name(),
-    };
-    let target = match &file {
-        Some(file) => env::current_dir().map_err(cannot)?.join(file),
-        None => mdbook::destination(root, None)?.join(format!("{name}.pdf")),
-    };
+    let paper = built_for_paper(root, chapter.as_deref(), solutions)?;
+    let target = target(root, file, || match &chapter {
+        Some(chapter) if solutions => format!("{chapter}-with-solutions.pdf"),
+        Some(chapter) => format!("{chapter}.pdf"),
+        None => format!("{}.pdf", paper.file_name()),
+    })?;
     print(root, &browser, &paper, &target)?;
-    let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
-    say(&format!("{} ({} KB)", target.display(), size / 1024));
-    Ok(())
+    say_size(&target)
 }
 
-/// Prints what `build_for_paper` has left.
-fn print(root: &Path, browser: &Path, paper: &Paper, target: &Path) -> Result<(), String> {
-    let cannot = |error: io::Error| format!("error: {error}");
+/// The file that somebody asks for, or one of this name where the site lies.
+fn target(root: &Path, asked: Option<PathBuf>, name: impl FnOnce() -> String) -> Result<PathBuf> {
+    match asked {
+        Some(file) => Ok(env::current_dir()?.join(file)),
+        None => Ok(mdbook::destination(root, None)?.join(name())),
+    }
+}
+
+/// Prints what [`built_for_paper`] has left.
+fn print(root: &Path, browser: &Path, paper: &Paper, target: &Path) -> Result<()> {
     let [page, first, profile] =
         ["paper.html", "paper.pdf", "chromium"].map(|name| root.join(PAPER).join(name));
     // The first print says on which page everything stands, the second one prints it.
@@ -216,9 +209,9 @@ fn print(root: &Path, browser: &Path, paper: &Paper, target: &Path) -> Result<()
         [(&*first, "to see on which page everything stands"), (target, "with the numbers of the pages")]
     {
         eprintln!("Chromium makes a PDF, {for_what}: the whole book takes it a minute or two");
-        fs::write(&page, paper.html("html/", &numbers)).map_err(cannot)?;
+        fs::write(&page, paper.html("html/", &numbers))?;
         paper::print(browser, &page, file, &profile)?;
-        numbers = paper::numbers(&fs::read(file).map_err(cannot)?);
+        numbers = paper::numbers(&fs::read(file)?);
         if numbers.is_empty() {
             eprintln!(
                 "This Chromium does not tell where its pages stand: their numbers are missing in the contents."
@@ -228,25 +221,12 @@ fn print(root: &Path, browser: &Path, paper: &Paper, target: &Path) -> Result<()
     Ok(())
 }
 
-fn epub(root: &Path, file: Option<&Path>) -> Result<(), String> {
-    build_for_paper(root)?;
-    let cannot = |error: io::Error| format!("error: {error}");
-    let site = root.join(PAPER).join("html");
-    let paper = Paper::read(root, &site, None, true).map_err(cannot)?;
-    let target = match file {
-        Some(file) => env::current_dir().map_err(cannot)?.join(file),
-        None => mdbook::destination(root, None)?.join(format!("{}.epub", paper.file_name())),
-    };
-    paper.write_epub(&site, &target).map_err(cannot)?;
-    let size = fs::metadata(&target).map(|data| data.len()).map_err(cannot)?;
-    say(&format!("{} ({} KB)", target.display(), size / 1024));
-    Ok(())
-}
-
-fn build_for_paper(root: &Path) -> Result<(), String> {
-    from_disk(root).map_err(|faults| faults.to_string())?;
+/// The site is built once more for paper, with stills in place of live scenes; the one in target/book stays as it is.
+fn built_for_paper(root: &Path, chapter: Option<&str>, solutions: bool) -> Result<Paper> {
+    from_disk(root)?;
     eprintln!("Printing the pages once more, for paper");
-    mdbook::build(root, Path::new(PAPER), For::Paper)
+    mdbook::build(mdbook::this_program().as_deref(), root, Path::new(PAPER), For::Paper)?;
+    Paper::read(root, &root.join(PAPER).join("html"), chapter, solutions)
 }
 
 #[cfg(test)]
@@ -254,44 +234,29 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pdf_is_ordered_by_chapter_and_file_in_any_order() {
-        let asked = |words: &str| chapter_and_file(words.split_whitespace().map(str::to_owned).collect());
-        let both = (Some("coin-toss".to_owned()), Some("a.pdf".to_owned()));
-        assert_eq!(asked(""), Ok((None, None)));
-        assert_eq!(asked("4"), Ok((Some("4".to_owned()), None)));
-        assert_eq!(asked("a.pdf coin-toss").as_ref(), Ok(&both));
-        assert_eq!(asked("coin-toss a.pdf"), Ok(both));
-        for wrong in ["a b", "a.pdf b.pdf"] {
-            let (first, second) = wrong.split_once(' ').unwrap();
-            assert!(asked(wrong).unwrap_err().contains(&format!("`{first}` or `{second}`")), "{wrong}");
-        }
-    }
-
-    #[test]
-    fn an_order_that_is_none_is_named() {
-        let said = |words: &str| {
-            let words: Vec<String> = words.split_whitespace().map(str::to_owned).collect();
-            run(Path::new(".."), &words, &Rendered::default()).unwrap_err()
-        };
+    fn an_order_that_is_none_is_named_before_anything_is_built() {
         for (wrong, named) in [
             ("chek", "unrecognized subcommand 'chek'"),
             ("check all", "unexpected argument 'all'"),
             ("pdf --solution", "unexpected argument '--solution'"),
+            ("pdf a b", "takes `a` or `b`, not both"),
+            ("pdf a.pdf b.pdf", "takes `a.pdf` or `b.pdf`, not both"),
+            ("pdf coin c.pdf", "there is no chapter `coin`; there are\n      about"),
+            ("pdf c.pdf coin", "there is no chapter `coin`; there are\n      about"),
+            ("pdf 3", "\n   1  pendulum             The pendulum\n   2  clock "),
             ("serve -p x", "invalid value 'x' for '--port <PORT>'"),
             ("figures", "<FOLDER>"),
             ("epub book.zip", "ends with .epub"),
         ] {
-            assert!(said(wrong).starts_with("error: ") && said(wrong).contains(named), "{}", said(wrong));
+            let words: Vec<String> = wrong.split_whitespace().map(str::to_owned).collect();
+            let said = run(Path::new("example"), &words, &Rendered::default()).unwrap_err().to_string();
+            assert!(said.contains(named), "{wrong}: {said}");
         }
-    }
-
-    #[test]
-    fn a_chapter_that_is_none_is_named_before_anything_is_built() {
-        let said = run(Path::new("example"), &["pdf".to_owned(), "coin".to_owned()], &Rendered::default())
-            .unwrap_err();
-        assert!(
-            said.starts_with("error: there is no chapter `coin`") && said.contains("\n   1  pendulum "),
-            "{said}"
-        );
+        let (_, pages) = from_disk(Path::new("example")).unwrap();
+        for (asked, name) in
+            [("pendulum", "pendulum"), ("clock/", "clock"), ("2", "clock"), ("about", "about")]
+        {
+            assert_eq!(paper::chapter(&pages, asked).unwrap(), name);
+        }
     }
 }

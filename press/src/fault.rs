@@ -1,5 +1,6 @@
 //! What is wrong with a page, and where.
 
+use anyhow::Error;
 use std::fmt;
 
 /// One fault, at a line of a file.
@@ -63,6 +64,13 @@ impl fmt::Display for Faults {
     }
 }
 
+impl std::error::Error for Faults {}
+
+/// What is printed of an error, with its causes.
+pub(crate) fn said(error: &Error) -> String {
+    format!("error: {}", format!("{error:#}").trim_start_matches("error: "))
+}
+
 /// Where the lines of a text begin, so that the line of a place is found without counting through the text again.
 #[derive(Debug, Clone)]
 pub(crate) struct Lines {
@@ -101,22 +109,4 @@ pub(crate) fn nearest<'a>(name: &str, candidates: impl Iterator<Item = &'a str>)
         .filter(|(distance, candidate)| *distance <= candidate.len().max(name.len()) / 3)
         .min()
         .map(|(_, candidate)| candidate)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_misspelt_name_finds_its_neighbour() {
-        let known = ["steady-radius", "steady-phase", "newton"];
-        assert_eq!(nearest("steady-radus", known.into_iter()), Some("steady-radius"));
-        assert_eq!(nearest("entirely-different", known.into_iter()), None);
-    }
-
-    #[test]
-    fn a_place_has_its_line() {
-        let lines = Lines::of("a\nb\n\nc");
-        assert_eq!([0, 1, 2, 3, 4, 5, 9].map(|offset| lines.at(offset)), [1, 1, 2, 2, 3, 4, 4]);
-    }
 }

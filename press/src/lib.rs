@@ -118,6 +118,7 @@ mod mdbook;
 mod new;
 mod serve;
 
+use anyhow::Result;
 use assets::Rendered;
 use live::Scene;
 use std::io::{self, IsTerminal, Read};
@@ -142,6 +143,18 @@ pub struct Book {
     pub commands: &'static [Command],
 }
 
+impl Book {
+    /// A book that has its code in the folders `src` and `book`, and no commands of its own.
+    pub const fn new(
+        library: &'static str,
+        drawn: &'static str,
+        scenes: &'static [(&'static str, &'static Scene)],
+        snippets: &'static str,
+    ) -> Self {
+        Self { library, code: &["src", "book"], drawn, scenes, snippets, commands: &[] }
+    }
+}
+
 /// A command of a book's own: `cargo book measure`.
 #[derive(Debug, Clone, Copy)]
 pub struct Command {
@@ -159,35 +172,31 @@ pub fn main(book: &Book) -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
     match run(book, &arguments) {
         Ok(()) => ExitCode::SUCCESS,
-        Err(message) => {
-            eprintln!("{message}");
+        Err(error) => {
+            eprintln!("{}", fault::said(&error));
             ExitCode::FAILURE
         }
     }
 }
 
-fn run(book: &Book, arguments: &[String]) -> Result<(), String> {
-    let cannot = |error: io::Error| format!("error: {error}");
+fn run(book: &Book, arguments: &[String]) -> Result<()> {
     match arguments.first().map(String::as_str) {
         Some("supports") => Ok(()), // html and test; book.toml names them
-        Some("finish") => {
-            let drawn = Rendered::read(book).map_err(cannot)?;
-            site::postprocess::run(io::stdin().lock(), &drawn).map_err(|failed| failed.to_string())
-        }
+        Some("finish") => site::postprocess::run(io::stdin().lock(), &Rendered::read(book)?),
         None if !io::stdin().is_terminal() => answer(book),
         _ => command::run(&root(), arguments, &Rendered::of(book)?),
     }
 }
 
 /// Answers mdBook's request on standard input; without one, somebody has typed `cargo book` alone.
-fn answer(book: &Book) -> Result<(), String> {
+fn answer(book: &Book) -> Result<()> {
     let mut request = Vec::new();
-    io::stdin().lock().read_to_end(&mut request).map_err(|error| format!("error: {error}"))?;
+    io::stdin().lock().read_to_end(&mut request)?;
     let drawn = Rendered::of(book)?;
     if request.is_empty() {
         return command::run(&root(), &[], &drawn);
     }
-    site::preprocess::run(request.as_slice(), io::stdout().lock(), drawn).map_err(|failed| failed.to_string())
+    site::preprocess::run(request.as_slice(), io::stdout().lock(), drawn)
 }
 
 /// The project's root: the nearest folder upwards with a book.toml, from here or from the package that Cargo runs.

@@ -1,9 +1,9 @@
 //! mdBook as a library: what `mdbook build` and `mdbook test` do, for those who have not installed it. It reads
 //! book.toml and calls the press as the program does, so that both print the same site.
 
+use anyhow::{Context as _, Result, ensure};
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
-use mdbook_driver::errors::Error;
 use std::env;
 use std::fmt::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -32,20 +32,16 @@ const SETTING: &str = "preprocessor.press.for";
 const COMMAND: &str = "preprocessor.press.command";
 
 impl For {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Readers => "readers",
-            Self::Author => "author",
-            Self::Hasty => "hasty",
-            Self::Paper => "paper",
-        }
+    /// Its name in the settings that mdBook hands on.
+    fn name(self) -> String {
+        format!("{self:?}").to_lowercase()
     }
 
     /// For whom mdBook builds with these settings.
     pub(crate) fn of(config: &Config) -> Self {
         let named: Option<String> = config.get(SETTING).ok().flatten();
         let all = [Self::Author, Self::Hasty, Self::Paper];
-        let found = all.into_iter().find(|one| named.as_deref() == Some(one.name()));
+        let found = all.into_iter().find(|one| named.as_ref() == Some(&one.name()));
         found.unwrap_or(if is_followed_by_mdbook(config) { Self::Author } else { Self::Readers })
     }
 }
@@ -55,23 +51,14 @@ pub(crate) fn is_followed_by_mdbook(config: &Config) -> bool {
     config.contains_key("output.html.live-reload-endpoint")
 }
 
-/// Builds the site in `root`, in the folder `html` below `destination`, by this program.
-pub(crate) fn build(root: &Path, destination: &Path, for_whom: For) -> Result<(), String> {
-    build_by(this_program().as_deref(), root, destination, for_whom)
-}
-
 /// This program, which is current since Cargo has just run it, as a command for mdBook.
 pub(crate) fn this_program() -> Option<String> {
     Some(format!("\"{}\"", env::current_exe().ok()?.to_str()?))
 }
 
-/// The same, by a `press` that is known to be current, in place of that which book.toml has Cargo look after.
-pub(crate) fn build_by(
-    press: Option<&str>,
-    root: &Path,
-    destination: &Path,
-    for_whom: For,
-) -> Result<(), String> {
+/// Builds the site in `root`, in the folder `html` below `destination`, by a `press` that is known to be current, in
+/// place of that which book.toml has Cargo look after.
+pub(crate) fn build(press: Option<&str>, root: &Path, destination: &Path, for_whom: For) -> Result<()> {
     let built = settings(root).and_then(|mut settings| {
         settings.build.build_dir = root.join(destination);
         if let Some(press) = press {
@@ -83,12 +70,12 @@ pub(crate) fn build_by(
         }
         MDBook::load_with_config(root, settings)?.build()
     });
-    built.map_err(|error| format!("error: the book was not built: {error:#}"))
+    built.context("the book was not built")
 }
 
 /// The files and folders that a change in asks for a new site: those that `mdbook serve` watches, and Cargo's.
-pub(crate) fn made_of(root: &Path) -> Result<Vec<PathBuf>, String> {
-    let settings = settings(root).map_err(|error| format!("error: {error:#}"))?;
+pub(crate) fn made_of(root: &Path) -> Result<Vec<PathBuf>> {
+    let settings = settings(root)?;
     let mut parts = vec![settings.book.src];
     parts.extend(settings.build.extra_watch_dirs);
     parts.extend(["book.toml", "Cargo.toml", "Cargo.lock"].map(PathBuf::from));
@@ -96,32 +83,28 @@ pub(crate) fn made_of(root: &Path) -> Result<Vec<PathBuf>, String> {
 }
 
 /// Where the site goes, in a folder `html`: below `asked`, or below the folder that book.toml names.
-pub(crate) fn destination(root: &Path, asked: Option<&str>) -> Result<PathBuf, String> {
-    let settings = settings(root).map_err(|error| format!("error: {error:#}"))?;
+pub(crate) fn destination(root: &Path, asked: Option<&str>) -> Result<PathBuf> {
+    let settings = settings(root)?;
     let named = asked.map_or(settings.build.build_dir, PathBuf::from);
     let (folder, pages) = (root.join(&named), root.join(settings.book.src));
-    if folder.components().collect::<PathBuf>().starts_with(&pages) {
-        return Err(format!(
-            "error: the site cannot go into {}, because the pages lie there",
-            named.display()
-        ));
-    }
+    let is_among_pages = folder.components().collect::<PathBuf>().starts_with(&pages);
+    ensure!(!is_among_pages, "the site cannot go into {}, because the pages lie there", named.display());
     Ok(folder)
 }
 
 /// Tests the snippets of all pages.
-pub(crate) fn test(root: &Path) -> Result<(), String> {
+pub(crate) fn test(root: &Path) -> Result<()> {
     let tested = settings(root).and_then(|mut settings| {
         if let Some(press) = this_program() {
             settings.set(COMMAND, press)?;
         }
         MDBook::load_with_config(root, settings)?.test(Vec::new())
     });
-    tested.map_err(|error| format!("error: the test of the book failed: {error:#}"))
+    tested.context("the test of the book failed")
 }
 
 /// What book.toml and the environment say.
-pub(crate) fn settings(root: &Path) -> Result<Config, Error> {
+pub(crate) fn settings(root: &Path) -> Result<Config> {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
         let _ = tracing::subscriber::set_global_default(Warnings);

@@ -1,10 +1,10 @@
 //! A new book: the example, in a workspace that depends on the press and holds no copy of it.
 
+use crate::site::package::cargo;
+use anyhow::{Context as _, Result, ensure};
 use serde_json::Value;
-use std::io::{self, ErrorKind};
+use std::fs;
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::{env, fs};
 
 macro_rules! files {
     ($($name:literal),* $(,)?) => {
@@ -13,25 +13,23 @@ macro_rules! files {
 }
 
 /// The files of the example but for its manifest, to which that of a workspace belongs.
-const FILES: [(&str, &str); 20] = files![
+const FILES: [(&str, &str); 18] = files![
     ".gitignore",
     "book.toml",
     "book/Cargo.toml",
     "book/SUMMARY.md",
     "book/about.md",
     "book/clock/index.md",
-    "book/figures.rs",
     "book/lib.rs",
     "book/pendulum/figures.rs",
     "book/pendulum/index.md",
     "book/pendulum/scene.rs",
     "book/program/Cargo.toml",
     "book/program/build.rs",
-    "book/program/main.rs",
-    "book/scenes.rs",
+    "book/program/src/main.rs",
     "book/snippets/Cargo.toml",
     "book/snippets/build.rs",
-    "book/snippets/lib.rs",
+    "book/snippets/src/lib.rs",
     "book/tables.rs",
     "src/lib.rs",
 ];
@@ -60,10 +58,9 @@ const CRATES: [(&str, &str, &str); 5] = [
 ///
 /// # Errors
 /// If the folder holds something, or something cannot be written; if Cargo does not say where the press lies.
-pub(crate) fn book(root: &Path, folder: &Path, git: Option<&str>) -> io::Result<()> {
-    if folder.exists() && fs::read_dir(folder)?.next().is_some() {
-        return Err(io::Error::new(ErrorKind::AlreadyExists, "the folder is not empty"));
-    }
+pub(crate) fn book(root: &Path, folder: &Path, git: Option<&str>) -> Result<()> {
+    let is_empty = !folder.exists() || fs::read_dir(folder)?.next().is_none();
+    ensure!(is_empty, "the folder is not empty");
     let (by, place) = git.map_or_else(|| press(root), |address| Ok(("git", address.to_owned())))?;
     let dependency = |(name, below, more): (&str, &str, &str)| {
         let place =
@@ -82,7 +79,7 @@ pub(crate) fn book(root: &Path, folder: &Path, git: Option<&str>) -> io::Result<
     put("Cargo.toml", &WORKSPACE.replace("PRESS\n", &manifest))?;
     put(".cargo/config.toml", SETTINGS)?;
     // The press is tried with these versions of what it uses.
-    let workspace = cargo(root, &["locate-project", "--workspace", "--message-format", "plain"])?;
+    let workspace = answer(root, &["locate-project", "--workspace", "--message-format", "plain"])?;
     let lock = Path::new(workspace.trim()).with_file_name("Cargo.lock");
     if lock.is_file() {
         fs::copy(lock, folder.join("Cargo.lock"))?;
@@ -91,11 +88,11 @@ pub(crate) fn book(root: &Path, folder: &Path, git: Option<&str>) -> io::Result<
 }
 
 /// How the book in `root` depends on the press: by a path or by the address of a repository.
-fn press(root: &Path) -> io::Result<(&'static str, String)> {
+fn press(root: &Path) -> Result<(&'static str, String)> {
     let name = env!("CARGO_PKG_NAME");
-    let said = cargo(root, &["tree", "--package", name, "--depth", "0", "--prefix", "none", "--offline"])?;
+    let said = answer(root, &["tree", "--package", name, "--depth", "0", "--prefix", "none", "--offline"])?;
     let place = said.split_once('(').and_then(|(_, rest)| rest.split(')').next());
-    let place = place.ok_or_else(|| io::Error::other("cargo does not say where the press lies"))?;
+    let place = place.context("cargo does not say where the press lies")?;
     Ok(match place.split_once('#') {
         Some((address, _)) => ("git", address.split('?').next().unwrap_or(address).to_owned()),
         None => ("path", place.to_owned()),
@@ -103,8 +100,6 @@ fn press(root: &Path) -> io::Result<(&'static str, String)> {
 }
 
 /// What Cargo answers.
-fn cargo(root: &Path, arguments: &[&str]) -> io::Result<String> {
-    let cargo = env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let said = Command::new(cargo).args(arguments).current_dir(root).stdin(Stdio::null()).output()?;
-    String::from_utf8(said.stdout).map_err(io::Error::other)
+fn answer(root: &Path, arguments: &[&str]) -> Result<String> {
+    Ok(String::from_utf8(cargo(root).args(arguments).output()?.stdout)?)
 }

@@ -11,23 +11,20 @@ mod sheet;
 
 pub use pdf::{browser, numbers, print};
 
-use crate::book;
 use crate::book::Page;
-use crate::fault::Faults;
-use crate::html;
-use crate::html::{Edits, Element, escaped};
+use crate::html::{self, Edits, Element, escaped};
 use crate::mdbook;
-use crate::read::{disk, summary};
+use crate::read::disk;
 use crate::site::licence::Licence;
 use crate::site::package::Package;
-use crate::site::solutions;
-use crate::site::version_stamp;
-use mdbook_summary::SummaryItem;
+use crate::site::{solutions, version_stamp};
+use anyhow::{Context as _, Result, ensure};
+use mdbook_driver::config::Config;
 use sheet::{Kind, Sheet};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
+use std::fs;
 use std::path::Path;
-use std::{fs, io};
 
 /// What stands for the number of a page that is not known yet; as long as such a number.
 const UNKNOWN: &str = "000";
@@ -46,14 +43,6 @@ pub struct Paper {
     sheets: Vec<Sheet>,
 }
 
-/// The pages that can be printed alone, by the names that one asks for them: the folder of a chapter, or a page without
-/// a number; with the number of the chapter, and a title.
-#[must_use]
-pub fn chapters(pages: &[Page]) -> Vec<(String, Option<u32>, String)> {
-    let first = pages.iter().filter(|page| page.part.is_none());
-    first.map(|page| (name(page).to_owned(), page.chapter, title(&page.text))).collect()
-}
-
 /// `laundromat` for `laundromat/index.md`, `preface` for `preface.md`.
 fn name(page: &Page) -> &str {
     let path = page.path.as_str();
@@ -66,21 +55,19 @@ fn title(text: &str) -> String {
     line.split(" {#").next().unwrap_or_default().trim().to_owned()
 }
 
-/// The name of the chapter that somebody asks for, by its folder or its number.
+/// The name of what somebody asks to have printed alone: a chapter, by its folder or its number, or a page without one.
 ///
 /// # Errors
 /// If there is none: a message that lists those that there are.
-pub fn chapter(pages: &[Page], asked: &str) -> Result<String, String> {
-    let all = chapters(pages);
-    let is_it = |(name, number, _): &&(String, Option<u32>, String)| {
-        name == asked.trim_end_matches('/') || number.is_some_and(|number| number.to_string() == asked)
+pub fn chapter(pages: &[Page], asked: &str) -> Result<String> {
+    let all = || pages.iter().filter(|page| page.part.is_none());
+    let number = |page: &Page| page.chapter.map_or(String::new(), |number| number.to_string());
+    let is_it = |page: &&Page| {
+        name(page) == asked.trim_end_matches('/') || !asked.is_empty() && number(page) == asked
     };
-    all.iter().find(is_it).map(|(name, ..)| name.clone()).ok_or_else(|| {
-        let lines = all.iter().map(|(name, number, title)| {
-            let number = number.map_or(String::new(), |number| number.to_string());
-            format!("\n  {number:>2}  {name:<20} {title}")
-        });
-        format!("error: there is no chapter `{asked}`; there are{}", lines.collect::<String>())
+    all().find(is_it).map(|page| name(page).to_owned()).with_context(|| {
+        let line = |page| format!("\n  {:>2}  {:<20} {}", number(page), name(page), title(&page.text));
+        format!("there is no chapter `{asked}`; there are{}", all().map(line).collect::<String>())
     })
 }
 
@@ -89,23 +76,22 @@ impl Paper {
     ///
     /// # Errors
     /// If a file cannot be read, or the site is not one of this book.
-    pub fn read(root: &Path, site: &Path, chapter: Option<&str>, solutions: bool) -> io::Result<Self> {
-        let (_, mut pages) = disk::from_disk(root).map_err(|faults| io::Error::other(faults.to_string()))?;
-        if solutions::are_hidden_in(root).map_err(io::Error::other)? {
+    pub fn read(root: &Path, site: &Path, chapter: Option<&str>, solutions: bool) -> Result<Self> {
+        let (_, mut pages) = disk::from_disk(root)?;
+        let config = mdbook::settings(root)?;
+        if solutions::are_hidden(&config)? {
             pages.retain(|page| !solutions::stand_on(&page.text));
         }
-        let printed = fs::read_to_string(site.join("print.html"))?;
-        let found = html::named(&printed, &["link", "script", "main", "ul", "div"]);
-        let pieces = pieces(&printed, &found);
-        if pieces.len() != pages.len() {
-            let message = format!("print.html holds {} pages, SUMMARY.md {}", pieces.len(), pages.len());
-            return Err(io::Error::other(message));
-        }
-        let parts = parts(root)?;
+        let printed = site.join("print.html");
+        let printed = fs::read_to_string(&printed).with_context(|| printed.display().to_string())?;
+        let elements = html::named(&printed, &["link", "script", "main", "ul", "div"]);
+        let pieces = pieces(&printed, &elements);
+        let (found, named) = (pieces.len(), pages.len());
+        ensure!(found == named, "print.html holds {found} pages, SUMMARY.md {named}");
         let asked =
             pages.iter().zip(pieces).filter(|(page, _)| chapter.is_none_or(|chapter| name(page) == chapter));
         let mut sheets: Vec<Sheet> = asked
-            .map(|(page, html)| Sheet::new(page, parts.get(&page.path).cloned(), html))
+            .map(|(page, html)| Sheet::new(page, html))
             .filter(|sheet| chapter.is_none() || solutions || sheet.kind != Kind::Solutions)
             .collect();
         if chapter.is_none() {
@@ -116,10 +102,9 @@ impl Paper {
         for sheet in &mut sheets {
             sheet.keep_links(&ids);
         }
-        let settings = Settings::read(root)?;
         Ok(Self {
-            settings,
-            head: head(&printed, &found),
+            settings: Settings::read(config)?,
+            head: head(&printed, &elements),
             edition: version_stamp::edition(root, Package::read(root).as_ref()),
             day: version_stamp::day(root),
             is_whole: chapter.is_none(),
@@ -180,7 +165,7 @@ impl Paper {
         let mut chapters: Vec<Vec<&Sheet>> = Vec::new();
         for sheet in &self.sheets {
             let goes_on = |last: &&mut Vec<&Sheet>| {
-                sheet.is_leaf()
+                sheet.is_leaf
                     && (sheet.kind != Kind::Solutions || !self.is_whole)
                     && last[0].number == sheet.number
             };
@@ -251,10 +236,8 @@ impl Paper {
                 has_appendix = true;
                 lines += &line("of-chapter", APPENDIX, "", "Solutions");
             }
-            let Some((first, sections)) = sheet.headings.split_first() else {
-                continue;
-            };
-            if sheet.is_leaf() {
+            let Some((first, sections)) = sheet.headings.split_first() else { continue };
+            if sheet.is_leaf {
                 let words = if sheet.kind == Kind::Exercises { "Exercises" } else { &first.words };
                 lines += &line("of-leaf", &first.id, "", words);
                 continue;
@@ -285,27 +268,6 @@ const APPENDIX: &str = "appendix-solutions";
 /// mdBook's script colours the code; on the pages of the site another one asks it to.
 const HIGHLIGHT: &str = "<script>for (const code of document.querySelectorAll('pre > code')) hljs.highlightBlock(code);</script>\n";
 
-/// The part of the book that each page without a number or first page of a chapter stands in, by its path.
-fn parts(root: &Path) -> io::Result<BTreeMap<String, String>> {
-    let mut faults = Faults::default();
-    let summary =
-        disk::source(root, &mut faults).and_then(|source| summary::read(root, &source, &mut faults));
-    let summary = summary.ok_or_else(|| io::Error::other(faults.to_string()))?;
-    let mut part = None;
-    let mut parts = BTreeMap::new();
-    for item in &summary.numbered_chapters {
-        match item {
-            SummaryItem::PartTitle(words) => part = Some(words.clone()),
-            SummaryItem::Link(link) => {
-                let path = link.location.as_deref().map(book::slashed).unwrap_or_default();
-                parts.extend(part.clone().map(|part| (path, part)));
-            }
-            _ => {}
-        }
-    }
-    Ok(parts)
-}
-
 /// What book.toml says of the book.
 #[derive(Debug, Default)]
 struct Settings {
@@ -318,9 +280,8 @@ struct Settings {
 }
 
 impl Settings {
-    fn read(root: &Path) -> io::Result<Self> {
-        let config = mdbook::settings(root).map_err(|error| io::Error::other(format!("{error:#}")))?;
-        let licence = Licence::read(&config).map_err(io::Error::other)?;
+    fn read(config: Config) -> Result<Self> {
+        let licence = Licence::read(&config)?;
         let word = |value: Option<String>| escaped(&value.unwrap_or_default());
         Ok(Self {
             title: word(config.book.title),
@@ -381,34 +342,6 @@ fn quoted(words: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn pages() -> Vec<Page> {
-        let page = |path: &str, chapter, part: Option<&str>, text: &str| {
-            Page::new("book", path.to_owned(), chapter, part.map(str::to_owned), text.to_owned())
-        };
-        vec![
-            page("preface.md", None, None, "# Preface\n"),
-            page("a/index.md", Some(1), None, "# The *first* {#sec:first}\n"),
-            page("a/exercises.md", Some(1), Some("Exercises"), "# Exercises: the first\n"),
-            page("b/index.md", Some(2), None, "# The second\n"),
-        ]
-    }
-
-    #[test]
-    fn a_chapter_is_asked_for_by_folder_or_number_and_a_wrong_name_lists_all() {
-        for (asked, name) in [("a", "a"), ("a/", "a"), ("2", "b"), ("preface", "preface")] {
-            assert_eq!(chapter(&pages(), asked).as_deref(), Ok(name));
-        }
-        for asked in ["c", "", "3", "exercises"] {
-            let said = chapter(&pages(), asked).unwrap_err();
-            let list =
-                "\n      preface              Preface\n   1  a                    The *first*\n   2  b ";
-            assert!(
-                said.starts_with(&format!("error: there is no chapter `{asked}`")) && said.contains(list),
-                "{said}"
-            );
-        }
-    }
 
     #[test]
     fn a_page_that_is_not_known_keeps_the_room_of_its_number() {

@@ -6,13 +6,13 @@
 mod http;
 mod watch;
 
-use crate::Book;
-use crate::mdbook;
-use crate::mdbook::For;
+use crate::mdbook::{self, For};
 use crate::read::disk::from_disk;
 use crate::site::preprocess::FINISHER;
 use crate::site::wasm::{Module, Modules};
 use crate::site::{postprocess, publish, rustdoc};
+use crate::{Book, fault};
+use anyhow::{Context as _, Result, bail};
 use http::Site;
 use std::net::{TcpListener, ToSocketAddrs};
 use std::path::{Path, PathBuf};
@@ -42,7 +42,7 @@ pub(crate) struct Options {
 ///
 /// # Errors
 /// If it cannot begin: what is asked for is nonsense, or the port is taken.
-pub(crate) fn run(root: &Path, options: &Options, book: &Book) -> Result<(), String> {
+pub(crate) fn run(root: &Path, options: &Options, book: &Book) -> Result<()> {
     // Before anything is built, which takes a while.
     let listeners = listeners(options)?;
     let made = Made { root, book, folder: mdbook::destination(root, options.dest_dir.as_deref())? };
@@ -86,7 +86,7 @@ pub(crate) fn run(root: &Path, options: &Options, book: &Book) -> Result<(), Str
 }
 
 /// Who compiles a module.
-type Compiler = JoinHandle<Result<Module, String>>;
+type Compiler = JoinHandle<Result<Module>>;
 
 /// Builds what a hasty build has left out; whether it is there. An edit waits for no module: one is compiled to its end
 /// by `compiler`, meanwhile. What the pages show already needs no second look before the rest is there.
@@ -100,7 +100,7 @@ fn has_built_rest(
     let start = || {
         let modules = made.modules();
         thread::spawn(move || {
-            let built = modules.build_one(For::Author);
+            let built = modules.made(For::Author, 1);
             if let Ok(Module::Missing(Some(why))) = &built {
                 static SAID: Once = Once::new();
                 SAID.call_once(|| eprintln!("{why}"));
@@ -116,7 +116,7 @@ fn has_built_rest(
             thread::sleep(PAUSE);
         }
         let is_compiled = matches!(compiler.take().map(JoinHandle::join), Some(Ok(Ok(_))));
-        let has_more = || matches!(made.modules().found(For::Author), Ok(Module::Stale));
+        let has_more = || matches!(made.modules().made(For::Author, 0), Ok(Module::Stale));
         if !is_compiled || !has_more() {
             break;
         }
@@ -153,19 +153,19 @@ impl Made<'_> {
 
     /// Whether what a hasty build leaves out would be made as it is.
     fn is_current(&self) -> bool {
-        rustdoc::is_current(self.root) && !matches!(self.modules().found(For::Author), Ok(Module::Stale))
+        rustdoc::is_current(self.root) && !matches!(self.modules().made(For::Author, 0), Ok(Module::Stale))
     }
 
-    fn build(&self, press: Option<&str>, for_whom: For) -> Result<(), String> {
-        let built = mdbook::build_by(press, self.root, &self.folder.join("next"), for_whom);
+    fn build(&self, press: Option<&str>, for_whom: For) -> Result<()> {
+        let built = mdbook::build(press, self.root, &self.folder.join("next"), for_whom);
         let [html, next, old] = ["html", "next/html", "old"].map(|name| self.folder.join(name));
         let kept = self.folder.join("kept");
         let put = || {
-            if let Err(message) = &built
+            if let Err(error) = &built
                 && !next.is_dir()
             {
                 // The press itself did not come so far, or it would have said why.
-                publish::say(&next, &format!("{message}\n\n{ELSEWHERE}"))?;
+                publish::say(&next, &format!("{}\n\n{ELSEWHERE}", fault::said(error)))?;
             }
             if for_whom == For::Author && built.is_ok() {
                 publish::remove(&kept)?;
@@ -186,37 +186,32 @@ impl Made<'_> {
             publish::remove(&old)
         };
         let is_put: io::Result<()> = put();
-        built.and(
-            is_put.map_err(|error| format!("error: nothing can be put into {}: {error}", html.display())),
-        )
+        built.and(is_put.with_context(|| format!("nothing can be put into {}", html.display())))
     }
 }
 
-fn report(outcome: Result<(), String>) -> bool {
-    outcome.map_err(|message| eprintln!("{message}")).is_ok()
+fn report(outcome: Result<()>) -> bool {
+    outcome.map_err(|error| eprintln!("{}", fault::said(&error))).is_ok()
 }
 
 /// Where it is listened: `localhost` may be two addresses.
-fn listeners(options: &Options) -> Result<Vec<TcpListener>, String> {
+fn listeners(options: &Options) -> Result<Vec<TcpListener>> {
     let place = format!("{}:{}", options.hostname, options.port);
-    let cannot = |error: io::Error| match error.kind() {
-        io::ErrorKind::AddrInUse => format!(
-            "error: something else is served at {place} already; `cargo book serve -p {}` takes another port",
-            options.port.checked_add(1).unwrap_or(3000)
-        ),
-        _ => format!("error: nothing can be served at {place}: {error}"),
-    };
+    let cannot = || format!("nothing can be served at {place}");
     let mut found = Vec::new();
     let mut failed = None;
-    for address in place.to_socket_addrs().map_err(cannot)? {
+    for address in place.to_socket_addrs().with_context(cannot)? {
         match TcpListener::bind(address) {
             Ok(listener) => found.push(listener),
-            Err(error) if error.kind() == io::ErrorKind::AddrInUse => return Err(cannot(error)),
+            Err(error) if error.kind() == io::ErrorKind::AddrInUse => bail!(
+                "something else is served at {place} already; `cargo book serve -p {}` takes another port",
+                options.port.checked_add(1).unwrap_or(3000)
+            ),
             Err(error) => failed = Some(error),
         }
     }
     match failed {
-        Some(error) if found.is_empty() => Err(cannot(error)),
+        Some(error) if found.is_empty() => Err(error).with_context(cannot),
         _ => Ok(found),
     }
 }
@@ -252,6 +247,6 @@ mod tests {
         let port = taken.local_addr().unwrap().port();
         let options = Options { hostname: "127.0.0.1".to_owned(), port, dest_dir: None, open: false };
         let said = run(Path::new("."), &options, &Book::default());
-        assert!(said.unwrap_err().contains(&format!("`cargo book serve -p {}`", port + 1)));
+        assert!(said.unwrap_err().to_string().contains(&format!("`cargo book serve -p {}`", port + 1)));
     }
 }

@@ -1,8 +1,7 @@
 //! Numbers that a reader may change in the page: `let spin = 30.0; // live: 0..60 rad/s`.
 //!
 //! A snippet with such a mark is printed with fields for its numbers, and the module of the pages holds the same text
-//! as a function of them, which answers with what the snippet prints and with what its assertions find. The press and
-//! the build script of the crate `module` share this file, as they share `markdown.rs` and `printed.rs`.
+//! as a function of them, which answers with what the snippet prints and with what its assertions find.
 
 use crate::{expected_output, markdown};
 
@@ -332,32 +331,5 @@ mod tests {
         let other = page.replace("# A", "# B").replace("let a", "let b");
         assert_eq!(matter([&*page]), matter([&*other]));
         assert_ne!(matter([&*page]), matter([&*page.replace("0..60", "0..61")]));
-    }
-
-    #[test]
-    fn what_looks_like_a_live_number_is_refused() {
-        for comment in [
-            "//live: 0..2",
-            "// Live: 0..2",
-            "//\tlive: 0..2",
-            "// m to either side; live: 0..2",
-            "// live 0..2",
-            "/* live: 0..2 */",
-        ] {
-            let line = format!("let x = 1.0; {comment}");
-            assert_eq!(live(&line), Some(Err(FORM.to_owned())), "{line}");
-        }
-        for line in ["let x = 1.0; // alive: so", "let live = 1.0; // they live long", "f(\"live: 0..2\")"] {
-            assert_eq!(live(line), None, "{line}");
-        }
-    }
-
-    #[test]
-    fn a_step_is_nice() {
-        for (range, whole, step) in
-            [(60.0, false, 0.5), (1.0, false, 0.005), (9.0, true, 1.0), (400.0, false, 2.0)]
-        {
-            assert!((nice(range / 200.0, whole) - step).abs() < 1e-12, "{range}");
-        }
     }
 }

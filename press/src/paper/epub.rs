@@ -2,13 +2,13 @@
 
 use super::Paper;
 use super::sheet::Kind;
-use crate::html;
-use crate::html::{VOID, attribute, escaped, text};
+use crate::html::{self, VOID, attribute, escaped, text};
+use anyhow::{Context as _, Result};
 use html5gum::{StartTag, Token};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
@@ -37,10 +37,7 @@ const CONTAINER: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
 
 impl Paper {
     /// Writes the whole book into `target`, its fonts and the colours of its figures taken from `site`.
-    ///
-    /// # Errors
-    /// If a file cannot be read or written.
-    pub fn write_epub(&self, site: &Path, target: &Path) -> io::Result<()> {
+    pub fn write_epub(&self, site: &Path, target: &Path) -> Result<()> {
         if let Some(folder) = target.parent() {
             fs::create_dir_all(folder)?;
         }
@@ -69,7 +66,7 @@ impl Paper {
             let body = xhtml(&sheet.html, |id| places.get(id).map(|place| format!("{place}#{id}")));
             let body = format!("<section class=\"{}\">\n{body}\n</section>\n", sheet.class());
             roxmltree::Document::parse(&body)
-                .map_err(|error| io::Error::other(format!("“{}” is no XML: {error}", sheet.plain_title())))?;
+                .with_context(|| format!("“{}” is no XML", sheet.plain_title()))?;
             let page = self.document(&sheet.plain_title(), &body);
             let holds =
                 [("mathml", "<math"), ("svg", "<svg")].into_iter().filter(|(_, mark)| page.contains(mark));
@@ -116,12 +113,12 @@ impl Paper {
         let mut open = false;
         for (sheet, name) in self.sheets.iter().zip(names) {
             let number = sheet.number.map_or(String::new(), |number| format!("{number}. "));
-            let (number, words) = match (sheet.kind, sheet.is_leaf()) {
+            let (number, words) = match (sheet.kind, sheet.is_leaf) {
                 (Kind::Exercises, _) => (String::new(), "Exercises".to_owned()),
                 (_, true) => (String::new(), sheet.plain_title()),
                 (_, false) => (number, sheet.plain_title()),
             };
-            let is_below = sheet.is_leaf() && sheet.kind != Kind::Solutions;
+            let is_below = sheet.is_leaf && sheet.kind != Kind::Solutions;
             lines += match (is_below, open) {
                 (true, false) => "<ol>\n",
                 (true, true) => "</li>\n",
@@ -167,17 +164,17 @@ impl Paper {
 }
 
 /// Adds a file without a date, packed if it is none of those that are packed already or have to be read as they are.
-fn add(archive: &mut ZipWriter<File>, name: &str, bytes: impl AsRef<[u8]>) -> io::Result<()> {
+fn add(archive: &mut ZipWriter<File>, name: &str, bytes: impl AsRef<[u8]>) -> Result<()> {
     let is_packed = name != "mimetype" && !name.ends_with(".woff2");
     let method = if is_packed { CompressionMethod::Deflated } else { CompressionMethod::Stored };
     let options =
         SimpleFileOptions::default().last_modified_time(DateTime::default()).compression_method(method);
     archive.start_file(name, options)?;
-    archive.write_all(bytes.as_ref())
+    Ok(archive.write_all(bytes.as_ref())?)
 }
 
 /// What the roles of drawings look like: every figure that stands alone says it of all of them.
-fn roles(site: &Path) -> io::Result<String> {
+fn roles(site: &Path) -> Result<String> {
     let mut figures: Vec<_> =
         fs::read_dir(site.join("figures"))?.filter_map(|entry| Some(entry.ok()?.path())).collect();
     figures.sort();
@@ -191,7 +188,7 @@ fn roles(site: &Path) -> io::Result<String> {
 }
 
 /// The fonts of the site, by the names of their files without the digits that mdBook adds.
-fn fonts(site: &Path) -> io::Result<BTreeMap<String, PathBuf>> {
+fn fonts(site: &Path) -> Result<BTreeMap<String, PathBuf>> {
     let mut fonts = BTreeMap::new();
     for entry in fs::read_dir(site.join("fonts"))? {
         let path = entry?.path();

@@ -1,5 +1,7 @@
 //! Printing by a headless Chromium, and reading where in the PDF everything stands.
 
+use crate::site::publish;
+use anyhow::{Context as _, Result, bail, ensure};
 use hayro_syntax::Pdf;
 use hayro_syntax::object::{Array, Dict, ObjectIdentifier};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
@@ -18,17 +20,14 @@ const NAMES: [&str; 5] = ["chromium", "chromium-browser", "google-chrome", "chro
 ///
 /// # Errors
 /// If there is none: what to do about it.
-pub fn browser() -> Result<PathBuf, String> {
+pub fn browser() -> Result<PathBuf> {
     if let Some(named) = env::var_os(VARIABLE).map(PathBuf::from) {
-        return if runs(&named) {
-            Ok(named)
-        } else {
-            Err(format!("error: {VARIABLE} names {}, which cannot be run", named.display()))
-        };
+        ensure!(runs(&named), "{VARIABLE} names {}, which cannot be run", named.display());
+        return Ok(named);
     }
-    NAMES.into_iter().map(PathBuf::from).find(|name| runs(name)).ok_or_else(|| {
+    NAMES.into_iter().map(PathBuf::from).find(|name| runs(name)).with_context(|| {
         format!(
-            "error: a PDF is printed by Chromium or Chrome, and there is none on PATH.\n\
+            "a PDF is printed by Chromium or Chrome, and there is none on PATH.\n\
              Install one (`apt install chromium`, or google.com/chrome), or let {VARIABLE} name it.\n\
              Or open target/book/html/print.html in any browser, after `cargo book build`, and print it."
         )
@@ -44,14 +43,11 @@ fn runs(program: &Path) -> bool {
 ///
 /// # Errors
 /// If there is no PDF then: what the browser says.
-pub fn print(browser: &Path, page: &Path, target: &Path, profile: &Path) -> Result<(), String> {
-    let cannot = |path: &Path, error: &dyn std::fmt::Display| format!("error: {}: {error}", path.display());
+pub fn print(browser: &Path, page: &Path, target: &Path, profile: &Path) -> Result<()> {
     if let Some(folder) = target.parent() {
-        fs::create_dir_all(folder).map_err(|error| cannot(folder, &error))?;
+        fs::create_dir_all(folder).with_context(|| folder.display().to_string())?;
     }
-    if target.exists() {
-        fs::remove_file(target).map_err(|error| cannot(target, &error))?;
-    }
+    publish::remove(target).with_context(|| target.display().to_string())?;
     let output = Command::new(browser)
         .args([
             "--headless",
@@ -66,10 +62,10 @@ pub fn print(browser: &Path, page: &Path, target: &Path, profile: &Path) -> Resu
         .arg(address(page))
         .stdin(Stdio::null())
         .output()
-        .map_err(|error| format!("error: Chromium cannot be run: {error}"))?;
+        .context("Chromium cannot be run")?;
     match fs::metadata(target) {
         Ok(pdf) if pdf.len() > 0 => Ok(()),
-        _ => Err(format!("error: Chromium printed nothing:\n{}", String::from_utf8_lossy(&output.stderr))),
+        _ => bail!("Chromium printed nothing:\n{}", String::from_utf8_lossy(&output.stderr)),
     }
 }
 

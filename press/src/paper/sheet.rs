@@ -2,8 +2,7 @@
 
 use super::page_number;
 use crate::book::Page;
-use crate::html;
-use crate::html::{Edits, Element};
+use crate::html::{self, Edits, Element};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
@@ -30,7 +29,7 @@ pub(super) struct Sheet {
     pub(super) part: Option<String>,
     pub(super) kind: Kind,
     /// Whether it stands below the first page of a chapter.
-    is_leaf: bool,
+    pub(super) is_leaf: bool,
     /// Its title and its sections.
     pub(super) headings: Vec<Heading>,
     pub(super) html: String,
@@ -38,7 +37,7 @@ pub(super) struct Sheet {
 
 impl Sheet {
     /// A page, as print.html holds it.
-    pub(super) fn new(page: &Page, part: Option<String>, html: &str) -> Self {
+    pub(super) fn new(page: &Page, html: &str) -> Self {
         let kind = match page.path.rsplit('/').next() {
             Some("exercises.md") => Kind::Exercises,
             Some("solutions.md") => Kind::Solutions,
@@ -48,11 +47,14 @@ impl Sheet {
         let headings = ["h1", "h2"].iter().flat_map(|level| headings(html, &found, level)).collect();
         let html = if kind == Kind::Exercises { hints_last(html) } else { html.to_owned() };
         let html = if page.part.is_some() { lowered(&html) } else { html };
-        Self { number: page.chapter, part, kind, is_leaf: page.part.is_some(), headings, html }
-    }
-
-    pub(super) fn is_leaf(&self) -> bool {
-        self.is_leaf
+        Self {
+            number: page.chapter,
+            part: page.part_of_book.clone(),
+            kind,
+            is_leaf: page.part.is_some(),
+            headings,
+            html,
+        }
     }
 
     pub(super) fn class(&self) -> &'static str {

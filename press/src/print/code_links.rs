@@ -1,7 +1,9 @@
 //! Where the library's comments name the equations of the book, and the links from there to the pages and back.
 
+use crate::book::files;
 use crate::html::{Edits, tokens};
 use crate::read::items::LabelKind;
+use crate::read::label_syntax;
 use crate::site::rustdoc::FOLDER;
 use html5gum::Token;
 use std::collections::BTreeMap;
@@ -48,23 +50,18 @@ pub(crate) fn places(
     let mut places: BTreeMap<String, Vec<CodePlace>> = BTreeMap::new();
     for (file, text) in code {
         let below = file.strip_prefix(sources).and_then(|file| file.strip_prefix('/'));
-        let Some(file) = below.filter(|_| !sources.is_empty()) else {
-            continue;
-        };
+        let Some(file) = below.filter(|_| !sources.is_empty()) else { continue };
         let lines: Vec<&str> = text.lines().collect();
         for (index, line) in lines.iter().enumerate() {
-            let Some(comment) = line.find("//").map(|at| &line[at..]) else {
-                continue;
-            };
-            for (kind, name) in cited(comment) {
-                let Some(item) = item(&lines, index).filter(|_| kind == LabelKind::Equation) else {
+            for (at, label) in label_syntax::cited(line) {
+                let Some(item) = item(&lines, index).filter(|_| label.kind == LabelKind::Equation) else {
                     continue;
                 };
-                let rank =
-                    ["///", "// ", "//!"].iter().position(|start| comment.starts_with(start)).unwrap_or(1);
+                let comment = line[..at].find("//").map_or("", |start| &line[start..]);
+                let rank = ["///", "// ", "//!"].iter().position(|start| comment.starts_with(start));
                 let page = format!("src/{library}/{file}.html");
-                let place = CodePlace { page, line: index + 1, item, rank: rank as u8 };
-                let known = places.entry(name.to_owned()).or_default();
+                let place = CodePlace { page, line: index + 1, item, rank: rank.unwrap_or(1) as u8 };
+                let known = places.entry(label.name).or_default();
                 if !known.iter().any(|other| (&other.page, &other.item) == (&place.page, &place.item)) {
                     known.push(place);
                 }
@@ -100,48 +97,16 @@ fn named(line: &str) -> Option<String> {
     words.get(name).map(|word| (*word).to_owned())
 }
 
-/// The labels that a text names: `eq:…`, `fig:…`, `sec:…`, `ex:…` as words of their own.
-pub(crate) fn cited(text: &str) -> Vec<(LabelKind, &str)> {
-    found(text).into_iter().map(|(_, kind, name)| (kind, name)).collect()
-}
-
-/// The same, with where they begin.
-fn found(text: &str) -> Vec<(usize, LabelKind, &str)> {
-    let mut found = Vec::new();
-    for kind in [LabelKind::Equation, LabelKind::Figure, LabelKind::Section, LabelKind::Exercise] {
-        let prefix = format!("{}:", kind.prefix());
-        for (at, _) in text.match_indices(&prefix) {
-            let before = text[..at].chars().next_back();
-            let rest = &text[at + prefix.len()..];
-            let end = rest
-                .find(|c: char| !(c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-'))
-                .unwrap_or(rest.len());
-            let name = rest[..end].trim_end_matches('-');
-            if !before.is_some_and(|c| c.is_alphanumeric() || c == ':') && !name.is_empty() {
-                found.push((at, kind, name));
-            }
-        }
-    }
-    found
-}
-
 /// Makes links to the pages of the book of the labels that the library's documentation and sources name. `homes` says
 /// on which page each id is.
 pub(crate) fn link_back(site: &Path, homes: &BTreeMap<&str, &str>) -> io::Result<()> {
-    link_folder(&site.join(FOLDER), "../", homes)
-}
-
-fn link_folder(folder: &Path, up: &str, homes: &BTreeMap<&str, &str>) -> io::Result<()> {
-    for entry in fs::read_dir(folder).into_iter().flatten() {
-        let path = entry?.path();
-        if path.is_dir() {
-            link_folder(&path, &format!("../{up}"), homes)?;
-        } else if path.extension().is_some_and(|ending| ending == "html") {
-            let html = fs::read_to_string(&path)?;
-            let linked = linked(&html, up, homes);
-            if linked != html {
-                fs::write(&path, linked)?;
-            }
+    let folder = site.join(FOLDER);
+    let pages = if folder.is_dir() { files(&folder)? } else { Vec::new() };
+    for page in pages.iter().filter(|name| name.ends_with(".html")) {
+        let html = fs::read_to_string(folder.join(page))?;
+        let linked = linked(&html, &"../".repeat(1 + page.matches('/').count()), homes);
+        if linked != html {
+            fs::write(folder.join(page), linked)?;
         }
     }
     Ok(())
@@ -162,12 +127,11 @@ fn linked(html: &str, up: &str, homes: &BTreeMap<&str, &str>) -> String {
             Token::EndTag(tag) if inside.as_ref() == Some(&tag.name) => inside = None,
             Token::String(words) if inside.is_none() => {
                 let start = words.span.start;
-                for (at, kind, name) in found(&html[start..words.span.end]) {
-                    let id = format!("{}-{name}", kind.prefix());
+                for (at, label) in label_syntax::named(&html[start..words.span.end]) {
+                    let (id, written) = (label.id(), label.written());
                     if let Some(page) = homes.get(id.as_str()) {
-                        let label = format!("{}:{name}", kind.prefix());
-                        let link = format!("<a href=\"{up}{page}#{id}\">{label}</a>");
-                        edits.replace(start + at..start + at + label.len(), link);
+                        let link = format!("<a href=\"{up}{page}#{id}\">{written}</a>");
+                        edits.replace(start + at..start + at + written.len(), link);
                     }
                 }
             }

@@ -4,6 +4,7 @@ use crate::assets::Scene;
 use crate::fault::{Faults, nearest};
 use crate::html::escaped;
 use crate::read::items::Words;
+use crate::read::label_syntax::is_name;
 use dialect::markdown::options;
 use live::{Control, Kind};
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
@@ -50,10 +51,6 @@ pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
             }
         }
     }
-}
-
-fn is_name(name: &str) -> bool {
-    !name.is_empty() && name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-')
 }
 
 /// What is wrong with settings, `spin=3&kick=0`.

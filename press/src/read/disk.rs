@@ -15,10 +15,14 @@ pub fn from_disk(root: &Path) -> Result<(String, Vec<Page>), Faults> {
     let pages = source(root, &mut faults).and_then(|source| {
         let summary = summary::read(root, &source, &mut faults)?;
         let mut pages = Vec::new();
+        let mut part = None;
         for item in
             summary.prefix_chapters.iter().chain(&summary.numbered_chapters).chain(&summary.suffix_chapters)
         {
-            read(item, root, &source, &mut pages, &mut faults);
+            match item {
+                SummaryItem::PartTitle(title) => part = Some(title),
+                item => read(item, part, root, &source, &mut pages, &mut faults),
+            }
         }
         Some((source, pages))
     });
@@ -42,18 +46,26 @@ pub(crate) fn source(root: &Path, faults: &mut Faults) -> Option<String> {
     }
 }
 
-fn read(item: &SummaryItem, root: &Path, source: &str, pages: &mut Vec<Page>, faults: &mut Faults) {
-    let SummaryItem::Link(link) = item else {
-        return;
-    };
+/// Adds the pages of an item, of which the first may open a chapter in a `title`d part of the book.
+fn read(
+    item: &SummaryItem,
+    title: Option<&String>,
+    root: &Path,
+    source: &str,
+    pages: &mut Vec<Page>,
+    faults: &mut Faults,
+) {
+    let SummaryItem::Link(link) = item else { return };
     if let Some(location) = &link.location {
         let path = slashed(location);
         let chapter = link.number.as_ref().and_then(|number| number.first().copied());
         let part = link.number.as_ref().and_then(|number| part(number, &link.name));
-        let text = text(root, &format!("{source}/{path}"), faults);
-        pages.extend(text.map(|text| Page::new(source, path, chapter, part, text)));
+        if let Some(text) = text(root, &format!("{source}/{path}"), faults) {
+            let part_of_book = title.filter(|_| chapter.is_some()).cloned();
+            pages.push(Page { part_of_book, ..Page::new(source, path, chapter, part, text) });
+        }
     }
     for nested in &link.nested_items {
-        read(nested, root, source, pages, faults);
+        read(nested, None, root, source, pages, faults);
     }
 }

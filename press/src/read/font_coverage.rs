@@ -1,6 +1,5 @@
 //! What the faces of the book can show: the characters to which `press/drawing/font/cut.py` cuts them down.
 
-use roxmltree::{Document, Node};
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
@@ -74,25 +73,6 @@ fn is_unseen(c: char) -> bool {
         || matches!(c, '\u{ad}' | '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202f}' | '\u{2060}'..='\u{2069}')
 }
 
-/// What is wrong with MathML: the first character that its face lacks.
-pub(crate) fn check_mathml(mathml: &str) -> Result<(), String> {
-    let document = Document::parse(mathml).map_err(|error| format!("this is no MathML: {error}"))?;
-    for text in document.descendants().filter(Node::is_text) {
-        let element = text.parent_element();
-        let is = |name: &str| element.is_some_and(|element| element.has_tag_name(name));
-        let is_upright = element.is_some_and(|element| element.attribute("mathvariant") == Some("normal"));
-        let words = text.text().unwrap_or_default();
-        let mut characters = words.chars();
-        let shown = match (characters.next(), characters.next()) {
-            (Some(c), None) if is("mi") && !is_upright => italic(c).to_string(),
-            _ => words.to_owned(),
-        };
-        let face = if is("mtext") { Face::Text } else { Face::Maths };
-        face.check(&shown).map_err(|(_, message)| message)?;
-    }
-    Ok(())
-}
-
 /// The italic letter that a browser shows for a plain one.
 pub(crate) fn italic(c: char) -> char {
     let from = |first: u32, base: char| char::from_u32(first + u32::from(c) - u32::from(base)).unwrap_or(c);
@@ -130,26 +110,22 @@ mod tests {
 
     #[test]
     fn the_fonts_hold_what_the_list_says() {
-        let label_fonts: [(_, _, &[u8]); 2] = [
-            ("math.otf", Face::Maths, include_bytes!("../../drawing/font/math.otf")),
-            ("open-sans.ttf", Face::Text, include_bytes!("../../drawing/font/open-sans.ttf")),
-        ];
+        let folders = ["drawing/font", "theme/fonts"].map(|folder| fs::read_dir(folder).unwrap());
         let mut fonts = Vec::new();
-        for (name, face, font) in label_fonts {
-            fonts.push((name.to_owned(), face, held(font)));
-        }
-        for file in fs::read_dir("theme/fonts").unwrap() {
-            let path = file.unwrap().path();
-            if path.extension().is_some_and(|ending| ending == "woff2") {
-                let name = path.file_stem().unwrap().to_string_lossy().into_owned();
-                let face = match name.as_str() {
-                    "book-math" => Face::Maths,
-                    "book-code" => Face::Code,
-                    _ => Face::Text,
-                };
-                let font = wuff::decompress_woff2(&fs::read(&path).unwrap()).unwrap();
-                fonts.push((name, face, held(&font)));
-            }
+        for path in folders.into_iter().flatten().map(|file| file.unwrap().path()) {
+            let name = path.file_name().unwrap().to_string_lossy().into_owned();
+            let bytes = fs::read(&path).unwrap();
+            let font = match name.rsplit_once('.') {
+                Some((_, "woff2")) => wuff::decompress_woff2(&bytes).unwrap(),
+                Some((_, "otf" | "ttf")) => bytes,
+                _ => continue,
+            };
+            let face = match name.as_str() {
+                "book-math.woff2" | "math.otf" => Face::Maths,
+                "book-code.woff2" => Face::Code,
+                _ => Face::Text,
+            };
+            fonts.push((name, face, held(&font)));
         }
         assert_eq!(fonts.len(), 10);
         for (name, face, held) in fonts {
@@ -159,29 +135,6 @@ mod tests {
             let idle: String =
                 held.difference(face.characters()).filter(|c| !matches!(c, '⌠'..='⎷')).collect();
             assert!(idle.is_empty(), "{name} has {idle}, which is not in the list");
-        }
-    }
-
-    #[test]
-    fn a_character_that_a_face_lacks_is_named() {
-        assert_eq!(Face::Text.check("Störmer’s – “curve”,\n"), Ok(()));
-        assert_eq!(Face::Code.check("let ω₀ = 2e-3;"), Ok(()));
-        let (at, message) = Face::Text.check("an ω").unwrap_err();
-        assert!(at == 3 && message.starts_with("the face of the text has no `ω` (U+03C9)"), "{message}");
-    }
-
-    #[test]
-    fn variables_are_asked_for_in_italics() {
-        assert_eq!(
-            check_mathml("<math><mi>ω</mi><mi>sin</mi><mi mathvariant=\"normal\">Ω</mi></math>"),
-            Ok(())
-        );
-        assert_eq!(check_mathml("<math><mtext>if a</mtext><mo>&lt;</mo></math>"), Ok(()));
-        // There is no upright ω, and no Γ in italics.
-        for lacking in
-            ["<mi mathvariant=\"normal\">ω</mi>", "<mi class=\"q-spin\">Γ</mi>", "<mtext>α</mtext>"]
-        {
-            assert!(check_mathml(lacking).is_err(), "{lacking}");
         }
     }
 }

@@ -5,11 +5,42 @@ use crate::fault::Reporter;
 use crate::read::items::{EquationLabel, Item, Label, LabelKind, Mention, PlacedItem};
 use std::ops::Range;
 
+/// Whether a text can be the name of a label, a note or a control.
+pub(crate) fn is_name(text: &str) -> bool {
+    !text.is_empty() && text.chars().all(is_of_name)
+}
+
+fn is_of_name(c: char) -> bool {
+    c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-'
+}
+
+/// The labels that a text names as words of their own, `eq:…`, `fig:…`, `sec:…` and `ex:…`, and where they begin.
+pub(crate) fn named(text: &str) -> Vec<(usize, Label)> {
+    let mut found = Vec::new();
+    for kind in [LabelKind::Equation, LabelKind::Figure, LabelKind::Section, LabelKind::Exercise] {
+        let prefix = format!("{}:", kind.prefix());
+        for (at, _) in text.match_indices(&prefix) {
+            let before = text[..at].chars().next_back();
+            let name = word(&text[at + prefix.len()..], is_of_name).trim_end_matches('-');
+            if !before.is_some_and(|c| c.is_alphanumeric() || c == ':') && !name.is_empty() {
+                found.push((at, Label { kind, name: name.to_owned() }));
+            }
+        }
+    }
+    found
+}
+
+/// The labels that the comment at the end of a line of Rust names, and where they begin.
+pub(crate) fn cited(line: &str) -> impl Iterator<Item = (usize, Label)> {
+    let comment = line.find("//").unwrap_or(line.len());
+    named(&line[comment..]).into_iter().map(move |(at, label)| (comment + at, label))
+}
+
 /// A label such as `eq:steady-radius`; a fault and `None` if its form is wrong.
 pub(crate) fn label(written: &str, offset: usize, report: &mut Reporter<'_>) -> Option<Label> {
     let (prefix, name) = written.split_once(':')?;
     let kind = LabelKind::from_prefix(prefix)?;
-    if name.is_empty() || !name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-') {
+    if !is_name(name) {
         report.fault(
             offset,
             format!("the label `{written}` may hold only lower-case letters, digits and hyphens"),

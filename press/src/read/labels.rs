@@ -46,7 +46,6 @@ impl Registry {
         drawn: &Rendered,
         faults: &mut Faults,
     ) -> Self {
-        let figures = &drawn.figures;
         let mut registry = Self::default();
         let mut counters: HashMap<(u32, LabelKind), u32> = HashMap::new();
         for (page, items) in pages.iter().zip(scans) {
@@ -116,7 +115,7 @@ impl Registry {
                     }
                 }
                 if let Item::Figure { .. } = &placed.item {
-                    let figure = figures.iter().find(|figure| figure.id == label.written());
+                    let figure = drawn.figures.iter().find(|figure| figure.id == label.written());
                     let ids: BTreeSet<String> = figure.iter().flat_map(|figure| figure.ids()).collect();
                     claimed.extend(ids.into_iter().map(|id| (id, line)));
                 }
@@ -131,10 +130,7 @@ impl Registry {
             }
             registry.anchors.insert(page.path.clone(), slugs.ids);
         }
-        registry.check_figures(pages, scans, figures, faults);
-        registry.check_scenes(pages, scans, drawn, faults);
-        registry.check_exercises(pages, scans, faults);
-        partners::ledger(pages, scans, faults);
+        registry.check_partners(pages, scans, drawn, faults);
         registry
     }
 

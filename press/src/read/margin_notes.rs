@@ -2,6 +2,7 @@
 
 use crate::fault::Reporter;
 use crate::read::items::{Note, Words};
+use crate::read::label_syntax;
 use pulldown_cmark::{CowStr, Event, Tag, TagEnd};
 use std::collections::{BTreeMap, HashSet};
 use std::ops::Range;
@@ -16,10 +17,8 @@ pub(crate) fn defined<'a>(
 ) -> BTreeMap<String, Note<'a>> {
     let mut notes: BTreeMap<String, Note<'a>> = BTreeMap::new();
     for (n, (event, range)) in events.iter().enumerate() {
-        let Event::Start(Tag::FootnoteDefinition(name)) = event else {
-            continue;
-        };
-        if !name.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-') {
+        let Event::Start(Tag::FootnoteDefinition(name)) = event else { continue };
+        if !label_syntax::is_name(name) {
             report.fault(
                 range.start,
                 format!("the name of the footnote `[^{name}]` may hold only lower-case letters, digits and hyphens"),

@@ -6,9 +6,7 @@ use crate::read::items::{Item, PlacedItem};
 pub(crate) fn check(items: &[PlacedItem<'_>], report: &mut Reporter<'_>) {
     let mut above = 0;
     for placed in items {
-        let Item::Heading { level, label, title, .. } = &placed.item else {
-            continue;
-        };
+        let Item::Heading { level, label, title, .. } = &placed.item else { continue };
         let mut fault = |message: String| report.fault(placed.range.start, message);
         let marks = |level: u8| "#".repeat(usize::from(level));
         match (above, *level) {

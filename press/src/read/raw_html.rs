@@ -1,11 +1,11 @@
 //! Raw HTML on a page: a few elements that load and run nothing, each closed where it was opened.
 
 use crate::fault::Reporter;
-use crate::html::VOID;
+use crate::html::{self, VOID};
 use crate::read::control_characters;
 use crate::read::font_coverage::Face;
-use crate::read::items::LabelKind;
-use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
+use crate::read::items::{Item, LabelKind, PlacedItem};
+use html5gum::{StartTag, Token};
 
 /// The elements that a page may write itself; for everything else there is Markdown, or there should not be any.
 const ELEMENTS: [&str; 14] =
@@ -13,14 +13,6 @@ const ELEMENTS: [&str; 14] =
 const ATTRIBUTES: [&str; 7] = ["class", "dir", "href", "id", "lang", "open", "title"];
 /// How many elements may stand open: what reads them later does not bear any number.
 const DEEPEST: usize = 30;
-
-/// What raw HTML holds that the press has to look up.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) enum Finding {
-    Link(String),
-    Id(String),
-    Hint,
-}
 
 /// The raw HTML of a page, read piece by piece between its Markdown.
 #[derive(Debug, Default)]
@@ -68,22 +60,19 @@ impl RawHtml {
         }
     }
 
-    /// Reads a piece of HTML whose byte `n` is byte `place(n)` of the page; what it holds, with its place.
+    /// Reads a piece of HTML whose byte `n` is byte `place(n)` of the page; what it holds for the press to look up.
     pub(crate) fn read(
         &mut self,
         html: &str,
         place: impl Fn(usize) -> usize,
         report: &mut Reporter<'_>,
-    ) -> Vec<(usize, Finding)> {
+    ) -> Vec<PlacedItem<'static>> {
         let mut found = Vec::new();
         let mut in_summary = false;
-        let mut emitter = DefaultEmitter::<usize>::new_with_span();
-        emitter.naively_switch_states(true); // a script is no HTML
-        for token in Tokenizer::new_with_emitter(html, emitter) {
-            let Ok(token) = token;
+        for token in html::tokens(html) {
             match token {
                 Token::StartTag(tag) => {
-                    let name = String::from_utf8_lossy(&tag.name).into_owned();
+                    let name = html::text(&tag.name);
                     let offset = place(tag.span.start);
                     in_summary = name == "summary";
                     if ELEMENTS.contains(&name.as_str()) {
@@ -109,14 +98,14 @@ impl RawHtml {
                 }
                 Token::EndTag(tag) => {
                     in_summary = false;
-                    self.close(&String::from_utf8_lossy(&tag.name), place(tag.span.start), report);
+                    self.close(&html::text(&tag.name), place(tag.span.start), report);
                 }
                 Token::String(text) => {
                     let (text_span, offset) = (text.span.start..text.span.end, place(text.span.start));
-                    let text = String::from_utf8_lossy(&text).into_owned();
+                    let text = html::text(&text);
                     prose(&text, &html[text_span], offset, report);
                     if in_summary && text.trim() == "Hint" {
-                        found.push((offset, Finding::Hint));
+                        found.push(PlacedItem { range: offset..offset, item: Item::Hint });
                     } else if in_summary && text.trim().to_lowercase().starts_with("hint") {
                         report.fault(offset, "the summary of a hint is the word `Hint`");
                     }
@@ -159,15 +148,17 @@ fn attributes(
     html: &str,
     place: impl Fn(usize) -> usize,
     report: &mut Reporter<'_>,
-    found: &mut Vec<(usize, Finding)>,
+    found: &mut Vec<PlacedItem<'static>>,
 ) {
     for (key, value) in &tag.attributes {
         let (span, offset) = (value.span.start..value.span.end, place(value.span.start));
-        let (key, value) = (String::from_utf8_lossy(key), String::from_utf8_lossy(value).into_owned());
+        let (key, value) = (html::text(key), html::text(value));
         prose(&value, &html[span], offset, report);
         match &*key {
-            "id" => found.push((offset, Finding::Id(value))),
-            "href" if name == "a" => found.push((offset, Finding::Link(value))),
+            "id" => found.push(PlacedItem { range: offset..offset, item: Item::Id(value) }),
+            "href" if name == "a" => {
+                found.push(PlacedItem { range: offset..offset, item: Item::Link { target: value.into() } });
+            }
             key if ATTRIBUTES.contains(&key) => {}
             key => report.fault(
                 offset,

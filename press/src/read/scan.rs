@@ -8,7 +8,7 @@ use crate::book::Page;
 use crate::fault::{Faults, Reporter};
 use crate::read::font_coverage::Face;
 use crate::read::items::{Item, LabelKind, Note, PlacedItem};
-use crate::read::raw_html::{Finding, RawHtml};
+use crate::read::raw_html::RawHtml;
 use crate::read::{control_characters, label_syntax, margin_notes, outline, references, snippets, tables};
 use dialect::markdown::is_rust;
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, Tag, TagEnd};
@@ -259,14 +259,7 @@ impl<'a> Scan<'a, '_> {
             let piece = places.partition_point(|&(start, _)| start <= at).saturating_sub(1);
             places.get(piece).map_or(0, |&(start, offset)| offset + at - start)
         };
-        for (offset, find) in self.raw.read(&html, place, &mut self.report) {
-            let item = match find {
-                Finding::Link(target) => Item::Link { target: Cow::Owned(target) },
-                Finding::Id(id) => Item::Id(id),
-                Finding::Hint => Item::Hint,
-            };
-            self.place(offset..offset, item);
-        }
+        self.items.extend(self.raw.read(&html, place, &mut self.report));
     }
 
     /// A heading, with the label in its braces.

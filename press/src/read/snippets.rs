@@ -1,6 +1,7 @@
 //! The rules for code on pages.
 
-use crate::read::folded_assertions;
+use crate::read::items::{Label, LabelKind};
+use crate::read::{folded_assertions, label_syntax};
 use dialect::markdown::{self, code_lines, column};
 use dialect::{expected_output, live_numbers};
 use pulldown_cmark::CodeBlockKind;
@@ -20,9 +21,7 @@ pub(crate) fn check(
     range: &Range<usize>,
     mut fault: impl FnMut(usize, String),
 ) {
-    let CodeBlockKind::Fenced(info) = kind else {
-        return;
-    };
+    let CodeBlockKind::Fenced(info) = kind else { return };
     if !is_closed(&text[range.clone()]) {
         fault(
             range.start,
@@ -108,9 +107,7 @@ pub(crate) fn check(
 
 /// Whether a fenced block ends with its fence, whatever quotation or list it stands in.
 fn is_closed(block: &str) -> bool {
-    let Some(mark) = block.chars().next() else {
-        return false;
-    };
+    let Some(mark) = block.chars().next() else { return false };
     let marks = block.chars().take_while(|&c| c == mark).count();
     let last = block.trim_end().lines().skip(1).last().unwrap_or_default();
     let last = last.trim_start_matches([' ', '\t', '>']);
@@ -120,24 +117,17 @@ fn is_closed(block: &str) -> bool {
 /// How wide a line is on the page: accents take no room, and a label becomes a number such as (1.28).
 fn width(line: &str) -> usize {
     let characters = line.chars().filter(|c| !('\u{300}'..='\u{36f}').contains(c)).count();
-    let labels = cited_labels(line, &(0..line.len()));
-    characters - labels.iter().map(|(_, label)| label.len().saturating_sub("(1.28)".len())).sum::<usize>()
+    let labels = cited_equations(line).into_iter();
+    characters - labels.map(|(_, label)| label.written().len().saturating_sub("(1.28)".len())).sum::<usize>()
 }
 
-/// The labels that comments of a Rust snippet cite, as (place, label as written): `// eq:newton` → `eq:newton`.
-pub(crate) fn cited_labels<'a>(text: &'a str, range: &Range<usize>) -> Vec<(Range<usize>, &'a str)> {
+/// The equations that comments of a Rust snippet cite, and where they are named: `// eq:newton`.
+pub(crate) fn cited_equations(text: &str) -> Vec<(Range<usize>, Label)> {
     let mut found = Vec::new();
-    let mut offset = range.start;
-    for line in text[range.clone()].split_inclusive('\n') {
-        if let Some(comment) = line.find("//") {
-            for (at, _) in line[comment..].match_indices("eq:") {
-                let start = comment + at;
-                let rest = &line[start + 3..];
-                let end = rest
-                    .find(|c: char| !(c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-'))
-                    .unwrap_or(rest.len());
-                found.push((offset + start..offset + start + 3 + end, &line[start..start + 3 + end]));
-            }
+    let mut offset = 0;
+    for line in text.split_inclusive('\n') {
+        for (at, label) in label_syntax::cited(line).filter(|(_, label)| label.kind == LabelKind::Equation) {
+            found.push((offset + at..offset + at + label.written().len(), label));
         }
         offset += line.len();
     }

@@ -1,7 +1,6 @@
 //! SUMMARY.md: the pages that it names exist, each once, and every page is named.
 
-use crate::book;
-use crate::book::{Page, slashed};
+use crate::book::{self, Page, slashed};
 use crate::fault::{Faults, Lines, Reporter};
 use crate::read::control_characters;
 use crate::site::rustdoc;

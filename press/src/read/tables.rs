@@ -36,9 +36,7 @@ pub(crate) fn caption<'a>(
     text: &str,
     events: &[(Event<'a>, Range<usize>)],
 ) -> Option<(Words<'a>, Range<usize>)> {
-    let Some((Event::Start(Tag::Paragraph), range)) = events.first() else {
-        return None;
-    };
+    let Some((Event::Start(Tag::Paragraph), range)) = events.first() else { return None };
     let first = text[range.clone()].strip_prefix(CAPTION)?;
     let words = events[1..].iter().map(|(event, range)| (event.clone(), range.start));
     let mut words: Words<'a> =

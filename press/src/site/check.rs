@@ -11,9 +11,6 @@ use std::fs;
 use std::path::Path;
 
 /// Checks the pages under `root`, which show what is `drawn`; returns how many there are.
-///
-/// # Errors
-/// Every fault of every page.
 pub fn check(root: &Path, drawn: &Rendered) -> Result<usize, Faults> {
     let (source, pages) = from_disk(root)?;
     rendered(&pages, root, &source, drawn)?;
@@ -59,9 +56,7 @@ fn code(root: &Path, folders: &[&str]) -> Vec<(String, String)> {
 /// The Rust files under `root/folder`, with their names relative to the root; those of a package further down are asked
 /// for by its own name.
 fn collect(root: &Path, folder: &str, files: &mut Vec<(String, String)>) {
-    let Ok(entries) = fs::read_dir(root.join(folder)) else {
-        return;
-    };
+    let Ok(entries) = fs::read_dir(root.join(folder)) else { return };
     for entry in entries.flatten() {
         let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
         if entry.file_type().is_ok_and(|kind| kind.is_dir()) {

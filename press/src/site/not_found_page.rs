@@ -72,28 +72,3 @@ LINKS</ul>
 </body>
 </html>
 "#;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use mdbook_renderer::book::Chapter;
-
-    #[test]
-    fn who_is_lost_finds_the_first_pages_of_all_chapters() {
-        let chapter =
-            |name: &str, path: &str| BookItem::Chapter(Chapter::new(name, String::new(), path, Vec::new()));
-        let items = [chapter("Tops", "tops/index.md"), BookItem::Separator, chapter("Sources", "sources.md")];
-        let page = super::page("Spin", "en", "/", items.iter());
-        assert!(
-            page.contains("<a href=\"tops/index.html\">Tops</a>")
-                && page.contains("<a href=\"sources.html\">Sources</a>"),
-            "{page}"
-        );
-        let hostile = super::page("</title><b>", "en", "/", [chapter("<i> & co", "a&b.md")].iter());
-        assert!(!hostile.contains("<b>") && !hostile.contains("<i>"), "{hostile}");
-        assert!(hostile.contains("<title>No such page - &lt;/title&gt;&lt;b&gt;</title>"));
-        for word in ["TITLE", "LANGUAGE", "ADDRESS", "LINKS"] {
-            assert!(!page.contains(word), "{word}");
-        }
-    }
-}

@@ -5,6 +5,13 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::{env, fs};
 
+/// Cargo in this folder, with nothing to read.
+pub(crate) fn cargo(folder: &Path) -> Command {
+    let mut cargo = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    cargo.current_dir(folder).stdin(Stdio::null());
+    cargo
+}
+
 /// The package in the project's root.
 #[derive(Debug, Clone)]
 pub(crate) struct Package {
@@ -30,10 +37,9 @@ impl Package {
     /// The package in `root`, if there is one that Cargo can read.
     pub(crate) fn read(root: &Path) -> Option<Self> {
         let manifest = fs::canonicalize(root.join("Cargo.toml")).ok()?;
-        let answer = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        let answer = cargo(root)
             .args(["metadata", "--no-deps", "--format-version", "1", "--manifest-path"])
             .arg(&manifest)
-            .stdin(Stdio::null())
             .stderr(Stdio::null())
             .output()
             .ok()?;
@@ -52,28 +58,5 @@ impl Package {
             }),
             target: text(&metadata["target_directory"])?.into(),
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_package_is_what_cargo_says_of_it() {
-        let folder = env::temp_dir().join(format!("press-package-{}", std::process::id()));
-        fs::create_dir_all(folder.join("src")).unwrap();
-        assert!(Package::read(&folder).is_none());
-        fs::write(folder.join("Cargo.toml"), "[package]\n").unwrap();
-        assert!(Package::read(&folder).is_none());
-        let manifest = "[workspace]\n[workspace.package]\nversion = \"1.2.4\"\n[package]\nname = \"two-words\"\nversion.workspace = true\n";
-        fs::write(folder.join("Cargo.toml"), manifest).unwrap();
-        fs::write(folder.join("src/main.rs"), "").unwrap();
-        let program = Package::read(&folder).unwrap();
-        assert!(program.name == "two-words" && program.version == "1.2.4" && program.library.is_none());
-        fs::write(folder.join("src/lib.rs"), "").unwrap();
-        let library = Package::read(&folder).unwrap().library.unwrap();
-        assert!(library.name == "two_words" && library.sources.ends_with("src"), "{library:?}");
-        fs::remove_dir_all(folder).unwrap();
     }
 }

@@ -1,8 +1,8 @@
 //! What a page says of itself to those who have not opened it (search engines, previews of links), and which edition
 //! it belongs to.
 
-use crate::html;
-use crate::html::{Edits, escaped};
+use crate::book;
+use crate::html::{self, Edits, escaped};
 use crate::site::licence::Licence;
 use std::path::Path;
 use std::{fs, io};
@@ -83,26 +83,19 @@ pub(crate) fn with_metadata(html: &str, path: &str, site: &SiteMetadata<'_>) -> 
 
 /// Leads from the foot of every page of a finished site, its span with the class `downloads`, to files in the root,
 /// each with what it is called.
-pub(crate) fn add_downloads(site: &Path, files: &[(&str, &str)]) -> io::Result<()> {
-    fn add(folder: &Path, up: &str, files: &[(&str, &str)]) -> io::Result<()> {
+pub(crate) fn add_downloads(site: &Path, downloads: &[(&str, &str)]) -> io::Result<()> {
+    for page in book::files(site)?.iter().filter(|name| name.ends_with(".html")) {
+        let up = "../".repeat(page.matches('/').count());
         let link = |(name, file): &(&str, &str)| format!(" · <a href=\"{up}{file}\">{name}</a>");
-        let links: String = files.iter().map(link).collect();
-        for entry in fs::read_dir(folder)? {
-            let path = entry?.path();
-            if path.is_dir() {
-                add(&path, &format!("../{up}"), files)?;
-            } else if path.extension().is_some_and(|ending| ending == "html") {
-                let page = fs::read_to_string(&path)?;
-                let mut edits = Edits::default();
-                for span in html::named(&page, &["span"]).iter().filter(|span| span.is("span", "downloads")) {
-                    edits.replace(span.whole.clone(), &*links);
-                }
-                fs::write(&path, edits.applied(&page))?;
-            }
+        let links: String = downloads.iter().map(link).collect();
+        let html = fs::read_to_string(site.join(page))?;
+        let mut edits = Edits::default();
+        for span in html::named(&html, &["span"]).iter().filter(|span| span.is("span", "downloads")) {
+            edits.replace(span.whole.clone(), &*links);
         }
-        Ok(())
+        fs::write(site.join(page), edits.applied(&html))?;
     }
-    add(site, "", files)
+    Ok(())
 }
 
 /// The words of a paragraph that says something, shortened.
@@ -123,87 +116,91 @@ mod tests {
     const PAGE: &str = "<title>Tops &amp; coins</title>\n<meta name=\"description\" content=\"The book\">\n<main>\
                         <p>Chapter 1</p><h1>Tops</h1><p>Two pages.</p><p>A <em>top</em> \"stands\",\n and a coin does &amp; falls.</p><p>More</p></main>\
                         <footer>Tops<span class=\"edition\"></span></footer>";
+    const SITE: SiteMetadata<'_> = SiteMetadata {
+        book: "Tops",
+        edition: "1.0, abc",
+        address: None,
+        picture: Some("preview.png"),
+        licence: None,
+    };
 
     #[test]
     fn a_page_says_what_it_is_about_and_where_it_is() {
-        let said = SiteMetadata {
-            book: "Tops",
-            edition: "1.0, abc",
-            address: None,
-            picture: Some("preview.png"),
-            licence: None,
-        };
-        let page = with_metadata(PAGE, "tops/index.html", &said);
-        assert!(
-            page.contains(
-                "name=\"description\" content=\"A top &quot;stands&quot;, and a coin does &amp; falls.\">"
-            ),
-            "{page}"
-        );
-        assert!(
-            page.contains("og:title\" content=\"Tops &amp; coins\"")
-                && page.contains("<footer>Tops 1.0, abc</footer>")
-        );
-        assert!(
-            !page.contains("og:image") && !page.contains("canonical"),
-            "an address is needed for these: {page}"
-        );
-        let page = with_metadata(
-            PAGE,
-            "tops/index.html",
-            &SiteMetadata { address: Some("https://example.org/t/"), ..said },
-        );
-        assert!(page.contains("og:image\" content=\"https://example.org/t/preview.png\""), "{page}");
-        assert!(page.contains("canonical\" href=\"https://example.org/t/tops/index.html\""), "{page}");
+        let description =
+            "name=\"description\" content=\"A top &quot;stands&quot;, and a coin does &amp; falls.\">";
+        let title = "og:title\" content=\"Tops &amp; coins\"";
+        let image = "og:image\" content=\"https://example.org/t/preview.png\"";
+        let canonical = "canonical\" href=\"https://example.org/t/tops/index.html\"";
+        for address in [None, Some("https://example.org/t/")] {
+            let page = with_metadata(PAGE, "tops/index.html", &SiteMetadata { address, ..SITE });
+            for (words, is_there) in [
+                (description, true),
+                (title, true),
+                ("<footer>Tops 1.0, abc</footer>", true),
+                (image, address.is_some()),
+                (canonical, address.is_some()),
+            ] {
+                assert_eq!(page.contains(words), is_there, "{words}: {page}");
+            }
+        }
+        // Long words end at a word.
+        let long = PAGE.replace("More", "").replace("falls.", &"falls, ".repeat(60));
+        let page = with_metadata(&long, "tops.html", &SiteMetadata { edition: "", ..SITE });
+        let found = html::named(&page, &["meta"]);
+        let words = found[0].get("content").unwrap();
+        assert!(words.ends_with("falls …") && words.len() < LONGEST + 30, "{words}");
+        assert!(page.ends_with("<footer>Tops</footer>"));
     }
 
     #[test]
     fn a_page_claims_the_licence_that_book_toml_names_and_no_other() {
-        let said = |table: &str, path: &str| {
-            let config = format!("[preprocessor.press]\n{table}").parse().unwrap();
-            let licence = Licence::read(&config).unwrap();
-            let said = SiteMetadata {
-                book: "",
-                edition: "",
-                address: None,
-                picture: None,
-                licence: licence.as_ref(),
-            };
-            with_metadata(
-                "<p><span class=\"rights\"></span></p>Tops<span class=\"licence\"></span>",
-                path,
-                &said,
-            )
-        };
-        assert_eq!(said("", "a.html"), "<p></p>Tops");
-        assert_eq!(said("licence = \"You & I\"", "a.html"), "<p>You &amp; I</p>Tops · You &amp; I");
-        let link = "Tops · <a rel=\"license\" href=\"../L.txt\">You</a>";
-        assert!(said("licence = \"You\"\nlicence-url = \"L\"", "a/b.html").ends_with(link));
+        let page = "<p><span class=\"rights\"></span></p>Tops<span class=\"licence\"></span>";
+        let read = |table: &str| Licence::read(&format!("[preprocessor.press]\n{table}").parse().unwrap());
+        for (words, place, path, expected) in [
+            ("You & I", "", "a.html", "<p>You &amp; I</p>Tops · You &amp; I"),
+            ("L", "LICENSE", "a/b.html", "<p>L</p>Tops · <a rel=\"license\" href=\"../LICENSE.txt\">L</a>"),
+            (
+                "L",
+                "legal/terms.html",
+                "a.html",
+                "<p>L</p>Tops · <a rel=\"license\" href=\"terms.html\">L</a>",
+            ),
+            (
+                "L",
+                "https://example.org",
+                "a/b.html",
+                "<p>L</p>Tops · <a rel=\"license\" href=\"https://example.org\">L</a>",
+            ),
+        ] {
+            let place = if place.is_empty() { String::new() } else { format!("licence-url = \"{place}\"") };
+            let licence = read(&format!("licence = \"{words}\"\n{place}")).unwrap();
+            assert_eq!(
+                with_metadata(page, path, &SiteMetadata { licence: licence.as_ref(), ..SITE }),
+                expected
+            );
+        }
+        assert_eq!(read("").unwrap(), None);
+        assert_eq!(with_metadata(page, "a.html", &SITE), "<p></p>Tops");
+        for (table, words) in
+            [("licence = 4", "licence of book.toml is a text"), ("licence-url = \"L\"", "does not name")]
+        {
+            assert!(read(table).unwrap_err().to_string().contains(words), "{words}");
+        }
     }
 
     #[test]
     fn every_page_leads_to_the_downloads_wherever_it_is() {
         let site = std::env::temp_dir().join(format!("press-downloads-{}", std::process::id()));
         fs::create_dir_all(site.join("tops")).unwrap();
-        for page in ["index.html", "tops/index.html"] {
+        let pages = [("index.html", ""), ("tops/index.html", "../")];
+        for (page, _) in pages {
             fs::write(site.join(page), "<p>Tops<span class=\"downloads\"></span></p>").unwrap();
         }
         add_downloads(&site, &[("PDF", "tops.pdf"), ("EPUB", "tops.epub")]).unwrap();
-        for (page, up) in [("index.html", ""), ("tops/index.html", "../")] {
+        for (page, up) in pages {
             let links = format!(" · <a href=\"{up}tops.pdf\">PDF</a> · <a href=\"{up}tops.epub\">EPUB</a>");
             assert_eq!(fs::read_to_string(site.join(page)).unwrap(), format!("<p>Tops{links}</p>"));
         }
         fs::remove_dir_all(site).unwrap();
-    }
-
-    #[test]
-    fn long_words_end_at_a_word() {
-        let long = PAGE.replace("More", "").replace("falls.", &"falls, ".repeat(60));
-        let said = SiteMetadata { book: "Tops", edition: "", address: None, picture: None, licence: None };
-        let page = with_metadata(&long, "tops.html", &said);
-        let found = html::named(&page, &["meta"]);
-        let words = found[0].get("content").unwrap();
-        assert!(words.ends_with("falls …") && words.len() < LONGEST + 30, "{words}");
-        assert!(page.ends_with("<footer>Tops</footer>"));
     }
 }

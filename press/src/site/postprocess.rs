@@ -1,19 +1,18 @@
 //! The mdBook renderer that runs after `html`: adds what mdBook does not know of, and checks the site.
 
 use crate::assets::Rendered;
-use crate::fault::{Faults, Lines};
+use crate::fault::{self, Faults, Lines};
 use crate::html::escaped;
 use crate::mdbook::For;
 use crate::print::code_links;
 use crate::site::licence::Licence;
 use crate::site::package::Package;
-use crate::site::page_metadata;
-use crate::site::page_metadata::SiteMetadata;
-use crate::site::preprocess::Failed;
+use crate::site::page_metadata::{self, SiteMetadata};
 use crate::site::version_stamp::edition;
 use crate::site::{
     exercises, links, not_found_page, publish, rustdoc, scripts, search, solutions, theme, trails, wasm,
 };
+use anyhow::{Context as _, Error, Result, anyhow, ensure};
 use mdbook_renderer::RenderContext;
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -28,33 +27,27 @@ pub(crate) const PRINT: &str = "print.html";
 /// Finishes and checks the site that mdBook has just rendered; `drawn` holds its figures.
 ///
 /// # Errors
-/// [`Failed`], for the caller to report; there is no site then.
-pub(crate) fn run(input: impl Read, drawn: &Rendered) -> Result<(), Failed> {
-    let mut context = RenderContext::from_json(input)
-        .map_err(|error| Failed::Other(format!("this is not a request of mdBook 0.5: {error:#}")))?;
-    let is_without_solutions = solutions::are_hidden(&context.config).map_err(Failed::Other)?;
+/// What is wrong with the site; there is none then.
+pub(crate) fn run(input: impl Read, drawn: &Rendered) -> Result<()> {
+    let mut context = RenderContext::from_json(input).context("this is no request of mdBook 0.5")?;
+    let is_without_solutions = solutions::are_hidden(&context.config)?;
     let hidden = if is_without_solutions { solutions::leave_out(&mut context.book) } else { Vec::new() };
-    let site =
-        context.destination.parent().map(|folder| folder.join("html")).filter(|folder| folder.is_dir());
-    let Some(site) = site else {
-        return Err(Failed::Other(format!("there is no site beside {}", context.destination.display())));
-    };
-    let cannot = |error: io::Error| {
-        Failed::Other(format!("the site in {} cannot be finished: {error}", site.display()))
-    };
-    let unfinished = publish::put_aside(&site).map_err(cannot)?;
-    match finished(&unfinished, &context, &hidden, drawn) {
-        Ok(faults) if faults.is_empty() => publish::bring_back(&unfinished, &site).map_err(cannot),
+    let site = context.destination.with_file_name("html");
+    ensure!(site.is_dir(), "there is no site beside {}", context.destination.display());
+    let cannot = || format!("the site in {} cannot be finished", site.display());
+    let unfinished = publish::put_aside(&site).with_context(cannot)?;
+    match finished(&unfinished, &context, &hidden, drawn).with_context(cannot) {
+        Ok(faults) if faults.is_empty() => fs::rename(&unfinished, &site).with_context(cannot),
         other => {
-            let failed = other.map_or_else(cannot, Failed::Faults);
-            publish::fail(&site, &context.config, &failed.to_string()).map_err(cannot)?;
-            Err(failed)
+            let error = other.map_or_else(|error| error, Error::new);
+            publish::fail(&site, &context.config, &fault::said(&error)).with_context(cannot)?;
+            Err(error)
         }
     }
 }
 
 /// Finishes the site, in which nothing leads to pages that are `hidden`; what is wrong with it.
-fn finished(site: &Path, context: &RenderContext, hidden: &[String], drawn: &Rendered) -> io::Result<Faults> {
+fn finished(site: &Path, context: &RenderContext, hidden: &[String], drawn: &Rendered) -> Result<Faults> {
     theme::remove_sources(site, &context.config)?;
     remove_programs(site)?;
     scripts::lighten(site, &context.config)?;
@@ -79,9 +72,9 @@ fn finished(site: &Path, context: &RenderContext, hidden: &[String], drawn: &Ren
         code_links::link_back(site, &examined.homes())?;
         let found = links::check(site, examined);
         let searched = index.map_or(Ok(()), |thread| {
-            thread.join().unwrap_or_else(|_| Err(io::Error::other("no index for the search can be made")))
+            thread.join().unwrap_or_else(|_| Err(anyhow!("no index for the search can be made")))
         });
-        searched.and(found)
+        searched.and(Ok(found?))
     })?;
     if is_hasty {
         let left_out = [format!("{}/", rustdoc::FOLDER), PRINT.to_owned()];
@@ -103,7 +96,7 @@ fn complete_pages(
     context: &RenderContext,
     package: Option<&Package>,
     hidden: &[String],
-) -> io::Result<BTreeMap<String, String>> {
+) -> Result<BTreeMap<String, String>> {
     let html = context.config.html_config().unwrap_or_default();
     let title = context.config.book.title.clone().unwrap_or_default();
     let picture =
@@ -113,7 +106,7 @@ fn complete_pages(
     }
     let address = address(html.site_url.as_deref().unwrap_or("/"))?;
     let known = Some(&*address).filter(|address| address.starts_with("http"));
-    let licence = Licence::read(&context.config).map_err(io::Error::other)?;
+    let licence = Licence::read(&context.config)?;
     if let Some(licence) = &licence {
         licence.add(site, &context.root)?;
     }
@@ -170,13 +163,12 @@ fn remove_programs(folder: &Path) -> io::Result<()> {
 }
 
 /// The address of the site, with a slash at its end.
-fn address(site_url: &str) -> io::Result<String> {
-    if !["https://", "http://", "/"].iter().any(|start| site_url.starts_with(start)) {
-        return Err(io::Error::other(format!(
-            "output.html.site-url of book.toml is an address, https://example.org/notes/, or a path from the root of a server, \
-             /notes/, and not `{site_url}`"
-        )));
-    }
+fn address(site_url: &str) -> Result<String> {
+    ensure!(
+        ["https://", "http://", "/"].iter().any(|start| site_url.starts_with(start)),
+        "output.html.site-url of book.toml is an address, https://example.org/notes/, or a path from the root of a server, \
+         /notes/, and not `{site_url}`"
+    );
     Ok(format!("{}/", site_url.trim_end_matches('/')))
 }
 

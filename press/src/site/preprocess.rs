@@ -1,42 +1,24 @@
 //! The mdBook preprocessor.
 
-use crate::Book as OfBook;
 use crate::assets::Rendered;
 use crate::book::from_mdbook;
-use crate::fault::Faults;
-use crate::mdbook;
-use crate::mdbook::For;
+use crate::mdbook::{self, For};
 use crate::read::snippets;
+use crate::site::package::cargo;
 use crate::site::wasm::{Module, Modules};
 use crate::site::{check, publish, solutions, theme};
+use crate::{Book as OfBook, fault};
+use anyhow::{Context as _, Result, bail};
 use mdbook_preprocessor::PreprocessorContext;
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::io::{self, BufWriter, Read, Write};
 use std::path::Path;
-use std::process::{Command, Stdio};
-use std::{env, fmt, fs};
+use std::process::Stdio;
+use std::{env, fs};
 
 /// Where the finished press waits for mdBook to call it as a renderer, relative to the project's root: a
 /// place that does not depend on Cargo's settings. book.toml names it.
 pub(crate) const FINISHER: &str = "target/press/book";
-
-/// Why there is no book.
-#[derive(Debug)]
-pub(crate) enum Failed {
-    /// Faults of the pages.
-    Faults(Faults),
-    /// Anything else, in words.
-    Other(String),
-}
-
-impl fmt::Display for Failed {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Faults(faults) => faults.fmt(out),
-            Self::Other(message) => write!(out, "error: {message}"),
-        }
-    }
-}
 
 /// Reads mdBook's request from `input` and writes the answer to `output`; the pages show what is `drawn`.
 ///
@@ -44,41 +26,38 @@ impl fmt::Display for Failed {
 /// relabelled, so that mdBook's own test run finds nothing more to do.
 ///
 /// # Errors
-/// [`Failed`], for the caller to report.
-pub(crate) fn run(input: impl Read, mut output: impl Write, drawn: Rendered) -> Result<(), Failed> {
-    let (context, mut book) = mdbook_preprocessor::parse_input(input).map_err(|error| {
-        Failed::Other(format!(
-            "this is not a request of mdBook 0.5 ({error:#}); `cargo book help` lists what else the press can do"
-        ))
-    })?;
+/// The faults of the pages, or why else there is no book.
+pub(crate) fn run(input: impl Read, output: impl Write, drawn: Rendered) -> Result<()> {
+    let (context, mut book) = mdbook_preprocessor::parse_input(input)
+        .context("this is no request of mdBook 0.5; `cargo book help` lists what else the press can do")?;
     let answer = answer(&context, &mut book, drawn);
-    if let Err(failed) = &answer
+    if let Err(error) = &answer
         && context.renderer == "html"
     {
         let site = context.root.join(&context.config.build.build_dir).join("html");
-        publish::fail(&site, &context.config, &failed.to_string()).map_err(|error| {
-            Failed::Other(format!("{} cannot be taken away: {error}\n{failed}", site.display()))
-        })?;
+        let said = fault::said(error);
+        publish::fail(&site, &context.config, &said)
+            .with_context(|| format!("{said}\n{} cannot be taken away", site.display()))?;
     }
     answer?;
-    write_book(&mut output, &book)
+    let mut output = BufWriter::new(output);
+    let written = serde_json::to_writer(&mut output, &book).map_err(io::Error::from);
+    written.and_then(|()| output.flush()).context("mdBook does not take the answer")
 }
 
 /// Puts what mdBook is to print, or to test, in the place of the pages.
-fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -> Result<(), Failed> {
-    theme::install(&context.root)
-        .map_err(|error| Failed::Other(format!("the theme cannot be put in its place: {error}")))?;
+fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -> Result<()> {
+    theme::install(&context.root).context("the theme cannot be put in its place")?;
     let source = context.config.book.src.to_string_lossy().replace('\\', "/");
     let pages = from_mdbook(book, &source);
     let is_test = context.renderer == "test";
-    let without_solutions = !is_test && solutions::are_hidden(&context.config).map_err(Failed::Other)?;
+    let without_solutions = !is_test && solutions::are_hidden(&context.config)?;
     let for_whom = For::of(&context.config);
     let compiled = Modules::of(&context.root, &drawn.book, &pages);
-    let modules = if is_test { Ok(Module::Stale) } else { compiled.found(for_whom) };
-    let modules = modules.map_err(Failed::Other)?;
+    let modules = if is_test { Module::Stale } else { compiled.made(for_whom, 0)? };
     drawn.is_still = matches!((&modules, for_whom), (Module::Missing(_), _) | (Module::Stale, For::Hasty));
     // What is wrong with the pages is said before anything is compiled.
-    let mut texts = check::rendered(&pages, &context.root, &source, &drawn).map_err(Failed::Faults)?;
+    let mut texts = check::rendered(&pages, &context.root, &source, &drawn)?;
     if is_test {
         test_snippets(&context.root, &drawn.book)?;
         texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
@@ -91,12 +70,11 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
                 eprintln!("{why}");
             }
             Module::Stale if !drawn.is_still => {
-                compiled.build(for_whom).map_err(Failed::Other)?;
+                compiled.made(for_whom, usize::MAX)?;
             }
             _ => {}
         }
-        install_finisher(&context.root)
-            .map_err(|error| Failed::Other(format!("the press cannot be put at {FINISHER}: {error}")))?;
+        install_finisher(&context.root).with_context(|| format!("the press cannot be put at {FINISHER}"))?;
     }
     let title = context.config.book.title.clone().unwrap_or_default();
     replace(&mut book.items, &title, &mut texts.into_iter());
@@ -106,19 +84,9 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
     Ok(())
 }
 
-fn write_book(output: &mut impl Write, book: &Book) -> Result<(), Failed> {
-    let mut output = BufWriter::new(output);
-    serde_json::to_writer(&mut output, book)
-        .map_err(io::Error::from)
-        .and_then(|()| output.flush())
-        .map_err(|error| Failed::Other(format!("mdBook does not take the answer: {error}")))
-}
-
 fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = String>) {
     for item in items {
-        let BookItem::Chapter(chapter) = item else {
-            continue;
-        };
+        let BookItem::Chapter(chapter) = item else { continue };
         if chapter.source_path.is_some()
             && let Some(text) = texts.next()
         {
@@ -134,15 +102,13 @@ fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = 
 }
 
 /// Runs the snippets of all pages and those of the library, as documentation tests.
-fn test_snippets(root: &Path, book: &OfBook) -> Result<(), Failed> {
+fn test_snippets(root: &Path, book: &OfBook) -> Result<()> {
     eprintln!("Testing the snippets of all pages with `cargo test --doc`");
-    let run = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+    let run = cargo(root)
         .args(["test", "--doc", "--package", book.library, "--package", book.snippets])
-        .current_dir(root)
-        .stdin(Stdio::null())
         .stderr(Stdio::inherit())
         .output()
-        .map_err(|error| Failed::Other(format!("cargo cannot be run: {error}")))?;
+        .context("cargo cannot be run")?;
     // Standard output belongs to mdBook's protocol.
     let report = String::from_utf8_lossy(&run.stdout);
     if run.status.success() {
@@ -152,7 +118,7 @@ fn test_snippets(root: &Path, book: &OfBook) -> Result<(), Failed> {
         Ok(())
     } else {
         report.lines().for_each(|line| eprintln!("{}", named_by_its_page(line)));
-        Err(Failed::Other("snippets fail: see above for page, line and value of each".to_owned()))
+        bail!("snippets fail: see above for page, line and value of each")
     }
 }
 

@@ -17,11 +17,6 @@ pub(crate) fn put_aside(site: &Path) -> io::Result<PathBuf> {
     Ok(unfinished)
 }
 
-/// Brings the finished site back.
-pub(crate) fn bring_back(unfinished: &Path, site: &Path) -> io::Result<()> {
-    fs::rename(unfinished, site)
-}
-
 /// Takes a site away at once, then removes it.
 pub(crate) fn withdraw(site: &Path) -> io::Result<()> {
     let old = site.with_file_name("html-old");

@@ -6,6 +6,7 @@
 //! Latin letters, is kept, so that `ω` is a word. Solutions and hints are not found, but their exercises.
 
 use crate::html::{attribute, text, tokens};
+use anyhow::{Context as _, Result};
 use elasticlunr::lang::{English, Language};
 use elasticlunr::{IndexBuilder, Pipeline};
 use html5gum::{StartTag, Token};
@@ -48,9 +49,6 @@ impl Section {
 
 /// Names the index that mdBook has written, if it has, by what is on the pages, which name it: a browser keeps it as
 /// long as nothing has changed. mdBook names it by what it has found itself.
-///
-/// # Errors
-/// If the file cannot be renamed.
 pub(crate) fn rename(site: &Path, pages: &mut BTreeMap<String, String>) -> io::Result<Option<PathBuf>> {
     let mut files =
         fs::read_dir(site)?.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
@@ -66,17 +64,10 @@ pub(crate) fn rename(site: &Path, pages: &mut BTreeMap<String, String>) -> io::R
 }
 
 /// Writes the index of the finished `pages` in the place of mdBook's.
-///
-/// # Errors
-/// If the file is not mdBook's, or cannot be read or written.
-pub(crate) fn write(
-    file: &Path,
-    context: &RenderContext,
-    pages: &BTreeMap<String, String>,
-) -> io::Result<()> {
-    let settings = unpacked(&fs::read_to_string(file)?)
-        .ok_or_else(|| io::Error::other(format!("{} is not mdBook's", file.display())))?;
-    fs::write(file, packed(&index(context, pages, settings)?))
+pub(crate) fn write(file: &Path, context: &RenderContext, pages: &BTreeMap<String, String>) -> Result<()> {
+    let settings = unpacked(&fs::read_to_string(file)?);
+    let settings = settings.with_context(|| format!("{} is not mdBook's", file.display()))?;
+    Ok(fs::write(file, packed(&index(context, pages, settings)?))?)
 }
 
 /// The JSON in the script that mdBook writes.
@@ -91,7 +82,7 @@ fn packed(json: &Value) -> String {
 }
 
 /// The index in place of the one in `search`, whose other settings stay.
-fn index(context: &RenderContext, pages: &BTreeMap<String, String>, mut search: Value) -> io::Result<Value> {
+fn index(context: &RenderContext, pages: &BTreeMap<String, String>, mut search: Value) -> Result<Value> {
     // Of the way to a section no word is asked for, as its title is a field; it is shown.
     let mut index = IndexBuilder::with_language(Box::new(Words(English::new())))
         .add_field_with_tokenizer("breadcrumbs", Box::new(|_| Vec::new()))
@@ -101,12 +92,8 @@ fn index(context: &RenderContext, pages: &BTreeMap<String, String>, mut search: 
     let mut addresses = Vec::new();
     let mut looked_up = Vec::new();
     for item in context.book.iter() {
-        let BookItem::Chapter(chapter) = item else {
-            continue;
-        };
-        let Some(path) = &chapter.path else {
-            continue;
-        };
+        let BookItem::Chapter(chapter) = item else { continue };
+        let Some(path) = &chapter.path else { continue };
         let path = path.with_extension("html").to_string_lossy().replace('\\', "/");
         let mut way = chapter.parent_names.clone();
         way.push(chapter.name.clone());
@@ -150,9 +137,7 @@ fn index(context: &RenderContext, pages: &BTreeMap<String, String>, mut search: 
 /// Leaves out of the tree of words what nobody asks for: that no word ends at a letter, and all digits of weights but
 /// the first. A weight is the root of how often a word stands in a section.
 fn shorten(node: &mut Value) {
-    let Some(node) = node.as_object_mut() else {
-        return;
-    };
+    let Some(node) = node.as_object_mut() else { return };
     let ends = node.get("df").and_then(Value::as_u64).unwrap_or_default() > 0;
     if !ends {
         node.remove("df");

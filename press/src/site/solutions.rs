@@ -5,9 +5,9 @@
 
 use crate::book::{resolve, slashed};
 use crate::html;
+use anyhow::{Context as _, Result};
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::config::Config;
-use std::path::Path;
 
 /// The key in book.toml.
 const KEY: &str = "preprocessor.press.solutions";
@@ -16,21 +16,9 @@ const KEY: &str = "preprocessor.press.solutions";
 ///
 /// # Errors
 /// If the value is neither `true` nor `false`.
-pub(crate) fn are_hidden(config: &Config) -> Result<bool, String> {
-    match config.get::<bool>(KEY) {
-        Ok(shown) => Ok(shown == Some(false)),
-        Err(error) => Err(format!("{KEY} of book.toml is true or false ({error:#})")),
-    }
-}
-
-/// Whether the book in this folder is printed without its solutions, as book.toml and the environment say.
-///
-/// # Errors
-/// As for [`are_hidden`], and if book.toml cannot be read.
-pub(crate) fn are_hidden_in(root: &Path) -> Result<bool, String> {
-    let mut config = Config::from_disk(root.join("book.toml")).map_err(|error| format!("{error:#}"))?;
-    config.update_from_env().map_err(|error| format!("{error:#}"))?;
-    are_hidden(&config)
+pub(crate) fn are_hidden(config: &Config) -> Result<bool> {
+    let shown = config.get::<bool>(KEY).with_context(|| format!("{KEY} of book.toml is true or false"))?;
+    Ok(shown == Some(false))
 }
 
 /// Whether a solution stands on a page: `## {#sol:peak}`, as it is written or as it is printed.
@@ -63,19 +51,4 @@ pub(crate) fn unlinked(html: &str, path: &str, hidden: &[String]) -> String {
         let page = target.split(['#', '?']).next().unwrap_or_default();
         resolve(path, page).is_some_and(|page| hidden.contains(&page))
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_leads_to_a_page_that_is_left_out_goes() {
-        let page = "<p>See <a href=\"solutions.html#sol-a\">Solution 1</a> and <a href=\"../solutions.html\">b</a>.</p>";
-        assert_eq!(
-            unlinked(page, "tops/exercises.html", &["tops/solutions.html".to_owned()]),
-            "<p>See Solution 1 and <a href=\"../solutions.html\">b</a>.</p>"
-        );
-        assert!(stand_on("# S\n\n## {#sol:a}\n") && !stand_on("See @sol:a, `{#sol:a}`.\n"));
-    }
 }

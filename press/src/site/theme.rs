@@ -1,6 +1,8 @@
 //! The look of the pages: the theme of the press, which it puts where book.toml has mdBook look for it.
 
+use crate::book::files;
 use crate::mdbook;
+use anyhow::Result;
 use mdbook_driver::config::Config;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -11,14 +13,14 @@ const FOLDER: &str = "target/press/theme";
 /// The setting that names the files which are the book's own, and take the place of those of the theme.
 const OWN: &str = "preprocessor.press.theme";
 
-macro_rules! files {
+macro_rules! included {
     ($($name:literal),* $(,)?) => {
         [$(($name, include_bytes!(concat!("../../theme/", $name)) as &[u8])),*]
     };
 }
 
 /// All files of the theme.
-const FILES: [(&str, &[u8]); 20] = files![
+const FILES: [(&str, &[u8]); 20] = included![
     "figures.css",
     "fonts/LICENCES.txt",
     "fonts/book-code.woff2",
@@ -42,11 +44,8 @@ const FILES: [(&str, &[u8]); 20] = files![
 ];
 
 /// Writes the theme, with the book's own files over it, where it differs from what is there.
-///
-/// # Errors
-/// If book.toml, a file of the book's own or the folder cannot be read or written.
-pub(crate) fn install(root: &Path) -> io::Result<()> {
-    let settings = mdbook::settings(root).map_err(|error| io::Error::other(format!("{error:#}")))?;
+pub(crate) fn install(root: &Path) -> Result<()> {
+    let settings = mdbook::settings(root)?;
     let folder = root.join(FOLDER);
     let mut kept = BTreeSet::new();
     let mut put = |name: &str, content: &[u8]| {
@@ -65,11 +64,11 @@ pub(crate) fn install(root: &Path) -> io::Result<()> {
         }
     }
     if let Some(own) = own {
-        for name in files(&own, "")? {
+        for name in files(&own)? {
             put(&name, &fs::read(own.join(&name))?)?;
         }
     }
-    for name in files(&folder, "")? {
+    for name in files(&folder)? {
         if !kept.contains(&folder.join(&name)) {
             fs::remove_file(folder.join(name))?; // it was the book's own
         }
@@ -91,21 +90,6 @@ fn own(config: &Config) -> Option<String> {
     config.get(OWN).ok().flatten()
 }
 
-/// The files below a folder, by their paths from there.
-fn files(folder: &Path, below: &str) -> io::Result<Vec<String>> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(folder.join(below))? {
-        let entry = entry?;
-        let name = format!("{below}{}", entry.file_name().to_string_lossy());
-        if entry.file_type()?.is_dir() {
-            found.append(&mut files(folder, &format!("{name}/"))?);
-        } else {
-            found.push(name);
-        }
-    }
-    Ok(found)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,7 +97,7 @@ mod tests {
     #[test]
     fn all_files_of_the_theme_come_with_the_press() {
         let known: BTreeSet<&str> = FILES.into_iter().map(|(name, _)| name).collect();
-        let found = files(Path::new("theme"), "").unwrap();
+        let found = files(Path::new("theme")).unwrap();
         assert_eq!(known, found.iter().map(String::as_str).collect());
     }
 

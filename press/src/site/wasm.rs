@@ -13,6 +13,8 @@
 use crate::Book;
 use crate::book::{Page, script};
 use crate::mdbook::For;
+use crate::site::package::cargo;
+use anyhow::{Context as _, Result, anyhow, bail, ensure};
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use dialect::live_numbers;
 use std::collections::{BTreeMap, BTreeSet};
@@ -76,38 +78,18 @@ impl Modules {
         Self { root: root.to_owned(), package: book.snippets, chapters }
     }
 
-    /// What there is now. Whoever publishes the site waits until rustup has been asked for what the compiler lacks.
+    /// What there is once `most` of those modules are compiled of which something has changed that they are made of.
+    /// With none to compile, only who publishes the site waits until rustup has been asked for what the compiler lacks.
     ///
     /// # Errors
-    /// If modules are required and there is no compiler for them.
-    pub(crate) fn found(&self, for_whom: For) -> Result<Module, String> {
-        self.made(for_whom, 0)
-    }
-
-    /// What there is once those modules are compiled of which something has changed that they are made of.
-    ///
-    /// # Errors
-    /// Those of [`found`](Self::found); if one does not compile, with the words of the compiler.
-    pub(crate) fn build(&self, for_whom: For) -> Result<Module, String> {
-        self.made(for_whom, usize::MAX)
-    }
-
-    /// The same, but of one of them at most.
-    ///
-    /// # Errors
-    /// Those of [`build`](Self::build).
-    pub(crate) fn build_one(&self, for_whom: For) -> Result<Module, String> {
-        self.made(for_whom, 1)
-    }
-
-    /// What there is once `most` modules are compiled.
-    fn made(&self, for_whom: For, most: usize) -> Result<Module, String> {
+    /// If modules are required and there is no compiler for them; if one does not compile.
+    pub(crate) fn made(&self, for_whom: For, most: usize) -> Result<Module> {
         let wish = env::var("BOOK_LIVE").unwrap_or_else(|_| "auto".to_owned());
         match wish.as_str() {
             _ if for_whom == For::Paper => return Ok(Module::Missing(None)),
             "static" => return Ok(Module::Missing(None)),
             "auto" | "require" => {}
-            other => return Err(format!("BOOK_LIVE is auto, static or require, not `{other}`")),
+            other => bail!("BOOK_LIVE is auto, static or require, not `{other}`"),
         }
         if self.chapters.is_empty() {
             return Ok(Module::Missing(None));
@@ -115,13 +97,13 @@ impl Modules {
         let may_ask = most > 0 || for_whom == For::Readers;
         let compiler = match compiler(may_ask) {
             Ok(compiler) => compiler,
-            Err(message) if env::var_os("BOOK_WASM_RUSTC").is_some() => return Err(message),
+            Err(error) if env::var_os("BOOK_WASM_RUSTC").is_some() => return Err(error),
             Err(_) if wish == "require" && !may_ask => return Ok(Module::Stale),
-            Err(message) if wish == "require" => return Err(message),
-            Err(message) => return Ok(Module::Missing(Some(message))),
+            Err(error) if wish == "require" => return Err(error),
+            Err(error) => return Ok(Module::Missing(Some(error.to_string()))),
         };
-        let cannot = |error: io::Error| format!("the module of the pages cannot be made: {error}");
-        let version = Command::new(&compiler).arg("-vV").stdin(Stdio::null()).output().map_err(cannot)?;
+        let cannot = "the module of the pages cannot be made";
+        let version = Command::new(&compiler).arg("-vV").stdin(Stdio::null()).output().context(cannot)?;
         let folder = self.root.join(FOLDER);
         let mut files = BTreeMap::new();
         let mut compiled = 0;
@@ -147,22 +129,22 @@ impl Modules {
             }
             compiled += 1;
             let wasm = self.compile(&folder, &compiler, chapter)?;
-            let sources = self.sources(&wasm).map_err(cannot)?;
-            let packed = packed(&fs::read(wasm).map_err(cannot)?).map_err(cannot)?;
+            let sources = self.sources(&wasm).context(cannot)?;
+            let packed = fs::read(wasm).and_then(|wasm| packed(&wasm)).context(cannot)?;
             let fresh = script.with_extension("new");
             fs::write(&fresh, packed)
                 .and_then(|()| fs::rename(fresh, &script))
                 .and_then(|()| fs::write(stamp, format!("{}\n{sources}", seen(&sources))))
-                .map_err(cannot)?;
+                .context(cannot)?;
         }
         Ok(Module::Built)
     }
 
     /// What a module was compiled from, by the list that Cargo leaves beside it, and the manifests above: one a line,
     /// relative to the project's root. Of pages only the snippets count.
-    fn sources(&self, wasm: &Path) -> io::Result<String> {
+    fn sources(&self, wasm: &Path) -> Result<String> {
         let list = fs::read_to_string(wasm.with_extension("d"))?;
-        let (_, files) = list.split_once(": ").ok_or_else(|| io::Error::other("Cargo has left no list"))?;
+        let (_, files) = list.split_once(": ").context("Cargo has left no list")?;
         let files = files.replace("\\ ", "\0"); // a blank within a name
         let mut sources = BTreeSet::from([self.root.join("Cargo.lock")]);
         for file in files.split_whitespace().map(|file| PathBuf::from(file.replace('\0', " "))) {
@@ -177,7 +159,7 @@ impl Modules {
     }
 
     /// Compiles the module of a chapter; where it is.
-    fn compile(&self, folder: &Path, compiler: &Path, chapter: &str) -> Result<PathBuf, String> {
+    fn compile(&self, folder: &Path, compiler: &Path, chapter: &str) -> Result<PathBuf> {
         eprintln!("Compiling what moves in the chapter {chapter} for browsers");
         // What the module says when it gives up names files, and no folder of this machine.
         let home = env::var_os("CARGO_HOME").map(PathBuf::from);
@@ -187,34 +169,30 @@ impl Modules {
             Some(format!("\"--remap-path-prefix={}={name}\"", folder.as_ref()?.to_str()?))
         });
         let flags = flags.collect::<Vec<_>>().join(", ");
-        let run = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
+        let run = cargo(&self.root)
             .args(["rustc", "--quiet", "--package", self.package, "--lib", "--crate-type", "cdylib"])
             .args(["--profile", "live", "--target", TARGET, "--ignore-rust-version"])
             .args(["--config", &format!("target.{TARGET}.rustflags=[{flags}]")])
             .arg("--target-dir")
             .arg(folder)
-            .current_dir(&self.root)
             .env("RUSTC", compiler)
             .env("BOOK_CHAPTER", chapter)
             .env_remove("RUSTFLAGS")
             .env_remove("CARGO_ENCODED_RUSTFLAGS")
-            .stdin(Stdio::null())
             .output()
-            .map_err(|error| format!("cargo cannot be run: {error}"))?;
-        if !run.status.success() {
-            let said = String::from_utf8_lossy(&run.stderr);
-            return Err(format!("the module of the pages does not compile:\n{}", said.trim_end()));
-        }
+            .context("cargo cannot be run")?;
+        let said = String::from_utf8_lossy(&run.stderr);
+        ensure!(run.status.success(), "the module of the pages does not compile:\n{}", said.trim_end());
         Ok(folder.join(TARGET).join(format!("live/{}.wasm", self.package.replace('-', "_"))))
     }
 }
 
 /// A compiler that has the core library for WebAssembly. If the usual one lacks it, rustup is asked for it, once in a
 /// run of the press, where one `may_ask`.
-fn compiler(may_ask: bool) -> Result<PathBuf, String> {
+fn compiler(may_ask: bool) -> Result<PathBuf> {
     if let Some(named) = env::var_os("BOOK_WASM_RUSTC").map(PathBuf::from) {
-        let lacks = || format!("BOOK_WASM_RUSTC is {}, which has no {TARGET}", named.display());
-        return if has_target(&named) { Ok(named) } else { Err(lacks()) };
+        ensure!(has_target(&named), "BOOK_WASM_RUSTC is {}, which has no {TARGET}", named.display());
+        return Ok(named);
     }
     let own = env::var_os("RUSTC").map_or_else(|| "rustc".into(), PathBuf::from);
     if has_target(&own) {
@@ -227,7 +205,7 @@ fn compiler(may_ask: bool) -> Result<PathBuf, String> {
         Some(Err(why)) => why.clone(),
         None => format!("`rustup target add {TARGET}` fetches it"),
     };
-    Err(format!("the scenes of the pages stand still, because the compiler lacks the target {TARGET}: {why}"))
+    Err(anyhow!("the scenes of the pages stand still, because the compiler lacks the target {TARGET}: {why}"))
 }
 
 /// Whether a compiler has the core library for WebAssembly.
@@ -284,7 +262,6 @@ fn packed(wasm: &[u8]) -> io::Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::io::Read as _;
 
     #[cfg(unix)]
     #[test]
@@ -315,16 +292,5 @@ mod tests {
         assert!(begin.elapsed() < Duration::from_secs(20));
         assert!(said(&folder.join("none")).contains("cannot be run"));
         fs::remove_dir_all(folder).unwrap();
-    }
-
-    #[test]
-    fn the_script_holds_the_module_deflated() {
-        let wasm: Vec<u8> = (0..3000_u32).map(|n| (n * n % 251) as u8).collect();
-        let script = packed(&wasm).unwrap();
-        let text = script.strip_prefix("spin(\"").and_then(|rest| rest.strip_suffix("\");\n")).unwrap();
-        let bytes = BASE64_STANDARD.decode(text).unwrap();
-        let mut unpacked = Vec::new();
-        flate2::read::DeflateDecoder::new(&bytes[..]).read_to_end(&mut unpacked).unwrap();
-        assert!(unpacked == wasm);
     }
 }

@@ -163,6 +163,17 @@ pub(crate) const CASES: &[Case] = &[
         &[(4, "is written `// → 4.317 rad/s`"), (5, "end of a statement"), (8, "end of a statement")],
     ),
     (
+        "printed-forms",
+        "# A\n\n```rust\nf(); // →4.3\nf(); // → 4.3.1\nf(); // → 4.3e\nf(4) // → 4.3\n    .g();\n```\n\n```rust\n.f(4); // → 4.3\n```\n",
+        &[
+            (4, "is written `// → 4.317"),
+            (5, "is written `// → 4.317"),
+            (6, "is written `// → 4.317"),
+            (7, "end of a statement"),
+            (12, "needs a `let`"),
+        ],
+    ),
+    (
         "nearly-printed",
         "# A\n\n```rust\nlet x = 1; // -> 7.0\nx; /* → 9.9 */\nx; // about → 9.9\nx; // a → b\n// |x| -> y\n```\n",
         &[(4, "is written `// → 4.317"), (5, "is written `// → 4.317"), (6, "is written `// → 4.317")],
@@ -250,6 +261,7 @@ pub(crate) const CASES: &[Case] = &[
     ("own-anchor", "# A\n\n## Two words {#mine}\n\nSee [there](#mine) and [that](#a).\n", &[]),
     ("quoted-fault", "# A\n\n> $$\n> a +\n> \\fraction{1}{2}\n> $$\n", &[(5, "fraction")]),
     ("dead-page", "# A\n\nSee [there](nowhere.md).\n", &[(3, "leads to no page of the book")]),
+    ("dead-away", "# A\n\nSee [there](../b.md).\n", &[(3, "leads to no page of the book")]),
     ("dead-anchor", "# A\n\nSee [there](b.md#nowhere).\n", &[(3, "without the anchor `#nowhere`")]),
     (
         "live-anchor",
@@ -452,6 +464,11 @@ pub(crate) const CASES: &[Case] = &[
     ("code-lacks", "# A\n\n```rust\n//\n// a ∝ b\n```\n", &[(5, "the face of the code has no `∝`")]),
     ("inline-code-lacks", "# A\n\nSo\n`Γᵢ`.\n", &[(4, "the face of the code has no `ᵢ`")]),
     ("maths-lacks", "# A\n\nSo\n$\\mathfrak{g}$.\n", &[(4, "the face of mathematics has no `𝔤`")]),
+    (
+        "upright-maths-lacks",
+        "# A\n\nSo\n$\\mathrm{\\omega}$.\n",
+        &[(4, "the face of mathematics has no `ω`")],
+    ),
     ("words-in-maths-lack", "# A\n\n$$\na \\text{ ∇}\n$$\n", &[(3, "the face of the text has no `∇`")]),
     (
         "unused-citation",

@@ -5,7 +5,7 @@ use figures::{Axis, Figure, Outcome, Plot, figures, linear_steps};
 use pendulum::Pendulum;
 
 /// All figures of this chapter.
-pub(crate) const FIGURES: &[Figure] = figures![period];
+pub const FIGURES: &[Figure] = figures![period];
 
 /// The figure `fig:period`: eq:pendulum-period.
 pub(crate) fn period(id: &str) -> Outcome {

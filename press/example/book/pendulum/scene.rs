@@ -5,7 +5,7 @@ use live::{Cause, Control, Form, Moment, Motion, Preset, Reading, Run, Scene, Se
 use pendulum::Pendulum;
 use std::f64::consts::FRAC_PI_2;
 
-pub(crate) const SCENE: Scene = Scene {
+pub const SCENE: Scene = Scene {
     file: file!(),
     name: "pendulum",
     title: "A pendulum",

@@ -1,5 +1,3 @@
-//! Renders the figures of the book as SVG, and its tables as Markdown.
-
 fn main() -> std::process::ExitCode {
-    figures::write(pendulum_pages::figures::FIGURES, pendulum_pages::tables::TABLES)
+    figures::write(&[pendulum_pages::pendulum::figures::FIGURES], pendulum_pages::tables::TABLES)
 }

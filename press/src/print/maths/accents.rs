@@ -13,9 +13,7 @@ pub(super) fn centre(formula: &mut Element, font: &Font) {
         if !over.is("mover") || over.attribute("accent").is_none() {
             return;
         }
-        let Some(way) = over.elements().next().and_then(|letter| way(letter, font)) else {
-            return;
-        };
+        let Some(way) = over.elements().next().and_then(|letter| way(letter, font)) else { return };
         if let Some(accent) = over.element_mut(1) {
             accent.set("style", &format!("margin-left:{way:.2}em;margin-right:{:.2}em", -way));
         }
@@ -57,9 +55,7 @@ pub(super) fn keep_exponents_low(formula: &mut Element, font: &Font) {
         if !matches!(&*power.name, "msup" | "msubsup") {
             return;
         }
-        let Some(base) = power.element_mut(0).filter(|base| base.is("mover")) else {
-            return;
-        };
+        let Some(base) = power.element_mut(0).filter(|base| base.is("mover")) else { return };
         let height = base.elements().next().and_then(|letter| height(letter, font));
         if let Some(height) = height {
             let letter = std::mem::take(base);
@@ -91,42 +87,4 @@ pub(super) fn shown(letter: &Element) -> Option<char> {
     let c =
         text.chars().next().filter(|_| matches!(&*letter.name, "mi" | "mn") && text.chars().count() == 1)?;
     Some(if letter.is("mi") && letter.attribute("mathvariant").is_none() { italic(c) } else { c })
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::print::maths::tests::plain;
-
-    #[test]
-    fn a_dot_stands_over_the_top_of_an_italic_letter() {
-        let maths = plain();
-        let margin = |tex: &str| -> f32 {
-            let mathml = maths.display(tex, "").unwrap();
-            let (_, rest) = mathml.split_once("margin-left:").unwrap_or(("", "0em"));
-            rest.split_once("em").unwrap().0.parse().unwrap()
-        };
-        assert!(margin(r"\dot d") > margin(r"\dot\theta") && margin(r"\dot\theta") > margin(r"\dot\omega"));
-        assert!(margin(r"\dot\omega") > 0.0);
-        assert_eq!((margin(r"\hat{\mathbf x}"), margin(r"\hat{\mathbf k}")), (0.0, 0.0));
-    }
-
-    #[test]
-    fn an_exponent_stands_as_low_at_a_dotted_letter_as_at_a_bare_one() {
-        let height = |tex: &str| -> Option<f32> {
-            let mathml = plain().display(tex, "").unwrap();
-            let (_, rest) = mathml.split_once("<mpadded height=\"")?;
-            Some(rest.split_once("em").unwrap().0.parse().unwrap())
-        };
-        assert!(height(r"\dot x^2") < Some(0.5) && height(r"\dot{x}_1^2") == height(r"\dot x^2"));
-        assert!(height(r"\dot\theta^2") > Some(0.6) && height(r"\dot\theta^2") < Some(0.8));
-        assert_eq!((height(r"\dot x"), height(r"\dot x_1"), height("x^2")), (None, None, None));
-    }
-
-    #[test]
-    fn a_letter_that_leans_has_room_where_nothing_is_lowered() {
-        let room = |tex: &str| plain().display(tex, "").unwrap().matches("margin-right").count();
-        assert_eq!((room("T = P"), room(r"\frac{P}{2}"), room("f(x)")), (2, 1, 1));
-        assert_eq!((room("T^2"), room("a^T"), room("P_0"), room("P_0^2")), (1, 0, 0, 0));
-        assert_eq!((room("a = x"), room(r"\sin x")), (0, 0));
-    }
 }

@@ -10,9 +10,7 @@ use read_fonts::tables::math::StretchAxis;
 /// box may be as wide as that of the largest bracket there is. The font knows how wide it is.
 pub(super) fn stand_close(formula: &mut Element, font: &Font) {
     formula.visit(&mut |bracket| {
-        let Some(size) = bracket.attribute("minsize").filter(|_| bracket.is("mo")) else {
-            return;
-        };
+        let Some(size) = bracket.attribute("minsize").filter(|_| bracket.is("mo")) else { return };
         let size = size.strip_suffix("em").and_then(|size| size.parse().ok());
         if let Some(width) = size.and_then(|size| width(&bracket.text(), size, font)) {
             bracket.set("style", &format!("width:{width:.3}em"));
@@ -39,48 +37,11 @@ pub(super) fn keep_their_height(formula: &mut Element) {
         if !matches!(&*scripts.name, "msup" | "msub" | "msubsup") {
             return;
         }
-        let Some(base) = scripts.element_mut(0).filter(|base| base.is("mo")) else {
-            return;
-        };
+        let Some(base) = scripts.element_mut(0).filter(|base| base.is("mo")) else { return };
         if base.attribute("minsize").is_some() || base.attribute("stretchy") == Some("true") {
             base.set("form", "postfix");
             let bracket = std::mem::take(base);
             *base = Element::around("mrow", vec![Node::Element(bracket)]);
         }
     });
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::print::maths::tests::plain;
-
-    #[test]
-    fn a_bracket_has_no_air_and_its_own_width() {
-        let widths = |tex: &str| -> Vec<f32> {
-            let mathml = plain().display(tex, "").unwrap();
-            assert_eq!(mathml.matches(r#"lspace="0" rspace="0""#).count(), 2, "{mathml}");
-            let widths = mathml.split("width:").skip(1).map(|rest| rest.split_once("em").unwrap().0);
-            widths.map(|width| width.parse().unwrap()).collect()
-        };
-        let (big, bigger) = (widths(r"f\bigl(x\bigr) + (x)"), widths(r"f\Bigl(x\Bigr)"));
-        assert_eq!((big.len(), bigger.len()), (2, 2));
-        assert!(0.4 < big[0] && big[0] < bigger[0] && bigger[0] < 0.7, "{big:?} {bigger:?}");
-    }
-
-    #[test]
-    fn a_bracket_with_a_power_stands_in_a_row() {
-        for tex in [
-            r"\Bigl(\tfrac{a}{b}\Bigr)^2",
-            r"\bigl(a\bigr)_0",
-            r"\biggl[a\biggr]_0^1",
-            r"\Bigl|a\Bigr|_{x=0}",
-            r"\left(\tfrac{a}{b}\right)^2",
-        ] {
-            let mathml = plain().display(tex, "").unwrap();
-            let scripts = mathml.rsplit_once("<msup>").or_else(|| mathml.rsplit_once("<msub>"));
-            let scripts = scripts.or_else(|| mathml.rsplit_once("<msubsup>")).unwrap().1;
-            assert!(scripts.starts_with("<mrow>"), "{tex}: {mathml}");
-        }
-        assert!(plain().display("(a)^2", "").unwrap().contains("<msup><mo stretchy=\"false\">"));
-    }
 }

@@ -10,13 +10,13 @@ mod words;
 
 use crate::book::Page;
 use crate::fault::Faults;
-use crate::read::font_coverage;
+use crate::read::font_coverage::Face;
 use crate::read::items::PlacedItem;
 use letters::{CONVENTIONS, Letters};
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use read_fonts::model::Font;
 use std::collections::BTreeSet;
-use tree::Element;
+use tree::{Element, Node};
 
 /// The mathematics font of labels, which has the measures of that of the pages.
 const FONT: &[u8] = include_bytes!("../../../drawing/font/math.otf");
@@ -132,13 +132,23 @@ impl Maths {
                 return Err(MathsFault { offset, message: format!("in the formula: {message}{near}") });
             }
         };
-        let message = match (font_coverage::check_mathml(&mathml), Element::read(&mathml)) {
-            (Ok(()), Ok(formula)) => return Ok(formula),
-            (Err(message), _) => message,
-            (Ok(()), Err(error)) => format!("the formula becomes no sound XML: {error}"),
-        };
-        Err(MathsFault { offset: 0, message })
+        let formula =
+            Element::read(&mathml).map_err(|error| format!("the formula becomes no sound XML: {error}"));
+        let sound = formula.and_then(|formula| check_characters(&formula).map(|()| formula));
+        sound.map_err(|message| MathsFault { offset: 0, message })
     }
+}
+
+/// What is wrong with the text of a formula: its first character that the face lacks.
+fn check_characters(element: &Element) -> Result<(), String> {
+    let face = if element.is("mtext") { Face::Text } else { Face::Maths };
+    element.children.iter().try_for_each(|child| match child {
+        Node::Element(element) => check_characters(element),
+        Node::Text(text) => {
+            let shown = accents::shown(element).map_or_else(|| text.clone(), String::from);
+            face.check(&shown).map_err(|(_, message)| message)
+        }
+    })
 }
 
 /// Where a formula goes deeper than [`DEEPEST`]: into braces, brackets, `\left`, environments, or commands
@@ -201,31 +211,98 @@ fn shielded(mathml: &str) -> String {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+mod tests {
     use super::*;
 
-    /// A converter that knows no colours.
-    pub(super) fn plain() -> Maths {
-        Maths::new(&[], &[], &mut Faults::default())
+    fn mathml(tex: &str) -> String {
+        Maths::new(&[], &[], &mut Faults::default()).display(tex, "").unwrap()
+    }
+
+    /// The first number behind some words in the MathML of a formula, ems.
+    fn number(tex: &str, words: &str) -> f32 {
+        let mathml = mathml(tex);
+        let (_, behind) = mathml.split_once(words).unwrap_or_else(|| panic!("{words} in {mathml}"));
+        behind.split_once("em").unwrap().0.parse().unwrap()
     }
 
     #[test]
     fn mathml_survives_markdown() {
-        let mathml = plain().inline("a_1*b_2 - [c]'", "").unwrap();
+        let mathml = Maths::new(&[], &[], &mut Faults::default()).inline("a_1*b_2 - [c]'", "").unwrap();
         let text: String = mathml.split('<').map(|part| part.rsplit('>').next().unwrap_or("")).collect();
         assert!(!text.contains(['*', '_', '[', ']', '\'']), "{text}");
     }
 
+    /// Formulas, and how often their MathML holds some words.
+    type Case = (&'static str, &'static [(&'static str, usize)]);
+    const CASES: &[Case] = &[
+        // A row of formulas can be broken between them.
+        (
+            "<math display=\"block\">",
+            &[
+                (r"a = b , \qquad c = d , \qquad e", 3),
+                (r"a \quad b", 1),
+                (r"\begin{aligned} a &= b \qquad c \\ d &= e \end{aligned}", 1),
+            ],
+        ),
+        // A sum goes on in the next line.
+        (
+            "<mo form=\"infix\">",
+            &[
+                (r"\begin{aligned} a &= b \\ &+ c \\ & - d \end{aligned}", 2),
+                (r"\begin{aligned} a &= - b \\ -c &= d \\ & c \end{aligned}", 0),
+            ],
+        ),
+        // Each root has a strut.
+        (
+            "<mspace height=\"0.8em\" depth=\"0.25em\"/></msqrt>",
+            &[(r"\sqrt u", 1), (r"\sqrt{u + \sqrt v}", 2), ("u", 0)],
+        ),
+        ("<mspace height=\"0.8em\" depth=\"0.25em\"/></mrow><mn>3</mn></mroot>", &[(r"\sqrt[3] u", 1)]),
+        // A letter that leans has room where nothing is lowered.
+        ("margin-right", &[("T = P", 2), (r"\frac{P}{2}", 1), ("f(x)", 1), ("T^2", 1), ("a^T", 0)]),
+        ("margin-right", &[("P_0", 0), ("P_0^2", 0), ("a = x", 0), (r"\sin x", 0)]),
+        // A word as an index stands in a row.
+        (
+            "<mrow><mtext>cm</mtext></mrow>",
+            &[(r"r_\text{cm}", 1), (r"r^\text{cm}", 1), (r"r_\text{cm}^2", 1)],
+        ),
+        (
+            "<mrow><mtext>cm</mtext></mrow>",
+            &[(r"\underset{\text{cm}}{r}", 1), (r"\frac{\text{cm}}{\text{cm}}", 2)],
+        ),
+        ("<mrow><mtext>cm</mtext></mrow>", &[(r"\text{cm}_2 + \text{cm}", 0)]),
+        // A bracket has no air; with a power it stands in a row.
+        ("lspace=\"0\" rspace=\"0\"", &[(r"f\bigl(x\bigr) + (x)", 2), (r"f\Bigl(x\Bigr)", 2)]),
+        (
+            "<msup><mrow>",
+            &[(r"\Bigl(\tfrac{a}{b}\Bigr)^2", 1), (r"\left(\tfrac{a}{b}\right)^2", 1), ("(a)^2", 0)],
+        ),
+        ("<msub><mrow>", &[(r"\bigl(a\bigr)_0", 1), (r"\Bigl|a\Bigr|_{x=0}", 1)]),
+        ("<msubsup><mrow>", &[(r"\biggl[a\biggr]_0^1", 1)]),
+        // An exponent says how low it stands at a letter with an accent, and only there.
+        ("<mpadded height=", &[(r"\dot x^2", 1), (r"\dot x", 0), (r"\dot x_1", 0), ("x^2", 0)]),
+        // Upright letters with a hat have their tops in the middle.
+        ("margin-left", &[(r"\hat{\mathbf x}", 0), (r"\hat{\mathbf k}", 0), (r"\dot\omega", 1)]),
+    ];
+
     #[test]
-    fn a_character_that_the_font_lacks_is_a_fault() {
-        let fault = plain().display(r"x \in \mathfrak{g}", "").unwrap_err();
-        assert!(fault.message.contains("has no `𝔤` (U+1D524)"), "{}", fault.message);
+    fn formulas_are_mended_where_they_need_it() {
+        for (words, formulas) in CASES {
+            for (tex, count) in *formulas {
+                assert_eq!(mathml(tex).matches(words).count(), *count, "{words} in {tex}: {}", mathml(tex));
+            }
+        }
     }
 
     #[test]
-    fn an_unknown_command_is_a_fault_where_it_stands() {
-        let fault = plain().display("a + \\fraction{1}{2}", "").unwrap_err();
-        assert_eq!(fault.offset, 4);
-        assert!(fault.message.contains("fraction"), "{}", fault.message);
+    fn accents_exponents_and_brackets_stand_where_the_font_says() {
+        let [d, theta, omega] =
+            [r"\dot d", r"\dot\theta", r"\dot\omega"].map(|tex| number(tex, "margin-left:"));
+        assert!(d > theta && theta > omega && omega > 0.0, "{d} {theta} {omega}");
+        let [bare, indexed, tall] =
+            [r"\dot x^2", r"\dot{x}_1^2", r"\dot\theta^2"].map(|tex| number(tex, "<mpadded height=\""));
+        assert!(bare < 0.5 && indexed == bare && 0.6 < tall && tall < 0.8, "{bare} {indexed} {tall}");
+        let [big, bigger] = [r"f\bigl(x\bigr)", r"f\Bigl(x\Bigr)"].map(|tex| number(tex, "width:"));
+        assert!(0.4 < big && big < bigger && bigger < 0.7, "{big} {bigger}");
     }
 }

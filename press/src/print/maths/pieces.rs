@@ -36,24 +36,3 @@ pub(super) fn go_on(formula: &mut Element) {
         }
     });
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::print::maths::tests::plain;
-
-    #[test]
-    fn a_row_of_formulas_can_be_broken_between_them() {
-        let pieces =
-            |tex: &str| plain().display(tex, "").unwrap().matches("<math display=\"block\">").count();
-        assert_eq!(pieces(r"a = b , \qquad c = d , \qquad e"), 3);
-        assert_eq!(pieces(r"a \quad b"), 1);
-        assert_eq!(pieces(r"\begin{aligned} a &= b \qquad c \\ d &= e \end{aligned}"), 1);
-    }
-
-    #[test]
-    fn a_sum_goes_on_in_the_next_line() {
-        let signs = |tex: &str| plain().display(tex, "").unwrap().matches(r#"<mo form="infix">"#).count();
-        assert_eq!(signs(r"\begin{aligned} a &= b \\ &+ c \\ & - d \end{aligned}"), 2);
-        assert_eq!(signs(r"\begin{aligned} a &= - b \\ -c &= d \\ & c \end{aligned}"), 0);
-    }
-}

@@ -26,21 +26,3 @@ pub(super) fn have_struts(formula: &mut Element) {
         }
     });
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::print::maths::tests::plain;
-
-    #[test]
-    fn each_root_has_a_strut() {
-        let strut = "<mspace height=\"0.8em\" depth=\"0.25em\"/>";
-        let maths = plain();
-        assert!(maths.inline_html(r"\sqrt u", "").unwrap().contains(&format!("{strut}</msqrt>")));
-        let cube = maths.inline_html(r"\sqrt[3]{u + \sqrt v}", "").unwrap();
-        assert!(
-            cube.contains(&format!("{strut}</msqrt>"))
-                && cube.contains(&format!("{strut}</mrow><mn>3</mn></mroot>")),
-            "{cube}"
-        );
-    }
-}

@@ -118,17 +118,3 @@ impl Element {
         out.push_str(&format!("</{}>", self.name));
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_read_is_written() {
-        let written = "<math display=\"block\"><mrow><mi a=\"&quot;\">x</mi><mspace width=\"1em\"/><mo>&lt;</mo>\
-                       <mtext>a &amp; b</mtext><mrow></mrow></mrow></math>";
-        let mut out = String::new();
-        Element::read(written).unwrap().write(&mut out);
-        assert_eq!(out, written);
-    }
-}

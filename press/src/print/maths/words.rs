@@ -24,21 +24,3 @@ pub(super) fn be_small(formula: &mut Element) {
         }
     });
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::print::maths::tests::plain;
-
-    #[test]
-    fn a_word_as_an_index_stands_in_a_row() {
-        let mathml = |tex: &str| plain().display(tex, "").unwrap();
-        let word = "<mrow><mtext>cm</mtext></mrow>";
-        for tex in [r"r_\text{cm}", r"r^\text{cm}", r"r_\text{cm}^2", r"\underset{\text{cm}}{r}"] {
-            assert!(mathml(tex).contains(word), "{tex}: {}", mathml(tex));
-        }
-        let fraction = mathml(r"\frac{\text{cm}}{\text{cm}}");
-        assert_eq!(fraction.matches(word).count(), 2, "{fraction}");
-        let base = mathml(r"\text{cm}_2 + \text{cm}");
-        assert!(!base.contains(word), "{base}");
-    }
-}

@@ -61,22 +61,3 @@ impl Printer<'_, '_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::print::render::tests::printed;
-
-    #[test]
-    fn an_entry_ends_with_links_to_where_it_is_cited() {
-        let page = printed(
-            "# A\n\nBy @cite:b, and again @cite:b.\n\n- {#cite:a \"A 1999\"} A book,\n  of $x$.\n- {#cite:b \"B 2000\"} Beside @cite:a.\n\nEnd.\n",
-        );
-        let first = "<span id=\"from-b-0\"></span>[B\u{a0}2000](a.md#cite-b), and again [B";
-        let cited =
-            |id: &str| format!(" <span class=\"citing\">Cited in [Chapter 1](a.md#from-{id}-0).</span>");
-        let [a, b] = [format!("</span>{}\n- <span class", cited("a")), format!("{}\n\nEnd.", cited("b"))];
-        for part in [first, &a, &b] {
-            assert!(page.contains(part), "{part} in {page}");
-        }
-    }
-}

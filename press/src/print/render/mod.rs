@@ -1,6 +1,8 @@
 //! A page in our dialect becomes a page that mdBook understands.
 
 mod bibliography;
+#[cfg(test)]
+mod cases;
 mod equations;
 mod figures;
 mod headings;
@@ -14,11 +16,11 @@ use crate::assets::Rendered;
 use crate::book::Page;
 use crate::fault::Faults;
 use crate::html::escaped;
-use crate::print::code_links;
-use crate::print::code_links::CodePlace;
+use crate::print::code_links::{self, CodePlace};
 use crate::print::maths::Maths;
 use crate::print::{nonbreaking, scenes};
 use crate::read::items::{Item, Label, PlacedItem};
+use crate::read::label_syntax;
 use crate::read::labels::Registry;
 use crate::read::scan::scan;
 use bibliography::Cited;
@@ -99,11 +101,8 @@ fn chapters(pages: &[Page], scans: &[Vec<PlacedItem<'_>>]) -> Chapters {
 fn check_citations_in_code(registry: &Registry, code: &[(String, String)], faults: &mut Faults) {
     for (file, text) in code {
         for (n, line) in text.lines().enumerate() {
-            let Some(comment) = line.find("//").map(|at| &line[at..]) else {
-                continue;
-            };
-            for (kind, name) in code_links::cited(comment) {
-                if let Err(message) = registry.find(&Label { kind, name: name.to_owned() }) {
+            for (_, label) in label_syntax::cited(line) {
+                if let Err(message) = registry.find(&label) {
                     faults.add(file, n + 1, message);
                 }
             }
@@ -171,9 +170,7 @@ impl Printer<'_, '_> {
                 }
                 item => self.item(item, range.start),
             };
-            let Some(replacement) = replacement else {
-                continue;
-            };
+            let Some(replacement) = replacement else { continue };
             let (head, tail) = match &placed.item {
                 Item::InlineMaths { .. } => nonbreaking::around(&text[done..range.start], &text[range.end..]),
                 _ => (0, 0),
@@ -225,23 +222,67 @@ impl Printer<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::assets::{Figure, Scene};
+    use live::{Control, Form, Preset, Reading};
 
-    /// What becomes of one page, which is chapter 1.
-    pub(super) fn printed(text: &str) -> String {
-        printed_with(&Rendered::default(), text)
-    }
+    const SCENE: live::Scene = live::Scene {
+        file: "book/a/scene.rs",
+        name: "plate",
+        title: "",
+        description: "",
+        question: "Why $x$?",
+        size: [[1.0; 2]; 2],
+        view: Some([-0.5, 0.25]),
+        still: 0.5,
+        controls: &[
+            Control::slider("spin", "spin, $x$", [-1.0, 4.0, 0.1], "rad/s", 2.0),
+            Control::log_slider("drag", "drag", [1e-3, 1.0], "", 0.01),
+            Control::choice("camera", "camera", &["room", "body"]),
+            Control::switch("cones", "cones", true),
+            Control::button("kick", "Kick"),
+        ],
+        presets: &[Preset { words: "a ball", settings: &[("spin", 1.0), ("drag", 0.1)] }],
+        readings: &[Reading { words: "wobbles", form: Form::Fixed(0), unit: "" }],
+        symbols: &[],
+        start: |_| Err("it never starts".into()),
+    };
 
-    /// The same, of a page that shows what is `drawn`.
-    pub(super) fn printed_with(drawn: &Rendered, text: &str) -> String {
+    /// What becomes of one page, which is chapter 1. It may show a scene and a figure.
+    pub(super) fn printed(text: &str, is_still: bool) -> String {
+        let [source, svg, standalone] = ["", "<svg></svg>", ""].map(str::to_owned);
+        let scene = Scene { chapter: "a.md", live: SCENE, svg: svg.clone() };
+        let figure = Figure { id: "fig:x".to_owned(), source, svg, standalone, wide: false };
+        let mut drawn = Rendered { is_still, ..Rendered::default() };
+        if text.contains("scene:") {
+            drawn.scenes.push(scene);
+        }
+        if text.contains("fig:") {
+            drawn.figures.push(figure);
+        }
         let page = Page::new("book", "a.md".to_owned(), Some(1), None, text.to_owned());
-        let printed = render(&[page], drawn, "", &[]);
+        let printed = render(&[page], &drawn, "", &[]);
         printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted())).remove(0)
     }
 
-    /// The only formula of a text.
-    pub(super) fn maths(text: &str) -> String {
-        let page = printed(&format!("# A\n\n{text}\n"));
-        page[page.find("<math").unwrap()..page.find("</math>").unwrap() + "</math>".len()].to_owned()
+    #[test]
+    fn what_stands_on_a_page_is_printed() {
+        for (name, page, parts) in cases::CASES {
+            let whole = printed(page, false);
+            let mut rest = whole.as_str();
+            for part in *parts {
+                let part =
+                    part.replace('\'', "\"").replace('~', BLANK).replace("⟨x⟩", "<math><mi>x</mi></math>");
+                let (_, behind) =
+                    rest.split_once(&part).unwrap_or_else(|| panic!("{name}: no {part} in {whole}"));
+                rest = behind;
+            }
+            for figure in whole.split("<figure").skip(1).filter_map(|rest| rest.split("</figure>").next()) {
+                assert!(!figure.contains("\n\n"), "{name}: Markdown would read on in {figure}");
+            }
+        }
+        let (_, scene, _) = cases::CASES.last().unwrap();
+        let still = printed(scene, true);
+        assert!(!still.contains("panel") && !still.contains("data-module") && still.contains("<svg></svg>"));
     }
 
     #[test]
@@ -257,6 +298,6 @@ mod tests {
             <div class=\"marks\"><details class=\"origin\"><summary aria-label=\"Where (1.2) is from\"></summary>\
             <p><span class=\"source\">corrects (20), (21) of the source</span></p></details><a class=\"number\" href=\"#eq-y\">(1.2)</a></div></div>\n\n\
             See [(1.2)](a.md#eq-y), [source\u{a0}19](a.md#source-19), [§1.1](a.md#sec-motion \"Motion\") and `@eq:z`.\n";
-        assert_eq!(printed(page), expected);
+        assert_eq!(printed(page, false), expected);
     }
 }

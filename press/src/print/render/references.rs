@@ -93,33 +93,3 @@ impl Printer<'_, '_> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::print::render::tests::printed;
-
-    #[test]
-    fn a_section_is_named_by_its_number_and_its_title_is_there_for_those_who_point() {
-        let page = printed(
-            "# A {#sec:a}\n\n## One\n\n## The \"two\" {#sec:two}\n\n### In it {#sec:in}\n\n@sec:two.[^n] @sec:in, @sec:a\n\n[^n]: @sec:two.\n",
-        );
-        for link in [
-            "[§1.2](a.md#sec-two \"The &quot;two&quot;\").",
-            "[§1.2](a.md#sec-in \"In it\"), [Chapter\u{a0}1](a.md#sec-a \"A\")",
-            "<a href=\"a.md#sec-two\" title=\"The &quot;two&quot;\">§1.2</a>.",
-        ] {
-            assert!(page.contains(link), "{link} in {page}");
-        }
-    }
-
-    #[test]
-    fn brackets_around_the_number_of_an_equation_are_its_own() {
-        let page = printed(
-            "# A\n\n$$\na\n$$ {#eq:x}\n\nBy @eq:x (@eq:x, as in @eq:x) and (so)\n@eq:x.[^a]\n\n[^a]: By (@eq:x) @eq:x.\n",
-        );
-        let [x, bare, word] = ["(1.1)", "1.1", "Eq.\u{a0}1.1"].map(|words| format!("[{words}](a.md#eq-x)"));
-        assert!(page.contains(&format!("By {x} ({bare}, as in {word}) and (so)\n{x}.")), "{page}");
-        let [x, bare] = ["(1.1)", "1.1"].map(|words| format!("<a href=\"a.md#eq-x\">{words}</a>"));
-        assert!(page.contains(&format!("By ({bare}) {x}.")), "{page}");
-    }
-}

@@ -3,9 +3,7 @@
 
 use super::Printer;
 use crate::print::live_numbers_panel;
-use crate::read::folded_assertions;
-use crate::read::folded_assertions::Folded;
-use crate::read::items::{Label, LabelKind};
+use crate::read::folded_assertions::{self, Folded};
 use crate::read::snippets;
 use crate::site::rustdoc;
 use dialect::live_numbers;
@@ -16,8 +14,7 @@ impl Printer<'_, '_> {
     pub(super) fn snippet(&mut self, code: &str, offset: usize) -> String {
         let mut shown = String::with_capacity(code.len());
         let mut done = 0;
-        for (place, name) in snippets::cited_labels(code, &(0..code.len())) {
-            let label = Label { kind: LabelKind::Equation, name: name["eq:".len()..].to_owned() };
+        for (place, label) in snippets::cited_equations(code) {
             match self.registry.find(&label) {
                 Ok(entry) => {
                     shown.push_str(&code[done..place.start]);
@@ -85,34 +82,4 @@ fn with_folded_checks(block: &str, panel: Option<&str>) -> String {
         "{shown}\n\n<details class=\"checks\">\n<summary>{count} {noun}</summary>\n\n{}\n{hidden}\n{fence}\n\n</details>\n",
         lines[0],
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn many_checks_are_folded_into_a_block_of_their_own() {
-        let checks = "assert!(a);\nassert!(\n    a\n);\n# Ok(())";
-        assert_eq!(
-            with_folded_checks(&format!("```rust\n# use x;\nlet a = 1;\n\n{checks}\n```\n"), None),
-            format!(
-                "```rust\n# use x;\nlet a = 1;\n```\n\n<details class=\"checks\">\n<summary>2 checks</summary>\n\n\
-                 ```rust\n{checks}\n```\n\n</details>\n"
-            )
-        );
-        let few = "```rust\nlet a = 1;\nassert!(a);\n```\n";
-        assert_eq!(with_folded_checks(few, None), few);
-    }
-
-    #[test]
-    fn a_live_number_shows_its_unit_and_a_panel_beside_it() {
-        let block = "```rust\nlet a = 1.0; // live: 0..2 m\nlet b = 2; // live: 0..2\nf(); // → 3\n```";
-        let shown = without_ranges(block);
-        assert_eq!(shown, "```rust\nlet a = 1.0; // m\nlet b = 2;\nf(); // → 3\n```\n");
-        assert_eq!(
-            with_folded_checks(&shown, Some("<div>P</div>")),
-            format!("<div class=\"answering\">\n\n{shown}\n\n<div>P</div>\n</div>\n")
-        );
-    }
 }

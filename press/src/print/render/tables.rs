@@ -120,7 +120,6 @@ fn is_word(text: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::print::render::tests::printed;
 
     /// The room behind the cells of each column of numbers, shortened.
     fn set(rows: &str) -> Vec<Option<Vec<String>>> {
@@ -144,30 +143,5 @@ mod tests {
         assert_eq!(set("| 200 turns | $1$ |\n| 7 | 2 |\n| 8 | 3 |\n"), [None, None]);
         let columns = set("| −4.77e−1 | none |\n| 2.2e-16 | 1 |\n");
         assert_eq!(columns, [rooms(&["<sup\"0", "<span\"0"]), None]);
-    }
-
-    #[test]
-    fn a_table_has_a_caption_and_columns_of_numbers() {
-        let page = "# A\n\n| what[^a] | it's |\n|---|---|\n| `a` | 1.25 |\n| @sec:x | 1e-3 |\n| b | – |\n\n\
-                    Table: Words\nand *more*.[^b]\n\nEnd.\n\n[^a]: A.\n[^b]: B.\n\n## X {#sec:x}\n";
-        let mark = |n: u8, name: &str| {
-            format!(
-                "<a class=\"note-mark\" id=\"noteref-{name}\" href=\"#note-{name}\" role=\"doc-noteref\">{n}</a>"
-            )
-        };
-        let pad = |zeros: &str| format!("<span class=\"pad\" data-pad=\"{zeros}\"></span>");
-        let expected = format!(
-            "<div class=\"table-wrapper\">\n<table>\n<caption>Words and <em>more</em>.{}</caption>\n<thead>\n\
-             <tr><th scope=\"col\">what{}</th><th scope=\"col\" class=\"number\">it’s</th></tr>\n</thead>\n<tbody>\n\
-             <tr><td><code>a</code></td><td class=\"number\">1.25</td></tr>\n\
-             <tr><td><a href=\"a.md#sec-x\" title=\"X\">§1.1</a></td><td class=\"number\">10<sup>−3</sup>{}</td></tr>\n\
-             <tr><td>b</td><td class=\"number\">–{}</td></tr>\n</tbody>\n</table>\n</div>\n\n\n<aside ",
-            mark(1, "b"),
-            mark(2, "a"),
-            pad(".00"),
-            pad(".00")
-        );
-        let page = printed(page);
-        assert!(page.contains(&expected), "{page}");
     }
 }

@@ -149,39 +149,7 @@ fn powers_of_ten(html: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::print::render::tests::printed;
-
-    #[test]
-    fn words_have_the_colour_of_their_quantity() {
-        let page = printed("# A\n\nThe [angular *momentum*]{.momentum}, [so] and [$x$]{.spin}.\n");
-        let [momentum, spin] = ["momentum", "spin"].map(|role| format!("<span class=\"q-{role}\">"));
-        let expected = format!(
-            "The {momentum}angular *momentum*</span>, [so] and {spin}<math><mi>x</mi></math></span>."
-        );
-        assert!(page.contains(&expected), "{page}");
-        let page = printed("# A\n\n| a |\n|---|\n| [$x$ *so*]{.spin}, [b] |\n\nTable: [L]{.momentum}].\n");
-        let cell = format!("<td>{spin}<math><mi>x</mi></math> <em>so</em></span>, [b]</td>");
-        let caption = format!("<caption>{momentum}L</span>].</caption>");
-        assert!(page.contains(&cell) && page.contains(&caption), "{page}");
-    }
-
-    #[test]
-    fn a_formula_is_tied_to_what_stands_beside_it_in_text_tables_and_notes() {
-        let page = printed(
-            "# A\n\nSo ($x$), 5 kg, *$x$.*[^a]\n\n| a |\n|---|\n| ($x$) |\n\nTable: T.\n\n[^a]: So ($x$), 5 kg.\n",
-        );
-        let tied = |head: &str, tail: &str| {
-            format!("<span class=\"tied\">{head}<math><mi>x</mi></math>{tail}</span>")
-        };
-        for expected in [
-            format!("So {} 5\u{a0}kg, *{}*", tied("(", "),"), tied("", ".")),
-            format!("<td>{}</td>", tied("(", ")")),
-            format!("So {} 5\u{a0}kg.</aside>", tied("(", "),")),
-        ] {
-            assert!(page.contains(&expected), "{page}");
-        }
-    }
+    use super::powers_of_ten;
 
     #[test]
     fn powers_of_ten_are_written_as_on_paper() {

@@ -46,9 +46,7 @@ impl Scan<'_, '_> {
     fn coloured(&mut self, range: &Range<usize>) {
         for (at, _) in self.text[range.clone()].match_indices("{.") {
             let at = range.start + at;
-            let Some(words) = self.text[..at].strip_suffix(']') else {
-                continue;
-            };
+            let Some(words) = self.text[..at].strip_suffix(']') else { continue };
             let paragraph = self.text[..at].rfind("\n\n").map_or(0, |blank| blank + 2);
             let role = &self.text[at + 2..];
             let (Some(open), Some(end)) = (words[paragraph.min(words.len())..].rfind('['), role.find('}'))

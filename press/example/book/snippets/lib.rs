@@ -1,3 +1,0 @@
-//! What of the pages runs: their snippets as documentation tests, and live scenes and numbers in browsers.
-
-live::pages!(pendulum_pages::scenes::SCENES);

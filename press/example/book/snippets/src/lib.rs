@@ -1,0 +1,1 @@
+live::pages!(pendulum_pages::SCENES);
