@@ -22,8 +22,8 @@ pub(crate) const SCENE: Scene = Scene {
                   on the rim. Beside it the two lengths lie side by side: the rim is longer than the \
                   circle, and what it has left over is the angle by which the head has turned. Below, \
                   against the tilt, the rates of contact and head.",
-    question: "The contact is back after a round, but the rim is longer than the circle it ran: where does \
-               the rest, $2\\pi(1 - \\cos\\alpha)$, go? And as a coin goes down, ever faster: does its \
+    question: "The contact has run once round its circle and is back: how does the head stand now, upright, \
+               turned with the contact, or against it? And as the coin goes down, ever faster: does its \
                contact reach the speed of sound?",
     size: [[660.0, 440.0], [380.0, 664.0]],
     view: Some([-FRAC_PI_2, 0.8]),
