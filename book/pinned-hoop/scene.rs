@@ -23,8 +23,9 @@ pub(crate) const SCENE: Scene = Scene {
                   near its upright balance, and the plane of the hoop at the moment of the snap, with A a \
                   degree from the place at a quarter of the circle. A plot against that degree, in which a dot \
                   climbs as long as the hoop waits.",
-    question: "The pin catches the hoop nearly at $90°$ from its axis, and makes a door of it. How long does it \
-               turn like a door, at $80°$, $89°$ and $89.9°$? And what does it do then?",
+    question: "The pin catches the hoop a degree from the place where the rim is fastest, and makes a door of \
+               it. What becomes of this door? And what changes if the pin is ten times more accurate: 89°, \
+               89.9°, 89.99°?",
     size: [[640.0, 505.0], [360.0, 640.0]],
     view: Some([-0.9, 0.3]),
     still: 15.0,
