@@ -73,6 +73,13 @@ pub(super) const CASES: &[Case] = &[
         ],
     ),
     (
+        "a table of verdicts on the source has a square for each row",
+        "# A\n\n$$\na\n$$ {#eq:x source=19}\n\n| equation | says | verdict |\n|---|---|---|\n| @source:19 | $x$ | **slip**: $y$ |\n\nTable: T.\n",
+        &[
+            "<p class='squares'><a class='slip' href='a.md#source-19' title='(19) of the source: slip'>19</a> </p>\n<div class='table-wrapper'>",
+        ],
+    ),
+    (
         "words have the colour of their quantity",
         "# A\n\nThe [angular *momentum*]{.momentum}, [so] and [$x$]{.spin}.\n\n\
          | a |\n|---|\n| [$x$ *so*]{.spin}, [b] |\n\nTable: [L]{.momentum}].\n",

@@ -1,7 +1,7 @@
 //! Tables, of a page and of the library: the points of a column of numbers stand below one another.
 
 use super::Printer;
-use crate::read::items::{Cell, Table, Words};
+use crate::read::items::{Cell, Mention, Table, Words};
 use crate::read::tables;
 use dialect::markdown::options;
 use pulldown_cmark::{Event, Parser};
@@ -26,8 +26,9 @@ impl Printer<'_, '_> {
     /// A table as HTML, on as many lines as it has rows: no blank one, or Markdown would read on.
     pub(super) fn table(&mut self, table: &Table<'_>, caption: &Words<'_>) -> String {
         let caption = self.words_of(caption, "caption");
-        let mut out =
-            format!("<div class=\"table-wrapper\">\n<table>\n<caption>{caption}</caption>\n<thead>\n");
+        let mut out = self.squares(table).unwrap_or_default();
+        let _ =
+            write!(out, "<div class=\"table-wrapper\">\n<table>\n<caption>{caption}</caption>\n<thead>\n");
         let columns = columns(table);
         for (n, row) in table.rows.iter().enumerate() {
             out.push_str("<tr>");
@@ -41,6 +42,24 @@ impl Printer<'_, '_> {
             out.push_str(if n == 0 { "</tr>\n</thead>\n<tbody>\n" } else { "</tr>\n" });
         }
         out + "</tbody>\n</table>\n</div>\n"
+    }
+
+    /// Above a table of verdicts, whose rows begin with a number of the source and have a verdict in their third cell: a
+    /// square for each row, which leads to the equation and has the first word of the verdict for its class.
+    fn squares(&mut self, table: &Table<'_>) -> Option<String> {
+        let mut squares = String::new();
+        for row in table.rows.iter().skip(1) {
+            let [number, verdict] = [0, 2].map(|n| row.get(n).map(first_text).unwrap_or_default());
+            let number = number.strip_prefix("@source:")?.parse().ok()?;
+            let target = self.mention(&Mention::Source(number), "", row[0].offset)?.target;
+            let verdict =
+                verdict.split(|c: char| !c.is_alphabetic()).next().filter(|word| !word.is_empty())?;
+            let _ = write!(
+                squares,
+                "<a class=\"{verdict}\" href=\"{target}\" title=\"({number}) of the source: {verdict}\">{number}</a> "
+            );
+        }
+        (!squares.is_empty()).then(|| format!("<p class=\"squares\">{squares}</p>\n"))
     }
 }
 
@@ -100,6 +119,15 @@ fn plain(cell: &Cell<'_>) -> Option<String> {
         _ => None,
     });
     pieces.collect()
+}
+
+/// The first text of a cell, outside of formulas.
+fn first_text<'a>(cell: &'a Cell<'_>) -> &'a str {
+    let mut texts = cell.words.iter().filter_map(|(event, _)| match event {
+        Event::Text(text) => Some(text.as_ref()),
+        _ => None,
+    });
+    texts.next().unwrap_or_default()
 }
 
 /// The digits of a number behind its point and in its power of ten; `None` if the text is none.
