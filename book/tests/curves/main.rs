@@ -13,7 +13,7 @@ mod methods;
 mod report;
 mod turning_plates;
 
-use drawing::{Axes, Drawing, Hue, Piece, Point, Role, Shape, Stroke, at};
+use drawing::{Axes, Drawing, Fill, Hue, Piece, Point, Role, Shape, Stroke, at};
 use figures::{Rendered, all};
 use pages::figures::FIGURES;
 use roxmltree::Document;
@@ -126,21 +126,41 @@ impl Curve {
     }
 }
 
+/// The curve passes through all these pairs of values: how many they are.
+fn passes(figure: &str, name: &str, pairs: impl IntoIterator<Item = (f64, f64)>) -> usize {
+    let curve = curve(figure, name);
+    let off = |pair| {
+        let off = curve.distance(pair);
+        assert!(off < PIXELS, "{figure} {name}: {off} px off at {pair:?}");
+    };
+    let checked = pairs.into_iter().map(off).count();
+    assert!(checked > 0, "{figure} {name}: nothing is checked");
+    checked
+}
+
 /// Wherever the formula is inside the frame, the curve passes there.
 fn lies_on(figure: &str, name: &str, formula: impl Fn(f64) -> f64) {
-    let curve = curve(figure, name);
-    let mut checked = 0;
-    for step in 1..400 {
-        let x = curve.axes.x.value((f64::from(step) + 0.37) / 400.0);
-        let y = formula(x);
-        let part = curve.axes.y.part(y);
-        if part > 0.0 && part < 1.0 {
-            let off = curve.distance((x, y));
-            assert!(off < PIXELS, "{figure} {name}: {off} px off at {x}");
-            checked += 1;
-        }
-    }
+    let axes = curve(figure, name).axes;
+    let across = (1..400).map(|step| axes.x.value((f64::from(step) + 0.37) / 400.0));
+    let inside = across.map(|x| (x, formula(x))).filter(|(_, y)| (0.0..1.0).contains(&axes.y.part(*y)));
+    let checked = passes(figure, name, inside);
     assert!(checked > 100, "{figure} {name}: only {checked} points");
+}
+
+/// From the first point of a line to its last, to the right and upwards, px.
+fn step(line: &[Point]) -> (f64, f64) {
+    let [first, last] = [line[0], line[line.len() - 1]];
+    (last.x - first.x, first.y - last.y)
+}
+
+/// The dots of a hue, in the order in which they were painted.
+fn dots(part: &Drawing, hue: Hue) -> Vec<Point> {
+    let items = part.items().iter().filter(|item| item.role == Role::Area(Fill::Solid, hue));
+    let centres = items.filter_map(|item| match item.shape {
+        Shape::Circle { centre, .. } => Some(centre),
+        _ => None,
+    });
+    centres.collect()
 }
 
 /// The number that a label at a tick shows, and the label's middle, px.
