@@ -119,7 +119,8 @@ impl Curve {
     /// Its value at x, on the straight line between two corners.
     fn value(&self, x: f64) -> f64 {
         let across = self.axes.point((x, self.axes.y.to)).x;
-        let pair = self.points.windows(2).find(|pair| pair[0].0 <= across && across <= pair[1].0);
+        let holds = |pair: &&[(f64, f64)]| (pair[0].0 <= across) == (across <= pair[1].0);
+        let pair = self.points.windows(2).find(holds);
         let Some(&[(x0, y0), (x1, y1)]) = pair else { panic!("the curve does not reach {x}") };
         let height = y0 + (y1 - y0) * (across - x0) / (x1 - x0);
         self.axes.values(at(across, height)).1

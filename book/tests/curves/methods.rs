@@ -53,8 +53,7 @@ fn the_factors_of_the_amplitude_are_those_of_their_polynomials() {
 #[test]
 fn the_errors_of_rk4_and_of_the_splitting_stand_at_their_steps() {
     let (moments, start) = book();
-    let top = FreeTop::new(moments, start).expect("a top");
-    let exact = top.at(30.0).expect("a state");
+    let exact = FreeTop::new(moments, start).and_then(|top| top.at(30.0)).expect("a state");
     for name in ["rk4", "strang"] {
         let counts = (7..=15).map(|n| (10.0 * 3000_f64.powf(f64::from(n) / 24.0)).round());
         passes(
@@ -66,41 +65,7 @@ fn the_errors_of_rk4_and_of_the_splitting_stand_at_their_steps() {
             }),
         );
     }
-    // Energy and attitude begin with the worst errors of single rounds, looked at five times each.
-    let part = top.period().expect("a round") / 5.0;
-    let energy = |body: &Turning| moments.kinetic_energy(&body.omega_body);
-    for (name, steps) in [("rk4", 24), ("strang", 48)] {
-        let (mut body, mut worst) = (start, [0.0_f64; 2]);
-        for look in 1..=15 {
-            body = after(name, body, part, steps);
-            let exact = top.at(f64::from(look) * part).expect("a state");
-            let attitude = rotation_between(&body.world_from_body, &exact.world_from_body);
-            worst = [worst[0].max((energy(&body) / energy(&start) - 1.0).abs()), worst[1].max(attitude)];
-            if look % 5 == 0 {
-                passes("method-energy", name, [(f64::from(look / 5), worst[0])]);
-                passes("method-attitude", name, [(f64::from(look / 5), worst[1])]);
-            }
-        }
-    }
-}
-
-#[test]
-fn errors_grow_as_the_text_says() {
-    for (figure, name, from, to, expected, slack) in [
-        ("method-energy", "rk4", 50.0, 9000.0, 1.0, 0.03),
-        ("method-energy", "dop853", 50.0, 9000.0, 1.0, 0.03),
-        ("method-energy", "strang", 50.0, 9000.0, 0.0, 0.03),
-        ("method-energy", "blanes-moan", 50.0, 9000.0, 0.0, 0.03),
-        ("method-attitude", "rk4", 60.0, 300.0, 2.0, 0.15),
-        ("method-attitude", "dop853", 1800.0, 9000.0, 2.0, 0.15),
-        ("method-attitude", "strang", 18.0, 90.0, 1.0, 0.15),
-        ("method-attitude", "blanes-moan", 1800.0, 9000.0, 1.0, 0.15),
-    ] {
-        let curve = curve(figure, name);
-        let slope = (curve.value(to) / curve.value(from)).ln() / f64::ln(to / from);
-        assert!((slope - expected).abs() < slack, "{figure}, {name}: {slope}");
-    }
-    // Hundreds of times better at the beginning, worse at the end.
+    // In attitude the splitting is hundreds of times better at the beginning, and worse at the end.
     let [first, last] = [1.5, 9000.0].map(|x| {
         curve("method-attitude", "blanes-moan").value(x) / curve("method-attitude", "dop853").value(x)
     });
