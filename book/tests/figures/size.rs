@@ -1,7 +1,7 @@
 //! How much room figures take, on a wide page and on a phone.
 
-use super::{every_figure, every_part, parsed};
-use drawing::{Drawing, Fill, MARGIN, NARROW, PANEL, Rect, Role, Shape};
+use super::{every_figure, every_part, labels, parsed};
+use drawing::{Drawing, Fill, MARGIN, NARROW, PANEL, Rect, Role};
 use figures::Rendered;
 
 /// The room for a figure on a phone whose screen is 360 px wide, px.
@@ -55,12 +55,9 @@ fn no_figure_is_too_wide() {
 fn too_small(figure: &Rendered, part: &Drawing, room: f64) -> Option<String> {
     let width = view_box(figure, part).width();
     let scale = (room / width).min(1.0);
-    let labels = part.items().iter().filter_map(|item| match &item.shape {
-        Shape::Label(label) => Some(label),
-        _ => None,
-    });
     let small = |least: f64, size: f64| scale * size < least - 1e-9;
-    let label = labels.into_iter().find(|label| small(TYPE, label.size) || small(SCRIPT, label.smallest))?;
+    let label =
+        labels(part).into_iter().find(|label| small(TYPE, label.size) || small(SCRIPT, label.smallest))?;
     let (size, smallest) = (scale * label.size, scale * label.smallest);
     Some(format!("{} is {width} px wide; type of {size:.1} px, scripts of {smallest:.1} px", part.id()))
 }
