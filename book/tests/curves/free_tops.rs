@@ -145,7 +145,7 @@ fn the_station_nods_and_star_trails_are_circles_about_one_axis_or_two() {
         ("after", 130, 1.0 / 18.0, &struck),
         ("turn", 26, 1.0, &struck),
     ] {
-        let axes = || parts("crew-sky").into_iter().flat_map(|part| part.axes());
+        let axes = || parts("crew-sky").into_iter().flat_map(Drawing::axes);
         let drawn = |star: &u32| axes().any(|axes| axes.curves.contains(&format!("{name}-{star}")));
         for star in (0..of).filter(drawn) {
             let trail = (0..=37).map(|step| motion(exposure * f64::from(step) / 37.0) * golden(star, of));

@@ -1,10 +1,7 @@
 //! A grip that a hand draws to where it stands for other settings stands there.
 
-use crate::hand::Hand;
+use crate::hand::{Hand, Settings};
 use live::Room;
-
-/// Settings of a scene.
-type Settings = &'static [(&'static str, f64)];
 
 /// A scene, a time, its settings, a grip, and what is different where the hand draws it.
 const CASES: &[(&str, f64, Settings, usize, Settings)] = &[

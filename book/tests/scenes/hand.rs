@@ -3,6 +3,9 @@
 use drawing::{Drawing, Label, Piece, Point, Shape};
 use live::{Moment, Player, Room, Scene};
 
+/// Names of controls and their values.
+pub(crate) type Settings = &'static [(&'static str, f64)];
+
 /// A scene in use.
 pub(crate) struct Hand {
     player: Player,

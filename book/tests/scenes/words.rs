@@ -1,9 +1,10 @@
 //! What scenes say of settings that are extremes, and of what has no answer.
 
-use crate::hand::{Hand, number_behind};
+use crate::hand::{Hand, Settings, number_behind};
+use std::f64::consts::FRAC_PI_3;
 
 /// A scene, settings, and words that it says, or behind a dash does not say.
-const SAYS: &[(&str, &[(&str, f64)], &str)] = &[
+const SAYS: &[(&str, Settings, &str)] = &[
     ("air-drag", &[("lean", 0.0), ("ratio", 0.0024)], "exactly about its axis"),
     ("air-drag", &[("lean", 90.0), ("ratio", 2.0)], "exactly across"),
     ("air-drag", &[("ratio", 1.0), ("drag", 1.0), ("lean", 20.0)], "stays at 20°"),
@@ -68,7 +69,7 @@ const SAYS: &[(&str, &[(&str, f64)], &str)] = &[
     ("space-station", &[("fire", 13.963)], "2.8° away"),
     ("space-station", &[("fire", 6.846), ("thruster", 176.5)], "leaves nothing"),
     ("space-station", &[("fire", 7.0)], "a nod of 43.6°"), // at a wrong moment it makes things worse
-    ("spinning-coin", &[("tilt", 1.047_197_551)], "The 180° that are left over"),
+    ("spinning-coin", &[("tilt", FRAC_PI_3)], "The 180° that are left over"),
     ("spinning-coin", &[("tilt", 0.01)], "314 µrad"), // π/10⁴
     ("spinning-coin", &[("tilt", 1.5)], "goes round 1.08 times"),
     ("spinning-coin", &[("tilt", 1e-5)], "20.0 billion times"), // 2/α²
