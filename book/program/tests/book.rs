@@ -257,64 +257,6 @@ fn scenes_weigh_little_and_no_page_waits_for_them() {
 }
 
 #[test]
-fn the_site_holds_no_programs_of_figures_and_scenes() {
-    assert_eq!(
-        files(site(), ".rs").into_iter().map(|(path, _)| path).collect::<Vec<_>>(),
-        Vec::<PathBuf>::new()
-    );
-}
-
-#[test]
-fn the_search_finds_words_of_pages_and_is_small() {
-    let (_, index) = files(site(), ".js")
-        .into_iter()
-        .find(|(path, _)| path.file_name().unwrap().to_string_lossy().starts_with("searchindex"))
-        .expect("the index");
-    assert!(packed(&index) < 250 * 1024, "{} bytes of index", packed(&index));
-    assert!(index.contains("Dzhanibekov") && index.contains("ω0"), "words, names and letters");
-    assert!(!index.contains("assert!") && !index.contains("ω 0"), "no code, no formula in pieces");
-}
-
-#[test]
-fn every_page_asks_early_for_the_face_of_its_text() {
-    for (path, html) in pages().iter().filter(|(_, html)| html.contains("<main")) {
-        let early = html.split("<link rel=\"preload\" ").nth(1).and_then(|rest| rest.split('>').next());
-        assert!(early.is_some_and(|link| link.contains("libertinus-serif-regular")), "{}", path.display());
-    }
-}
-
-#[test]
-fn every_page_has_a_title_of_its_own() {
-    let mut titles = BTreeSet::new();
-    for (path, html) in pages() {
-        let title = html.split("<title>").nth(1).and_then(|rest| rest.split("</title>").next());
-        let is_copy = path == site().join("index.html"); // of the first page
-        if let Some(title) = title.filter(|_| !is_copy) {
-            assert!(titles.insert(title.to_owned()), "{}: {title}", path.display());
-        }
-    }
-    assert!(titles.contains("Exercises - The coin toss - Things That Spin"), "{titles:?}");
-}
-
-#[test]
-fn the_documentation_of_the_library_leads_to_its_sources() {
-    let api = files(&site().join("api"), ".html");
-    let links: usize = api.iter().map(|(_, html)| html.matches("/src/mechanics/").count()).sum();
-    assert!(links > 1000, "only {links}"); // that they are alive is for the press to say
-    assert!(
-        site().join("api/src/mechanics/lib.rs.html").is_file() && site().join("api/index.html").is_file()
-    );
-}
-
-#[test]
-fn each_entry_of_the_bibliography_leads_back_to_where_it_is_cited() {
-    let page = fs::read_to_string(site().join("bibliography.html")).expect("a page");
-    let (entries, back) = (page.matches("class=\"cite\"").count(), page.matches("class=\"citing\"").count());
-    assert!(entries > 60 && back == entries, "{back} of {entries}");
-    assert!(page.contains("<a href=\"coin-toss/index.html#from-bartos-2023-"), "to the very words"); // alive, says the press
-}
-
-#[test]
 fn an_address_without_page_shows_all_chapters_and_needs_no_other_file() {
     let page = fs::read_to_string(site().join("404.html")).expect("a page");
     assert!(page.matches("<li><a href=").count() > 15 && page.contains("laundromat/index.html"));
@@ -322,41 +264,59 @@ fn an_address_without_page_shows_all_chapters_and_needs_no_other_file() {
 }
 
 #[test]
-fn equations_lead_to_the_code_that_names_them_and_back() {
-    let to_code: usize = pages().iter().map(|(_, html)| html.matches("\"code: ").count()).sum();
-    let back: usize =
-        files(&site().join("api"), ".html").iter().map(|(_, html)| html.matches(".html#eq-").count()).sum();
-    assert!(to_code > 200 && back > 400, "{to_code} links to the code, {back} back");
-    let page = fs::read_to_string(site().join("laundromat/index.html")).expect("a page");
-    let equation = page.split("id=\"eq-natural-frequency\"").nth(1).expect("the equation");
-    let marks = equation.split("class=\"code\">").nth(1).expect("its code");
-    let target = marks.split('"').nth(1).expect("a link"); // that it is alive is for the press to say
-    let file = target.trim_start_matches("../").split('#').next().expect("a file");
-    let code = fs::read_to_string(site().join(file)).expect("the code");
-    assert!(code.contains("laundromat/index.html#eq-natural-frequency"), "{file}");
-}
-
-#[test]
-fn every_page_says_what_it_is_about_and_of_which_edition_it_is() {
-    let mut descriptions = BTreeSet::new();
+fn the_head_of_every_page_tells_what_it_is_about_and_what_is_needed_early() {
+    let (mut titles, mut descriptions) = (BTreeSet::new(), BTreeSet::new());
     let copies = ["index.html", "print.html", "toc.html"].map(|copy| site().join(copy));
     let pages: Vec<_> = pages().into_iter().filter(|(path, _)| !copies.contains(path)).collect();
     for (path, html) in &pages {
-        let description = html
-            .split("property=\"og:description\" content=\"")
-            .nth(1)
-            .and_then(|rest| rest.split('"').next());
-        let description = description.unwrap_or_else(|| panic!("{} has none", path.display()));
-        assert!(description.len() > 20, "{}: {description}", path.display());
-        descriptions.insert(description.to_owned());
-        assert!(html.contains(concat!("Things That Spin ", env!("CARGO_PKG_VERSION"))), "{}", path.display());
+        let path = path.display();
+        let between = |start: &str, end: &str| {
+            let found = html.split(start).nth(1).and_then(|rest| rest.split(end).next());
+            found.unwrap_or_else(|| panic!("{path} has no {start}"))
+        };
+        let title = between("<title>", "</title>");
+        assert!(titles.insert(title), "{path}: {title}");
+        let description = between("property=\"og:description\" content=\"", "\"");
+        assert!(description.len() > 20, "{path}: {description}");
+        descriptions.insert(description);
+        assert!(html.contains(concat!("Things That Spin ", env!("CARGO_PKG_VERSION"))), "{path}");
+        assert!(between("<link rel=\"preload\" ", ">").contains("libertinus-serif-regular"), "{path}");
     }
-    assert!(
-        pages.len() > 40 && descriptions.len() * 10 > pages.len() * 9,
-        "{} of {}",
-        descriptions.len(),
-        pages.len()
-    );
+    assert!(titles.contains("Exercises - The coin toss - Things That Spin"), "{titles:?}");
+    let counts = [pages.len(), descriptions.len()];
+    assert!(counts[0] > 40 && counts[1] * 10 > counts[0] * 9, "{counts:?}");
+}
+
+#[test]
+fn the_search_finds_words_of_pages_and_is_small() {
+    let index = script("searchindex").expect("the index");
+    assert!(packed(&index) < 250 * 1024, "{} bytes of index", packed(&index));
+    assert!(index.contains("Dzhanibekov") && index.contains("ω0"), "words, names and letters");
+    assert!(!index.contains("assert!") && !index.contains("ω 0"), "no code, no formula in pieces");
+    assert!(files(site(), ".rs").is_empty(), "the site holds no programs of figures and scenes");
+}
+
+#[test]
+fn equations_lead_to_the_code_that_names_them_and_citations_to_their_entries_and_back() {
+    // That links are alive is for the press to say.
+    let api = files(&site().join("api"), ".html");
+    let count = |pages: &[(PathBuf, String)], link| -> usize {
+        pages.iter().map(|(_, html)| html.matches(link).count()).sum()
+    };
+    let (to_code, back) = (count(&pages(), "\"code: "), count(&api, ".html#eq-"));
+    assert!(to_code > 200 && back > 400, "{to_code} links to the code, {back} back");
+    assert!(count(&api, "/src/mechanics/") > 1000 && site().join("api/index.html").is_file());
+    let page = fs::read_to_string(site().join("laundromat/index.html")).expect("a page");
+    let equation = page.split("id=\"eq-natural-frequency\"").nth(1).expect("the equation");
+    let marks = equation.split("class=\"code\">").nth(1).expect("its code");
+    let file = marks.split('"').nth(1).and_then(|link| link.trim_start_matches("../").split('#').next());
+    let code = fs::read_to_string(site().join(file.expect("a link"))).expect("the code");
+    assert!(code.contains("laundromat/index.html#eq-natural-frequency"), "{file:?}");
+
+    let page = fs::read_to_string(site().join("bibliography.html")).expect("a page");
+    let (entries, back) = (page.matches("class=\"cite\"").count(), page.matches("class=\"citing\"").count());
+    assert!(entries > 60 && back == entries, "{back} of {entries}");
+    assert!(page.contains("<a href=\"coin-toss/index.html#from-bartos-2023-"), "to the very words");
 }
 
 #[test]

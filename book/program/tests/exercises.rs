@@ -5,6 +5,7 @@ use press::read::disk::from_disk;
 use press::read::exercise_times::{GRADES, graded};
 use std::collections::BTreeMap;
 use std::env;
+use std::ops::Range;
 use std::path::PathBuf;
 
 /// How many minutes an exercise of each grade may take.
@@ -20,44 +21,47 @@ fn pages(name: &str) -> Vec<Page> {
 }
 
 /// The sections of a page: their headings, with their labels, and what stands below.
-fn sections(text: &str) -> Vec<(&str, &str)> {
-    text.split("\n## ").skip(1).filter_map(|section| section.split_once('\n')).collect()
+fn sections(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    text.split("\n## ").skip(1).filter_map(|section| section.split_once('\n'))
+}
+
+/// The first line with words.
+fn first_line(below: &str) -> &str {
+    below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default()
 }
 
 #[test]
 fn every_chapter_has_exercises_of_all_grades_in_their_order() {
     let (mut faults, mut chapters) = (Vec::new(), 0);
     for page in pages("/exercises.md") {
-        let exercises = sections(&page.text);
+        chapters += 1;
+        let mut fault = |words: String| faults.push(format!("{}: {words}", page.file));
         let mut grades = Vec::new();
-        for (heading, below) in &exercises {
-            let first = below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-            let Some((grade, minutes)) = graded(first) else {
-                faults.push(format!("{}: `{heading}` has no grade, but `{first}`", page.file));
+        for (heading, below) in sections(&page.text) {
+            let Some((grade, minutes)) = graded(first_line(below)) else {
+                fault(format!("`{heading}` has no grade, but `{}`", first_line(below)));
                 continue;
             };
             let [least, most] = MINUTES[grade];
             if !(least..=most).contains(&minutes) {
-                let name = GRADES[grade];
-                faults.push(format!(
-                    "{}: `{heading}`, a {name}, takes {minutes} minutes, not {least} to {most}",
-                    page.file
+                fault(format!(
+                    "`{heading}`, a {}, takes {minutes} minutes, not {least} to {most}",
+                    GRADES[grade]
                 ));
             }
-            grades.push((grade, *heading));
+            grades.push((grade, heading));
         }
-        if exercises.len() < LEAST {
-            faults.push(format!("{}: {} exercises, of at least {LEAST}", page.file, exercises.len()));
+        if grades.len() < LEAST {
+            fault(format!("{} exercises, of at least {LEAST}", grades.len()));
         }
         for (grade, name) in GRADES.iter().enumerate() {
             if !grades.iter().any(|(own, _)| *own == grade) {
-                faults.push(format!("{}: no exercise is a {name}", page.file));
+                fault(format!("no exercise is a {name}"));
             }
         }
         if let Some(pair) = grades.windows(2).find(|pair| pair[0].0 > pair[1].0) {
-            faults.push(format!("{}: `{}` stands behind harder ones", page.file, pair[1].1));
+            fault(format!("`{}` stands behind harder ones", pair[1].1));
         }
-        chapters += 1;
     }
     assert!(chapters >= 11, "only {chapters} chapters");
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
@@ -103,8 +107,8 @@ fn a_course_of_some_weeks_adds_up_the_minutes_of_its_exercises() {
     let mut efforts = BTreeMap::new();
     for page in pages("/exercises.md") {
         for (heading, below) in sections(&page.text) {
-            let line = below.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-            efforts.insert(label(heading).to_owned(), graded(line).expect("every exercise has a grade"));
+            let effort = graded(first_line(below)).expect("every exercise has a grade");
+            efforts.insert(label(heading).to_owned(), effort);
         }
     }
     let teaching = pages("teaching.md").remove(0).text;
@@ -136,66 +140,45 @@ fn a_course_of_some_weeks_adds_up_the_minutes_of_its_exercises() {
     assert!((board + checks) <= 8.0 * 2.0 * 90.0, "eight weeks are enough?");
 }
 
-/// The headings of the chapters in reading order, each with its page, its depth and its words, and for each label of
-/// theirs below which heading it stands.
-#[derive(Default)]
-struct Contents {
-    headings: Vec<(String, usize, String)>,
-    below: BTreeMap<String, usize>,
+/// The text of the chapters in reading order, without their programs, exercises and solutions.
+fn chapters() -> String {
+    let tasks = ["/exercises.md", "/solutions.md"];
+    let pages = pages(".md").into_iter().filter(|page| page.chapter.is_some());
+    let pages = pages.filter(|page| !tasks.iter().any(|name| page.path.ends_with(name)));
+    let plain = |page: Page| page.text.split("```").step_by(2).collect::<String>();
+    pages.map(|page| format!("\n{}", plain(page))).collect()
 }
 
-impl Contents {
-    fn of_the_chapters() -> Self {
-        let mut contents = Self::default();
-        let tasks = ["/exercises.md", "/solutions.md"];
-        for page in pages(".md") {
-            if page.chapter.is_none() || tasks.iter().any(|name| page.path.ends_with(name)) {
-                continue;
-            }
-            let mut code = false;
-            for line in page.text.lines() {
-                code ^= line.starts_with("```");
-                if line.starts_with('#') && !code {
-                    let depth = line.bytes().take_while(|byte| *byte == b'#').count();
-                    let words = line[depth..].split("{#").next().unwrap_or_default().trim();
-                    contents.headings.push((page.path.clone(), depth, words.to_owned()));
-                }
-                let labels = line.split("{#").skip(1).map(str::to_owned);
-                let figures = line.split("](fig:").skip(1).map(|name| format!("fig:{name}"));
-                for label in labels.chain(figures) {
-                    let label = label.split([' ', '}', ')']).next().unwrap_or_default().to_owned();
-                    contents.below.insert(label, contents.headings.len() - 1);
-                }
-            }
-        }
-        contents
-    }
+/// Where a text defines a label, `sec:ramp` or `fig:drum`.
+fn place(text: &str, label: &str) -> Option<usize> {
+    let forms = [format!("{{#{label}}}"), format!("{{#{label} "), format!("]({label})")];
+    forms.iter().find_map(|form| text.find(form))
+}
 
-    /// What is read with a heading: all that stands below it.
-    fn end(&self, heading: usize) -> usize {
-        let (page, depth, _) = &self.headings[heading];
-        let below = |(other, deep, _): &&(String, usize, String)| other == page && deep > depth;
-        heading + 1 + self.headings[heading + 1..].iter().take_while(below).count()
-    }
+/// The depth of the heading below which a place of a text stands, and where what stands below that ends.
+fn section(text: &str, place: usize) -> (usize, usize) {
+    let depth = |at: usize| text[at + 1..].bytes().take_while(|byte| *byte == b'#').count();
+    let line = text[place..].find('\n').map_or(text.len(), |end| place + end);
+    let own = depth(text[..line].rfind("\n#").expect("a heading"));
+    let next = text[line..].match_indices("\n#").map(|(at, _)| line + at).find(|at| depth(*at) <= own);
+    (own, next.unwrap_or(text.len()))
+}
 
-    /// The headings that the pages of a row cover: `@sec:a to @sec:b`, `*Title* as far as @sec:b`.
-    fn read(&self, pages: &str) -> Vec<usize> {
-        let ranges = pages.split([',', ';']).map(|part| {
-            let title = part.split('*').nth(1);
-            let titled =
-                |title| self.headings.iter().position(|(_, depth, words)| *depth == 1 && words == title);
-            let mut named: Vec<usize> =
-                title.map(|title| titled(title).expect("a chapter")).into_iter().collect();
-            named.extend(references(part).iter().map(|label| self.below[*label]));
-            named[0]..self.end(named[named.len() - 1])
-        });
-        ranges.flatten().collect()
-    }
+/// What the pages of a row cover: `@sec:a to @sec:b`, `*Title* as far as @sec:b`.
+fn covered(text: &str, pages: &str) -> Vec<Range<usize>> {
+    let range = |part: &str| {
+        let title = part.split('*').nth(1);
+        let titled = title.map(|title| text.find(&format!("\n# {title}")).expect("a chapter") + 1);
+        let labelled = references(part).into_iter().map(|label| place(text, label).expect("a section"));
+        let named: Vec<usize> = titled.into_iter().chain(labelled).collect();
+        named[0]..section(text, named[named.len() - 1]).1
+    };
+    pages.split([',', ';']).map(range).collect()
 }
 
 #[test]
 fn the_exercises_of_a_plan_need_what_was_read_before_them() {
-    let contents = Contents::of_the_chapters();
+    let text = chapters();
     let mut exercises = BTreeMap::new();
     for page in pages("/exercises.md") {
         for (heading, below) in sections(&page.text) {
@@ -208,13 +191,12 @@ fn the_exercises_of_a_plan_need_what_was_read_before_them() {
         if cells[1] == "1" {
             read.clear();
         }
-        read.extend(contents.read(cells[2]));
+        read.extend(covered(&text, cells[2]));
         for exercise in references(&cells[3..].join(" ")) {
-            let Some(text) = exercises.get(exercise) else { continue };
-            for label in references(text) {
-                let Some(heading) = contents.below.get(label) else { continue };
+            for label in exercises.get(exercise).map_or(Vec::new(), |text| references(text)) {
+                let Some(place) = place(&text, label) else { continue };
                 checked += 1;
-                if !read.contains(heading) && contents.headings[*heading].1 > 1 {
+                if !read.iter().any(|range| range.contains(&place)) && section(&text, place).0 > 1 {
                     faults.push(format!("{} | {}: @{exercise} needs @{label}", cells[1], cells[2]));
                 }
             }

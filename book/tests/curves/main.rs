@@ -13,7 +13,7 @@ mod methods;
 mod report;
 mod turning_plates;
 
-use drawing::{Axes, Drawing, Hue, Piece, Point, Role, Shape, Stroke, at};
+use drawing::{Axes, Drawing, Fill, Hue, Piece, Point, Role, Shape, Stroke, at};
 use figures::{Rendered, all};
 use pages::figures::FIGURES;
 use roxmltree::Document;
@@ -119,28 +119,49 @@ impl Curve {
     /// Its value at x, on the straight line between two corners.
     fn value(&self, x: f64) -> f64 {
         let across = self.axes.point((x, self.axes.y.to)).x;
-        let pair = self.points.windows(2).find(|pair| pair[0].0 <= across && across <= pair[1].0);
+        let holds = |pair: &&[(f64, f64)]| (pair[0].0 <= across) == (across <= pair[1].0);
+        let pair = self.points.windows(2).find(holds);
         let Some(&[(x0, y0), (x1, y1)]) = pair else { panic!("the curve does not reach {x}") };
         let height = y0 + (y1 - y0) * (across - x0) / (x1 - x0);
         self.axes.values(at(across, height)).1
     }
 }
 
+/// The curve passes through all these pairs of values: how many they are.
+fn passes(figure: &str, name: &str, pairs: impl IntoIterator<Item = (f64, f64)>) -> usize {
+    let curve = curve(figure, name);
+    let off = |pair| {
+        let off = curve.distance(pair);
+        assert!(off < PIXELS, "{figure} {name}: {off} px off at {pair:?}");
+    };
+    let checked = pairs.into_iter().map(off).count();
+    assert!(checked > 0, "{figure} {name}: nothing is checked");
+    checked
+}
+
 /// Wherever the formula is inside the frame, the curve passes there.
 fn lies_on(figure: &str, name: &str, formula: impl Fn(f64) -> f64) {
-    let curve = curve(figure, name);
-    let mut checked = 0;
-    for step in 1..400 {
-        let x = curve.axes.x.value((f64::from(step) + 0.37) / 400.0);
-        let y = formula(x);
-        let part = curve.axes.y.part(y);
-        if part > 0.0 && part < 1.0 {
-            let off = curve.distance((x, y));
-            assert!(off < PIXELS, "{figure} {name}: {off} px off at {x}");
-            checked += 1;
-        }
-    }
+    let axes = curve(figure, name).axes;
+    let across = (1..400).map(|step| axes.x.value((f64::from(step) + 0.37) / 400.0));
+    let inside = across.map(|x| (x, formula(x))).filter(|(_, y)| (0.0..1.0).contains(&axes.y.part(*y)));
+    let checked = passes(figure, name, inside);
     assert!(checked > 100, "{figure} {name}: only {checked} points");
+}
+
+/// From the first point of a line to its last, to the right and upwards, px.
+fn step(line: &[Point]) -> (f64, f64) {
+    let [first, last] = [line[0], line[line.len() - 1]];
+    (last.x - first.x, first.y - last.y)
+}
+
+/// The dots of a hue, in the order in which they were painted.
+fn dots(part: &Drawing, hue: Hue) -> Vec<Point> {
+    let items = part.items().iter().filter(|item| item.role == Role::Area(Fill::Solid, hue));
+    let centres = items.filter_map(|item| match item.shape {
+        Shape::Circle { centre, .. } => Some(centre),
+        _ => None,
+    });
+    centres.collect()
 }
 
 /// The number that a label at a tick shows, and the label's middle, px.

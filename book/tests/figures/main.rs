@@ -3,7 +3,7 @@
 mod map;
 mod size;
 
-use drawing::{Drawing, Fill, Point, Rect, Role, Shape, Stroke};
+use drawing::{Drawing, Fill, Label, Piece, Point, Rect, Role, Shape, Stroke};
 use figures::{Rendered, all};
 use pages::figures::FIGURES;
 use roxmltree::{Document, Node};
@@ -135,13 +135,7 @@ fn labels_touch_no_label_and_no_line() {
     let mut clashes = Vec::new();
     for (figure, part) in every_part() {
         let items = part.items();
-        let labels: Vec<_> = items
-            .iter()
-            .filter_map(|item| match &item.shape {
-                Shape::Label(label) => Some(label),
-                _ => None,
-            })
-            .collect();
+        let labels = labels(part);
         // The names of the frontispiece's pictures are links beside them.
         let named_beside = figure.id == "fig:frontispiece";
         assert!(!labels.is_empty() || named_beside, "{} has no label", figure.id);
@@ -168,14 +162,23 @@ fn labels_touch_no_label_and_no_line() {
     assert!(clashes.is_empty(), "{} clashes:\n{}", clashes.len(), clashes.join("\n"));
 }
 
-/// The words of a label, or that it is mathematics only.
-fn words(label: &drawing::Label) -> String {
-    let words = label.pieces.iter().filter_map(|piece| match piece {
-        drawing::Piece::Words { text, .. } => Some(text.as_str()),
-        drawing::Piece::Outline(_) => None,
+/// The labels of a drawing.
+fn labels(part: &Drawing) -> Vec<&Label> {
+    let shapes = part.items().iter().map(|item| &item.shape);
+    let labels = shapes.filter_map(|shape| match shape {
+        Shape::Label(label) => Some(label),
+        _ => None,
     });
-    let words: Vec<&str> = words.collect();
-    if words.is_empty() { "mathematics".into() } else { words.join(" ") }
+    labels.collect()
+}
+
+/// The words of a label, with a sign for each formula.
+fn words(label: &Label) -> String {
+    let word = |piece: &Piece| match piece {
+        Piece::Words { text, .. } => text.clone(),
+        Piece::Outline(_) => "…".into(),
+    };
+    label.pieces.iter().map(word).collect()
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! The map of the chapters shows what the chapters themselves say.
 
-use super::every_figure;
-use drawing::{Label, Piece, Shape};
+use super::{every_figure, labels, words};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -79,15 +78,6 @@ fn the_map_of_the_chapters_shows_what_each_says_that_one_needs() {
     }
 }
 
-/// The words of a label.
-fn words(label: &Label) -> String {
-    let word = |piece: &Piece| match piece {
-        Piece::Words { text, .. } => text.clone(),
-        Piece::Outline(_) => String::new(),
-    };
-    label.pieces.iter().map(word).collect()
-}
-
 /// The folders of the chapters with their titles, in the order of the book.
 fn chapters() -> Vec<(String, String)> {
     let summary = fs::read_to_string(root().join("book/SUMMARY.md")).expect("the summary");
@@ -109,14 +99,7 @@ fn the_map_has_a_box_for_each_chapter_with_its_number() {
     let map = every_figure().iter().find(|figure| figure.id == "fig:chapters-map").expect("the map");
     let chapters = chapters();
     for part in map.drawing.all_parts() {
-        let boxes: Vec<String> = part
-            .items()
-            .iter()
-            .filter_map(|item| match &item.shape {
-                Shape::Label(label) => Some(words(label)),
-                _ => None,
-            })
-            .collect();
+        let boxes: Vec<String> = labels(part).into_iter().map(words).collect();
         for (number, (folder, title)) in (1..).zip(&chapters) {
             let has = boxes.iter().any(|name| names(name, number, title));
             assert!(has, "book/figures.rs: the map has no box `{number} …` for book/{folder}: {boxes:?}");

@@ -1,6 +1,7 @@
 //! What holds for every scene, whatever a reader does with it.
 
-use drawing::{Drawing, Piece, Point, Rect, Shape, at};
+use crate::hand::{labels, words};
+use drawing::{Drawing, Point, Rect, at};
 use fastrand::Rng;
 use live::{Kind, Moment, Player, Room, Scene};
 use std::collections::BTreeSet;
@@ -63,19 +64,13 @@ fn is_sound(drawing: &Drawing, size: [f64; 2], of: &str, view_is_turned: bool) {
     assert!(elements.lines().count() > 3, "{of}: nothing to see");
     assert!(!elements.contains("NaN") && !elements.contains("inf"), "{of}");
     let frame = Rect::new(0.0, 0.0, size[0], size[1]).grown(SLACK);
-    for item in drawing.items() {
-        let Shape::Label(label) = &item.shape else { continue };
+    for label in labels(drawing) {
         let ink = label.bounds;
         let inside = frame.left <= ink.left
             && ink.right <= frame.right
             && frame.top <= ink.top
             && ink.bottom <= frame.bottom;
-        let word = |piece: &Piece| match piece {
-            Piece::Words { text, .. } => text.clone(),
-            Piece::Outline(_) => "…".into(),
-        };
-        let words: Vec<String> = label.pieces.iter().map(word).collect();
-        assert!(inside || view_is_turned, "{of}: a label of the words {words:?} is cut off: {ink:?}");
+        assert!(inside || view_is_turned, "{of}: a label, `{}`, is cut off: {ink:?}", words(label));
     }
 }
 
@@ -109,16 +104,11 @@ fn every_scene_can_be_named_and_set() {
         let start = Player::new(scene).unwrap_or_else(|cause| panic!("{}: {cause}", scene.name));
         for preset in scene.presets {
             let set = start.changed(preset.settings);
-            let set = set.unwrap_or_else(|cause| panic!("{}: {}: {cause}", scene.name, preset.words));
-            for (name, value) in preset.settings {
-                let place =
-                    scene.controls.iter().position(|control| control.name == *name).expect("it was set");
-                assert!(
-                    (set.values()[place] - value).abs() < 1e-9,
-                    "{}: {}: {name}",
-                    scene.name,
-                    preset.words
-                );
+            let of = format!("{}: {}", scene.name, preset.words);
+            let set = set.unwrap_or_else(|cause| panic!("{of}: {cause}"));
+            for (control, value) in scene.controls.iter().zip(set.values()) {
+                let own = preset.settings.iter().find(|(name, _)| *name == control.name);
+                assert!(own.is_none_or(|(_, own)| (own - value).abs() < 1e-9), "{of}: {}", control.name);
             }
         }
         for wrong in [vec![f64::NAN; scene.controls.len()], vec![1e300; scene.controls.len()], Vec::new()] {
@@ -147,18 +137,12 @@ fn every_scene_moves_and_has_a_still() {
         }
         assert!(scene.size[1][0] <= 400.0, "{}: a phone has no room for {:?} px", scene.name, scene.size[1]);
         let still = player.still().expect("a still");
-        let smallest =
-            still.all_parts().into_iter().flat_map(Drawing::items).filter_map(|item| match &item.shape {
-                Shape::Label(label) => Some(label.size),
-                _ => None,
-            });
-        assert!(smallest.fold(f64::INFINITY, f64::min) >= 13.0, "{}: type is too small", scene.name);
         // On the least phone a drawing has 340 px; what is raised there is 8 px high, as in every figure.
         for part in still.all_parts() {
             let shrunk = if part.width() > 400.0 { 1.0 } else { (340.0 / part.width()).min(1.0) };
-            for item in part.items() {
-                let Shape::Label(label) = &item.shape else { continue };
-                assert!(label.smallest * shrunk >= 8.0, "{}: {} px", scene.name, label.smallest * shrunk);
+            for label in labels(part) {
+                let is_read = label.size >= 13.0 && label.smallest * shrunk >= 8.0;
+                assert!(is_read, "{}: `{}` is too small", scene.name, words(label));
             }
         }
         assert!(still.to_svg().is_ok());
@@ -247,40 +231,16 @@ fn labels_stand_on_no_other_where_the_text_leads() {
             for part in 0..=20 {
                 let time = duration * f64::from(part) / 20.0;
                 let drawing = player.draw(Moment { time, azimuth, elevation, room }).expect("a picture");
-                let labels: Vec<_> = drawing
-                    .items()
-                    .iter()
-                    .filter_map(|item| match &item.shape {
-                        Shape::Label(label) => Some(label),
-                        _ => None,
-                    })
-                    .collect();
+                let labels = labels(&drawing);
                 for (place, label) in labels.iter().enumerate() {
-                    for other in &labels[..place] {
-                        if label.bounds.overlaps(&other.bounds) {
-                            seen.insert(format!(
-                                "{} {} {room:?}: {} {}",
-                                scene.name,
-                                preset.words,
-                                words(label),
-                                words(other)
-                            ));
-                        }
+                    let mut before = labels[..place].iter();
+                    if let Some(other) = before.find(|other| label.bounds.overlaps(&other.bounds)) {
+                        let both = [words(label), words(other)];
+                        seen.insert(format!("{} {} {room:?}: {both:?}", scene.name, preset.words));
                     }
                 }
             }
         }
     }
     assert!(seen.is_empty(), "{seen:#?}");
-}
-
-fn words(label: &drawing::Label) -> String {
-    label
-        .pieces
-        .iter()
-        .map(|piece| match piece {
-            Piece::Words { text, .. } => text.clone(),
-            Piece::Outline(_) => "…".into(),
-        })
-        .collect()
 }

@@ -1,7 +1,10 @@
 //! A reader's hand: what tests do with a scene.
 
-use drawing::Point;
-use live::{Kind, Moment, Player, Room};
+use drawing::{Drawing, Label, Piece, Point, Shape};
+use live::{Moment, Player, Room, Scene};
+
+/// Names of controls and their values.
+pub(crate) type Settings = &'static [(&'static str, f64)];
 
 /// A scene in use.
 pub(crate) struct Hand {
@@ -10,53 +13,116 @@ pub(crate) struct Hand {
 }
 
 impl Hand {
-    /// A scene with some settings changed.
+    /// A scene with some settings changed, seen as its page first shows it.
     pub(crate) fn with(name: &str, settings: &[(&str, f64)]) -> Self {
         let scene = pages::scenes::named(name).expect("no such scene");
-        let player = Player::new(scene).and_then(|player| player.changed(settings)).unwrap();
-        let [azimuth, elevation] = scene.view.unwrap_or_default();
-        let mut hand = Self { player, last: Moment { time: 0.0, azimuth, elevation, room: Room::Wide } };
-        hand.draw(scene.still, Room::Wide);
-        hand
+        Self::of(Player::new(scene).and_then(|player| player.changed(settings)).expect("an answer"))
+    }
+
+    /// A scene with a preset whose words contain these.
+    pub(crate) fn preset(name: &str, words: &str) -> Self {
+        let scene = pages::scenes::named(name).expect("no such scene");
+        let preset = scene.presets.iter().find(|preset| preset.words.contains(words));
+        Self::with(name, preset.expect("no such preset").settings)
+    }
+
+    fn of(player: Player) -> Self {
+        let [azimuth, elevation] = player.scene().view.unwrap_or_default();
+        let last = Moment { time: player.scene().still, azimuth, elevation, room: Room::Wide };
+        Self { player, last }
+    }
+
+    /// The same with some settings changed; what was measured before is kept.
+    pub(crate) fn changed(&self, settings: &[(&str, f64)]) -> Self {
+        Self::of(self.player.changed(settings).expect("an answer"))
+    }
+
+    /// What the page says of settings that have no answer.
+    pub(crate) fn refusal(name: &str, settings: &[(&str, f64)]) -> String {
+        let scene = pages::scenes::named(name).expect("no such scene");
+        let refused = Player::new(scene).and_then(|player| player.changed(settings)).err();
+        refused.unwrap_or_else(|| panic!("{name} has an answer to {settings:?}")).to_string()
+    }
+
+    pub(crate) fn scene(&self) -> &'static Scene {
+        self.player.scene()
+    }
+
+    /// How long it runs, s of the scene.
+    pub(crate) fn duration(&self) -> f64 {
+        self.player.run().duration
     }
 
     /// Draws a moment, as the eye of the scene first sees it.
-    pub(crate) fn draw(&mut self, time: f64, room: Room) {
-        self.last = Moment { time, room, ..self.last };
-        self.player.draw(self.last).unwrap();
+    pub(crate) fn draw(&mut self, time: f64, room: Room) -> Drawing {
+        self.draw_from([self.last.azimuth, self.last.elevation], time, room)
     }
 
-    /// The words.
+    /// Draws a moment, as it is seen from somewhere else.
+    pub(crate) fn draw_from(&mut self, [azimuth, elevation]: [f64; 2], time: f64, room: Room) -> Drawing {
+        self.last = Moment { time, azimuth, elevation, room };
+        self.player.draw(self.last).expect("a picture")
+    }
+
+    /// The words at the beginning.
     pub(crate) fn words(&self) -> String {
-        self.player.words(self.last.time)
+        self.player.words(0.0)
+    }
+
+    pub(crate) fn words_at(&self, time: f64) -> String {
+        self.player.words(time)
     }
 
     /// The value of a control.
     pub(crate) fn value(&self, name: &str) -> f64 {
-        let place = self.player.scene().controls.iter().position(|control| control.name == name).unwrap();
-        self.player.values()[place]
+        let place = self.scene().controls.iter().position(|control| control.name == name);
+        self.player.values()[place.expect("no such control")]
     }
 
-    /// One of the readings.
-    pub(crate) fn reading(&self, time: f64, place: usize) -> f64 {
-        self.player.numbers(time).unwrap()[place]
+    /// The number beside the picture whose words begin so.
+    pub(crate) fn reading(&self, time: f64, words: &str) -> f64 {
+        let place = self.scene().readings.iter().position(|reading| reading.words.starts_with(words));
+        self.player.numbers(time).expect("readings")[place.unwrap_or_else(|| panic!("no reading {words}"))]
     }
 
-    /// Touches a grip, which changes nothing by more than a step, then draws it a step aside: how far from the hand it
-    /// stands then, px.
-    pub(crate) fn draws(&mut self, grip: usize, step: Point) -> Point {
-        let stands = self.player.grips()[grip];
-        let before = self.player.values().to_vec();
-        let touched = self.player.drag(grip, stands).unwrap();
-        for ((control, touched), before) in self.player.scene().controls.iter().zip(touched).zip(&before) {
-            let grain = if let Kind::Slider { step, .. } = control.kind { step } else { 0.0 };
-            assert!((touched - before).abs() <= 1.0001 * grain, "a touch changes {}", control.name);
-        }
-        let to = stands + step;
-        let values = self.player.drag(grip, to).unwrap();
-        assert_ne!(values, before, "nothing has changed");
-        self.player = Player::with(self.player.scene(), values).unwrap();
-        self.player.draw(self.last).unwrap();
-        self.player.grips()[grip] - to
+    /// Where its grips stand in the picture that was drawn last, px.
+    pub(crate) fn grips(&self) -> Vec<Point> {
+        self.player.grips()
     }
+
+    /// Draws a grip to a point, and draws the same moment again.
+    pub(crate) fn draw_grip(&mut self, grip: usize, to: Point) {
+        let values = self.player.drag(grip, to).expect("values");
+        self.player = Player::with(self.scene(), values).expect("an answer");
+        self.player.draw(self.last).expect("a picture");
+    }
+}
+
+/// The labels of a drawing.
+pub(crate) fn labels(drawing: &Drawing) -> Vec<&Label> {
+    let shapes = drawing.items().iter().map(|item| &item.shape);
+    let labels = shapes.filter_map(|shape| match shape {
+        Shape::Label(label) => Some(label),
+        _ => None,
+    });
+    labels.collect()
+}
+
+/// The words of a label, with a sign for each formula.
+pub(crate) fn words(label: &Label) -> String {
+    let word = |piece: &Piece| match piece {
+        Piece::Words { text, .. } => text.clone(),
+        Piece::Outline(_) => "…".into(),
+    };
+    label.pieces.iter().map(word).collect()
+}
+
+/// The number behind some words of a text.
+pub(crate) fn number_behind(text: &str, words: &str) -> f64 {
+    let rest = text.split_once(words).unwrap_or_else(|| panic!("no `{words}` in {text}")).1.trim_start();
+    let end = rest.find(|sign: char| !sign.is_ascii_digit() && sign != '.').unwrap_or(rest.len());
+    rest[..end]
+        .trim_end_matches('.')
+        .parse()
+        .unwrap_or_else(|_| panic!("no number behind `{words}` in {text}"))
 }

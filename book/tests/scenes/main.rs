@@ -3,6 +3,7 @@
 mod air_drag;
 mod coin_toss;
 mod every;
+mod grips;
 mod hand;
 mod laundromat;
 mod pinned_hoop;
@@ -11,3 +12,4 @@ mod space_station;
 mod spinning_coin;
 mod turning;
 mod wobble_plate;
+mod words;

@@ -3,14 +3,14 @@
 //! `axe/axe.min.js` is axe-core 4.14.1 by Deque Systems, unmodified, its licence beside it. `audit.js` asks the rest.
 
 use super::driver::{Browser, Page};
-use super::{address, scenes, site};
+use super::{Place, address, scenes, site};
 use crate::pages;
 use serde_json::{Value, json};
 use std::sync::Mutex;
 use std::thread;
 
 const AXE: &str = include_str!("axe/axe.min.js");
-const AUDIT: &str = include_str!("audit.js");
+pub(super) const AUDIT: &str = include_str!("audit.js");
 const OTHER_THEMES: [&str; 4] = ["rust", "coal", "navy", "ayu"];
 const PHONE: u32 = 320;
 const WIDTHS: [u32; 3] = [1300, 768, PHONE];
@@ -26,7 +26,7 @@ const CHOICE: [&str; 5] = [
 /// The rules that other colours can break.
 const OF_COLOUR: &str = "['color-contrast', 'link-in-text-block']";
 /// An A4 page without its margins (`print.css`), px.
-const PAPER: [u32; 2] = [612, 963];
+pub(super) const PAPER: [u32; 2] = [612, 963];
 
 /// The addresses of all pages within the site, but the one of all pages.
 fn names() -> Vec<String> {
@@ -156,7 +156,7 @@ fn the_keyboard_reaches_everything_in_the_order_of_the_page() {
     let mut page = browser.page([WIDTHS[0], 900]);
     page.before_all(AUDIT);
     // Of the first scenes, since all panels are made alike.
-    for (scene, page_address, figure) in scenes().into_iter().take(3) {
+    for Place { scene, address: page_address, figure } in scenes().into_iter().take(3) {
         let name = &page_address[address().len()..];
         for width in [WIDTHS[0], PHONE] {
             open(&mut page, name, width);

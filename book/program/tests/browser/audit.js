@@ -72,16 +72,22 @@ window.wide = () => {
 window.offPaper = (height) => {
   const page = document.querySelector('main').getBoundingClientRect();
   const faults = [];
-  for (const node of document.querySelectorAll('main :is(math, table, pre, svg, p, li, figcaption)')) {
+  const whole = 'math, svg, table, pre, figure, figcaption, .equation, .formula, .note, .hint, p, li, td, th, h1, h2, h3, h4';
+  for (const node of document.querySelectorAll(`main :is(${whole})`)) {
     const box = node.getBoundingClientRect();
     if (!shown(node) || box.width === 0) continue;
     if (box.right > page.right + 1 || box.left < page.left - 1) {
       faults.push(`off the paper: ${named(node)} from ${Math.round(box.left - page.left)} to ${Math.round(box.right - page.left)} of ${Math.round(page.width)} px`);
     }
-    if (node.matches('svg, math') && box.height > height) faults.push(`higher than the paper: ${named(node)}, ${Math.round(box.height)} px`);
+    if (node.matches('svg, math, .equation, .figure') && box.height > height) faults.push(`higher than the paper: ${named(node)}, ${Math.round(box.height)} px`);
   }
-  for (const box of document.querySelectorAll('main :is(.formula, .table-wrapper, pre, pre > code, td, p, li, figcaption)')) {
-    if (shown(box) && box.clientWidth > 0 && box.scrollWidth > box.clientWidth + 1) faults.push(`cut off on paper: ${named(box)}`);
+  const boxes = '.formula, .table-wrapper, pre, pre > code, figure, figcaption, .equation, .note, .hint, p, li, td, th, h1, h2, h3, h4';
+  for (const box of document.querySelectorAll(`main :is(${boxes})`)) {
+    const style = getComputedStyle(box);
+    const isCut = style.overflowX !== 'visible' || box.matches('.formula, .table-wrapper, pre, pre > code, figcaption, p, li, td, th, h1, h2, h3, h4');
+    if (isCut && style.display !== 'inline' && shown(box) && box.clientWidth > 0 && box.scrollWidth > box.clientWidth + 1) {
+      faults.push(`cut off on paper: ${named(box)}`);
+    }
   }
   return faults;
 };

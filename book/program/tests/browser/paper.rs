@@ -1,5 +1,6 @@
 //! The book on paper: nothing is cut off on A4, and a PDF holds what its reader looks for.
 
+use super::access::{AUDIT, PAPER};
 use super::driver::{self, Browser};
 use crate::{folder, root, site};
 use hayro_syntax::Pdf;
@@ -9,29 +10,6 @@ use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-/// What A4 leaves for text between the margins of print.css, px.
-const ROOM: [u32; 2] = [612, 963];
-
-/// What reaches out of the text or is cut off within its own box, and what no page is high enough for.
-const CUT_OFF: &str = r"(() => {
-  const room = document.querySelector('main').getBoundingClientRect();
-  const whole = 'math, svg, table, pre, figure, .equation, .formula, .note, .hint, p, li, td, th, h1, h2, h3, h4';
-  return [...document.querySelectorAll('main :is(' + whole + ')')].flatMap((element) => {
-    const box = element.getBoundingClientRect();
-    if (box.width === 0) return [];
-    const isWide = box.right > room.right + 1 || box.left < room.left - 1;
-    const isOver = element.matches('pre, p, li, td, th, h1, h2, h3, h4') && element.scrollWidth > element.clientWidth + 1
-      && getComputedStyle(element).display !== 'inline';
-    const hides = getComputedStyle(element).overflowX !== 'visible' && !(element instanceof SVGElement);
-    const isCut = hides && element.scrollWidth > element.clientWidth + 1;
-    const isHigh = element.matches('svg, .equation, .figure') && box.height > HEIGHT;
-    if (!isWide && !isCut && !isHigh && !isOver) return [];
-    const place = element.closest('[id]')?.id ?? '';
-    return [`${element.tagName} in ${place}: ${box.left - room.left} to ${box.right - room.left} of ${room.width},`
-      + ` ${box.height} high: ${element.textContent.trim().slice(0, 60)}`];
-  });
-})()";
-
 #[test]
 fn nothing_is_cut_off_on_a4() {
     let Some(mut browser) = Browser::open("paper") else {
@@ -40,13 +18,14 @@ fn nothing_is_cut_off_on_a4() {
     let paper = Paper::read(root(), site(), None, true).unwrap();
     let file = folder("paper").join("paper.html");
     fs::write(&file, paper.html(&format!("file://{}/", site().display()), &BTreeMap::new())).unwrap();
-    let mut page = browser.page(ROOM);
+    let mut page = browser.page(PAPER);
+    page.before_all(AUDIT);
     page.tell("Emulation.setEmulatedMedia", json!({ "media": "print" }));
     page.go(&format!("file://{}", file.display()));
     page.wait("document.fonts.status === 'loaded'");
     assert!(page.number("document.querySelectorAll('main math').length") > 5000.0);
-    assert!(page.number("document.querySelector('main').clientWidth") == f64::from(ROOM[0]));
-    let measure = CUT_OFF.replace("HEIGHT", &ROOM[1].to_string());
+    assert!(page.number("document.querySelector('main').clientWidth") == f64::from(PAPER[0]));
+    let measure = format!("offPaper({})", PAPER[1]);
     let found = page.get(&measure);
     let found: Vec<&str> = found.as_array().unwrap().iter().filter_map(|fault| fault.as_str()).collect();
     assert!(found.is_empty(), "{} are cut off:\n{}", found.len(), found.join("\n"));

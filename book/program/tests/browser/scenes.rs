@@ -15,10 +15,11 @@ mod server;
 
 use super::site;
 use driver::{Browser, Page};
-use live::{Form, Kind, Moment, Player, Room, Scene};
+use live::{Control, Form, Kind, Moment, Player, Room, Scene};
 use pages::scenes::SCENES;
 use serde_json::{Value, json};
 use std::env;
+use std::ops::{Deref, DerefMut};
 use std::sync::OnceLock;
 
 const WIDE: [u32; 2] = [1280, 900];
@@ -32,61 +33,7 @@ pub(crate) fn open_tabs(address: &str, count: usize) {
 }
 
 /// What the tests ask of a page, before its own scripts run.
-const EYES: &str = r#"
-addEventListener('DOMContentLoaded', () => {
-  window.svgs = [...document.querySelectorAll('figure.scene .drawing > svg')];
-  window.stills = svgs.map(lines);
-});
-window.lines = (svg) => [...svg.children].map((node) => node.outerHTML);
-window.seen = (figure) => svgs.find((svg) => figure.contains(svg) && svg.getClientRects().length > 0);
-// Whether two drawings are the same up to a fiftieth of a pixel, and if not the first line that differs.
-window.unlike = (one, other) => {
-  const number = /-?\d+(\.\d+)?/g;
-  if (one.length !== other.length) return `${one.length} elements and ${other.length}`;
-  // A curve may be drawn with a point more or less: the functions of two machines differ in the last bit. An element
-  // may hold several curves, each of which is compared with its own.
-  const curves = (line) => {
-    const node = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    const parts = (/ d="([^"]*)"/.exec(line)?.[1] ?? '').split(/(?=[Mm])/);
-    const ends = parts.map((part, k) => {
-      node.setAttribute('d', parts.slice(0, k + 1).join(''));
-      return node.getTotalLength();
-    });
-    return ends.map((end, k) => {
-      const start = ends[k - 1] ?? 0;
-      return { length: end - start, at: (part) => node.getPointAtLength(start + part * (end - start)) };
-    });
-  };
-  const isAlong = (x, y) => [...Array(50).keys()].every((k) => {
-    const [p, q] = [x.at((k + 0.5) / 50), y.at((k + 0.5) / 50)];
-    return Math.hypot(p.x - q.x, p.y - q.y) < 1;
-  });
-  const isNear = (a, b) => {
-    if (a.replace(/ d="[^"]*"/, '') !== b.replace(/ d="[^"]*"/, '')) return false;
-    const [x, y] = [curves(a), curves(b)];
-    const isLike = (one, other) => Math.abs(one.length - other.length) < 0.005 * one.length + 0.02 && isAlong(one, other);
-    return x.length === y.length && x.every((one, k) => isLike(one, y[k]));
-  };
-  return one.map((line, index) => [line, other[index]]).find(([a, b]) => {
-    const [x, y] = [a, b].map((line) => (line.match(number) ?? []).map(Number));
-    const isSame = a.replace(number, '') === b.replace(number, '') && x.every((value, k) => Math.abs(value - y[k]) < 0.0201);
-    return !isSame && !isNear(a, b);
-  })?.join('\n') ?? '';
-};
-window.still = (figure) => stills[svgs.indexOf(seen(figure))];
-window.drawn = (figure) => lines(seen(figure));
-window.asked = 0;
-const ask = requestAnimationFrame.bind(window);
-window.requestAnimationFrame = (act) => { asked += 1; return ask(act); };
-window.frames = async (count) => { for (let k = 0; k < count; k += 1) await new Promise(ask); };
-window.shifted = [];
-new PerformanceObserver((list) => {
-  for (const { node } of list.getEntries().flatMap((entry) => entry.sources)) {
-    const isBlock = node?.nodeType === 1 && !node.closest('dd, output, math');
-    if (isBlock && node.parentElement.closest('figure.scene')) shifted.push(`${node.nodeName} ${node.className}`);
-  }
-}).observe({ type: 'layout-shift', buffered: true });
-"#;
+const EYES: &str = include_str!("eyes.js");
 
 /// A browser; `None`, and said so, where there is none or where no compiler could build the module of the pages.
 fn open(name: &str) -> Option<Browser> {
@@ -104,92 +51,208 @@ fn address() -> &'static str {
     ADDRESS.get_or_init(|| server::serve(site().to_owned()))
 }
 
-/// The scenes of the book, their pages, and a script's name for their figure.
-fn scenes() -> Vec<(&'static Scene, String, String)> {
-    let found: Vec<_> = SCENES
-        .iter()
-        .map(|(chapter, scene)| {
-            let figure = format!("document.getElementById('scene-{}')", scene.name);
-            (*scene, format!("{}{chapter}/index.html", address()), figure)
-        })
-        .collect();
-    assert!(!found.is_empty());
-    found
+/// A scene of the book, the address of its page, and a script's name for its figure.
+struct Place {
+    scene: &'static Scene,
+    address: String,
+    figure: String,
 }
 
-/// Opens a page, goes to its scene and waits until that is awake.
-fn wake(page: &mut Page<'_>, page_address: &str, figure: &str) {
-    page.go(page_address);
-    page.get(&format!("{figure}.scrollIntoView({{ behavior: 'instant' }})"));
-    page.wait(&format!("{figure}.classList.contains('awake')"));
-}
-
-/// The same, and stops it.
-fn wake_still(page: &mut Page<'_>, page_address: &str, figure: &str) {
-    page.prefer("prefers-reduced-motion", "reduce");
-    wake(page, page_address, figure);
-    page.settle();
-}
-
-/// Sets a scene by the page's address, and stops at a time.
-fn set(page: &mut Page<'_>, scene: &Scene, settings: &[(&str, f64)], time: f64) {
-    let all: String = settings.iter().map(|(name, value)| format!("{name}={value}&")).collect();
-    page.get(&format!("location.hash = '#scene-{}?{all}t={time}'", scene.name));
-    page.settle();
-    page.settle();
-}
-
-/// The values of the controls of a figure as its own link gives them, and the time.
-fn settings(page: &mut Page<'_>, scene: &Scene, figure: &str) -> (Vec<f64>, f64) {
-    let link = format!("{figure}.querySelector('.share a')");
-    page.get(&format!("{link}.dispatchEvent(new Event('pointerdown'))"));
-    let link = page.text(&format!("{link}.getAttribute('href')"));
-    let named: Vec<(&str, f64)> = link
-        .split_once('?')
-        .expect("settings")
-        .1
-        .split('&')
-        .map(|setting| setting.split_once('=').expect("a setting"))
-        .map(|(name, value)| (name, value.parse().expect("a number")))
-        .collect();
-    let value =
-        |name, start| named.iter().find(|(other, _)| *other == name).map_or(start, |(_, value)| *value);
-    let values = scene.controls.iter().map(|control| value(control.name, control.start)).collect();
-    (values, page.number(&format!("{figure}.querySelector('.time').valueAsNumber")))
-}
-
-/// Holds what the page says beside the picture to what the library says here.
-fn agrees(page: &mut Page<'_>, scene: &'static Scene, figure: &str) {
-    let (values, time) = settings(page, scene, figure);
-    let said = page.text(&format!("{figure}.querySelector('.says').textContent"));
-    let place = format!("{} at {values:?}, {time} s", scene.name);
-    let player = match Player::with(scene, values) {
-        Ok(player) => player,
-        Err(error) => return assert_eq!(said, error.to_string(), "{place}"),
+fn scenes() -> Vec<Place> {
+    let place = |(chapter, scene): &(&str, &'static Scene)| Place {
+        scene,
+        address: format!("{}{chapter}/index.html", address()),
+        figure: format!("document.getElementById('scene-{}')", scene.name),
     };
-    let words = player.words(time);
-    assert!(alike(&said, &words), "{place}: {said:?}, not {words:?}");
-    let shown =
-        page.get(&format!("[...{figure}.querySelectorAll('.readings dd')].map((place) => place.innerHTML)"));
-    let shown = shown.as_array().expect("readings");
-    let own = player.readings(time).expect("readings");
-    assert_eq!(shown.len(), own.len(), "{place}");
-    for ((shown, own), reading) in shown.iter().zip(own).zip(scene.readings) {
-        let shown = shown.as_str().expect("a text").replace("&nbsp;", "\u{a0}");
-        // The functions of the two machines differ in the last bit, and so may the last digit that is shown.
-        let (one, other) = (number(&shown), number(&own));
-        let last = match reading.form {
-            Form::Fixed(digits) => 1.01 * 10_f64.powi(-(digits as i32)),
-            Form::Power(digits) | Form::Digits(digits) => {
-                1.01 * 10_f64.powi(1 - digits as i32) * other.abs() + 1e-9
-            }
-        };
-        assert!(
-            shown == own || (one - other).abs() <= last,
-            "{place}: {} is {shown}, not {own}",
-            reading.words
-        );
+    assert!(!SCENES.is_empty());
+    SCENES.iter().map(place).collect()
+}
+
+/// That of the laundromat.
+fn drum() -> Place {
+    scenes().into_iter().find(|place| place.scene.name == "laundromat").expect("the drum")
+}
+
+impl Place {
+    /// A new page for it, with the eyes of the tests, that is still empty.
+    fn empty<'a>(&self, browser: &'a mut Browser, size: [u32; 2]) -> Shown<'a> {
+        let mut page = browser.page(size);
+        page.before_all(EYES);
+        Shown { page, scene: self.scene, figure: self.figure.clone() }
     }
+
+    /// Opens an address of its page, goes to the scene and waits until that is awake.
+    fn wake(&self, shown: &mut Shown<'_>, address: &str) {
+        shown.go(address);
+        shown.come_near();
+        shown.wait(&format!("{}.classList.contains('awake')", self.figure));
+    }
+
+    /// Its page, with the scene awake.
+    fn awake<'a>(&self, browser: &'a mut Browser) -> Shown<'a> {
+        let mut shown = self.empty(browser, WIDE);
+        self.wake(&mut shown, &self.address);
+        shown
+    }
+
+    /// The same for a reader who asks for calm: it stands still.
+    fn still<'a>(&self, browser: &'a mut Browser, size: [u32; 2], hash: &str) -> Shown<'a> {
+        let mut shown = self.empty(browser, size);
+        shown.prefer("prefers-reduced-motion", "reduce");
+        self.wake(&mut shown, &format!("{}{hash}", self.address));
+        shown.settle();
+        shown
+    }
+}
+
+/// A scene on its page.
+struct Shown<'a> {
+    page: Page<'a>,
+    scene: &'static Scene,
+    figure: String,
+}
+
+impl<'a> Deref for Shown<'a> {
+    type Target = Page<'a>;
+
+    fn deref(&self) -> &Page<'a> {
+        &self.page
+    }
+}
+
+impl<'a> DerefMut for Shown<'a> {
+    fn deref_mut(&mut self) -> &mut Page<'a> {
+        &mut self.page
+    }
+}
+
+impl Shown<'_> {
+    /// A script's name for a part of the figure.
+    fn part(&self, selector: &str) -> String {
+        format!("{}.querySelector('{selector}')", self.figure)
+    }
+
+    /// The text of a part.
+    fn says(&mut self, selector: &str) -> String {
+        let part = self.part(selector);
+        self.text(&format!("{part}.textContent"))
+    }
+
+    /// Clicks on a part by a script, wherever it is.
+    fn click(&mut self, selector: &str) {
+        let part = self.part(selector);
+        self.get(&format!("{part}.click()"));
+        self.settle();
+    }
+
+    fn come_near(&mut self) {
+        let figure = &self.figure;
+        let scroll = format!("{figure}.scrollIntoView({{ behavior: 'instant' }})");
+        self.get(&scroll);
+    }
+
+    /// Goes where no scene is in sight.
+    fn go_to_the_end(&mut self) {
+        self.get("scrollTo({ top: document.body.scrollHeight, behavior: 'instant' })");
+    }
+
+    fn time(&mut self) -> f64 {
+        let part = self.part(".time");
+        self.number(&format!("{part}.valueAsNumber"))
+    }
+
+    /// Waits until the time goes on.
+    fn wait_for_motion(&mut self) {
+        let (time, part) = (self.time(), self.part(".time"));
+        self.wait(&format!("{part}.valueAsNumber !== {time}"));
+    }
+
+    /// Waits until the button for playing says so.
+    fn wait_for_button(&mut self, word: &str) {
+        let part = self.part(".play");
+        self.wait(&format!("{part}.textContent === '{word}'"));
+    }
+
+    /// How the picture differs from the still, a script that says nothing if it does not.
+    fn change(&self) -> String {
+        format!("unlike(still({0}), drawn({0}))", self.figure)
+    }
+
+    fn wait_for_change(&mut self) {
+        let change = self.change();
+        self.wait(&format!("{change} !== ''"));
+    }
+
+    /// Holds the page to asking for no frame.
+    fn asks_for_no_frame(&mut self, why: &str) {
+        self.get("frames(5)");
+        let asked = self.get("asked");
+        self.get("frames(20)");
+        assert_eq!(self.get("asked"), asked, "{} asks for frames {why}", self.scene.name);
+    }
+
+    fn has_no_faults(&mut self) {
+        assert_eq!(self.console(), Vec::<String>::new(), "{}", self.scene.name);
+    }
+
+    /// Sets a scene by the page's address, and stops at a time.
+    fn set(&mut self, settings: &[(&str, f64)], time: f64) {
+        let all: String = settings.iter().map(|(name, value)| format!("{name}={value}&")).collect();
+        let hash = format!("#scene-{}?{all}t={time}", self.scene.name);
+        self.get(&format!("location.hash = '{hash}'"));
+        self.settle();
+        self.settle();
+    }
+
+    /// The values of the controls as the figure's own link gives them.
+    fn values(&mut self) -> Vec<f64> {
+        let link = self.part(".share a");
+        self.get(&format!("{link}.dispatchEvent(new Event('pointerdown'))"));
+        let link = self.text(&format!("{link}.getAttribute('href')"));
+        set_by(self.scene, &link)
+    }
+
+    /// Holds what the page says beside the picture to what the library says here.
+    fn agrees(&mut self) {
+        let (scene, values, time, said) = (self.scene, self.values(), self.time(), self.says(".says"));
+        let place = format!("{} at {values:?}, {time} s", scene.name);
+        let player = match Player::with(scene, values) {
+            Ok(player) => player,
+            Err(error) => return assert_eq!(said, error.to_string(), "{place}"),
+        };
+        let words = player.words(time);
+        assert!(alike(&said, &words), "{place}: {said:?}, not {words:?}");
+        let figure = &self.figure;
+        let shown = format!("[...{figure}.querySelectorAll('.readings dd')].map((place) => place.innerHTML)");
+        let shown = self.get(&shown);
+        let shown = shown.as_array().expect("readings");
+        let own = player.readings(time).expect("readings");
+        assert_eq!(shown.len(), own.len(), "{place}");
+        for ((shown, own), reading) in shown.iter().zip(own).zip(scene.readings) {
+            let shown = shown.as_str().expect("a text").replace("&nbsp;", "\u{a0}");
+            // The functions of the two machines differ in the last bit, and so may the last digit that is shown.
+            let (one, other) = (number(&shown), number(&own));
+            let last = match reading.form {
+                Form::Fixed(digits) => 1.01 * 10_f64.powi(-(digits as i32)),
+                Form::Power(digits) | Form::Digits(digits) => {
+                    1.01 * 10_f64.powi(1 - digits as i32) * other.abs() + 1e-9
+                }
+            };
+            let is_right = shown == own || (one - other).abs() <= last;
+            assert!(is_right, "{place}: {} is {shown}, not {own}", reading.words);
+        }
+    }
+}
+
+/// The values of a scene's controls that a link sets.
+fn set_by(scene: &Scene, link: &str) -> Vec<f64> {
+    let settings = link.split_once('?').expect("settings").1;
+    let named: Vec<(&str, &str)> = settings.split('&').filter_map(|part| part.split_once('=')).collect();
+    let value = |control: &Control| {
+        let own = named.iter().find(|(name, _)| *name == control.name);
+        own.map_or(control.start, |(_, value)| value.parse().expect("a number"))
+    };
+    scene.controls.iter().map(value).collect()
 }
 
 /// Whether two texts are the same but for the last digit of their numbers.
@@ -253,33 +316,42 @@ fn act(page: &mut Page<'_>, means: Means, element: &str, part: f64, key: &str) {
 #[test]
 fn scenes_wake_and_move_and_nothing_else_does() {
     let Some(mut browser) = open("wake") else { return };
-    for (scene, page_address, figure) in scenes() {
-        let file = page_address.replace(address(), &format!("file://{}/", site().display()));
-        for page_address in [page_address, file] {
+    for place in scenes() {
+        let name = place.scene.name;
+        let file = place.address.replace(address(), &format!("file://{}/", site().display()));
+        for page_address in [&place.address, &file] {
             let is_file = page_address.starts_with("file:");
-            let mut page = browser.page(WIDE);
-            page.before_all(EYES);
-            wake(&mut page, &page_address, &figure);
-            page.wait(&format!("unlike(still({figure}), drawn({figure})) !== ''"));
-            let time = page.number(&format!("{figure}.querySelector('.time').valueAsNumber"));
-            page.wait(&format!("{figure}.querySelector('.time').valueAsNumber !== {time}"));
-            assert_eq!(page.get("shifted"), json!([]), "{}: the page jumps", scene.name);
+            let mut shown = place.empty(&mut browser, WIDE);
+            place.wake(&mut shown, page_address);
+            shown.wait_for_change();
+            shown.wait_for_motion();
+            assert_eq!(shown.get("shifted"), json!([]), "{name}: the page jumps");
             // Off the screen it sleeps.
-            page.get("scrollTo({ top: document.body.scrollHeight, behavior: 'instant' })");
-            page.get("frames(5)");
-            let asked = page.get("asked");
-            page.get("frames(20)");
-            assert_eq!(page.get("asked"), asked, "{} asks for frames in its sleep", scene.name);
-            page.get(&format!("{figure}.scrollIntoView({{ behavior: 'instant' }})"));
-            page.wait(&format!("asked > {asked}"));
+            shown.go_to_the_end();
+            shown.asks_for_no_frame("in its sleep");
+            let asked = shown.get("asked");
+            shown.come_near();
+            shown.wait(&format!("asked > {asked}"));
             // A folder is a stranger to the fonts that lie in it: the browser says so, whatever the page does.
-            let said = page.console().into_iter().filter(|line| !(is_file && line.contains(".woff2")));
-            assert_eq!(said.collect::<Vec<_>>(), Vec::<String>::new(), "{}", scene.name);
-            for request in page.happened("Network.requestWillBeSent") {
+            let said = shown.console().into_iter().filter(|line| !(is_file && line.contains(".woff2")));
+            assert_eq!(said.collect::<Vec<_>>(), Vec::<String>::new(), "{name}");
+            for request in shown.happened("Network.requestWillBeSent") {
                 let url = request["request"]["url"].as_str().unwrap_or_default().to_owned();
                 let inside = ["data:", "blob:", address(), &format!("file://{}", site().display())];
-                assert!(inside.iter().any(|start| url.starts_with(start)), "{} asks for {url}", scene.name);
+                assert!(inside.iter().any(|start| url.starts_with(start)), "{name} asks for {url}");
             }
+            // What a reader who does not see is told: axe hears the rest.
+            let twice = "(() => { const ids = [...document.querySelectorAll('[id]')].map((node) => node.id); return ids.filter((id, index) => ids.indexOf(id) !== index); })()";
+            assert_eq!(shown.get(twice), json!([]), "{name}: an id occurs twice");
+            let loud = format!("{}.querySelectorAll('output:not([aria-live=off])').length", place.figure);
+            assert_eq!(shown.get(&loud), 0, "{name}: a clock is read aloud");
+            let tree = shown.tell("Accessibility.getFullAXTree", json!({}));
+            let caption = |node: &&Value| {
+                let words = node["name"]["value"].as_str().unwrap_or_default();
+                node["role"]["value"] == "figure" && words.starts_with("Scene ")
+            };
+            let named = tree["nodes"].as_array().expect("nodes").iter().filter(caption).count();
+            assert_eq!(named, 1, "{name}: its caption names it");
         }
     }
 }
@@ -293,16 +365,24 @@ fn on_the_page_of_all_pages_each_scene_wakes_when_it_comes_near() {
     page.go(&format!("{}print.html", address()));
     page.get("frames(5)");
     assert_eq!(page.get("document.querySelectorAll('figure.scene').length"), scenes().len());
-    assert_eq!(
-        page.get("document.querySelectorAll('figure.scene.awake').length"),
-        0,
-        "the first page has none"
-    );
-    for (_, _, figure) in scenes() {
-        page.get(&format!("{figure}.scrollIntoView({{ behavior: 'instant' }})"));
-        page.wait(&format!("unlike(still({figure}), drawn({figure})) !== ''"));
+    let awake = page.get("document.querySelectorAll('figure.scene.awake').length");
+    assert_eq!(awake, 0, "the first page has none");
+    for Place { scene, figure, .. } in scenes() {
+        let mut shown = Shown { page, scene, figure };
+        shown.come_near();
+        shown.wait_for_change();
+        page = shown.page;
     }
     assert_eq!(page.console(), Vec::<String>::new());
+}
+
+/// Lets a script decide when an element is appended that loads a module: `act` appends it.
+fn on_modules(script: &str) -> String {
+    format!(
+        "const append = Element.prototype.append; Element.prototype.append = function (node, ...more) {{ \
+         const act = () => append.call(this, node, ...more); \
+         if (node?.src?.includes('/live-')) {{ {script} }} else act(); }}"
+    )
 }
 
 #[test]
@@ -311,13 +391,10 @@ fn modules_that_are_asked_for_at_once_come_to_their_own_scenes() {
     let mut page = browser.page(WIDE);
     page.before_all(EYES);
     // The first module is on its way for long.
-    page.before_all(
-        "window.print = () => {}; window.late = 0; const append = Element.prototype.append; \
-         Element.prototype.append = function (node, ...more) { const act = () => append.call(this, node, ...more); \
-         if (node?.src?.includes('/live-') && (late += 1) === 1) setTimeout(act, 500); else act(); }",
-    );
+    page.before_all("window.print = () => {}; window.late = 0;");
+    page.before_all(&on_modules("if ((late += 1) === 1) setTimeout(act, 500); else act();"));
     page.go(&format!("{}print.html", address()));
-    let two: Vec<_> = scenes().into_iter().take(2).map(|(_, _, figure)| figure).collect();
+    let two: Vec<_> = scenes().into_iter().take(2).map(|place| place.figure).collect();
     for figure in &two {
         page.get(&format!("document.body.prepend({figure})")); // both in sight
     }
@@ -329,32 +406,52 @@ fn modules_that_are_asked_for_at_once_come_to_their_own_scenes() {
 }
 
 #[test]
+fn until_its_module_has_come_a_panel_is_seen_and_cannot_be_operated() {
+    let Some(mut browser) = open("loading") else { return };
+    let place = scenes().swap_remove(0);
+    let mut shown = place.empty(&mut browser, WIDE);
+    shown.before_all(&on_modules("window.come = act;"));
+    shown.go(&place.address);
+    shown.come_near();
+    shown.wait("window.come");
+    assert!(shown.says(".says").contains("is loading"));
+    for selector in [".says", ".controls", ".presets"] {
+        let is_seen = format!("{}.checkVisibility({{ visibilityProperty: true }})", shown.part(selector));
+        assert_eq!(shown.get(&is_seen), true, "{selector}");
+    }
+    let figure = &place.figure;
+    let asleep = format!(
+        "[...{figure}.querySelectorAll('.panel :is(input, button, a)')].every((node) => node.closest('[inert]'))"
+    );
+    assert_eq!(shown.get(&asleep), true);
+    shown.get("come()");
+    shown.wait(&format!("{figure}.classList.contains('awake')"));
+    shown.settle();
+    assert_eq!(shown.get(&format!("{figure}.querySelector('[inert]')")), Value::Null);
+    assert!(!shown.says(".says").contains("loading"));
+    assert_eq!(shown.get("shifted"), json!([]), "the page jumps");
+}
+
+#[test]
 fn the_still_is_the_first_picture_and_what_is_printed() {
     let Some(mut browser) = open("still") else { return };
-    for (scene, page_address, figure) in scenes() {
+    for place in scenes() {
+        let name = place.scene.name;
         for size in [WIDE, PHONE] {
-            let mut page = browser.page(size);
-            page.before_all(EYES);
-            wake_still(&mut page, &page_address, &figure);
-            assert_eq!(page.text(&format!("unlike(still({figure}), drawn({figure}))")), "", "{}", scene.name);
-            assert_eq!(
-                page.text(&format!("{figure}.querySelector('.play').textContent")),
-                "Play",
-                "{}",
-                scene.name
-            );
-            page.get("frames(5)");
-            let asked = page.get("asked");
-            page.get("frames(20)");
-            assert_eq!(page.get("asked"), asked, "{} moves though the reader has asked for calm", scene.name);
+            let mut shown = place.still(&mut browser, size, "");
+            let change = shown.change();
+            assert_eq!(shown.text(&change), "", "{name}");
+            assert_eq!(shown.says(".play"), "Play", "{name}");
+            shown.asks_for_no_frame("though the reader has asked for calm");
             // It plays when it is told to, and lies still on paper.
-            act(&mut page, Means::Mouse, &format!("{figure}.querySelector('.play')"), 0.5, "");
-            page.wait(&format!("unlike(still({figure}), drawn({figure})) !== ''"));
-            page.get(&format!("addEventListener('beforeprint', () => (window.onPaper = unlike(still({figure}), drawn({figure}))))"));
-            page.tell("Page.printToPDF", json!({}));
-            page.wait("typeof onPaper === 'string'");
-            assert_eq!(page.text("onPaper"), "", "{}: paper has the still", scene.name);
-            page.wait(&format!("unlike(still({figure}), drawn({figure})) !== ''"));
+            let play = shown.part(".play");
+            act(&mut shown, Means::Mouse, &play, 0.5, "");
+            shown.wait_for_change();
+            shown.get(&format!("addEventListener('beforeprint', () => (window.onPaper = {change}))"));
+            shown.tell("Page.printToPDF", json!({}));
+            shown.wait("typeof onPaper === 'string'");
+            assert_eq!(shown.text("onPaper"), "", "{name}: paper has the still");
+            shown.wait_for_change();
         }
     }
 }
@@ -362,17 +459,16 @@ fn the_still_is_the_first_picture_and_what_is_printed() {
 #[test]
 fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
     let Some(mut browser) = open("controls") else { return };
-    for (turn, (scene, page_address, figure)) in scenes().into_iter().enumerate() {
-        let mut page = browser.page(WIDE);
-        page.before_all(EYES);
-        wake_still(&mut page, &page_address, &figure);
-        agrees(&mut page, scene, &figure);
+    for (turn, place) in scenes().into_iter().enumerate() {
+        let (scene, figure) = (place.scene, &place.figure);
+        let mut shown = place.still(&mut browser, WIDE, "");
+        shown.agrees();
         let run = Player::new(scene).unwrap().run();
-        set(&mut page, scene, &[], (run.duration * 300.0).round() / 1000.0);
+        shown.set(&[], (run.duration * 300.0).round() / 1000.0);
         for (index, control) in scene.controls.iter().enumerate() {
             for (means, part) in in_turn(turn, index) {
-                let (before, _) = settings(&mut page, scene, &figure);
-                let named = format!("{figure}.querySelector('.controls [name={}]')", control.name);
+                let before = shown.values();
+                let named = shown.part(&format!(".controls [name={}]", control.name));
                 let (element, key) = match control.kind {
                     Kind::Slider { to, .. } | Kind::LogSlider { to, .. } if before[index] >= to => {
                         (named, "ArrowLeft")
@@ -381,178 +477,140 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                     Kind::Switch => (named, " "),
                     Kind::Button => (named, "Enter"),
                     Kind::Choice(choices) => {
-                        let other = if means == Means::Keys {
-                            before[index] as usize
-                        } else {
-                            (before[index] as usize + 1) % choices.len()
-                        };
-                        (
-                            format!(
-                                "{figure}.querySelectorAll('.controls [data-name={}]')[{other}]",
-                                control.name
-                            ),
-                            "ArrowRight",
-                        )
+                        let next = usize::from(means != Means::Keys);
+                        let other = (before[index] as usize + next) % choices.len();
+                        let all =
+                            format!("{figure}.querySelectorAll('.controls [data-name={}]')", control.name);
+                        (format!("{all}[{other}]"), "ArrowRight")
                     }
                 };
-                act(&mut page, means, &element, part, key);
+                act(&mut shown, means, &element, part, key);
                 if control.kind == Kind::Button {
-                    page.wait(&format!("{figure}.querySelector('.play').textContent === 'Pause'"));
-                    page.get(&format!("{figure}.querySelector('.play').click()"));
-                    page.settle();
+                    shown.wait_for_button("Pause");
+                    shown.click(".play");
                 }
-                let (after, _) = settings(&mut page, scene, &figure);
+                let after = shown.values();
                 assert_ne!(before[index], after[index], "{}: {} by {means:?}", scene.name, control.name);
-                agrees(&mut page, scene, &figure);
+                shown.agrees();
             }
         }
         // Time and view, and the buttons beside them; the book's page is not turned by their keys.
         let others = [".time", ".view [name=azimuth]", ".view [name=elevation]"];
         let others = others.into_iter().filter(|selector| scene.view.is_some() || *selector == ".time");
         for (index, selector) in others.enumerate() {
-            let element = format!("{figure}.querySelector('{selector}')");
+            let element = shown.part(selector);
+            let value = format!("{element}.valueAsNumber");
             for (means, part) in in_turn(turn, index) {
-                let before = page.number(&format!("{element}.valueAsNumber"));
-                act(&mut page, means, &element, part, "ArrowRight");
-                assert_ne!(
-                    page.number(&format!("{element}.valueAsNumber")),
-                    before,
-                    "{}: {selector} by {means:?}",
-                    scene.name
-                );
-                agrees(&mut page, scene, &figure);
+                let before = shown.number(&value);
+                act(&mut shown, means, &element, part, "ArrowRight");
+                assert_ne!(shown.number(&value), before, "{}: {selector} by {means:?}", scene.name);
+                shown.agrees();
             }
         }
-        page.get(&format!("{figure}.querySelector('.reset').click()"));
-        set(&mut page, scene, &[], 0.0);
+        shown.click(".reset");
+        shown.set(&[], 0.0);
+        let [step, play] = [".step", ".play"].map(|selector| shown.part(selector));
         for (means, key) in [(Means::Mouse, ""), (Means::Touch, ""), (Means::Keys, "Enter")] {
-            let (_, before) = settings(&mut page, scene, &figure);
-            act(&mut page, means, &format!("{figure}.querySelector('.step')"), 0.5, key);
-            let (_, after) = settings(&mut page, scene, &figure);
-            assert!(
-                (after - before - run.pace / 10.0).abs() < 1e-9 * run.pace,
-                "{}: a step by {means:?}",
-                scene.name
-            );
+            let before = shown.time();
+            act(&mut shown, means, &step, 0.5, key);
+            let off = shown.time() - before - run.pace / 10.0;
+            assert!(off.abs() < 1e-9 * run.pace, "{}: a step by {means:?}", scene.name);
             for word in ["Pause", "Play"] {
-                act(&mut page, means, &format!("{figure}.querySelector('.play')"), 0.5, key);
-                page.wait(&format!("{figure}.querySelector('.play').textContent === '{word}'"));
+                act(&mut shown, means, &play, 0.5, key);
+                shown.wait_for_button(word);
             }
         }
-        for index in 0..scene.presets.len() {
-            act(
-                &mut page,
-                Means::Mouse,
-                &format!("{figure}.querySelectorAll('.presets button')[{index}]"),
-                0.5,
-                "",
-            );
-            agrees(&mut page, scene, &figure);
-            let pressed =
-                "[...{}.querySelectorAll('.presets button')].map((button) => button.ariaPressed === 'true')";
+        let starts: Vec<_> = scene.controls.iter().map(|control| (control.name, control.start)).collect();
+        for (index, preset) in scene.presets.iter().enumerate() {
+            let buttons = format!("{figure}.querySelectorAll('.presets button')");
+            act(&mut shown, Means::Mouse, &format!("{buttons}[{index}]"), 0.5, "");
+            shown.agrees();
+            let pressed = format!("[...{buttons}].map((button) => button.ariaPressed === 'true')");
             let own: Vec<bool> = (0..scene.presets.len()).map(|other| other == index).collect();
-            assert_eq!(page.get(&pressed.replace("{}", &figure)), json!(own), "{}: its preset", scene.name);
+            assert_eq!(shown.get(&pressed), json!(own), "{}: its preset", scene.name);
             let description =
-                page.text(&format!("seen({figure}).closest('.drawing').querySelector('desc').textContent"));
-            let said = page.text(&format!("{figure}.querySelector('.says').textContent"));
-            let starts = scene.controls.iter().map(|control| (control.name, control.start));
-            let starts: Vec<_> = starts.collect();
-            let is_start = scene.presets[index].settings.iter().all(|setting| starts.contains(setting));
-            assert_eq!(description == said, !is_start, "{}: {description}", scene.name);
+                shown.text(&format!("seen({figure}).closest('.drawing').querySelector('desc').textContent"));
+            let is_start = preset.settings.iter().all(|setting| starts.contains(setting));
+            assert_eq!(description == shown.says(".says"), !is_start, "{}: {description}", scene.name);
         }
-        act(&mut page, Means::Mouse, &format!("{figure}.querySelector('.reset')"), 0.5, "");
-        let description = page.text(&format!("{figure}.querySelector('desc').textContent"));
-        assert_eq!(description, scene.description, "{}", scene.name);
+        let reset = shown.part(".reset");
+        act(&mut shown, Means::Mouse, &reset, 0.5, "");
+        assert_eq!(shown.says("desc"), scene.description, "{}", scene.name);
         // A motion that goes round plays on at its end, and one that stops there would begin again.
-        page.get(&format!("{figure}.querySelector('.time').focus()"));
-        page.key("End");
-        page.settle();
-        assert_eq!(
-            page.text(&format!("{figure}.querySelector('.play').textContent")),
-            "Again",
-            "{}",
-            scene.name
-        );
-        page.get(&format!("{figure}.querySelector('.reset').click()"));
-        page.settle();
-        let starts: Vec<f64> = scene.controls.iter().map(|control| control.start).collect();
-        assert_eq!(settings(&mut page, scene, &figure).0, starts, "{}", scene.name);
-        assert_eq!(
-            page.text("location.pathname"),
-            page_address[address().len() - 1..],
-            "{}: the page was turned",
-            scene.name
-        );
-        assert_eq!(page.console(), Vec::<String>::new(), "{}", scene.name);
+        let time = shown.part(".time");
+        shown.get(&format!("{time}.focus()"));
+        shown.key("End");
+        shown.settle();
+        assert_eq!(shown.says(".play"), "Again", "{}", scene.name);
+        shown.click(".reset");
+        let starts: Vec<f64> = starts.into_iter().map(|(_, start)| start).collect();
+        assert_eq!(shown.values(), starts, "{}", scene.name);
+        let page = place.address[address().len() - 1..].to_owned();
+        assert_eq!(shown.text("location.pathname"), page, "{}: the page was turned", scene.name);
+        shown.has_no_faults();
     }
 }
 
 #[test]
 fn hands_turn_the_view_and_draw_the_grips() {
     let Some(mut browser) = open("hands") else { return };
-    for (scene, page_address, figure) in scenes() {
-        let mut page = browser.page(WIDE);
-        page.before_all(EYES);
-        wake_still(&mut page, &page_address, &figure);
+    let drawn = |shown: &mut Shown<'_>, means: Means, from: [f64; 2], to: [f64; 2]| {
+        match means {
+            Means::Mouse => shown.drag(from, to),
+            _ => shown.swipe(from, to),
+        }
+        shown.settle();
+    };
+    for place_of in scenes() {
+        let scene = place_of.scene;
+        let mut shown = place_of.still(&mut browser, WIDE, "");
         let mut player = Player::new(scene).unwrap();
         let [azimuth, elevation] = scene.view.unwrap_or_default();
         player.draw(Moment { time: scene.still, azimuth, elevation, room: Room::Wide }).unwrap();
-        let picture = format!("seen({figure})");
-        let cursor = format!("getComputedStyle({figure}.querySelector('.drawing')).cursor");
+        let picture = format!("seen({})", place_of.figure);
+        let cursor = format!("getComputedStyle({}).cursor", shown.part(".drawing"));
         for (index, grip) in player.grips().into_iter().enumerate() {
             for means in [Means::Mouse, Means::Touch] {
-                page.get(&format!("{figure}.querySelector('.reset').click()"));
-                page.settle();
-                place(&mut page, &picture, 0.5);
-                let on_screen = |page: &mut Page<'_>, x: f64, y: f64| {
-                    let point = page.get(&format!(
+                shown.click(".reset");
+                place(&mut shown, &picture, 0.5);
+                let on_screen = |shown: &mut Shown<'_>, x: f64, y: f64| {
+                    let point = shown.get(&format!(
                         "(() => {{ const p = new DOMPoint({x}, {y}).matrixTransform({picture}.getScreenCTM()); return [p.x, p.y]; }})()"
                     ));
                     [0, 1].map(|k| point[k].as_f64().expect("a place"))
                 };
-                let from = on_screen(&mut page, grip.x, grip.y);
+                let from = on_screen(&mut shown, grip.x, grip.y);
                 if means == Means::Mouse {
-                    page.mouse("mouseMoved", from);
-                    assert_eq!(page.text(&cursor), "grab", "{}", scene.name);
+                    shown.mouse("mouseMoved", from);
+                    assert_eq!(shown.text(&cursor), "grab", "{}", scene.name);
                 }
                 // One way it may be at its end.
-                for [x, y] in [[30.0, -20.0], [-60.0, 40.0]] {
-                    let to = on_screen(&mut page, grip.x + x, grip.y + y);
-                    match means {
-                        Means::Mouse => page.drag(from, to),
-                        _ => page.swipe(from, to),
-                    }
-                    page.settle();
-                    if settings(&mut page, scene, &figure).0 != player.values() {
-                        break;
-                    }
-                }
-                let (values, _) = settings(&mut page, scene, &figure);
-                assert_ne!(values, player.values(), "{}: grip {index} by {means:?}", scene.name);
-                agrees(&mut page, scene, &figure);
+                let moved = [[30.0, -20.0], [-60.0, 40.0]].into_iter().any(|[x, y]| {
+                    let to = on_screen(&mut shown, grip.x + x, grip.y + y);
+                    drawn(&mut shown, means, from, to);
+                    shown.values() != player.values()
+                });
+                assert!(moved, "{}: grip {index} by {means:?}", scene.name);
+                shown.agrees();
             }
         }
         if scene.view.is_none() {
             continue;
         }
         // A corner, where no grip is. Across, a finger turns the view; up, it moves the page.
-        let angle = format!("{figure}.querySelector('.view [name=azimuth]').valueAsNumber");
+        let angle = format!("{}.valueAsNumber", shown.part(".view [name=azimuth]"));
         for means in [Means::Mouse, Means::Touch] {
-            let [x, y] = place(&mut page, &picture, 0.05);
-            let before = page.number(&angle);
-            match means {
-                Means::Mouse => page.drag([x, y], [x + 80.0, y]),
-                _ => page.swipe([x, y], [x + 80.0, y]),
-            }
-            page.settle();
-            assert_ne!(page.number(&angle), before, "{}: by {means:?}", scene.name);
+            let [x, y] = place(&mut shown, &picture, 0.05);
+            let before = shown.number(&angle);
+            drawn(&mut shown, means, [x, y], [x + 80.0, y]);
+            assert_ne!(shown.number(&angle), before, "{}: by {means:?}", scene.name);
         }
-        let [x, y] = place(&mut page, &picture, 0.05);
-        let (before, scroll) = (page.number(&angle), page.number("scrollY"));
-        page.swipe([x, y], [x, y - 120.0]);
-        page.wait(&format!("scrollY !== {scroll}"));
-        assert_eq!(page.number(&angle), before, "{}", scene.name);
-        assert_eq!(page.console(), Vec::<String>::new(), "{}", scene.name);
+        let [x, y] = place(&mut shown, &picture, 0.05);
+        let (before, scroll) = (shown.number(&angle), shown.number("scrollY"));
+        shown.swipe([x, y], [x, y - 120.0]);
+        shown.wait(&format!("scrollY !== {scroll}"));
+        assert_eq!(shown.number(&angle), before, "{}", scene.name);
+        shown.has_no_faults();
     }
 }
 
@@ -560,87 +618,58 @@ fn hands_turn_the_view_and_draw_the_grips() {
 fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
     let Some(mut browser) = open("links") else { return };
     let mut links = 0;
-    for (scene, page_address, figure) in scenes() {
+    for place in scenes() {
+        let scene = place.scene;
         // The end of each slider, one after another, is the worst that a link can bring.
-        let mut page = browser.page(WIDE);
-        wake_still(&mut page, &page_address, &figure);
+        let mut shown = place.still(&mut browser, WIDE, "");
         for control in scene.controls {
-            let ends = match control.kind {
-                Kind::Slider { from, to, .. } | Kind::LogSlider { from, to, .. } => [from, to],
-                Kind::Choice(choices) => [0.0, choices.len() as f64 - 1.0],
-                Kind::Switch => [0.0, 1.0],
-                Kind::Button => [-1.0, 0.0],
-            };
-            for value in ends {
-                // At the beginning: later, an unstable motion shows how its rounding grew.
-                set(&mut page, scene, &[(control.name, value)], 0.0);
-                agrees(&mut page, scene, &figure);
-                let (values, _) = settings(&mut page, scene, &figure);
-                for (other, found) in scene.controls.iter().zip(values) {
-                    let own = if other.name == control.name { value } else { other.start };
-                    assert_eq!(found, own, "{}: {} for {}={value}", scene.name, other.name, control.name);
-                }
-            }
             // Beyond its ends a link finds the nearer one, and a button that was never pressed.
-            let (beyond, least) = match control.kind {
-                Kind::Slider { from, .. } => (from - 7.0, from),
-                Kind::LogSlider { from, .. } => (0.0, from),
-                Kind::Button => (-7.0, -1.0),
-                Kind::Choice(_) | Kind::Switch => continue,
+            let cases = match control.kind {
+                Kind::Slider { from, to, .. } => vec![(from, from), (to, to), (from - 7.0, from)],
+                Kind::LogSlider { from, to, .. } => vec![(from, from), (to, to), (0.0, from)],
+                Kind::Choice(choices) => {
+                    vec![(0.0, 0.0), (choices.len() as f64 - 1.0, choices.len() as f64 - 1.0)]
+                }
+                Kind::Switch => vec![(0.0, 0.0), (1.0, 1.0)],
+                Kind::Button => vec![(-1.0, -1.0), (0.0, 0.0), (-7.0, -1.0)],
             };
-            set(&mut page, scene, &[(control.name, beyond)], 0.0);
-            let place = scene.controls.iter().position(|other| other.name == control.name).unwrap();
-            assert_eq!(
-                settings(&mut page, scene, &figure).0[place],
-                least,
-                "{}: {}",
-                scene.name,
-                control.name
-            );
-            agrees(&mut page, scene, &figure);
+            for (asked, given) in cases {
+                // At the beginning: later, an unstable motion shows how its rounding grew.
+                shown.set(&[(control.name, asked)], 0.0);
+                shown.agrees();
+                let own = |other: &Control| if other.name == control.name { given } else { other.start };
+                let expected: Vec<f64> = scene.controls.iter().map(own).collect();
+                assert_eq!(shown.values(), expected, "{}: {}={asked}", scene.name, control.name);
+            }
         }
         // A fresh page opens at the setting that another gave away, and at its scene.
         let first = &scene.controls[0];
         if let Kind::Slider { to: end, .. } | Kind::LogSlider { to: end, .. } = first.kind {
-            let mut page = browser.page(WIDE);
-            let address =
-                format!("{page_address}#scene-{}?{}={end}&nothing=x&t=0.25", scene.name, first.name);
-            wake_still(&mut page, &address, &figure);
-            assert_eq!(settings(&mut page, scene, &figure).0[0], end, "{}", scene.name);
-            assert_eq!(page.get(&format!("document.activeElement === {figure}")), true, "{}", scene.name);
-            agrees(&mut page, scene, &figure);
+            let hash = format!("#scene-{}?{}={end}&nothing=x&t=0.25", scene.name, first.name);
+            let mut shown = place.still(&mut browser, WIDE, &hash);
+            assert_eq!(shown.values()[0], end, "{}", scene.name);
+            let focused = format!("document.activeElement === {}", place.figure);
+            assert_eq!(shown.get(&focused), true, "{}", scene.name);
+            shown.agrees();
         }
         // Links in the text, followed twice: the second time the page's address does not change.
-        let mut page = browser.page(WIDE);
-        wake_still(&mut page, &page_address, &figure);
+        let mut shown = place.still(&mut browser, WIDE, "");
         let text_links = format!(
             "[...document.querySelectorAll('main a[href*=\"#scene-{}?\"]')].filter((link) => !link.closest('.share'))",
             scene.name
         );
-        for index in 0..page.number(&format!("{text_links}.length")) as usize {
+        for index in 0..shown.number(&format!("{text_links}.length")) as usize {
             let link = format!("{text_links}[{index}]");
             for before in [".reset", ".presets button:last-child"] {
-                page.get(&format!("{figure}.querySelector('{before}').click()"));
-                page.settle(); // the words below the scene may come to take another line
-                act(&mut page, Means::Mouse, &link, 0.5, "");
-                page.get(&format!("{figure}.querySelector('.play').textContent === 'Pause' && {figure}.querySelector('.play').click()"));
-                page.settle();
-                let (values, _) = settings(&mut page, scene, &figure);
-                let asked = page.text(&format!("new URL({link}.href).hash"));
-                let named: Vec<_> = asked
-                    .split_once('?')
-                    .unwrap()
-                    .1
-                    .split('&')
-                    .filter_map(|part| part.split_once('='))
-                    .collect();
-                // What it does not name is at its start, whatever the reader did before.
-                for (control, value) in scene.controls.iter().zip(values) {
-                    let own = named.iter().find(|(name, _)| *name == control.name);
-                    let own = own.map_or(control.start, |(_, value)| value.parse().unwrap());
-                    assert_eq!(value, own, "{}: {asked} after {before}: {}", scene.name, control.name);
+                shown.click(before); // the words below the scene may come to take another line
+                act(&mut shown, Means::Mouse, &link, 0.5, "");
+                if shown.says(".play") == "Pause" {
+                    shown.click(".play");
                 }
-                agrees(&mut page, scene, &figure);
+                // What it does not name is at its start, whatever the reader did before.
+                let asked = shown.text(&format!("new URL({link}.href).hash"));
+                assert_eq!(shown.values(), set_by(scene, &asked), "{}: {asked} after {before}", scene.name);
+                shown.agrees();
                 links += 1;
             }
         }
@@ -651,8 +680,8 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
 #[test]
 fn whatever_breaks_leaves_the_still_and_the_page() {
     let Some(mut browser) = open("broken") else { return };
-    let (scene, page_address, figure) = scenes().swap_remove(0);
-    let breaks = [
+    let place = scenes().swap_remove(0);
+    for (what, script) in [
         (
             "a corrupt module",
             "Object.defineProperty(window, 'spin', { set(take) { this.take = take; }, get() { return (text) => this.take(text.slice(0, 4000)); } })",
@@ -667,182 +696,93 @@ fn whatever_breaks_leaves_the_still_and_the_page() {
             "addEventListener('DOMContentLoaded', () => (document.querySelector('figure.scene').dataset.scene = 999))",
         ),
         ("no file", ""),
-    ];
-    for (what, script) in breaks {
-        let mut page = browser.page(WIDE);
-        page.before_all(EYES);
-        page.before_all(script);
+    ] {
+        let mut shown = place.empty(&mut browser, WIDE);
+        shown.before_all(script);
         if script.is_empty() {
-            page.tell("Network.setBlockedURLs", json!({ "urls": ["*/live-*.js"] }));
+            shown.tell("Network.setBlockedURLs", json!({ "urls": ["*/live-*.js"] }));
         }
-        page.go(&page_address);
-        page.wait(&format!("{figure}.classList.contains('failed')"));
-        assert_eq!(page.text(&format!("unlike(still({figure}), drawn({figure}))")), "", "{what}");
-        assert_eq!(page.get(&format!("{figure}.classList.contains('awake')")), false, "{what}");
-        assert!(
-            page.text(&format!("{figure}.querySelector('.says').textContent")).contains("cannot move"),
-            "{what}"
-        );
-        assert_eq!(
-            page.text(&format!("getComputedStyle({figure}.querySelector('.says')).visibility")),
-            "visible",
-            "{what}"
-        );
+        shown.go(&place.address);
+        shown.wait(&format!("{}.classList.contains('failed')", place.figure));
+        let change = shown.change();
+        assert_eq!(shown.text(&change), "", "{what}");
+        assert_eq!(shown.get(&format!("{}.classList.contains('awake')", place.figure)), false, "{what}");
+        assert!(shown.says(".says").contains("cannot move"), "{what}");
+        let visible = format!("getComputedStyle({}).visibility", shown.part(".says"));
+        assert_eq!(shown.text(&visible), "visible", "{what}");
         let said: Vec<String> =
-            page.console().into_iter().filter(|line| !line.contains("ERR_BLOCKED")).collect();
+            shown.console().into_iter().filter(|line| !line.contains("ERR_BLOCKED")).collect();
         assert_eq!(said.len(), 1, "{what}: {said:?}");
         assert_eq!(said[0].contains("no scene 999"), what == "a panic", "{what}: {said:?}");
-        page.get("document.activeElement.blur()");
-        page.key("ArrowRight"); // the book goes on
-        page.wait(&format!("location.href !== '{page_address}'"));
+        shown.get("document.activeElement.blur()");
+        shown.key("ArrowRight"); // the book goes on
+        shown.wait(&format!("location.href !== '{}'", place.address));
     }
     // Without scripts there is no panel at all.
     let mut page = browser.page(WIDE);
     page.tell("Emulation.setScriptExecutionDisabled", json!({ "value": true }));
-    page.go(&page_address);
+    page.go(&place.address);
+    let figure = &place.figure;
     assert_eq!(page.text(&format!("getComputedStyle({figure}.querySelector('.panel')).display")), "none");
-    assert!(
-        page.number(&format!("{figure}.querySelector('svg').getBoundingClientRect().height")) > 100.0,
-        "{}",
-        scene.name
-    );
-}
-
-#[test]
-fn everything_that_can_be_operated_has_a_name_and_an_id_of_its_own() {
-    let Some(mut browser) = open("names") else { return };
-    for (scene, page_address, figure) in scenes() {
-        let mut page = browser.page(WIDE);
-        wake_still(&mut page, &page_address, &figure);
-        let twice = "(() => { const ids = [...document.querySelectorAll('[id]')].map((node) => node.id); return ids.filter((id, index) => ids.indexOf(id) !== index); })()";
-        assert_eq!(page.get(twice), json!([]), "{}", scene.name);
-        let loud = format!("{figure}.querySelectorAll('output:not([aria-live=off])').length");
-        assert_eq!(page.get(&loud), 0, "{}: a clock is read aloud", scene.name);
-        let tree = page.tell("Accessibility.getFullAXTree", json!({}));
-        let (mut found, mut named) = (0, 0);
-        for node in tree["nodes"].as_array().expect("nodes") {
-            let role = node["role"]["value"].as_str().unwrap_or_default();
-            named += usize::from(
-                role == "figure"
-                    && node["name"]["value"].as_str().is_some_and(|name| name.starts_with("Scene ")),
-            );
-            if node["ignored"] != true
-                && ["slider", "button", "radio", "checkbox", "link", "spinbutton"].contains(&role)
-            {
-                let name = node["name"]["value"].as_str().unwrap_or_default();
-                assert!(!name.trim().is_empty(), "{}: {node}", scene.name);
-                found += usize::from(role != "link");
-            }
-        }
-        assert!(found >= scene.controls.len() + 4, "{}: only {found}", scene.name);
-        assert_eq!(named, 1, "{}: its caption names it", scene.name);
-    }
+    assert!(page.number(&format!("{figure}.querySelector('svg').getBoundingClientRect().height")) > 100.0);
 }
 
 #[test]
 fn a_scene_plays_whatever_a_busy_browser_tells_it_at_once() {
     let Some(mut browser) = open("batch") else { return };
-    let (_, page_address, figure) = scenes().swap_remove(0);
-    let mut page = browser.page(WIDE);
-    page.before_all(EYES);
+    let place = scenes().swap_remove(0);
+    let mut shown = place.empty(&mut browser, WIDE);
     // Each time it hears first that nothing is to be seen, and then what is true by now.
-    page.before_all(
+    shown.before_all(
         "window.IntersectionObserver = class extends IntersectionObserver { constructor(act, options) { \
          const none = { isIntersecting: false, intersectionRatio: 0, intersectionRect: new DOMRect() }; \
          super((entries, own) => act([none, ...entries], own), options); } }",
     );
-    wake(&mut page, &page_address, &figure);
-    for _ in 0..2 {
-        let time = page.number(&format!("{figure}.querySelector('.time').valueAsNumber"));
-        page.wait(&format!("{figure}.querySelector('.time').valueAsNumber !== {time}"));
-    }
-    assert_eq!(page.console(), Vec::<String>::new());
-}
-
-#[test]
-fn until_its_module_has_come_a_panel_is_seen_and_cannot_be_operated() {
-    let Some(mut browser) = open("loading") else { return };
-    let (_, page_address, figure) = scenes().swap_remove(0);
-    let mut page = browser.page(WIDE);
-    page.before_all(EYES);
-    page.before_all(
-        "const append = Element.prototype.append; Element.prototype.append = function (node, ...more) { \
-         const act = () => append.call(this, node, ...more); \
-         if (node?.src?.includes('/live-')) window.come = act; else act(); }",
-    );
-    page.go(&page_address);
-    page.get(&format!("{figure}.scrollIntoView({{ behavior: 'instant' }})"));
-    page.wait("window.come");
-    let says = format!("{figure}.querySelector('.says')");
-    let asleep = format!(
-        "[...{figure}.querySelectorAll('.panel :is(input, button, a)')].every((node) => node.closest('[inert]'))"
-    );
-    assert!(page.text(&format!("{says}.textContent")).contains("is loading"));
-    for selector in [".says", ".controls", ".presets"] {
-        let part = format!("{figure}.querySelector('{selector}')");
-        assert_eq!(
-            page.get(&format!("{part}.checkVisibility({{ visibilityProperty: true }})")),
-            true,
-            "{selector}"
-        );
-    }
-    assert_eq!(page.get(&asleep), true);
-    page.get("come()");
-    page.wait(&format!("{figure}.classList.contains('awake')"));
-    page.settle();
-    assert_eq!(page.get(&format!("{figure}.querySelector('[inert]')")), Value::Null);
-    assert!(!page.text(&format!("{says}.textContent")).contains("loading"));
-    assert_eq!(page.get("shifted"), json!([]), "the page jumps");
+    place.wake(&mut shown, &place.address);
+    shown.wait_for_motion();
+    shown.wait_for_motion();
+    shown.has_no_faults();
 }
 
 #[test]
 fn settings_without_an_answer_stand_still_and_say_so() {
     let Some(mut browser) = open("trouble") else { return };
-    let (scene, page_address, figure) =
-        scenes().into_iter().find(|(scene, ..)| scene.name == "laundromat").expect("the drum");
-    let mut page = browser.page(WIDE);
-    page.before_all(EYES);
-    wake(&mut page, &page_address, &figure);
-    let play = format!("{figure}.querySelector('.play')");
-    page.wait(&format!("{play}.textContent === 'Pause'"));
-    let spin = |page: &mut Page<'_>, key: &str| {
-        page.get(&format!("{figure}.querySelector('[name=spin]').focus()"));
-        page.key(key);
-        page.settle();
+    let mut shown = drum().awake(&mut browser);
+    shown.wait_for_button("Pause");
+    let [spin, play, time] = ["[name=spin]", ".play", ".time"].map(|selector| shown.part(selector));
+    let strike = |shown: &mut Shown<'_>, element: &str, key: &str| {
+        shown.get(&format!("{element}.focus()"));
+        shown.key(key);
+        shown.settle();
     };
-    page.get(&format!("{figure}.querySelectorAll('[data-name=motor]')[2].click()"));
-    spin(&mut page, "Home");
-    let said = page.text(&format!("{figure}.querySelector('.says').textContent"));
+    let figure = shown.figure.clone();
+    shown.get(&format!("{figure}.querySelectorAll('[data-name=motor]')[2].click()"));
+    strike(&mut shown, &spin, "Home");
+    let said = shown.says(".says");
     assert!(said.contains("turns nothing"), "{said}");
-    assert_eq!(page.text(&format!("{play}.textContent")), "Play");
-    assert_eq!(page.get(&format!("{play}.disabled")), true);
-    page.get("frames(3)");
-    let asked = page.get("asked");
-    page.get("frames(10)");
-    assert_eq!(page.get("asked"), asked, "{} asks for frames though nothing moves", scene.name);
+    assert_eq!(shown.says(".play"), "Play");
+    assert_eq!(shown.get(&format!("{play}.disabled")), true);
+    shown.asks_for_no_frame("though nothing moves");
     // With an answer it goes on.
-    spin(&mut page, "End");
-    page.wait(&format!("{play}.textContent === 'Pause' && !{play}.disabled"));
-    let time = page.number(&format!("{figure}.querySelector('.time').valueAsNumber"));
-    page.wait(&format!("{figure}.querySelector('.time').valueAsNumber !== {time}"));
+    strike(&mut shown, &spin, "End");
+    shown.wait(&format!("{play}.textContent === 'Pause' && !{play}.disabled"));
+    shown.wait_for_motion();
     // While it plays a reader can ask for the time; and escape stops it.
-    page.get("document.activeElement.blur()");
-    let told = page.text(&format!("{figure}.querySelector('.time').ariaValueText"));
-    page.wait(&format!("{figure}.querySelector('.time').ariaValueText !== '{told}'"));
-    page.get(&format!("{play}.focus()"));
-    page.key("Escape");
-    page.wait(&format!("{play}.textContent === 'Play'"));
-    assert_eq!(page.console(), Vec::<String>::new());
+    shown.get("document.activeElement.blur()");
+    let told = shown.text(&format!("{time}.ariaValueText"));
+    shown.wait(&format!("{time}.ariaValueText !== '{told}'"));
+    strike(&mut shown, &play, "Escape");
+    shown.wait_for_button("Play");
+    shown.has_no_faults();
 }
 
 #[test]
 fn round_values_of_a_slider_over_powers_of_ten_are_met_by_its_keys() {
     let Some(mut browser) = open("decades") else { return };
-    for (scene, page_address, figure) in scenes() {
-        for (place, control) in scene.controls.iter().enumerate() {
+    for place in scenes() {
+        for (index, control) in place.scene.controls.iter().enumerate() {
             let Kind::LogSlider { from, to, .. } = control.kind else { continue };
-            let mut page = browser.page(WIDE);
-            wake_still(&mut page, &page_address, &figure);
+            let mut shown = place.still(&mut browser, WIDE, "");
             let tenth = 10_f64.powf((0.5 * (from.log10() + to.log10())).round());
             for (start, key, end) in [
                 (1.1 * tenth, "ArrowLeft", tenth),
@@ -850,11 +790,12 @@ fn round_values_of_a_slider_over_powers_of_ten_are_met_by_its_keys() {
                 (0.99 * tenth, "ArrowRight", tenth),
                 (tenth, "ArrowLeft", 0.99 * tenth),
             ] {
-                set(&mut page, scene, &[(control.name, start)], 0.0);
-                page.get(&format!("{figure}.querySelector('.controls [name={}]').focus()", control.name));
-                page.key(key);
-                page.settle();
-                let found = settings(&mut page, scene, &figure).0[place];
+                shown.set(&[(control.name, start)], 0.0);
+                let slider = shown.part(&format!(".controls [name={}]", control.name));
+                shown.get(&format!("{slider}.focus()"));
+                shown.key(key);
+                shown.settle();
+                let found = shown.values()[index];
                 assert!((found / end - 1.0).abs() < 1e-12, "{}: {key} from {start} to {found}", control.name);
             }
         }
@@ -864,58 +805,52 @@ fn round_values_of_a_slider_over_powers_of_ten_are_met_by_its_keys() {
 #[test]
 fn a_link_is_copied_where_the_reader_stands_and_a_text_link_moves_no_picture_that_is_in_sight() {
     let Some(mut browser) = open("copy") else { return };
-    let (scene, page_address, figure) =
-        scenes().into_iter().find(|(scene, ..)| scene.name == "laundromat").expect("the drum");
-    let mut page = browser.page(WIDE);
-    page.before_all(EYES);
-    page.before_all(
+    let drum = drum();
+    let mut shown = drum.empty(&mut browser, WIDE);
+    shown.before_all(
         "Object.defineProperty(navigator, 'clipboard', { value: { writeText: async (text) => { window.held = text; } } })",
     );
-    wake(&mut page, &page_address, &figure);
-    page.get(&format!("{figure}.querySelector('.presets button').click()"));
-    page.settle(); // the words may take another line
-    let share = format!("{figure}.querySelector('.share a')");
-    let at = place(&mut page, &share, 0.5);
-    let scroll = page.number("scrollY");
-    page.drag(at, at);
-    page.wait(&format!("{figure}.querySelector('.copied').textContent === 'copied'"));
-    assert_eq!(page.get("held === location.href && location.hash.includes('spin=5&t=')"), true);
-    assert_eq!(page.number("scrollY"), scroll);
-    assert_eq!(page.text(&format!("{figure}.querySelector('.play').textContent")), "Pause", "it plays on");
+    drum.wake(&mut shown, &drum.address);
+    shown.click(".presets button"); // the words may take another line
+    let share = shown.part(".share a");
+    let at = place(&mut shown, &share, 0.5);
+    let scroll = shown.number("scrollY");
+    shown.drag(at, at);
+    let copied = shown.part(".copied");
+    shown.wait(&format!("{copied}.textContent === 'copied'"));
+    assert_eq!(shown.get("held === location.href && location.hash.includes('spin=5&t=')"), true);
+    assert_eq!(shown.number("scrollY"), scroll);
+    assert_eq!(shown.says(".play"), "Pause", "it plays on");
     // A link of the text while the whole picture is in sight.
-    page.get(&format!(
-        "{figure}.querySelector('.drawing').scrollIntoView({{ block: 'end', behavior: 'instant' }})"
-    ));
-    page.settle();
-    let scroll = page.number("scrollY");
-    let link = format!("document.querySelector('main a[data-set][href*=\"#scene-{}?\"]')", scene.name);
-    page.get(&format!("{link}.click()"));
-    page.settle();
-    assert_eq!(page.number("scrollY"), scroll);
+    let drawing = shown.part(".drawing");
+    shown.get(&format!("{drawing}.scrollIntoView({{ block: 'end', behavior: 'instant' }})"));
+    shown.settle();
+    let scroll = shown.number("scrollY");
+    shown.get("document.querySelector('main a[data-set][href*=\"#scene-laundromat?\"]').click()");
+    shown.settle();
+    assert_eq!(shown.number("scrollY"), scroll);
     // From far down it leads to the picture, and one step back leads back.
-    page.get("scrollTo({ top: document.body.scrollHeight, behavior: 'instant' })");
-    page.settle();
-    let below = page.number("scrollY");
-    page.get("{ const link = [...document.querySelectorAll('main a[data-set]')].at(-1); link.click(); }");
-    page.wait(&format!("scrollY < {below} - 500"));
-    page.settle();
-    page.get("history.back()");
-    page.wait(&format!("Math.abs(scrollY - {below}) < 5"));
-    assert_eq!(page.console(), Vec::<String>::new());
+    shown.go_to_the_end();
+    shown.settle();
+    let below = shown.number("scrollY");
+    shown.get("{ const link = [...document.querySelectorAll('main a[data-set]')].at(-1); link.click(); }");
+    shown.wait(&format!("scrollY < {below} - 500"));
+    shown.settle();
+    shown.get("history.back()");
+    shown.wait(&format!("Math.abs(scrollY - {below}) < 5"));
+    shown.has_no_faults();
 }
 
 #[test]
-fn whoever_asks_for_calm_sees_what_a_preset_is_about() {
+fn a_reader_who_asks_for_calm_sees_what_a_preset_is_about() {
     let Some(mut browser) = open("calm") else { return };
-    let (scene, page_address, figure) =
-        scenes().into_iter().find(|(scene, ..)| scene.name == "laundromat").expect("the drum");
-    let mut page = browser.page(WIDE);
-    wake_still(&mut page, &page_address, &figure);
-    let place = scene.presets.iter().position(|preset| preset.words.contains("from rest")).expect("a preset");
-    page.get(&format!("{figure}.querySelectorAll('.presets button')[{place}].click()"));
-    page.settle();
-    let [now, end] = ["valueAsNumber", "max"]
-        .map(|what| page.number(&format!("Number({figure}.querySelector('.time').{what})")));
+    let drum = drum();
+    let mut shown = drum.still(&mut browser, WIDE, "");
+    let place = drum.scene.presets.iter().position(|preset| preset.words.contains("from rest"));
+    let place = place.expect("a preset") + 1;
+    shown.click(&format!(".presets button:nth-of-type({place})"));
+    let (now, time) = (shown.time(), shown.part(".time"));
+    let end = shown.number(&format!("Number({time}.max)"));
     assert!((now / end - 0.5).abs() < 1e-9, "at {now} of {end} s it is nearly at rest");
-    agrees(&mut page, scene, &figure);
+    shown.agrees();
 }

@@ -1,0 +1,49 @@
+//! A grip that a hand draws to where it stands for other settings stands there.
+
+use crate::hand::{Hand, Settings};
+use live::Room;
+
+/// A scene, a time, its settings, a grip, and what is different where the hand draws it.
+const CASES: &[(&str, f64, Settings, usize, Settings)] = &[
+    ("air-drag", 3.0, &[("ratio", 0.5), ("drag", 3.0), ("lean", 40.0)], 0, &[("ratio", 0.3), ("drag", 5.0)]),
+    ("air-drag", 3.0, &[("ratio", 0.5), ("drag", 3.0), ("lean", 40.0)], 1, &[("lean", 62.0)]),
+    ("coin-toss", 0.03, &[], 0, &[("twist", 80.0)]),
+    ("coin-toss", 0.03, &[], 0, &[("twist", 20.0)]),
+    ("laundromat", 2.0, &[("spin", 17.3), ("kick", 1.234)], 0, &[("spin", 25.0)]),
+    ("laundromat", 2.0, &[("spin", 17.3), ("kick", 1.234)], 1, &[("kick", 2.1)]),
+    ("pinned-hoop", 5.0, &[("gap", 30.0)], 0, &[("gap", 60.0)]),
+    ("pinned-hoop", 5.0, &[("gap", 30.0)], 0, &[("gap", 3.0)]),
+    ("pinned-hoop", 5.0, &[("gap", 30.0)], 1, &[("gap", 0.1)]),
+    ("rolling-wheel", 1.0, &[], 0, &[("lean", 33.0), ("circle", 1.4)]),
+    ("space-station", 1.0, &[], 0, &[("place", 30.0)]),
+    ("space-station", 1.0, &[], 1, &[("impulse", 7.5)]),
+    ("space-station", 20.0, &[("fire", 9.0)], 0, &[("thruster", 120.5)]),
+    ("space-station", 5.0, &[("fire", 9.0), ("camera", 1.0)], 0, &[("thruster", 300.0)]),
+    ("space-station", 5.0, &[("fire", 9.0)], 1, &[("fire", 33.0)]),
+    ("spinning-coin", 2.0, &[], 0, &[("tilt", 0.2)]),
+    ("spinning-coin", 2.0, &[("loss", 3.0)], 0, &[("tilt", 0.1)]),
+    ("turning", 0.3, &[], 0, &[("across", 5.5), ("spin", 11.2)]),
+    ("turning", 0.3, &[], 1, &[("ratio", 1.3)]),
+    ("wobble-plate", 0.006, &[("mass", 1.0)], 0, &[("mass", 2.2)]),
+    ("wobble-plate", 0.006, &[("mass", 1.0)], 1, &[("tilt", 37.5)]),
+];
+
+#[test]
+fn grips_follow_the_hand() {
+    for &(name, time, settings, grip, other) in CASES {
+        for room in [Room::Wide, Room::Narrow] {
+            let drawn = |settings: &[(&str, f64)]| {
+                let mut hand = Hand::with(name, settings);
+                hand.draw(time, room);
+                hand
+            };
+            let (mut hand, there) = (drawn(settings), drawn(&[settings, other].concat()));
+            let to = there.grips()[grip];
+            let of = format!("{name}, {settings:?}, grip {grip} to that of {other:?}, {room:?}");
+            assert!((hand.grips()[grip] - to).length() > 5.0, "{of}: it stands there already");
+            hand.draw_grip(grip, to);
+            let off = (hand.grips()[grip] - to).length();
+            assert!(off < 1.0, "{of}: {off} px from the hand");
+        }
+    }
+}
