@@ -68,15 +68,16 @@ fn every_chapter_has_exercises_of_all_grades_in_their_order() {
 }
 
 #[test]
-fn every_solution_runs_a_program_and_says_what_it_teaches() {
+fn every_solution_begins_with_its_answer_and_runs_a_program() {
     let (mut faults, mut solutions) = (Vec::new(), 0);
     for page in pages("/solutions.md") {
         for (heading, below) in sections(&page.text) {
             solutions += 1;
-            for wanted in ["```rust", "The lesson: "] {
-                if !below.contains(wanted) {
-                    faults.push(format!("{}: `{heading}` has no `{wanted}`", page.file));
-                }
+            if !first_line(below).starts_with("**Answer.** ") {
+                faults.push(format!("{}: `{heading}` does not begin with `**Answer.** `", page.file));
+            }
+            if !below.contains("```rust") {
+                faults.push(format!("{}: `{heading}` has no program", page.file));
             }
         }
     }
