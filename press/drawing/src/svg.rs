@@ -39,7 +39,8 @@ impl Drawing {
                 Pages::Wide => "drawn wide-only",
                 Pages::Narrow => "drawn narrow",
             };
-            let size = format!("{} style=\"max-width:{}px\"", view_box(seen), number(seen.width()));
+            let width = number(seen.width());
+            let size = format!("{} style=\"max-width:{width}px;--own:{width}px\"", view_box(seen));
             let mut out = if speaks {
                 opening(&part.id, class, &size, words.title(), words.description())
             } else {

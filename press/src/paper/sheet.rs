@@ -79,22 +79,18 @@ impl Sheet {
         });
     }
 
-    /// Its HTML for a PDF: the lines that lead from exercises to hints and solutions, and back, have the numbers of
-    /// pages, and panels tell their widths to the style sheet, by which those of one row shrink alike.
+    /// Its HTML for a PDF: the lines that lead from exercises to hints and solutions, and back, and references to sections
+    /// have the numbers of pages.
     pub(super) fn for_pdf(&self, numbers: &BTreeMap<String, usize>) -> String {
-        let found = html::named(&self.html, &["p", "a", "svg"]);
+        let found = html::named(&self.html, &["p", "a"]);
         let mut edits = Edits::default();
-        for line in found.iter().filter(|element| element.is("p", "turn")) {
-            for link in found.iter().filter(|element| element.name == "a" && line.holds(element)) {
-                if let Some(id) = link.get("href").and_then(|target| target.strip_prefix('#')) {
-                    edits.insert(link.inside.end, format!(", page {}", page_number(id, numbers)));
-                }
-            }
-        }
-        for panel in found.iter().filter(|element| element.name == "svg") {
-            let width = panel.get("style").and_then(|style| style.strip_prefix("max-width:"));
-            if let (Some(width), Some(place)) = (width, panel.place("style")) {
-                edits.replace(place, format!("style=\"--own:{width}\""));
+        let lines: Vec<&Element> = found.iter().filter(|element| element.is("p", "turn")).collect();
+        for link in found.iter().filter(|element| element.name == "a") {
+            let Some(id) = link.get("href").and_then(|target| target.strip_prefix('#')) else { continue };
+            if lines.iter().any(|line| line.holds(link)) {
+                edits.insert(link.inside.end, format!(", page {}", page_number(id, numbers)));
+            } else if self.html[link.inside.clone()].starts_with('§') {
+                edits.insert(link.inside.end, format!(", p.\u{a0}{}", page_number(id, numbers)));
             }
         }
         edits.applied(&self.html)
