@@ -3,13 +3,38 @@
 use super::Printer;
 use crate::print::code_links::CodePlace;
 use crate::read::items::EquationLabel;
+use crate::read::label_syntax;
 
 impl Printer<'_, '_> {
     pub(super) fn inline(&mut self, tex: &str, offset: usize) -> Option<String> {
         self.maths
-            .inline(tex, self.maths.folder(&self.page.path, offset - 1))
+            .inline(tex, &self.folder(offset - 1))
             .map_err(|fault| self.fault(offset + fault.offset, fault.message))
             .ok()
+    }
+
+    /// The folder of the chapter whose letters a formula uses. On a page of no chapter that is the chapter to which its
+    /// paragraph, or its row of a table, refers first.
+    pub(super) fn folder(&self, offset: usize) -> String {
+        let (path, text) = (&self.page.path, &self.page.text);
+        let own = self.maths.folder(path, offset);
+        if self.page.chapter.is_some() || own != path {
+            return own.to_owned();
+        }
+        let line = text[..offset].rfind('\n').map_or(0, |at| at + 1);
+        let (above, below) = if text[line..].starts_with('|') { ("\n", "\n") } else { ("\n\n", "\n\n") };
+        let start = text[..offset].rfind(above).map_or(0, |at| at + above.len());
+        let end = text[offset..].find(below).map_or(text.len(), |at| offset + at);
+        let block = &text[start..end];
+        let labels =
+            label_syntax::named(block).into_iter().map(|(at, label)| (at, self.registry.find(&label)));
+        let numbers = block.match_indices("@source:").map(|(at, mark)| {
+            let digits = block[at + mark.len()..].split(|c: char| !c.is_ascii_digit()).next();
+            (at, self.registry.find_source(digits.and_then(|digits| digits.parse().ok()).unwrap_or(0)))
+        });
+        let known = labels.chain(numbers).filter_map(|(at, entry)| Some((at, &entry.ok()?.page)));
+        let pages = known.filter(|(_, page)| page.contains('/'));
+        pages.min().map_or(own, |(_, page)| self.maths.folder(page, usize::MAX)).to_owned()
     }
 
     pub(super) fn display(
@@ -18,7 +43,7 @@ impl Printer<'_, '_> {
         label: Option<&EquationLabel>,
         offset: usize,
     ) -> Option<String> {
-        let converted = self.maths.display(tex, self.maths.folder(&self.page.path, offset));
+        let converted = self.maths.display(tex, &self.folder(offset));
         let mathml = converted.map_err(|fault| self.fault(offset + 2 + fault.offset, fault.message)).ok()?;
         let Some(EquationLabel { label, source, corrected }) = label else {
             return Some(format!("<div class=\"equation\"><div class=\"formula\">{mathml}</div></div>"));
@@ -62,7 +87,34 @@ impl Printer<'_, '_> {
 
 #[cfg(test)]
 mod tests {
+    use crate::assets::Rendered;
+    use crate::book::Page;
+    use crate::print::render::render;
     use crate::print::render::tests::printed;
+
+    #[test]
+    fn outside_of_the_chapters_a_letter_has_the_colour_of_the_chapter_that_is_referred_to() {
+        let tables = "# C\n\n| quantity | colour | letters |\n|---|---|---|\n| momentum | green | $L$ |\n\nTable: Q.\n\n\
+                      | chapter | letters | meaning | colour |\n|---|---|---|---|\n| [One](one/index.md) | $L$ | a length | none |\n\nTable: L.\n";
+        let errata = "# E\n\nAn $L$ by @eq:one\nand $L$.\n\nAn $L$.\n\n| a | b |\n|---|---|\n| $L$ | @source:7 |\n| $L$ | @eq:two |\n\nTable: T.\n";
+        let page = |path: &str, chapter, text: &str| {
+            Page::new("book", path.to_owned(), chapter, None, text.to_owned())
+        };
+        let pages = [
+            page("conventions.md", None, tables),
+            page("one/index.md", Some(1), "# O\n\n$$\na\n$$ {#eq:one source=7}\n"),
+            page("two/index.md", Some(2), "# T\n\n$$\nb\n$$ {#eq:two}\n"),
+            page("errata.md", None, errata),
+        ];
+        let printed = render(&pages, &Rendered::default(), "", &[]);
+        let printed = printed.unwrap_or_else(|faults| panic!("{:?}", faults.sorted()));
+        let coloured: Vec<bool> = printed[3]
+            .split("<math")
+            .skip(1)
+            .map(|rest| rest.split("</math>").next().unwrap().contains("q-momentum"))
+            .collect();
+        assert_eq!(coloured, [false, false, true, false, true]);
+    }
 
     #[test]
     fn the_marks_of_a_quotation_are_no_part_of_its_formula() {

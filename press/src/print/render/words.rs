@@ -26,26 +26,24 @@ impl Printer<'_, '_> {
                 _ => "",
             };
             let html = match event {
-                Event::InlineMath(tex) => {
-                    match self.maths.inline_html(tex, self.maths.folder(&self.page.path, offset)) {
-                        Ok(mathml) => {
-                            let last = match printed.last_mut() {
-                                Some(Event::InlineHtml(html)) => html,
-                                _ => &mut CowStr::from(""),
-                            };
-                            let (head, tail) = nonbreaking::around(last, next);
-                            let (kept, head) = last.split_at(last.len() - head);
-                            let formula = nonbreaking::tied(head, &mathml, &next[..tail]);
-                            *last = CowStr::from(kept.to_owned());
-                            taken = tail;
-                            Event::InlineHtml(CowStr::from(formula))
-                        }
-                        Err(fault) => {
-                            self.fault(offset, format!("in the {what}, {}", fault.message));
-                            continue;
-                        }
+                Event::InlineMath(tex) => match self.maths.inline_html(tex, &self.folder(offset)) {
+                    Ok(mathml) => {
+                        let last = match printed.last_mut() {
+                            Some(Event::InlineHtml(html)) => html,
+                            _ => &mut CowStr::from(""),
+                        };
+                        let (head, tail) = nonbreaking::around(last, next);
+                        let (kept, head) = last.split_at(last.len() - head);
+                        let formula = nonbreaking::tied(head, &mathml, &next[..tail]);
+                        *last = CowStr::from(kept.to_owned());
+                        taken = tail;
+                        Event::InlineHtml(CowStr::from(formula))
                     }
-                }
+                    Err(fault) => {
+                        self.fault(offset, format!("in the {what}, {}", fault.message));
+                        continue;
+                    }
+                },
                 Event::Text(_) if let Some((tag, length)) = tags.get(&n) => {
                     taken = *length;
                     Event::InlineHtml(CowStr::from(tag.clone()))
