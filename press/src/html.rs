@@ -16,6 +16,19 @@ pub(crate) fn prose(text: &str) -> String {
     escaped(&tied(text))
 }
 
+/// Code with places where a line may end: before a dot, and behind a bracket, a comma, an underscore or a slash.
+pub(crate) fn breakable(code: &str) -> String {
+    let mut out = String::with_capacity(2 * code.len());
+    let mut letters = code.chars().peekable();
+    while let Some(c) = letters.next() {
+        let is_call = c == '.' && letters.peek().is_some_and(|next| next.is_alphabetic());
+        out += if is_call { "<wbr>" } else { "" };
+        out.push(c);
+        out += if "([,_/".contains(c) { "<wbr>" } else { "" };
+    }
+    out
+}
+
 /// An element and where its parts stand in the HTML that holds it.
 #[derive(Debug, Clone)]
 pub(crate) struct Element {

@@ -3,7 +3,7 @@
 //! It is printed with the values of the text; the page's script keeps it true when a reader changes them.
 
 use crate::book::script;
-use crate::html::{escaped, prose};
+use crate::html::{breakable, escaped, prose};
 use dialect::live_numbers::{Answers, Live, Value};
 use live::numbers::with_power;
 
@@ -59,19 +59,6 @@ fn value(value: &Value<'_>) -> String {
         "<div><dt><code>{code}</code></dt><dd><output data-value=\"{numbers}\">{}</output>{gap}{unit}</dd></div>\n",
         pretty(numbers)
     )
-}
-
-/// Code with places where a line may end: before a dot, and behind a bracket or a comma.
-fn breakable(code: &str) -> String {
-    let mut out = String::with_capacity(2 * code.len());
-    let mut letters = code.chars().peekable();
-    while let Some(c) = letters.next() {
-        let is_call = c == '.' && letters.peek().is_some_and(|next| next.is_alphabetic());
-        out += if is_call { "<wbr>" } else { "" };
-        out.push(c);
-        out += if "([,".contains(c) { "<wbr>" } else { "" };
-    }
-    out
 }
 
 /// Numbers in the page's form: a true minus, and powers of ten.

@@ -3,7 +3,7 @@
 use super::Printer;
 use super::references::Reference;
 use crate::colours::Quantity;
-use crate::html::{escaped, prose};
+use crate::html::{breakable, escaped, prose};
 use crate::print::nonbreaking;
 use crate::read::items::{Item, PlacedItem, Words};
 use crate::read::label_syntax;
@@ -55,6 +55,9 @@ impl Printer<'_, '_> {
                 }
                 Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with("scene:") => {
                     Event::InlineHtml(CowStr::from(self.setting(&dest_url["scene:".len()..], offset)))
+                }
+                Event::Code(code) => {
+                    Event::InlineHtml(CowStr::from(format!("<code>{}</code>", breakable(&escaped(code)))))
                 }
                 Event::SoftBreak => Event::Text(CowStr::from(" ")),
                 Event::FootnoteReference(name) => Event::InlineHtml(CowStr::from(self.note_mark(name))),
