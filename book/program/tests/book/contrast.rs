@@ -205,7 +205,7 @@ impl Theme {
             }
             // These inherit the colour of the text, or that of links, unless they name their own.
             for (selector, inherited) in [
-                (".content .marks .source", "var(--fg)"),
+                (".content .marks .origin > p", "var(--fg)"),
                 (".figure .save", "var(--links)"),
                 (".figure .panel > span", "var(--links)"),
                 (".figure figcaption", "var(--fg)"),
@@ -320,8 +320,10 @@ fn links_are_told_by_a_line_and_what_shows_under_a_pointer_shows_to_the_keyboard
         })
         .map(|(selector, _)| selector.as_str())
         .collect();
-    // What is no word in a text: headings, numbers of equations and of notes, names below pictures.
-    let apart = ["a.header", ".marks a", "a.note-mark", "a.note-number", "a.panel"];
+    // What is no word in a text: headings, numbers of equations and of notes, names below pictures, squares of the ledger.
+    let apart = [
+        ".kicker.leaf a", "a.header", ".marks .number", "a.note-mark", "a.note-number", "a.panel", ".squares a",
+    ];
     assert_eq!(without, apart.map(|what| format!(".content main {what}:any-link")));
     assert_eq!(of("pre > .buttons", "visibility"), "visible");
     assert_eq!(of("pre:focus-within > .buttons", "opacity"), "1");

@@ -7,7 +7,7 @@ const named = (node) => {
   const words = [...node.textContent.trim().replace(/\s+/g, ' ')].slice(0, 30).join('');
   return `${id ? `#${id} ` : ''}${id === node.id ? '' : `${own} `}“${words}”`;
 };
-const shown = (node) => node.getClientRects().length > 0 && getComputedStyle(node).visibility === 'visible';
+const shown = (node) => node.getClientRects().length > 0 && node.checkVisibility({ visibilityProperty: true });
 
 // What axe finds. It does not know that a formula is text that is read aloud, so a head of formulas looks empty to it.
 window.audit = async (rules) => {
@@ -51,8 +51,10 @@ const inScroller = (node) => {
 // Content that can be cut: text, maths, tables, code, pictures, what can be operated.
 const CONTENT = 'p, li, dt, dd, h1, h2, h3, h4, figcaption, caption, summary, math, table, pre, code, svg, button, input, a, label, output';
 
-// What sticks out of the window sideways, where nothing scrolls it back, or is cut off by a box that hides its rest.
+// What sticks out of the window sideways, where nothing scrolls it back, or is cut off by a box that hides its rest, with all
+// that folds unfolded.
 window.wide = () => {
+  document.querySelectorAll('main details').forEach((fold) => { fold.open = true; });
   const root = document.documentElement;
   const faults = [];
   for (const page of [root, content()]) {

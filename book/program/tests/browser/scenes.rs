@@ -654,6 +654,7 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
         }
         // Links in the text, followed twice: the second time the page's address does not change.
         let mut shown = place.still(&mut browser, WIDE, "");
+        shown.get("document.querySelectorAll('main > details').forEach((fold) => { fold.open = true; })");
         let text_links = format!(
             "[...document.querySelectorAll('main a[href*=\"#scene-{}?\"]')].filter((link) => !link.closest('.share'))",
             scene.name
