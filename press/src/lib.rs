@@ -24,7 +24,7 @@
 //! |---|---|
 //! | `$r_0$`, `$$…$$` in a paragraph of its own | mathematics, as MathML, in the colours of its letters; `\$` is a dollar |
 //! | `[words]{.spin}` | words in the colour of a quantity: body, spin, momentum, contact, force |
-//! | `$$…$$ {#eq:steady-radius}` | an equation with a number, chapter first: (1.9) |
+//! | `$$…$$ {#eq:steady-radius}` | an equation with a number, chapter first: (1.9), and behind a sign what the library has of it |
 //! | `… {#eq:steady-radius source=19}` | the same, with the source's number and the anchor `#source-19` |
 //! | `… {#eq:r source="12 13" corrected}` | two numbers of the source; the equation corrects it |
 //! | `![Caption.](fig:machine)` in a paragraph of its own | the figure, with number and caption |
@@ -38,7 +38,9 @@
 //! | `let r = wheel.rate(); // → 4.317 rad/s` in a snippet | a number that the test holds to every digit shown |
 //! | `## Title {#sec:motion}` | a section that can be referred to |
 //! | `## Title {#ex:peak}` | an exercise with a number; it holds a hint in `<details>` |
-//! | `## {#sol:peak}` | its solution, titled and linked both ways |
+//! | `## {#sol:peak}` | its solution, titled and linked both ways; on the site it unfolds below its exercise |
+//! | `**Answer.** 5 m`, the first paragraph of a solution | what unfolds as the answer |
+//! | a table whose rows begin with `@source:19` and have a verdict in their third cell | the table below a square for each row, with the verdict's first word as its class |
 //! | `- {#cite:key "Name 1999"} …` | an entry of the bibliography |
 //! | `@eq:steady-radius`, `@fig:machine`, `@scene:turning`, `@ex:peak`, `@sol:peak`, `@sec:motion` | a link with number or title |
 //! | `@source:19` | a link to the equation that has this number in the source |
@@ -47,7 +49,9 @@
 //! Labels are made of lower-case letters, digits and hyphens, and are unique in the whole book. Counters run
 //! through all pages of a numbered chapter; equations, figures, scenes and exercises can stand in numbered chapters
 //! only. Notes are numbered on each page and stand behind the outermost block that refers to them. In a
-//! numbered chapter the title of a page stands below `Chapter 4`, or `Chapter 4 · Exercises`.
+//! numbered chapter the title of a page stands below `Chapter 4`, or a link to the first page of its chapter. Sections
+//! of the second level are counted through the chapter, and a reference says the number, `§4.2`; its title shows to those
+//! who point at it.
 //!
 //! Two tables of `conventions.md` say which letters stand for which coloured quantity, in the whole book and in
 //! single chapters. A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its
