@@ -5,13 +5,12 @@
 mod measured;
 
 use drawing::kit::{self, Marker};
-use drawing::{Drawing, Hue, Label, Rect, Role, Shape, Side, Stroke, at};
-use figures::{Axis, Cause, Figure, Look, Outcome, Plot, figures};
-use measured::{Measurement, NATIVE, cost_to_reach, front, methods, parse, seconds_front};
+use drawing::{Drawing, Fill, Hue, Label, Rect, Role, Shape, Side, Stroke, at};
+use figures::{Axis, Cause, Figure, Look, Outcome, Plot, Room, figures, in_both, log_steps};
+use measured::{Measurement, NATIVE, cost_to_reach, methods, parse, seconds_front};
 
 /// All figures of this chapter.
-pub(crate) const FIGURES: &[Figure] =
-    figures![speed_washer, speed_hoop, speed_problems, speed_dots, speed_work];
+pub(crate) const FIGURES: &[Figure] = figures![speed_problems, speed_dots];
 
 /// The problems, in the order of the report, with their words.
 const PROBLEMS: [(&str, &str); 9] = [
@@ -81,7 +80,7 @@ fn series(problem: &str) -> Result<Vec<Series>, Cause> {
 }
 
 /// Puts a name beside a series where it touches nothing, if there is such a place.
-fn name_series(plot: &mut Plot<'_>, values: &[(f64, f64)], name: &str, hue: Hue) -> Result<bool, Cause> {
+fn name_series(plot: &mut Plot<'_>, values: &[(f64, f64)], name: &str, hue: Hue) -> Result<(), Cause> {
     let frame = plot.frame();
     let places: Vec<_> = values.iter().map(|&value| plot.at(value)).collect();
     let sides = [
@@ -94,66 +93,178 @@ fn name_series(plot: &mut Plot<'_>, values: &[(f64, f64)], name: &str, hue: Hue)
         Side::AboveLeft,
         Side::AboveRight,
     ];
-    for gap in [6.0, 10.0, 16.0, 24.0] {
+    for gap in [4.0, 7.0, 12.0] {
         for side in sides {
             for &place in &places {
                 let label = Label::new(name, TYPE)?.placed(place, side, gap);
-                let room = label.bounds.grown(2.0);
+                let room = label.bounds.grown(1.5);
                 let inside = room.left > frame.left && room.right < frame.right + 8.0;
-                let inside = inside && room.top > frame.top - 8.0 && room.bottom < frame.bottom;
-                let touched = plot.drawing().items().iter().any(|item| match &item.shape {
-                    Shape::Label(other) => other.bounds.overlaps(&room),
-                    shape => {
-                        let points = shape.points();
-                        points.iter().any(|&point| room.contains(point))
-                            || !drawing::clip(&points, &room).is_empty()
+                let inside = inside && room.top > frame.top && room.bottom < frame.bottom;
+                let is_line = |role: Role| !matches!(role, Role::Area(Fill::Face, _));
+                let touched = plot.drawing().items().iter().filter(|item| is_line(item.role)).any(|item| {
+                    match &item.shape {
+                        Shape::Label(other) => other.bounds.overlaps(&room),
+                        shape => {
+                            let points = shape.points();
+                            points.iter().any(|&point| room.contains(point))
+                                || !drawing::clip(&points, &room).is_empty()
+                        }
                     }
                 });
                 if inside && !touched {
                     plot.drawing().push(Role::Text(hue), Shape::Label(label));
-                    return Ok(true);
+                    return Ok(());
                 }
             }
         }
     }
-    Ok(false)
+    Err(format!("there is no room for {name}").into())
 }
 
-/// Draws error against time on one problem into a frame, under names that begin with `prefix`.
-fn draw_problem(
-    drawing: &mut Drawing,
-    frame: Rect,
-    problem: &str,
-    prefix: &str,
-    titles: bool,
-) -> Result<(), Cause> {
-    let mut error = Axis::log(1e-16, 1.0, 4);
-    let mut cost = Axis::log(1e-3, 1e5, 2);
-    if titles {
-        (error, cost) = (error.titled("largest error"), cost.titled("time, ms"));
-    }
-    let mut plot = Plot::new(drawing, frame, error, cost)?;
-    let series = series(problem)?;
-    for ((contestant, method), values) in &series {
-        let (marker, hue, _) = look(contestant, method)?;
-        let name = format!("{prefix}{contestant} {method}").replace([' ', '(', ')'], "-");
-        plot.series(&name, values, marker, hue);
-    }
-    if prefix.is_empty() {
-        return name_all(&mut plot, &series);
-    }
-    let title = Label::new(problem, 14.0)?.placed(at(frame.right, frame.top - 14.0), Side::Left, 0.0);
-    plot.drawing().push(Role::Text(Hue::Ink), Shape::Label(title));
-    name_all(&mut plot, &series)
+/// Whether a program stands far above the others.
+fn is_slow(contestant: &str) -> bool {
+    ["scipy", "mujoco"].contains(&contestant)
 }
 
-fn name_all(plot: &mut Plot<'_>, series: &[Series]) -> Result<(), Cause> {
-    for ((contestant, method), values) in series {
-        if let (_, hue, Some(name)) = look(contestant, method)? {
-            name_series(plot, values, &name, hue)?; // the key has it too
+/// The time of a series at an error, between two settings in proportion on logarithmic scales.
+fn time_at(values: &[(f64, f64)], error: f64) -> Option<f64> {
+    let pair = values.windows(2).find(|pair| {
+        let (low, high) = (pair[0].0.min(pair[1].0), pair[0].0.max(pair[1].0));
+        low <= error && error <= high
+    })?;
+    let part = (error / pair[0].0).ln() / (pair[1].0 / pair[0].0).ln();
+    Some(pair[0].1 * (pair[1].1 / pair[0].1).powf(part))
+}
+
+/// The region between the fastest and the slowest of the others, those that stand far above left out.
+fn draw_band(plot: &mut Plot<'_>, series: &[Series]) {
+    let others: Vec<_> = series
+        .iter()
+        .filter(|((contestant, _), _)| contestant != "mechanics" && !is_slow(contestant))
+        .map(|(_, values)| values)
+        .collect();
+    let errors = || others.iter().flat_map(|values| values.iter().map(|value| value.0));
+    let (least, most) = (errors().fold(1.0, f64::min), errors().fold(0.0, f64::max));
+    let (mut below, mut above) = (Vec::new(), Vec::new());
+    for error in log_steps(least, most, 120) {
+        let times: Vec<f64> = others.iter().filter_map(|values| time_at(values, error)).collect();
+        if !times.is_empty() {
+            below.push(plot.at((error, times.iter().copied().fold(f64::INFINITY, f64::min))));
+            above.push(plot.at((error, times.iter().copied().fold(0.0, f64::max))));
         }
     }
+    below.extend(above.into_iter().rev());
+    plot.drawing().polygon(below, Fill::Face, Hue::Muted);
+}
+
+/// Names in the plots: a problem, a contestant, a method, and the words beside its curve.
+const NAMES: [(&str, &str, &str, &str); 9] = [
+    ("washer", "mechanics", "closed form", "closed form"),
+    ("washer", "mechanics", "DOP853", "DOP853"),
+    ("washer", "scipy", "DOP853", "SciPy"),
+    ("washer", "diffsol", "Tsitouras 5(4)", "diffsol"),
+    ("hoop", "mechanics", "RK4", "RK4"),
+    ("hoop", "mujoco", "engine with RK4", "MuJoCo"),
+    ("disk", "mechanics", "half a wobble", "half a wobble"),
+    ("rest", "mechanics", "Taylor", "Taylor"),
+    ("drag", "heyoka", "Taylor", "heyoka"),
+];
+
+/// Draws error against time on one problem: the others as a band of grey with a line for each, the library over it.
+fn draw_problem(plot: &mut Plot<'_>, problem: &str, series: &[Series], named: bool) -> Result<(), Cause> {
+    draw_band(plot, series);
+    for ((contestant, method), values) in series {
+        let (marker, mut hue, _) = look(contestant, method)?;
+        let mut stroke = Stroke::Orbit;
+        if contestant == "mechanics" {
+            stroke = Look::of(method).map_or(Stroke::Heavy, |look| look.stroke);
+        } else if !is_slow(contestant) {
+            hue = Hue::Faint;
+        }
+        let name = format!("{problem} {contestant} {method}").replace([' ', '(', ')'], "-");
+        if values.len() > 1 {
+            plot.curve(&name, values.iter().copied(), stroke, hue);
+        } else {
+            plot.markers(values, marker, hue);
+        }
+    }
+    if problem == "ramp" && named {
+        // A digit costs 10^{1/p}, whatever one counts.
+        for (order, words) in [(4.0, "order 4"), (8.0, "order 8")] {
+            let (from, to) = ((1e-13, 0.3), (1e-5, 0.3 * 1e-8_f64.powf(1.0 / order)));
+            plot.reference(from, to, Stroke::Reference);
+            let label = Label::new(words, TYPE)?.placed(plot.at(to), Side::Right, 4.0);
+            plot.drawing().push(Role::Text(Hue::Muted), Shape::Label(label));
+        }
+    }
+    for (_, contestant, method, words) in NAMES.into_iter().filter(|name| named && name.0 == problem) {
+        let found = series.iter().find(|((one, other), _)| one == contestant && other == method);
+        let (_, values) = found.ok_or("a name without a curve")?;
+        let (_, hue, _) = look(contestant, method)?;
+        name_series(plot, values, words, hue)?;
+    }
     Ok(())
+}
+
+/// The ticks of an axis of errors, without the last, which would stand where the next plot begins.
+const MARKS: [(f64, &str); 4] =
+    [(1e-16, "10^{−16}"), (1e-12, "10^{−12}"), (1e-8, "10^{−8}"), (1e-4, "10^{−4}")];
+
+/// Error against time on all nine problems, three by three, on the same axes.
+pub(crate) fn speed_problems(id: &str) -> Outcome {
+    let all = PROBLEMS.iter().map(|(problem, words)| Ok((*problem, *words, series(problem)?)));
+    let all = all.collect::<Result<Vec<_>, Cause>>()?;
+    let mut text = String::from(
+        "Nine plots, three by three, on the same logarithmic scales, the largest error along x from 1e-16 to 1 and milliseconds along y from 1e-3 to 1e5. In each the \
+         curves of the library's RK4 and DOP853 run through a grey band, that of the other programs, and sink towards large errors, RK4's more steeply. The formula is a single point far \
+         below at the left. SciPy, and on the hoop MuJoCo, lie far above the band.",
+    );
+    for (_, words, series) in &all {
+        text += &format!(" {words}:{}", describe(series));
+    }
+    in_both(|room: Room| {
+        let (size, step) =
+            (room.of(at(162.0, 128.0), at(99.0, 84.0)), room.of(at(180.0, 162.0), at(110.0, 110.0)));
+        let corner = room.of(at(50.0, 48.0), at(11.0, 46.0));
+        let whole = room.of(at(590.0, 570.0), at(340.0, 384.0));
+        let mut drawing =
+            Drawing::new(id, whole.x, whole.y).titled("Error against time on nine problems", &text);
+        for (place, (problem, _, series)) in (0_u8..).zip(&all) {
+            let (column, row) = (place % 3, place / 3);
+            let left = corner + at(f64::from(column) * step.x, f64::from(row) * step.y);
+            let frame = Rect::new(left.x, left.y, size.x, size.y);
+            let (mut error, mut time) = (Axis::log(1e-16, 1.0, 4), Axis::log(1e-3, 1e5, 2));
+            if row < 2 || room == Room::Narrow {
+                error = error.marked(&[]).minor(100.0);
+            } else if column < 2 {
+                error = error.marked(&MARKS);
+            }
+            if column > 0 || room == Room::Narrow {
+                time = time.marked(&[]).minor(100.0);
+            }
+            if room == Room::Wide && place == 0 {
+                time = time.titled("time, ms");
+            }
+            if room == Room::Wide && place == 8 {
+                error = error.titled("largest error");
+            }
+            let mut plot = Plot::new(&mut drawing, frame, error, time)?;
+            draw_problem(&mut plot, problem, series, room == Room::Wide)?;
+            let title = Label::new(problem, room.of(14.0, TYPE))?;
+            let title = title.placed(at(frame.right, frame.top - 9.0), Side::Left, 0.0);
+            drawing.push(Role::Text(Hue::Ink), Shape::Label(title));
+        }
+        if room == Room::Narrow {
+            for (words, point) in [
+                ("time upwards, $10^{-3}$ to $10^5$ ms", at(11.0, 14.0)),
+                ("largest error to the right, $10^{-16}$ to 1", at(11.0, 362.0)),
+            ] {
+                let label = Label::new(words, TYPE)?.placed(point, Side::Right, 0.0);
+                drawing.push(Role::Text(Hue::Muted), Shape::Label(label));
+            }
+        }
+        Ok(drawing)
+    })
 }
 
 /// Draws the markers of all methods with their names, in two columns, the library's above.
@@ -169,46 +280,6 @@ fn draw_key(drawing: &mut Drawing, corner: drawing::Point) -> Result<(), Cause> 
         drawing.push(Role::Text(hue), Shape::Label(label));
     }
     Ok(())
-}
-
-/// Error against time on one problem, with the key.
-fn alone(id: &str, problem: &str) -> Outcome {
-    let (_, words) =
-        PROBLEMS.into_iter().find(|(name, _)| *name == problem).ok_or("a problem of the report")?;
-    let description = describe(&series(problem)?);
-    let mut drawing =
-        Drawing::new(id, 390.0, 440.0).titled(&format!("Error against time for {words}"), &description);
-    draw_problem(&mut drawing, Rect::new(50.0, 34.0, 320.0, 230.0), problem, "", true)?;
-    draw_key(&mut drawing, at(58.0, 326.0))?;
-    Ok(drawing)
-}
-
-pub(crate) fn speed_washer(id: &str) -> Outcome {
-    alone(id, "washer")
-}
-
-pub(crate) fn speed_hoop(id: &str) -> Outcome {
-    alone(id, "hoop")
-}
-
-/// Error against time on all nine problems, on the same axes.
-pub(crate) fn speed_problems(id: &str) -> Outcome {
-    let mut panels = Vec::new();
-    for (place, (problem, words)) in PROBLEMS.into_iter().enumerate() {
-        let description = describe(&series(problem)?);
-        let title = format!("Error against time for {words}");
-        let mut drawing = Drawing::new("", 300.0, 270.0).titled(&title, &description);
-        let frame = Rect::new(44.0, 44.0, 240.0, 180.0);
-        draw_problem(&mut drawing, frame, problem, &format!("{problem} "), place == 0)?;
-        panels.push(drawing);
-    }
-    let mut key = Drawing::new("", 390.0, 140.0).titled(
-        "The markers of all programs",
-        "The markers: the library’s closed form a blue diamond, DOP853 a pink square, RK4 an orange disc, Taylor a purple triangle; the other programs, all grey: heyoka triangles, ivp discs, differential-equations squares, ode_solvers diamonds, diffsol rings, scipy crosses, mujoco plus signs.",
-    );
-    draw_key(&mut key, at(20.0, 20.0))?;
-    panels.push(key);
-    Ok(Drawing::panels(id, panels))
 }
 
 /// How many times as long as the library's best method everybody takes to reach an error of a millionth.
@@ -259,9 +330,9 @@ pub(crate) fn speed_dots(id: &str) -> Outcome {
     ))
 }
 
-/// The figure in words: who is how fast at what error.
+/// A plot in words: who is how fast at what error.
 fn describe(series: &[Series]) -> String {
-    let mut text = String::from("Both scales are logarithmic, error along x and milliseconds along y.");
+    let mut text = String::new();
     for ((contestant, method), values) in series {
         if let (Some(first), Some(last)) = (values.first(), values.last()) {
             text += &if values.len() == 1 {
@@ -275,45 +346,4 @@ fn describe(series: &[Series]) -> String {
         }
     }
     text
-}
-
-/// Error against evaluations of the rates, for the library's steppers on all problems.
-pub(crate) fn speed_work(id: &str) -> Outcome {
-    let rows = measurements()?;
-    let mut panels = Vec::new();
-    for (place, (problem, _)) in PROBLEMS.into_iter().enumerate() {
-        let mut drawing = Drawing::new("", 206.0, 220.0);
-        let frame = Rect::new(42.0, 44.0, 136.0, 130.0);
-        let mut error = Axis::log(1e-12, 1.0, 4);
-        let mut evaluations = Axis::log(1e3, 1e8, 1);
-        if place == 0 {
-            (error, evaluations) = (error.titled("largest error"), evaluations.titled("evaluations"));
-        }
-        let mut plot = Plot::new(&mut drawing, frame, error, evaluations)?;
-        let mut fronts = Vec::new();
-        for method in ["RK4", "DOP853"] {
-            let (marker, hue, _) = look("mechanics", method)?;
-            let mine = |row: &&Measurement| {
-                row.problem == problem && row.contestant == "mechanics" && row.method == method
-            };
-            let pairs = rows.iter().filter(mine);
-            let values = front(pairs.filter_map(|row| Some((row.error, row.evaluations? as f64))));
-            plot.series(&format!("{problem}-{method}"), &values, marker, hue);
-            fronts.push((method, values, hue));
-        }
-        for (method, values, hue) in fronts.iter().filter(|_| place == 0) {
-            if !name_series(&mut plot, values, method, *hue)? {
-                return Err(format!("there is no room for {method}").into());
-            }
-        }
-        let title = Label::new(problem, 14.0)?.placed(at(frame.right, frame.top - 14.0), Side::Left, 0.0);
-        drawing.push(Role::Text(Hue::Ink), Shape::Label(title));
-        panels.push(drawing);
-    }
-    Ok(Drawing::panels(id, panels).titled(
-        "Error against evaluations of the rates",
-        "Nine plots with logarithmic scales, the error along x and the number of evaluations along y, one for each problem. In each the \
-         number grows with every digit, for the Runge-Kutta method of order four by a factor of 1.8 and for DOP853 by about 1.3, so \
-         that their curves cross or draw apart towards small errors. Next to the separatrix neither comes below an error of a thousandth.",
-    ))
 }

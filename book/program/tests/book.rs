@@ -321,10 +321,10 @@ fn equations_lead_to_the_code_that_names_them_and_citations_to_their_entries_and
 
 #[test]
 fn the_figure_of_the_readme_is_the_books() {
-    let committed = include_str!("../../speed-and-accuracy/hoop.svg");
-    let drawn = fs::read_to_string(site().join("figures/speed-hoop.svg")).expect("the figure");
-    assert!(include_str!("../../../README.md").contains("(book/speed-and-accuracy/hoop.svg)"));
-    assert!(drawn == committed, "draw it again: cargo book figures FOLDER, and copy speed-hoop.svg");
+    let committed = include_str!("../../speed-and-accuracy/problems.svg");
+    let drawn = fs::read_to_string(site().join("figures/speed-problems.svg")).expect("the figure");
+    assert!(include_str!("../../../README.md").contains("(book/speed-and-accuracy/problems.svg)"));
+    assert!(drawn == committed, "draw it again: cargo book figures FOLDER, and copy speed-problems.svg");
 }
 
 /// A program that is ended with its test.
