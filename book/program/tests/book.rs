@@ -303,7 +303,8 @@ fn equations_lead_to_the_code_that_names_them_and_citations_to_their_entries_and
     let count = |pages: &[(PathBuf, String)], link| -> usize {
         pages.iter().map(|(_, html)| html.matches(link).count()).sum()
     };
-    let (to_code, back) = (count(&pages(), "<span class=\"code\">in the library: "), count(&api, ".html#eq-"));
+    let (to_code, back) =
+        (count(&pages(), "<span class=\"code\">in the library: "), count(&api, ".html#eq-"));
     assert!(to_code > 150 && back > 400, "{to_code} links to the code, {back} back");
     assert!(count(&api, "/src/mechanics/") > 1000 && site().join("api/index.html").is_file());
     let page = fs::read_to_string(site().join("laundromat/index.html")).expect("a page");

@@ -67,7 +67,8 @@ fn the_errors_of_rk4_and_of_the_splitting_stand_at_their_steps() {
     }
     // In attitude the splitting is hundreds of times better at the beginning, and worse at the end.
     let [first, last] = [1.5, 9000.0].map(|x| {
-        curve("method-attitude", "blanes-moan").value(x) / curve("method-attitude", "dop853").value(x)
+        curve("method-long-run", "blanes-moan-attitude").value(x)
+            / curve("method-long-run", "dop853-attitude").value(x)
     });
     assert!(first > 200.0 && last < 0.3, "{first} {last}");
 }

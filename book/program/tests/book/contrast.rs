@@ -322,7 +322,13 @@ fn links_are_told_by_a_line_and_what_shows_under_a_pointer_shows_to_the_keyboard
         .collect();
     // What is no word in a text: headings, numbers of equations and of notes, names below pictures, squares of the ledger.
     let apart = [
-        ".kicker.leaf a", "a.header", ".marks .number", "a.note-mark", "a.note-number", "a.panel", ".squares a",
+        ".kicker.leaf a",
+        "a.header",
+        ".marks .number",
+        "a.note-mark",
+        "a.note-number",
+        "a.panel",
+        ".squares a",
     ];
     assert_eq!(without, apart.map(|what| format!(".content main {what}:any-link")));
     assert_eq!(of("pre > .buttons", "visibility"), "visible");

@@ -238,7 +238,8 @@ fn a_book_without_its_solutions_has_none_and_nothing_leads_to_them() {
     let page = || fs::read_to_string(site.join("a.html")).unwrap();
     built(&folder);
     assert!(site.join("answers.html").is_file() && page().matches("answers.html#sol-drum").count() == 1);
-    let unfolds = page().split("<summary>Solution</summary>").any(|rest| rest.trim_start().starts_with("<p>Because"));
+    let unfolds =
+        page().split("<summary>Solution</summary>").any(|rest| rest.trim_start().starts_with("<p>Because"));
     assert!(unfolds, "it unfolds below its exercise: {}", page());
 
     let config = fs::read_to_string(folder.join("book.toml")).unwrap();
