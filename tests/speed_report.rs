@@ -206,11 +206,11 @@ fn the_tables_of_the_page_are_those_of_the_data() {
     }
     // The chapter has some rows of the long run.
     let long_run = tables::long_run(LONG_RUN);
-    let mut rows = CHAPTER.lines().skip_while(|line| !line.starts_with("| after a million periods"));
-    assert_eq!(rows.next(), long_run.lines().next());
-    let rows: Vec<&str> = rows.skip(1).take_while(|line| line.starts_with('|')).collect();
-    assert_eq!(rows.len(), 6);
-    for row in rows {
+    let mut shown = CHAPTER.lines().skip_while(|line| !line.starts_with("| after a million periods"));
+    assert_eq!(shown.next(), long_run.lines().next());
+    let shown: Vec<&str> = shown.skip(1).take_while(|line| line.starts_with('|')).collect();
+    assert_eq!(shown.len(), 6);
+    for row in shown {
         assert!(long_run.lines().any(|line| line == row), "the data has no row {row}");
     }
     // The sentence below the table of what is ahead: its factors for closed forms, all but the rolling wheels.
