@@ -25,7 +25,8 @@ pub(crate) const SCENE: Scene = Scene {
                   spin; the disc is a dot above the line. Below the map the angular momentum as an arrow, \
                   its part along the axis upwards: its tip follows a curve that comes to the origin \
                   upright.",
-    question: "The air slows spin and wobble. Which of them dies first, and how much spin is left by then?",
+    question: "In the end a pencil turns end over end. Is this rotation faster than at the start, when it was only a \
+               slight wobble? And which dies first, the wobble or the spin?",
     size: [[640.0, 470.0], [360.0, 520.0]],
     view: Some([-1.25, 0.3]),
     still: 10.0,

@@ -32,8 +32,8 @@ pub(crate) const SCENE: Scene = Scene {
                   angular velocity omega goes round on the other side. Beside it the crew’s sky: star trails curl round omega, away from \
                   the cross where axis 3 points; a ring marks the star that stood there. Below, two waves against time: in four turns the axis nods 8.2 times in the room, and \
                   omega goes round four times on board.",
-    question: "In the time of one old turn, how often does the station nod in the room, and how often does \
-               $\\boldsymbol\\omega$ go round on board? And when must a thruster fire to end the nod?",
+    question: "The blow tips the station, and the circled star leaves the cross. After how many seconds is it back? \
+               And when must a thruster fire to keep it there?",
     size: [[640.0, 440.0], [380.0, 600.0]],
     view: Some([0.75, 0.40]),
     still: 1.7,

@@ -24,7 +24,8 @@ pub(crate) const SCENE: Scene = Scene {
                   it leans a little, and the end of the shaft draws a circle. Beside it a view along the shaft: the angular momentum of the \
                   plate across the shaft points one way, that of the pistons, half as long, the other way. Below, the torque on the frame \
                   against the mass of the pistons: a V with its foot at 1.68 kg.",
-    question: "Can pistons calm the plate? Find how many it takes, and how heavy they must be; then change the speed, and then the tilt.",
+    question: "How many pistons does it take until the frame stands still, and how heavy must they be? \
+               Then change the speed, and then the tilt: does it stay still?",
     size: [[640.0, 440.0], [380.0, 560.0]],
     view: Some([-1.15, 0.24]),
     still: 0.006,
