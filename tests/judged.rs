@@ -305,7 +305,7 @@ fn the_first_and_the_fourth_step_by_runge_and_kutta() {
 #[test]
 fn the_table_of_the_closed_forms_is_that_of_the_data() {
     let data = include_str!("../book/judged/closed-forms.csv");
-    let page = include_str!("../book/judged/index.md");
+    let page = include_str!("../book/speed-and-accuracy/report.md");
     let cells = |start: &str| -> Vec<f64> {
         let line = data.lines().find(|line| line.starts_with(start)).expect("a line of the data");
         line.split(',').skip(4).map(|cell| cell.parse().unwrap_or(f64::NAN)).collect()

@@ -26,7 +26,8 @@ const WORK: &str = include_str!("../book/speed-and-accuracy/work.csv");
 const MEASURED: &str = include_str!("../book/speed-and-accuracy/measured.csv");
 const LONG_RUN: &str = include_str!("../book/speed-and-accuracy/long-run.csv");
 const LIMITS: &str = include_str!("../book/speed-and-accuracy/limits.csv");
-const PAGE: &str = include_str!("../book/speed-and-accuracy/index.md");
+const PAGE: &str = include_str!("../book/speed-and-accuracy/report.md");
+const CHAPTER: &str = include_str!("../book/speed-and-accuracy/index.md");
 
 /// Errors are repeated to this factor. On the kind of machine that wrote the data they are repeated exactly;
 /// another library of sines, whose last bit differs here and there, changes an error far above rounding by
@@ -202,6 +203,15 @@ fn the_tables_of_the_page_are_those_of_the_data() {
     {
         assert!(table.lines().count() > 8);
         assert!(PAGE.contains(&table), "the page has another table than:\n{table}");
+    }
+    // The chapter has some rows of the long run.
+    let long_run = tables::long_run(LONG_RUN);
+    let mut shown = CHAPTER.lines().skip_while(|line| !line.starts_with("| after a million periods"));
+    assert_eq!(shown.next(), long_run.lines().next());
+    let shown: Vec<&str> = shown.skip(1).take_while(|line| line.starts_with('|')).collect();
+    assert_eq!(shown.len(), 6);
+    for row in shown {
+        assert!(long_run.lines().any(|line| line == row), "the data has no row {row}");
     }
     // The sentence below the table of what is ahead: its factors for closed forms, all but the rolling wheels.
     let ahead = measured::ahead(&rows, &problems::NAMES);

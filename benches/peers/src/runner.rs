@@ -151,7 +151,7 @@ fn finish(root: &Path, folder: &Path) -> Result<(), Cause> {
     let limits = cargo(root).args(bench).output()?;
     fs::write(folder.join("limits.csv"), card::head_of_limits() + &String::from_utf8(limits.stdout)?)?;
     rewrite_tables(folder)?;
-    println!("written: the data and the tables of index.md in {}", folder.display());
+    println!("written: the data and the tables of report.md in {}", folder.display());
     Ok(())
 }
 
@@ -380,7 +380,7 @@ fn rows(contestants: &mut [Contestant]) -> Vec<Measurement> {
 fn rewrite_tables(folder: &Path) -> Result<(), Cause> {
     let data = |file: &str| fs::read_to_string(folder.join(file));
     let rows = &measured::parse(&data("measured.csv")?)?;
-    let page = folder.join("index.md");
+    let page = folder.join("report.md");
     let mut text = fs::read_to_string(&page)?;
     let mut tables: Vec<(String, String)> =
         NAMES.iter().map(|problem| (measured::table_head(problem), measured::table(rows, problem))).collect();

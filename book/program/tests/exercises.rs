@@ -11,8 +11,9 @@ use std::path::PathBuf;
 /// How many minutes an exercise of each grade may take.
 const MINUTES: [[f64; 2]; GRADES.len()] = [[2.0, 15.0], [10.0, 60.0], [60.0, 600.0]];
 
-/// How many a page has at least.
+/// How many a page has at least; on measurements and on other people's numbers there are fewer.
 const LEAST: usize = 10;
+const FEWER: [(&str, usize); 2] = [("speed-and-accuracy/", 8), ("judged/", 7)];
 
 fn pages(name: &str) -> Vec<Page> {
     let package = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").expect("Cargo sets it"));
@@ -51,8 +52,9 @@ fn every_chapter_has_exercises_of_all_grades_in_their_order() {
             }
             grades.push((grade, heading));
         }
-        if grades.len() < LEAST {
-            fault(format!("{} exercises, of at least {LEAST}", grades.len()));
+        let least = FEWER.iter().find(|few| page.path.starts_with(few.0)).map_or(LEAST, |few| few.1);
+        if grades.len() < least {
+            fault(format!("{} exercises, of at least {least}", grades.len()));
         }
         for (grade, name) in GRADES.iter().enumerate() {
             if !grades.iter().any(|(own, _)| *own == grade) {
@@ -227,7 +229,11 @@ fn the_preface_counts_what_there_is() {
             "Each of the {} chapters about things that spin opens with a question and a scene",
             words[moved]
         ),
-        format!("{} of the {} chapters have exercises", words[tried], words[all]),
+        if tried == all {
+            format!("all {} chapters have exercises", words[all])
+        } else {
+            format!("{} of the {} chapters have exercises", words[tried], words[all])
+        },
         format!("{} chapters at the end are about the computing", words[all - moved]),
     ] {
         let preface = preface.to_lowercase();

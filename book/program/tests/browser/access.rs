@@ -19,7 +19,7 @@ const WIDTHS: [u32; 3] = [1300, 768, PHONE];
 const CHOICE: [&str; 5] = [
     "laundromat/index.html",
     "rolling-wheel/index.html",
-    "speed-and-accuracy/index.html",
+    "speed-and-accuracy/report.html",
     "coin-toss/exercises.html",
     "conventions.html",
 ];
