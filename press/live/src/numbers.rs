@@ -13,7 +13,7 @@ pub fn with_power(mantissa: &str, power: &str) -> String {
 
 /// What units are made of.
 const PARTS: [&str; 31] = [
-    "kg", "g", "t", "m", "cm", "mm", "µm", "nm", "km", "s", "ms", "µs", "ns", "min", "h", "N", "mN", "kN",
+    "kg", "g", "mg", "t", "m", "cm", "mm", "µm", "nm", "km", "s", "ms", "µs", "ns", "min", "h", "N", "mN", "kN",
     "MN", "J", "mJ", "kJ", "W", "mW", "kW", "Hz", "kHz", "Pa", "rad", "mrad", "%",
 ];
 
