@@ -12,9 +12,9 @@ pub fn with_power(mantissa: &str, power: &str) -> String {
 }
 
 /// What units are made of.
-const PARTS: [&str; 31] = [
-    "kg", "g", "mg", "t", "m", "cm", "mm", "µm", "nm", "km", "s", "ms", "µs", "ns", "min", "h", "N", "mN", "kN",
-    "MN", "J", "mJ", "kJ", "W", "mW", "kW", "Hz", "kHz", "Pa", "rad", "mrad", "%",
+const PARTS: [&str; 32] = [
+    "kg", "g", "mg", "t", "m", "cm", "mm", "µm", "nm", "km", "s", "ms", "µs", "ns", "min", "h", "N", "mN",
+    "kN", "MN", "J", "mJ", "kJ", "W", "mW", "kW", "Hz", "kHz", "Pa", "rad", "mrad", "%",
 ];
 
 /// Whether a word is a unit: `kg`, `rad/s²`, `N·m`, `s⁻¹`.
