@@ -353,7 +353,7 @@ fn circle_face_on(degrees: f64) -> Outcome {
     drawing.dot(start, 3.5, Hue::Ink);
     drawing.label(start, Side::Above, "start, flat", Hue::Ink)?;
     drawing.label(at(centre.x, 0.5 * (chord.y + centre.y + radius)), Side::Over, "tails up", Hue::Muted)?;
-    drawing.label(centre + at(0.5, -0.55) * radius, Side::Over, "heads up", Hue::Blue)?;
+    drawing.label(centre + at(0.4, -0.5) * radius, Side::Over, "heads up", Hue::Blue)?;
     drawing.label(last + beyond, Side::Right, "equator", Hue::Ink)?;
     Ok(drawing)
 }
@@ -390,7 +390,9 @@ pub(crate) fn bias(id: &str) -> Outcome {
     plot.curve("probability", values, Stroke::Heavy, Hue::Ink);
     let measured = (ratio_for_probability(coin()?, 0.508)?, 0.508);
     plot.markers(&[measured], Marker::Disc, Hue::Ink);
-    plot.label((0.012, 0.56), Side::Right, "real tosses: $0.508$", Hue::Ink)?;
+    let [from, to] = [(0.09, 0.509), (0.2, 0.518)].map(|value| plot.at(value));
+    plot.drawing().line(from, to, Stroke::Dotted, Hue::Muted);
+    plot.label((0.2, 0.519), Side::Right, "real tosses: $0.508$", Hue::Ink)?;
     plot.label((0.55, 0.78), Side::Over, "never", Hue::Ink)?;
     plot.label((0.55, 0.745), Side::Over, "tails", Hue::Ink)?;
     plot.label((0.285, 0.59), Side::Right, "as the square", Hue::Muted)?;
@@ -505,9 +507,9 @@ fn sorted_people() -> Outcome {
         let middle = (twist + 0.5 * width) / FITTED_SPREAD;
         below += 2.0 / TAU.sqrt() * (-0.5 * middle * middle).exp() * width / FITTED_SPREAD;
     }
-    plot.curve("spread", values, Stroke::Heavy, Hue::Ink);
-    plot.label((21.0, 0.532), Side::Over, "a bell of twists", Hue::Ink)?;
-    plot.label((9.0, 0.5145), Side::Over, "one $p$ for all", Hue::Muted)?;
+    plot.curve("spread", values, Stroke::Curve, Hue::Ink);
+    plot.label((22.0, 0.536), Side::Over, "a bell of twists", Hue::Ink)?;
+    plot.label((7.0, 0.517), Side::Over, "one $p$", Hue::Muted)?;
     Ok(drawing)
 }
 

@@ -356,12 +356,12 @@ pub(crate) fn residual(id: &str) -> Outcome {
         let words = room.of(["greatest in a turn", "least in a turn"], ["greatest", "least"]);
         label(&mut plot, (1.5, 38.0), Side::AboveLeft, words[0], Hue::Purple)?;
         label(&mut plot, (1.98, alone), Side::AboveLeft, words[1], Hue::Purple)?;
-        label(&mut plot, (1.1, 1.6), Side::AboveRight, room.of("three or more", "three"), Hue::Purple)?;
+        label(&mut plot, (1.24, 2.2), Side::Right, room.of("three or more", "three"), Hue::Purple)?;
         plot.label((0.02, alone), Side::AboveRight, "the plate alone", Hue::Ink)?;
         // The small pictures stand above their masses, all to one scale.
-        let scale = 0.72;
+        let scale = 0.9;
         for (part, path) in &paths {
-            let middle = at(plot.at((*part, 0.0)).x, 58.0);
+            let middle = at(plot.at((*part, 0.0)).x, 66.0);
             let path: Vec<Point> = path.iter().map(|&(x, y)| middle + at(x, -y) * scale).collect();
             plot.drawing().polyline(&path, Stroke::Outline, Hue::Purple);
             if *part != 0.5 {
@@ -369,13 +369,12 @@ pub(crate) fn residual(id: &str) -> Outcome {
                 kit::head(plot.drawing(), tip, tip - before, 0.8, Hue::Purple);
             }
             plot.drawing().dot(middle, 2.0, Hue::Ink);
-            plot.drawing().line(middle + at(0.0, 44.0), middle + at(0.0, 53.0), Stroke::Dotted, Hue::Muted);
         }
         drawing.label(
-            at(room.of(430.0, 274.0), 14.0),
+            at(12.0, 14.0),
             Side::Right,
-            room.of("its tip in a turn", "tip in a turn"),
-            Hue::Muted,
+            "path of its tip in a turn, one or two pistons",
+            Hue::Ink,
         )?;
         Ok(drawing)
     })
@@ -567,7 +566,7 @@ pub(crate) fn any_faults(id: &str) -> Outcome {
         }
     }
     plot.label((7.4, 7.4), Side::AboveRight, "all heavy", Hue::Purple)?;
-    plot.label((0.3, 1.2), Side::Right, "one heavy", Hue::Purple)?;
+    plot.label((3.6, 0.0), Side::Over, "one heavy", Hue::Purple)?;
     plot.label((0.0, -8.4), Side::Over, "one aside", Hue::Purple)?;
     Ok(drawing)
 }

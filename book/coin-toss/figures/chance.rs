@@ -2,7 +2,7 @@
 
 use super::{coin, leaning, tossed};
 use drawing::kit::{self, Heads};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Point, Role, Side, Stroke, at};
 use figures::{Cause, Outcome, Room, in_both, linear_steps};
 use mechanics::scenes::coin_toss::{Face, ratio_for_probability};
 use std::f64::consts::TAU;
@@ -29,15 +29,15 @@ pub(crate) fn catch_window(id: &str) -> Outcome {
     });
     let shares = shares.into_iter().collect::<Result<Vec<_>, Cause>>()?;
     in_both(|room: Room| {
-        let mut drawing = Drawing::new(id, room.of(580.0, 340.0), 250.0).titled(
+        let mut drawing = Drawing::new(id, room.of(580.0, 340.0), 220.0).titled(
             "Windows of 2.6 precessions",
-            "A strip of time, four precessions long and some more. In each the face H is up for six tenths and the face T for four tenths. Below the strip two windows of 2.6 \
+            "A strip of time, four precessions long and some more. In each the face H is up for six tenths and the face T for four tenths. Above and below the strip two windows of 2.6 \
              precessions, each divided into two whole precessions and a rest. The upper window begins just when H appears: the whole ones show H for \
              1.2, and all 0.6 of the rest show it. The lower window begins later: the whole ones show H for 1.2 again, the rest for less.",
         );
         let (left, unit) = room.of((12.0, 132.0), (8.0, 77.0));
         let x = |time: f64| left + unit * (time + edge);
-        let (top, bottom) = (16.0, 52.0);
+        let (top, bottom) = (92.0, 126.0);
         for turn in 0..5 {
             let turn = f64::from(turn);
             for (from, to, hue, name) in [
@@ -56,9 +56,11 @@ pub(crate) fn catch_window(id: &str) -> Outcome {
             }
         }
         for (row, ((from, name), share)) in windows.iter().zip(&shares).enumerate() {
-            let level = 86.0 + 84.0 * row as f64;
+            // One window above the strip, one below it; what is said of each lies outwards.
+            let (near, level, out) =
+                if row == 0 { (top, top - 22.0, -1.0) } else { (bottom, bottom + 22.0, 1.0) };
             for end in [*from, from + whole, from + window] {
-                drawing.line(at(x(end), bottom + 4.0), at(x(end), level + 6.0), Stroke::Dotted, Hue::Muted);
+                drawing.line(at(x(end), near), at(x(end), level + 5.0 * out), Stroke::Dotted, Hue::Ink);
             }
             for (begin, end, part, words) in [
                 (*from, from + whole, share[0], room.of("two whole ones: H for", "H for")),
@@ -67,10 +69,10 @@ pub(crate) fn catch_window(id: &str) -> Outcome {
                 let [a, b] = [begin, end].map(|time| at(x(time), level));
                 kit::dimension(&mut drawing, a, b, Heads::Both, Hue::Ink);
                 let text = format!("{words} ${part:.1}$").trim().to_owned();
-                drawing.label(a.towards(b, 0.5) + at(0.0, 16.0), Side::Over, &text, Hue::Ink)?;
+                drawing.label(a.towards(b, 0.5) + at(0.0, 18.0 * out), Side::Over, &text, Hue::Ink)?;
             }
             let sum = format!("{name}: H for ${:.1}$ of ${window}$", share[2]);
-            drawing.label(at(x(from + 0.5 * window), level + 40.0), Side::Over, &sum, Hue::Muted)?;
+            drawing.label(at(x(from + 0.5 * window), level + 44.0 * out), Side::Over, &sum, Hue::Muted)?;
         }
         Ok(drawing)
     })
@@ -109,7 +111,6 @@ pub(crate) fn pin_paths(id: &str) -> Outcome {
             drawing.label(centre + place * radius, Side::Over, text, hue)?;
         }
     }
-    let _ = Rect::default();
     drawing.label(centre + at(0.72, -0.9) * radius, Side::Right, "$60°$", Hue::Muted)?;
     drawing.label(centre + at(1.0, 0.0) * radius, Side::Right, "$45°$", Hue::Ink)?;
     Ok(drawing)

@@ -63,7 +63,7 @@ fn in_its_sphere(ratio: f64, name: &str, description: &str) -> Outcome {
     drawing.line(centre, corners[1], Stroke::Reference, Hue::Ink);
     drawing.line(centre, centre + at(radius, 0.0), Stroke::Reference, Hue::Ink);
     kit::angle(&mut drawing, centre, 46.0, 0.0, half, Heads::None, Hue::Ink);
-    drawing.label(centre + Point::polar(50.0, 0.5 * half), Side::Right, r"$\beta$", Hue::Ink)?;
+    drawing.label_on_face(centre + Point::polar(50.0, 0.5 * half), Side::Right, r"$\beta$", Hue::Ink)?;
     drawing.dot(centre, 3.5, Hue::Ink);
     drawing.label(centre + at(0.0, -0.8 * radius), Side::Over, "heads", Hue::Muted)?;
     drawing.label(centre + at(0.0, 0.8 * radius), Side::Over, "tails", Hue::Muted)?;
@@ -108,7 +108,7 @@ fn against_thickness() -> Outcome {
     plot.markers(&[(NICKEL, area(NICKEL)?), (NICKEL, arc(NICKEL)?)], Marker::Disc, Hue::Ink);
     plot.label((0.13, 0.045), Side::Right, "nickel", Hue::Ink)?;
     plot.label((0.6, 0.53), Side::AboveLeft, "any attitude", Hue::Ink)?;
-    plot.label((0.86, 0.39), Side::Over, "tumbled", Hue::Muted)?;
+    plot.label((0.86, 0.225), Side::Over, "tumbled", Hue::Muted)?;
     plot.label((thirds()[0], third), Side::AboveLeft, "$0.354$", Hue::Ink)?;
     plot.label((thirds()[1], third), Side::BelowRight, "$0.577$", Hue::Ink)?;
     Ok(drawing)

@@ -10,7 +10,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 /// The coin after one, two and three of Euler's turns.
 pub(crate) fn euler_turns(id: &str) -> Outcome {
     let about = |axis: Vector3<f64>, angle: f64| UnitQuaternion::from_scaled_axis(axis * angle);
-    let [phi, alpha, chi] = [0.75, 0.6, 0.85];
+    let [phi, alpha, chi] = [0.96, 0.55, 0.9];
     let first = about(Vector3::z(), phi);
     let second = first * about(Vector3::x(), alpha);
     let third = second * about(Vector3::z(), chi);
@@ -35,14 +35,14 @@ pub(crate) fn euler_turns(id: &str) -> Outcome {
     .into_iter()
     .enumerate()
     {
-        let mut drawing = Drawing::new("", 240.0, 280.0).titled(name, words);
+        let mut drawing = Drawing::new("", 184.0, 250.0).titled(name, words);
         let mut stage = Stage::new(Camera::new(View {
             target: [0.0, 0.0, 0.2],
-            azimuth: -1.2,
+            azimuth: 0.6,
             elevation: 0.42,
             distance: 9.0,
-            centre: at(112.0, 132.0),
-            scale: 76.0,
+            centre: at(90.0, 122.0),
+            scale: 56.0,
         })?);
         halves_in(&mut stage, &attitude)?;
         let [one, three] = [Vector3::x(), Vector3::z()].map(|axis| attitude * axis);
@@ -61,14 +61,14 @@ pub(crate) fn euler_turns(id: &str) -> Outcome {
         };
         pale(&mut stage, from * 1.4)?;
         let other = [r"$\hat{\mathbf{x}}$", r"$\hat{\mathbf{z}}$", r"$\hat{\boldsymbol{n}}$"][turn];
-        let side = if turn == 1 { Side::Above } else { Side::Right };
+        let side = [Side::BelowLeft, Side::Above, Side::Below][turn];
         stage.label(from * 1.4, side, other, Hue::Muted)?;
         let arc = Curve::between([0.0; 3], from, to, radius)?.hiding(Hiding::Ignored);
         stage.arrow(arc, Stroke::Outline, Heads::End, Hue::Ink)?;
         let middle = (from + to).normalize() * radius;
-        stage.label(middle, if turn == 1 { Side::Above } else { Side::BelowRight }, letter, Hue::Ink)?;
+        stage.label(middle, if turn == 1 { Side::Above } else { Side::Below }, letter, Hue::Ink)?;
         stage.write(&mut drawing);
-        drawing.label(at(112.0, 262.0), Side::Over, name, Hue::Ink)?;
+        drawing.label(at(90.0, 232.0), Side::Over, name, Hue::Ink)?;
         panels.push(drawing);
     }
     Ok(Drawing::panels(id, panels))

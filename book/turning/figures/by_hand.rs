@@ -105,9 +105,9 @@ pub(crate) fn cross(id: &str) -> Outcome {
         if radius < 1.0 {
             stage.label_shifted(Vector3::z() * radius, at(-6.0, 0.0), Side::Left, &text, hue)?;
         } else {
-            // Outside the arc, between ω and L.
-            let part = (omega.normalize() * 0.75 + momentum.normalize() * 0.25) * radius;
-            stage.label_shifted(part, at(2.0, -6.0), Side::AboveRight, &text, hue)?;
+            // Beyond the arc, between ω and L.
+            let part = (omega.normalize() + momentum.normalize()).normalize() * 1.36;
+            stage.label(part, Side::Over, &text, hue)?;
         }
     }
     stage.write(&mut drawing);

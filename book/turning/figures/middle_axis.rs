@@ -44,7 +44,7 @@ pub(crate) fn polhodes(id: &str) -> Outcome {
         elevation: 0.42,
         distance: 9.0,
         centre: at(215.0, 188.0),
-        scale: 166.0,
+        scale: 162.0,
     })?);
     stage.solid(Solid::ellipsoid([0.0; 3], [e1, e2, e3], semi_axes)?, Hue::Blue)?;
     for degrees in BEGIN {
