@@ -9,6 +9,9 @@ use mechanics::integrate::rk4;
 use mechanics::scenes::laundromat::{Machine, Polar, Shaft};
 use nalgebra::{Complex, Matrix4};
 
+/// Two eigenvalues at each Ω/ω₀.
+type Rates = Vec<(f64, [Complex<f64>; 2])>;
+
 /// The matrix of the small motions of a machine.
 type MatrixOf = fn(&Machine) -> Matrix4<f64>;
 
@@ -120,11 +123,7 @@ pub(crate) fn eigenvalues(id: &str) -> Outcome {
 
 /// Two of the four eigenvalues over ω₀ while Ω/ω₀ grows from 0, one of each pair: the one that decays fastest, and the
 /// one that decays least. Of two that decay alike the first turns faster.
-fn matrix_rates(
-    damping: f64,
-    to: f64,
-    matrix: MatrixOf,
-) -> Result<Vec<(f64, [Complex<f64>; 2])>, InvalidQuantity> {
+fn matrix_rates(damping: f64, to: f64, matrix: MatrixOf) -> Result<Rates, InvalidQuantity> {
     let mut rates = Vec::new();
     for ratio in linear_steps(0.0, to, 1500) {
         let machine = washing_machine(damping, ratio)?;
