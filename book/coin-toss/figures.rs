@@ -17,11 +17,26 @@ use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// All figures of this chapter.
-pub(crate) const FIGURES: &[Figure] =
-    figures![toss, toss_film, above, bias, gimbal, people, edge::edge_band, edge::edge_chance];
+pub(crate) const FIGURES: &[Figure] = figures![
+    toss,
+    toss_film,
+    above,
+    bias,
+    chance::catch_window,
+    turns::euler_turns,
+    gimbal,
+    people,
+    edge::edge_band,
+    edge::edge_chance,
+    chance::pin_paths
+];
 
+#[path = "figures/chance.rs"]
+pub(crate) mod chance;
 #[path = "figures/edge.rs"]
 pub(crate) mod edge;
+#[path = "figures/turns.rs"]
+pub(crate) mod turns;
 
 /// A thin coin; its mass and radius make no difference.
 fn coin() -> Result<PrincipalMoments, InvalidQuantity> {
@@ -245,7 +260,7 @@ fn leaning(degrees: f64) -> Result<Toss, InvalidQuantity> {
 
 /// The unit sphere seen along y: each circle is a straight line from the pole.
 fn circles_edge_on() -> Outcome {
-    let mut drawing = Drawing::new("", 350.0, 330.0).titled(
+    let mut drawing = Drawing::new("", 280.0, 280.0).titled(
         "The circles of five tosses, seen edge-on",
         "A unit sphere seen from the side, with its equator as a level line and the lower half tinted. Five \
          straight lines run down from the pole, each the circle of a toss seen edge-on. That for psi 30 \
@@ -253,7 +268,7 @@ fn circles_edge_on() -> Outcome {
          what is above is blue, what is below grey. The middles of the lines are dots on a small circle \
          between the pole and the centre of the sphere, none of them below the equator.",
     );
-    let (centre, radius) = (at(140.0, 165.0), 122.0);
+    let (centre, radius) = (at(112.0, 140.0), 100.0);
     let place = |v: Vector3<f64>| centre + at(v.x, -v.z) * radius;
     let southern = linear_steps(0.0, 180.0, 90).map(|turn| centre + Point::polar(radius, -turn.to_radians()));
     drawing.polygon(southern.collect(), Fill::Ground, Hue::Muted);
@@ -295,7 +310,7 @@ fn circles_edge_on() -> Outcome {
 
 /// The circle for an angle, in degrees, as one sees it when the momentum points to the eye.
 fn circle_face_on(degrees: f64) -> Outcome {
-    let mut drawing = Drawing::new("", 370.0, 330.0).titled(
+    let mut drawing = Drawing::new("", 280.0, 280.0).titled(
         "One of the circles, seen face-on",
         "The circle for psi 60 degrees, seen against the angular momentum. It begins at the top, where the \
          coin lies flat, and runs counter-clockwise. A level chord, the height of the equator, cuts it below \
@@ -303,7 +318,7 @@ fn circle_face_on(degrees: f64) -> Outcome {
          part below grey. The angle at the middle from the top to the chord is Lambda t edge.",
     );
     let toss = leaning(degrees)?;
-    let (centre, radius) = (at(165.0, 165.0), 122.0);
+    let (centre, radius) = (at(118.0, 140.0), 100.0);
     // Up the circle's plane, and to the right in it for an eye that L points to.
     let (momentum, angle) = (momentum_of(&toss), toss.momentum_angle());
     let up = (Vector3::z() - momentum * angle.cos()) / angle.sin();
@@ -338,14 +353,14 @@ fn circle_face_on(degrees: f64) -> Outcome {
     drawing.dot(start, 3.5, Hue::Ink);
     drawing.label(start, Side::Above, "start, flat", Hue::Ink)?;
     drawing.label(at(centre.x, 0.5 * (chord.y + centre.y + radius)), Side::Over, "tails up", Hue::Muted)?;
-    drawing.label(centre + at(0.5, -0.55) * radius, Side::Over, "heads up", Hue::Blue)?;
+    drawing.label(centre + at(0.4, -0.5) * radius, Side::Over, "heads up", Hue::Blue)?;
     drawing.label(last + beyond, Side::Right, "equator", Hue::Ink)?;
     Ok(drawing)
 }
 
 /// Probability of the same face against the ratio of twist to tumble.
 pub(crate) fn bias(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
+    let mut drawing = Drawing::new(id, 340.0, 330.0).titled(
         "Probability of the same face against the twist",
         "The probability that a thin coin shows the same face, against the ratio of twist to tumble. It \
          begins at one half with a level tangent, as a parabola does that is dashed; rises more and more \
@@ -354,8 +369,8 @@ pub(crate) fn bias(id: &str) -> Outcome {
     );
     let twist = Axis::linear(0.0, 0.6, 0.1).minor(0.02).titled(r"twist over tumble, $\omega_3/\omega_1$");
     let probability = Axis::linear(0.5, 1.0, 0.1).minor(0.02).titled("probability of the same face");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 252.0), twist, probability)?;
-    plot.region((0.5, 0.5), (0.6, 1.0), Hue::Blue);
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 280.0, 242.0), twist, probability)?;
+    plot.region((0.5, 0.5), (0.6, 1.0), Hue::Muted);
     let of = |ratio: f64| Ok::<_, InvalidQuantity>(tossed(1.0, ratio)?.same_face_probability());
     // The square law, from a twist at which nothing else is left.
     let curvature = (of(1e-3)? - 0.5) / 1e-6;
@@ -363,7 +378,7 @@ pub(crate) fn bias(id: &str) -> Outcome {
         "square",
         linear_steps(0.0, 0.6, 60).map(|ratio| (ratio, 0.5 + curvature * ratio * ratio)),
         Stroke::DashedCurve,
-        Hue::Orange,
+        Hue::Muted,
     );
     // Dense near the threshold, where the curve arrives with an upright tangent.
     let mut values = Vec::new();
@@ -372,20 +387,21 @@ pub(crate) fn bias(id: &str) -> Outcome {
         values.push((ratio, of(ratio)?));
     }
     values.push((0.6, of(0.6)?));
-    plot.curve("probability", values, Stroke::Curve, Hue::Blue);
+    plot.curve("probability", values, Stroke::Heavy, Hue::Ink);
     let measured = (ratio_for_probability(coin()?, 0.508)?, 0.508);
     plot.markers(&[measured], Marker::Disc, Hue::Ink);
-    plot.label((measured.0, 0.6), Side::Over, "real tosses", Hue::Ink)?;
-    plot.label((measured.0, 0.565), Side::Over, "$0.508$", Hue::Ink)?;
+    let [from, to] = [(0.09, 0.509), (0.2, 0.518)].map(|value| plot.at(value));
+    plot.drawing().line(from, to, Stroke::Dotted, Hue::Muted);
+    plot.label((0.2, 0.519), Side::Right, "real tosses: $0.508$", Hue::Ink)?;
     plot.label((0.55, 0.78), Side::Over, "never", Hue::Ink)?;
     plot.label((0.55, 0.745), Side::Over, "tails", Hue::Ink)?;
-    plot.label((0.335, 0.6), Side::Right, "as the square", Hue::Orange)?;
+    plot.label((0.285, 0.59), Side::Right, "as the square", Hue::Muted)?;
     Ok(drawing)
 }
 
 /// Error of the direction of the normal by Euler's angles and by the quaternion, against the tilt of the hand.
 pub(crate) fn gimbal(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 350.0).titled(
+    let mut drawing = Drawing::new(id, 340.0, 330.0).titled(
         "Euler's angles against the quaternion",
         "Both scales are logarithmic: along x the tilt of the coin in the hand, from a millionth of a \
          radian to a tenth; along y the error in the direction of the normal after 0.45 seconds, with the \
@@ -419,11 +435,11 @@ pub(crate) fn gimbal(id: &str) -> Outcome {
     }
     let tilt = Axis::log(1e-6, 0.1, 1).titled(r"tilt of the hand $\alpha_0$, rad");
     let error = Axis::log(1e-8, 10.0, 1).titled("error of the normal, rad");
-    let mut plot = Plot::new(&mut drawing, Rect::new(56.0, 34.0, 320.0, 262.0), tilt, error)?;
-    plot.series("angles", &angles, Marker::Disc, Hue::Orange);
-    plot.series("quaternion", &quaternions, Marker::Square, Hue::Blue);
-    plot.label((1e-5, 3.0), Side::Right, "Euler’s angles", Hue::Orange)?;
-    plot.label((1e-5, 1e-7), Side::Right, "quaternion", Hue::Blue)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 270.0, 242.0), tilt, error)?;
+    plot.series("angles", &angles, Marker::Disc, Hue::Ink);
+    plot.series("quaternion", &quaternions, Marker::Ring, Hue::Ink);
+    plot.label((1e-5, 3.0), Side::Right, "Euler’s angles", Hue::Ink)?;
+    plot.label((1e-5, 1e-7), Side::Right, "quaternion", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -451,7 +467,7 @@ pub(crate) fn people(id: &str) -> Outcome {
 
 /// The people in the order of what they counted.
 fn sorted_people() -> Outcome {
-    let mut drawing = Drawing::new("", 400.0, 350.0).titled(
+    let mut drawing = Drawing::new("", 280.0, 310.0).titled(
         "Forty-eight people, sorted",
         "The part of tosses that showed the same face, for 48 people in ascending order, from 0.488 to 0.601, \
          each a dot with an upright bar of one standard deviation to either side. Ten are below one half, by \
@@ -464,7 +480,7 @@ fn sorted_people() -> Outcome {
     people.sort_by(|one, other| share(one).total_cmp(&share(other)));
     let rank = Axis::linear(0.0, 48.0, 12.0).minor(4.0).titled("people, sorted");
     let probability = Axis::linear(0.46, 0.62, 0.02).titled("part of tosses with the same face");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 262.0), rank, probability)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 224.0, 222.0), rank, probability)?;
     plot.level(0.5, Stroke::Axis);
     let same = f64::from(people.iter().map(|counted| counted.same).sum::<u32>());
     let all: f64 = people.iter().map(TossCount::tosses).sum();
@@ -491,15 +507,15 @@ fn sorted_people() -> Outcome {
         let middle = (twist + 0.5 * width) / FITTED_SPREAD;
         below += 2.0 / TAU.sqrt() * (-0.5 * middle * middle).exp() * width / FITTED_SPREAD;
     }
-    plot.curve("spread", values, Stroke::Curve, Hue::Blue);
-    plot.label((21.0, 0.532), Side::Over, "a bell of twists", Hue::Blue)?;
-    plot.label((9.0, 0.5145), Side::Over, "one $p$ for all", Hue::Muted)?;
+    plot.curve("spread", values, Stroke::Curve, Hue::Ink);
+    plot.label((22.0, 0.536), Side::Over, "a bell of twists", Hue::Ink)?;
+    plot.label((7.0, 0.517), Side::Over, "one $p$", Hue::Muted)?;
     Ok(drawing)
 }
 
 /// The likelihood of the counts against the spread of the twist.
 fn likely_spreads() -> Outcome {
-    let mut drawing = Drawing::new("", 400.0, 350.0).titled(
+    let mut drawing = Drawing::new("", 280.0, 310.0).titled(
         "Likelihood of the spread",
         "The logarithm of the likelihood of what 48 people counted, less its largest value, against the \
          spread of the ratio of twist to tumble over the people. A hill with its top at 0.090, steeper to \
@@ -516,7 +532,7 @@ fn likely_spreads() -> Outcome {
     let top = of(FITTED_SPREAD)?;
     let spread = Axis::linear(0.06, 0.14, 0.02).minor(0.01).titled(r"spread $S$ of twist over tumble");
     let likelihood = Axis::linear(-8.0, 0.0, 2.0).minor(1.0).titled("log-likelihood, from its top");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 262.0), spread, likelihood)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 226.0, 222.0), spread, likelihood)?;
     let values: Vec<(f64, f64)> = linear_steps(0.06, 0.14, 80)
         .map(|spread| Ok::<_, InvalidQuantity>((spread, of(spread)? - top)))
         .collect::<Result<_, _>>()?;
@@ -527,9 +543,9 @@ fn likely_spreads() -> Outcome {
         .map(|pair| pair[0].0 + (pair[1].0 - pair[0].0) * (-2.0 - pair[0].1) / (pair[1].1 - pair[0].1))
         .collect();
     let [from, to] = ends[..] else { return Err("a hill has two sides".into()) };
-    plot.region((from, -8.0), (to, 0.0), Hue::Blue);
-    plot.curve("likelihood", values, Stroke::Curve, Hue::Blue);
+    plot.region((from, -8.0), (to, 0.0), Hue::Muted);
+    plot.curve("likelihood", values, Stroke::Curve, Hue::Ink);
     plot.level(-2.0, Stroke::Reference);
-    plot.label((0.094, -5.0), Side::Over, "95 %", Hue::Blue)?;
+    plot.label((0.094, -5.0), Side::Over, "95 %", Hue::Ink)?;
     Ok(drawing)
 }

@@ -56,7 +56,7 @@ pub(crate) fn wobble_plate(id: &str) -> Outcome {
         scale: 108.0,
     })?);
     let floor = -1.15;
-    stage.ground([-1.5, -1.2], [1.5, 1.2], floor, 0.3)?;
+    stage.ground([-0.9, -0.6], [0.9, 0.6], floor, 0.3)?;
     stage.solid(Solid::disc([0.0; 3], normal, 1.0, 0.07)?, Hue::Blue)?;
     let shaft = Solid::rod([0.0, 0.0, floor], [0.0, 0.0, 1.45], 0.045)?;
     stage.solid(shaft.dashed(), Hue::Muted)?;
@@ -298,8 +298,8 @@ fn heights() -> Outcome {
     ] {
         let values = linear_steps(0.0, 360.0, 360)
             .map(|degrees| (degrees, engine.contact(n, degrees.to_radians()).z / stroke));
-        plot.curve(&format!("height-{n}"), values, Stroke::Curve, Hue::Blue);
-        plot.label(place, side, &format!("${n}$"), Hue::Blue)?;
+        plot.curve(&format!("height-{n}"), values, Stroke::Curve, Hue::Ink);
+        plot.label(place, side, &format!("${n}$"), Hue::Ink)?;
     }
     plot.label((360.0, 0.0), Side::Right, "sum", Hue::Muted)?;
     Ok(drawing)
@@ -319,37 +319,63 @@ pub(crate) fn residual(id: &str) -> Outcome {
         least.push((part, low));
         most.push((part, high));
     }
+    // The tip of the torque in the room, during a turn, with two pistons.
+    let paths = [0.25, 0.5, 1.0, 1.5].map(|part| -> Result<(f64, Vec<(f64, f64)>), Cause> {
+        let pair = with_pistons(plate, 2, part)?;
+        let torques =
+            linear_steps(0.0, 360.0, 120).map(|degrees| pair.frame_torque(degrees.to_radians(), SPIN));
+        Ok((part, torques.map(|torque| (torque.x, torque.y)).collect()))
+    });
+    let paths = paths.into_iter().collect::<Result<Vec<_>, Cause>>()?;
     in_both(|room| {
-        let mut drawing = Drawing::new(id, room.of(660.0, 400.0), 350.0).titled(
+        let mut drawing = Drawing::new(id, room.of(580.0, 400.0), 460.0).titled(
             "Torque on the frame against the mass of the pistons",
             "The torque on the frame, in newton metres, against the mass of all pistons in units of the mass that balances, from 0 to 2. The plate \
-             alone gives 19, a dashed level line. With three pistons or more a line runs straight down to zero at the balancing mass and \
+             alone, marked by a dot, gives 19. With three pistons or more a heavy line runs straight down to zero at the balancing mass and \
              straight up again, to 19 at twice the mass. With one piston, or two, the torque swings during each turn between two lines, \
-             and the band between them is tinted; its upper edge is never below the plate alone, and at the balancing mass the band is \
-             pinched to a point on that level.",
+             and the band between them is tinted; its upper edge is never below the plate alone, its lower edge touches zero at half the balancing \
+             mass, and at the balancing mass the band is pinched to a point on the level of the plate alone. Above, small pictures of the path of the \
+             torque’s tip in one turn with two pistons: an ellipse at a quarter of the mass, a line at a half, a circle at the whole, an ellipse at one and a \
+             half.",
         );
-        let step = room.of(0.5, 0.5);
         let mass =
-            Axis::linear(0.0, 2.0, step).minor(0.1).titled("mass of all pistons, in units of what balances");
-        let torque = Axis::linear(0.0, 40.0, 10.0).minor(2.0).titled("torque on the frame, N·m");
-        let frame = Rect::new(52.0, 34.0, room.of(580.0, 320.0), 260.0);
+            Axis::linear(0.0, 2.0, 0.5).minor(0.1).titled("mass of all pistons, in units of what balances");
+        let torque = Axis::linear(0.0, 60.0, 20.0).minor(5.0).titled("torque on the frame, N·m");
+        let frame = Rect::new(52.0, 142.0, room.of(514.0, 320.0), 260.0);
         let mut plot = Plot::new(&mut drawing, frame, mass, torque)?;
-        let ends = |limit: f64| 40.0_f64.min(limit);
-        let band = most.iter().map(|&(x, y)| (x, ends(y)));
-        let band =
-            band.chain(least.iter().rev().map(|&(x, y)| (x, ends(y)))).map(|value| plot.at(value)).collect();
+        let band = most.iter().chain(least.iter().rev()).map(|&value| plot.at(value)).collect();
         plot.drawing().polygon(band, Fill::Ground, Hue::Purple);
-        plot.level(alone, Stroke::Reference);
         plot.curve("pair-least", least.iter().copied(), Stroke::Outline, Hue::Purple);
         plot.curve("pair-most", most.iter().copied(), Stroke::Outline, Hue::Purple);
-        plot.curve("torque", many.iter().copied(), Stroke::Curve, Hue::Purple);
+        plot.curve("torque", many.iter().copied(), Stroke::Heavy, Hue::Purple);
+        plot.markers(&[(0.0, alone)], kit::Marker::Disc, Hue::Ink);
         let label = |plot: &mut Plot<'_>, value, side, text: &str, hue| {
             let place = plot.at(value);
             plot.drawing().label_on_face(place, side, text, hue)
         };
-        label(&mut plot, (1.76, 29.0), Side::Over, "one or two", Hue::Purple)?;
-        label(&mut plot, (1.28, 2.4), Side::Right, "three or more", Hue::Purple)?;
-        plot.label((0.03, alone), Side::AboveRight, "the plate alone", Hue::Muted)?;
+        let words = room.of(["greatest in a turn", "least in a turn"], ["greatest", "least"]);
+        label(&mut plot, (1.5, 38.0), Side::AboveLeft, words[0], Hue::Purple)?;
+        label(&mut plot, (1.98, alone), Side::AboveLeft, words[1], Hue::Purple)?;
+        label(&mut plot, (1.24, 2.2), Side::Right, room.of("three or more", "three"), Hue::Purple)?;
+        plot.label((0.02, alone), Side::AboveRight, "the plate alone", Hue::Ink)?;
+        // The small pictures stand above their masses, all to one scale.
+        let scale = 0.9;
+        for (part, path) in &paths {
+            let middle = at(plot.at((*part, 0.0)).x, 66.0);
+            let path: Vec<Point> = path.iter().map(|&(x, y)| middle + at(x, -y) * scale).collect();
+            plot.drawing().polyline(&path, Stroke::Outline, Hue::Purple);
+            if *part != 0.5 {
+                let [before, tip] = [path[10], path[11]];
+                kit::head(plot.drawing(), tip, tip - before, 0.8, Hue::Purple);
+            }
+            plot.drawing().dot(middle, 2.0, Hue::Ink);
+        }
+        drawing.label(
+            at(12.0, 14.0),
+            Side::Right,
+            "path of its tip in a turn, one or two pistons",
+            Hue::Ink,
+        )?;
         Ok(drawing)
     })
 }
@@ -382,18 +408,18 @@ pub(crate) fn sharing(id: &str) -> Outcome {
             let push = -mass * engine.acceleration(n, phase, SPIN);
             push * engine.contact(n, phase).dot(&uphill) / unit
         };
-        let mut drawing = Drawing::new("", 340.0, 330.0).titled(title, description);
+        let mut drawing = Drawing::new("", 280.0, 310.0).titled(title, description);
         let phase = Axis::linear(0.0, 360.0, 90.0).minor(30.0).titled(r"phase $\omega t$, degrees");
         let torque =
             Axis::linear(0.0, 2.2, 0.5).minor(0.1).titled(r"steepening over $mr^2\omega^2\tan\alpha$");
-        let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 52.0, 270.0, 200.0), phase, torque)?;
+        let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 52.0, 222.0, 190.0), phase, torque)?;
         let degrees = || linear_steps(0.0, 360.0, 240);
         for n in 1..=if count == 2 { 1 } else { count } {
             let values = degrees().map(|degrees| (degrees, part(n, degrees.to_radians())));
             plot.curve(&format!("{word}-{n}"), values, Stroke::Outline, Hue::Purple);
         }
         let sum = |degrees: f64| (1..=count).map(|n| part(n, degrees.to_radians())).sum::<f64>();
-        plot.curve(word, degrees().map(|degrees| (degrees, sum(degrees))), Stroke::Curve, Hue::Purple);
+        plot.curve(word, degrees().map(|degrees| (degrees, sum(degrees))), Stroke::Heavy, Hue::Purple);
         let (place, each) =
             if count == 2 { ((90.0, 2.0), (90.0, 1.0)) } else { ((180.0, 1.5), (180.0, 1.0)) };
         let words = if count == 2 { ["both", "each"] } else { ["all three", "each"] };
@@ -463,15 +489,15 @@ pub(crate) fn any_thickness(id: &str) -> Outcome {
             .collect::<Result<Vec<_>, InvalidQuantity>>()
     };
     in_both(|room| {
-        let mut drawing = Drawing::new(id, room.of(660.0, 400.0), 380.0).titled(
+        let mut drawing = Drawing::new(id, room.of(580.0, 400.0), 430.0).titled(
             "The balancing mass against the thickness of the plate",
             "The mass of all pistons that balances the chapter's plate, in kilograms, against its thickness in units of its radius, from 0 to 2.4. A parabola falls \
              from 1.68 kilograms to nothing at the root of three, 1.73, where a dot marks it, and runs on below zero as a dashed curve. Above it \
              four tilted plates from the side: a thin one, one as thick as its radius, one of 1.73 radii, and one of 2.3, on their shafts.",
         );
         let thickness = Axis::linear(0.0, 2.4, 0.4).minor(0.1).titled(r"thickness of the plate, $h/R$");
-        let mass = Axis::linear(-1.5, 3.0, 0.5).minor(0.1).titled("mass of all pistons, kg");
-        let frame = Rect::new(56.0, 34.0, room.of(576.0, 316.0), 290.0);
+        let mass = Axis::linear(-1.5, 2.0, 0.5).titled("mass of all pistons, kg");
+        let frame = Rect::new(56.0, 134.0, room.of(508.0, 316.0), 240.0);
         let mut plot = Plot::new(&mut drawing, frame, thickness, mass)?;
         plot.level(0.0, Stroke::Reference);
         plot.curve("balancing", curve(0.0, quiet)?, Stroke::Curve, Hue::Ink);
@@ -481,7 +507,8 @@ pub(crate) fn any_thickness(id: &str) -> Outcome {
         let (sin, cos) = TILT.to_radians().sin_cos();
         for thickness in [0.12, 1.0, quiet, 2.25] {
             let radius = room.of(21.0, 15.0);
-            let middle = plot.at((if thickness < 0.5 { 0.2 } else { thickness }, 2.4));
+            // Above the frame, each at its thickness.
+            let middle = at(plot.at((thickness, 0.0)).x, 48.0);
             // Axis 1 runs up to the right, axis 3 up to the left.
             let corner = |along: f64, height: f64| {
                 let (x, y) = (along * cos - height * sin, along * sin + height * cos);
@@ -490,7 +517,7 @@ pub(crate) fn any_thickness(id: &str) -> Outcome {
             let half = 0.5 * thickness;
             let corners =
                 vec![corner(-1.0, -half), corner(1.0, -half), corner(1.0, half), corner(-1.0, half)];
-            let shaft = at(0.0, 1.75 * radius);
+            let shaft = at(0.0, 1.9 * radius);
             plot.drawing().line(middle - shaft, middle + shaft, Stroke::Outline, Hue::Muted);
             outlined(plot.drawing(), corners, Fill::Face, Hue::Blue);
         }
@@ -515,24 +542,31 @@ pub(crate) fn any_faults(id: &str) -> Outcome {
     let all = path(&|pistons| pistons.iter_mut().for_each(|piston| piston.mass *= 1.1))?;
     let one = path(&|pistons| pistons[0].mass *= 1.1)?;
     let aside = path(&|pistons| pistons[0].azimuth += 6_f64.to_radians())?;
-    let mut drawing = Drawing::new(id, 390.0, 390.0).titled(
+    let mut drawing = Drawing::new(id, 340.0, 340.0).titled(
         "Paths of the torque on the frame for three faults",
         "The two components of the torque on the frame across the shaft, in hundredths of the torque of the plate alone. With all three pistons a tenth too heavy its tip runs \
          round a circle of radius ten, counter-clockwise. With one of them a tenth too heavy it goes to and fro on an upright line through the middle, to 6.7 on either side. With one 6 degrees from its place it runs \
          clockwise round a circle of radius seven.",
     );
     let side = Axis::linear(-12.0, 12.0, 4.0).minor(1.0);
-    let (x, y) = (side.titled(r"$\tau_x$, %"), side.titled(r"$\tau_y$, %"));
-    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 300.0, 300.0), x, y)?;
+    let (x, y) = (side.titled(r"$\tau_x$, % of the plate’s"), side.titled(r"$\tau_y$, % of the plate’s"));
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 254.0, 254.0), x, y)?;
     for (name, values) in [("all-heavy", &all), ("one-heavy", &one), ("one-aside", &aside)] {
         plot.curve(name, values.iter().copied(), Stroke::Curve, Hue::Purple);
-        if name != "one-heavy" {
-            let [from, to] = [values[40], values[50]].map(|value| plot.at(value));
-            kit::arrow(plot.drawing(), from, to, Hue::Purple);
+        // Two heads on each way: round the circles, and out to both ends of the line.
+        let extreme = |up: bool| {
+            let heights = values.iter().map(|value| if up { value.1 } else { -value.1 });
+            let highest = heights.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+            highest.map_or(0, |(index, _)| index.clamp(6, values.len() - 1))
+        };
+        let places = if name == "one-heavy" { [extreme(true), extreme(false)] } else { [45, 225] };
+        for place in places {
+            let [from, to] = [values[place - 6], values[place]].map(|value| plot.at(value));
+            kit::head(plot.drawing(), to, to - from, 1.0, Hue::Purple);
         }
     }
     plot.label((7.4, 7.4), Side::AboveRight, "all heavy", Hue::Purple)?;
-    plot.label((0.3, 1.2), Side::Right, "one heavy", Hue::Purple)?;
+    plot.label((3.6, 0.0), Side::Over, "one heavy", Hue::Purple)?;
     plot.label((0.0, -8.4), Side::Over, "one aside", Hue::Purple)?;
     Ok(drawing)
 }

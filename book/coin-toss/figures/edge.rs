@@ -41,8 +41,8 @@ pub(crate) fn edge_band(id: &str) -> Outcome {
 
 /// A coin, flat, in the sphere through its corners.
 fn in_its_sphere(ratio: f64, name: &str, description: &str) -> Outcome {
-    let mut drawing = Drawing::new("", 300.0, 300.0).titled(name, description);
-    let (centre, radius) = (at(150.0, 138.0), 112.0);
+    let mut drawing = Drawing::new("", 280.0, 290.0).titled(name, description);
+    let (centre, radius) = (at(140.0, 124.0), 98.0);
     let half = edge_at_random(coin(ratio))?.asin();
     let arc = |from: f64, to: f64| {
         linear_steps(from, to, 40).map(|turn| centre + Point::polar(radius, turn)).collect::<Vec<_>>()
@@ -63,13 +63,13 @@ fn in_its_sphere(ratio: f64, name: &str, description: &str) -> Outcome {
     drawing.line(centre, corners[1], Stroke::Reference, Hue::Ink);
     drawing.line(centre, centre + at(radius, 0.0), Stroke::Reference, Hue::Ink);
     kit::angle(&mut drawing, centre, 46.0, 0.0, half, Heads::None, Hue::Ink);
-    drawing.label(centre + Point::polar(50.0, 0.5 * half), Side::Right, r"$\beta$", Hue::Ink)?;
+    drawing.label_on_face(centre + Point::polar(50.0, 0.5 * half), Side::Right, r"$\beta$", Hue::Ink)?;
     drawing.dot(centre, 3.5, Hue::Ink);
     drawing.label(centre + at(0.0, -0.8 * radius), Side::Over, "heads", Hue::Muted)?;
     drawing.label(centre + at(0.0, 0.8 * radius), Side::Over, "tails", Hue::Muted)?;
     drawing.label(centre + at(-radius - 4.0, 0.0), Side::Left, "edge", Hue::Pink)?;
-    drawing.label(at(150.0, 274.0), Side::Over, name, Hue::Ink)?;
-    drawing.label(at(150.0, 291.0), Side::Over, &format!("$h/2a = {ratio:.3}$"), Hue::Ink)?;
+    drawing.label(at(140.0, 252.0), Side::Over, name, Hue::Ink)?;
+    drawing.label(at(140.0, 274.0), Side::Over, &format!("$h/2a = {ratio:.3}$"), Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -83,7 +83,7 @@ const NICKEL: f64 = 1.95 / 21.21;
 
 /// Two answers for every coin.
 fn against_thickness() -> Outcome {
-    let mut drawing = Drawing::new("", 320.0, 320.0).titled(
+    let mut drawing = Drawing::new("", 280.0, 310.0).titled(
         "Chance of the edge against the thickness",
         "The chance of the edge against thickness over diameter, from 0 to 1. Both curves begin at zero as \
          straight lines. The upper, for a coin in any attitude, reaches one third at 0.354; the lower, for a \
@@ -91,7 +91,7 @@ fn against_thickness() -> Outcome {
     );
     let thickness = Axis::linear(0.0, 1.0, 0.2).minor(0.05).titled("thickness over diameter, $h/2a$");
     let chance = Axis::linear(0.0, 0.8, 0.2).minor(0.05).titled("chance of the edge");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 254.0, 232.0), thickness, chance)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 222.0, 222.0), thickness, chance)?;
     plot.level(1.0 / 3.0, Stroke::Reference);
     let tumble = leaning(90.0)?;
     let arc = |ratio: f64| Ok::<_, InvalidQuantity>(tumble.landings(coin(ratio))?.edge);
@@ -99,16 +99,16 @@ fn against_thickness() -> Outcome {
     let values = |of: &dyn Fn(f64) -> Result<f64, InvalidQuantity>| {
         linear_steps(0.0, 1.0, 100).map(|x| Ok((x, of(x)?))).collect::<Result<Vec<_>, InvalidQuantity>>()
     };
-    plot.curve("area", values(&area)?, Stroke::Curve, Hue::Blue);
-    plot.curve("arc", values(&arc)?, Stroke::Second, Hue::Orange);
+    plot.curve("arc", values(&arc)?, Stroke::Curve, Hue::Muted);
+    plot.curve("area", values(&area)?, Stroke::Curve, Hue::Ink);
     let third = 1.0 / 3.0;
     for ratio in thirds() {
         plot.markers(&[(ratio, third)], Marker::Disc, Hue::Ink);
     }
     plot.markers(&[(NICKEL, area(NICKEL)?), (NICKEL, arc(NICKEL)?)], Marker::Disc, Hue::Ink);
     plot.label((0.13, 0.045), Side::Right, "nickel", Hue::Ink)?;
-    plot.label((0.6, 0.53), Side::AboveLeft, "any attitude", Hue::Blue)?;
-    plot.label((0.86, 0.39), Side::Over, "tumbled", Hue::Orange)?;
+    plot.label((0.6, 0.53), Side::AboveLeft, "any attitude", Hue::Ink)?;
+    plot.label((0.86, 0.225), Side::Over, "tumbled", Hue::Muted)?;
     plot.label((thirds()[0], third), Side::AboveLeft, "$0.354$", Hue::Ink)?;
     plot.label((thirds()[1], third), Side::BelowRight, "$0.577$", Hue::Ink)?;
     Ok(drawing)
@@ -116,7 +116,7 @@ fn against_thickness() -> Outcome {
 
 /// The nickel, by the angle between its normal and L.
 fn against_angle() -> Result<Drawing, Cause> {
-    let mut drawing = Drawing::new("", 320.0, 320.0).titled(
+    let mut drawing = Drawing::new("", 280.0, 310.0).titled(
         "Chance of the edge against psi, for a nickel",
         "The chance that a nickel lands on its edge, against psi from 40 to 90 degrees. It is zero up to 42.4 \
          degrees, rises to a sharp peak of 0.27 at 47.6 degrees, and falls to 0.058 at 90 degrees, a tumble. \
@@ -124,7 +124,7 @@ fn against_angle() -> Result<Drawing, Cause> {
     );
     let angle = Axis::linear(40.0, 90.0, 10.0).minor(5.0).titled(r"$\psi$, degrees");
     let chance = Axis::linear(0.0, 0.4, 0.1).minor(0.02).titled("chance of the edge, nickel");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 254.0, 232.0), angle, chance)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 222.0, 222.0), angle, chance)?;
     let sine = edge_at_random(coin(NICKEL))?;
     // The borders, where the curve has corners: the lowest normal, cos 2ψ, is ±sin β.
     let [first, peak] = [sine, -sine].map(|lowest: f64| 0.5 * lowest.acos().to_degrees());
@@ -142,9 +142,9 @@ fn against_angle() -> Result<Drawing, Cause> {
     });
     let thin = thin.collect::<Result<Vec<_>, Cause>>()?;
     plot.curve("thin", thin, Stroke::DashedCurve, Hue::Muted);
-    plot.curve("nickel", values, Stroke::Curve, Hue::Orange);
+    plot.curve("nickel", values, Stroke::Curve, Hue::Ink);
     let best = leaning(peak)?.landings(coin(NICKEL))?.edge;
-    plot.label((peak, best), Side::Right, r"dips to $-\text{sin}\,\beta$", Hue::Ink)?;
+    plot.label((peak, best), Side::Right, "dips to the border", Hue::Ink)?;
     plot.label((89.0, 0.07), Side::AboveLeft, "tumble", Hue::Ink)?;
     Ok(drawing)
 }

@@ -77,25 +77,25 @@ pub(crate) fn whirl_growth(id: &str) -> Outcome {
         .map(|ratio| Ok((ratio, washing_machine(0.3, ratio)?.radial_damping_growth() / NATURAL)))
         .collect::<Result<Values, Cause>>()?;
     in_both(|room: Room| {
-        let mut drawing = Drawing::new(id, room.of(660.0, 400.0), 430.0).titled(
+        let mut drawing = Drawing::new(id, room.of(580.0, 400.0), 430.0).titled(
             "Growth against spin, for dampers on the floor and on board",
             "The rate at which a disturbance grows, over the natural frequency, against the spin from 0 to 6 natural frequencies. Above zero the plot is \
              tinted: there disturbances grow. With a damper on the floor only, the rate is a level line at minus 0.15. With a third as much on board \
              it rises through zero at 4, with as much on board at 2, and with all of it on board at 1, from minus 0.15 to 0.58 at the right edge. \
-             A broken line, for a damper that feels only the radius, passes zero at 1 too but rises half as steeply at first.",
+             A pale line, for a damper that feels only the radius, passes zero at 1 too but rises half as steeply at first.",
         );
         let spin = Axis::linear(0.0, most, 1.0).minor(0.5).titled(r"spin $\Omega/\omega_0$");
         let rate = Axis::linear(-0.4, 0.6, 0.2).minor(0.1).titled(r"growth rate over $\omega_0$");
-        let frame = Rect::new(62.0, 34.0, room.of(576.0, 312.0), 342.0);
+        let frame = Rect::new(62.0, 34.0, room.of(504.0, 312.0), 342.0);
         let mut plot = Plot::new(&mut drawing, frame, spin, rate)?;
-        plot.region((0.0, 0.0), (most, 0.6), Hue::Orange);
+        plot.region((0.0, 0.0), (most, 0.6), Hue::Muted);
         plot.level(0.0, Stroke::Outline);
         for (name, values, stroke, hue) in [
-            ("floor", &none, Stroke::Curve, Hue::Ink),
-            ("third", &third, Stroke::Curve, Hue::Blue),
-            ("equal", &equal, Stroke::Curve, Hue::Green),
-            ("board", &only, Stroke::Curve, Hue::Orange),
-            ("radial", &radial, Stroke::DashedCurve, Hue::Orange),
+            ("radial", &radial, Stroke::Curve, Hue::Faint),
+            ("floor", &none, Stroke::Outline, Hue::Ink),
+            ("third", &third, Stroke::Outline, Hue::Ink),
+            ("equal", &equal, Stroke::Curve, Hue::Ink),
+            ("board", &only, Stroke::Heavy, Hue::Ink),
         ] {
             plot.curve(name, values.iter().copied(), stroke, hue);
         }
@@ -104,13 +104,15 @@ pub(crate) fn whirl_growth(id: &str) -> Outcome {
         }
         plot.label((3.4, -0.15), Side::Below, r"on the floor only, $\Gamma_i = 0$", Hue::Ink)?;
         let place = plot.at((4.8, 0.085));
-        plot.drawing().label_on_face(place, Side::AboveRight, r"$\Gamma_i = \Gamma/3$", Hue::Blue)?;
+        plot.drawing().label_on_face(place, Side::AboveRight, r"$\Gamma_i = \Gamma/3$", Hue::Ink)?;
         let place = plot.at((3.5, 0.175));
-        plot.drawing().label_on_face(place, Side::BelowRight, r"$\Gamma_i = \Gamma$", Hue::Green)?;
+        plot.drawing().label_on_face(place, Side::BelowRight, r"$\Gamma_i = \Gamma$", Hue::Ink)?;
         let place = plot.at((3.2, 0.33));
-        plot.drawing().label_on_face(place, Side::AboveLeft, "on board only", Hue::Orange)?;
+        plot.drawing().label_on_face(place, Side::AboveLeft, "on board only", Hue::Ink)?;
         let place = plot.at((room.of(0.35, 0.2), 0.53));
-        plot.drawing().label_on_face(place, Side::Right, "grows", Hue::Orange)?;
+        plot.drawing().label_on_face(place, Side::Right, "grows", Hue::Muted)?;
+        let place = plot.at(room.of((4.6, 0.25), (4.2, 0.225)));
+        plot.drawing().label_on_face(place, Side::BelowRight, "radius only", Hue::Muted)?;
         Ok(drawing)
     })
 }

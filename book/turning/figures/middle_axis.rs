@@ -31,9 +31,9 @@ fn begun(degrees: f64) -> Result<FreeTop, Cause> {
 
 /// Polhodes on Poinsot's ellipsoid, and the ellipsoid as it rolls.
 pub(crate) fn polhodes(id: &str) -> Outcome {
-    let mut left = Drawing::new("", 380.0, 330.0).titled(
+    let mut left = Drawing::new("", 430.0, 376.0).titled(
         "Polhodes",
-        "An ellipsoid, longest along axis 1. Closed curves on it go round the end of axis 1, others round axis 3. Round the end of axis 2 there is none: \
+        "An ellipsoid, longest along axis 1. Closed curves on it go round the end of axis 1, named the hill, others round axis 3, the valley. Round the end of axis 2, the pass, there is none: \
          two curves cross there, the separatrix, and divide the others.",
     );
     let semi_axes = FLAT.map(|moment| 1.0 / moment.sqrt());
@@ -43,8 +43,8 @@ pub(crate) fn polhodes(id: &str) -> Outcome {
         azimuth: 1.18,
         elevation: 0.42,
         distance: 9.0,
-        centre: at(190.0, 165.0),
-        scale: 148.0,
+        centre: at(215.0, 188.0),
+        scale: 162.0,
     })?);
     stage.solid(Solid::ellipsoid([0.0; 3], [e1, e2, e3], semi_axes)?, Hue::Blue)?;
     for degrees in BEGIN {
@@ -68,16 +68,16 @@ pub(crate) fn polhodes(id: &str) -> Outcome {
         stage.curve(Curve::smooth(path)?.hiding(Hiding::Omitted), Stroke::Border, Hue::Ink)?;
     }
     for (axis, semi_axis, name) in [
-        (e1, semi_axes[0], r"$\hat{\mathbf{1}}$"),
-        (e2, semi_axes[1], r"$\hat{\mathbf{2}}$"),
-        (e3, semi_axes[2], r"$\hat{\mathbf{3}}$"),
+        (e1, semi_axes[0], r"hill, $\hat{\mathbf{1}}$"),
+        (e2, semi_axes[1], r"pass, $\hat{\mathbf{2}}$"),
+        (e3, semi_axes[2], r"valley, $\hat{\mathbf{3}}$"),
     ] {
         let beyond = if axis == e2 { 0.62 } else { 0.34 };
         stage.named_vector(axis * semi_axis, axis * (semi_axis + beyond), name, Hue::Ink)?;
     }
     stage.write(&mut left);
 
-    let mut right = Drawing::new("", 380.0, 330.0).titled(
+    let mut right = Drawing::new("", 430.0, 376.0).titled(
         "The ellipsoid rolls",
         "The same ellipsoid on a level floor, which it touches from above. The angular velocity points from its centre down to the point of contact, the angular \
          momentum straight down. A closed curve on the ellipsoid passes through the point of contact, and so does a wavy curve that winds about a circle on the floor.",
@@ -91,8 +91,8 @@ pub(crate) fn polhodes(id: &str) -> Outcome {
         azimuth: -0.9,
         elevation: 0.24,
         distance: 9.0,
-        centre: at(190.0, 165.0),
-        scale: 138.0,
+        centre: at(215.0, 188.0),
+        scale: 156.0,
     })?);
     let floor = now.omega_world().z;
     stage.ground([-0.9, -0.9], [0.9, 0.9], floor, 0.2)?;
@@ -150,7 +150,7 @@ pub(crate) fn bat_flip(id: &str) -> Outcome {
         let now = half_way.at((0.5 * quarters - 1.0) * PI)?;
         let attitude = level * now.world_from_body;
         let [along, normal] = [Vector3::x(), Vector3::z()].map(|axis| attitude * axis);
-        let mut drawing = Drawing::new("", 134.0, 190.0).titled(
+        let mut drawing = Drawing::new("", 190.0, 250.0).titled(
             &format!("The bat {quarters} quarter turns after the throw"),
             "A bat in the air with one side pink, an arrow for its angular velocity and one for its angular momentum, which stands still.",
         );
@@ -159,8 +159,8 @@ pub(crate) fn bat_flip(id: &str) -> Outcome {
             azimuth: -1.12,
             elevation: 0.42,
             distance: 14.0,
-            centre: at(67.0, 84.0),
-            scale: 33.0,
+            centre: at(95.0, 112.0),
+            scale: 46.0,
         })?);
         for (side, hue) in [(-1.0, Hue::Pink), (1.0, Hue::Blue)] {
             let centre = along * BLADE + normal * (0.04 * side);
@@ -178,7 +178,7 @@ pub(crate) fn bat_flip(id: &str) -> Outcome {
             }
         }
         stage.write(&mut drawing);
-        drawing.label(at(67.0, 172.0), Side::Over, name, Hue::Ink)?;
+        drawing.label(at(95.0, 232.0), Side::Over, name, Hue::Ink)?;
         panels.push(drawing);
     }
     Ok(Drawing::panels(id, panels).titled(
