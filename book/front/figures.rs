@@ -1,4 +1,8 @@
-//! The figures of the pages without a number: the frontispiece, the key of the colours and the map of the chapters.
+//! The figures of the pages without a number: the cover, the frontispiece, the key of the colours and the map of the
+//! chapters.
+
+#[path = "cover.rs"]
+mod cover;
 
 use drawing::kit::{Heads, head};
 use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage, View};
@@ -20,7 +24,7 @@ use nalgebra::{Complex, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// All figures of these pages.
-pub(crate) const FIGURES: &[Figure] = figures![frontispiece, colours, chapters_map];
+pub(crate) const FIGURES: &[Figure] = figures![cover::cover, frontispiece, colours, chapters_map];
 
 /// Draws what is on one stage.
 type Scene = fn(&mut Stage) -> Result<(), Cause>;
