@@ -27,7 +27,7 @@ fn serve(command: &mut Command) -> (Server, u16) {
 
 /// What the server says to a browser that asks for a page, once it is there.
 fn page(port: u16, path: &str) -> String {
-    for _ in 0..600 {
+    for _ in 0..3000 {
         if let Ok(mut stream) = TcpStream::connect(("127.0.0.1", port)) {
             let mut said = String::new();
             stream.set_read_timeout(Some(Duration::from_secs(120))).unwrap();
@@ -40,9 +40,9 @@ fn page(port: u16, path: &str) -> String {
     panic!("nobody answers");
 }
 
-/// Waits for something that is about to happen.
+/// Waits for something that is about to happen, five minutes at most: beside it other tests compile.
 fn until(is_it: impl Fn() -> bool) {
-    for _ in 0..600 {
+    for _ in 0..3000 {
         if is_it() {
             return;
         }
