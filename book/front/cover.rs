@@ -33,7 +33,7 @@ pub(crate) fn cover(id: &str) -> Outcome {
 }
 
 fn drawn(id: &str, room: Room, wobble: &Wobble) -> Outcome {
-    let size = room.of((1040.0, 520.0), (360.0, 330.0));
+    let size = room.of((700.0, 350.0), (360.0, 330.0));
     let mut drawing = Drawing::new(id, size.0, size.1).titled(
         "A coin rolls over a large floor",
         "A coin leans as it rolls, with a head on its face. Behind it lies its track, a line that has run round eleven loops \
@@ -44,8 +44,8 @@ fn drawn(id: &str, room: Room, wobble: &Wobble) -> Outcome {
         azimuth: -1.5,
         elevation: room.of(0.58, 0.74),
         distance: 17.0,
-        centre: room.of(at(520.0, 262.0), at(180.0, 180.0)),
-        scale: room.of(70.0, 37.0),
+        centre: room.of(at(350.0, 176.0), at(180.0, 180.0)),
+        scale: room.of(47.0, 37.0),
     })?);
     let half = room.of([5.4, 4.9], [5.0, 5.0]);
     stage.ground([-half[0], -half[1]], half, 0.0, room.of(0.45, 0.625))?;
@@ -77,7 +77,7 @@ fn drawn(id: &str, room: Room, wobble: &Wobble) -> Outcome {
     let [centre, second, third] = placed(&now, foot(&now));
     stage.solid(Solid::disc(centre, third, 1.0, THICKNESS)?, Hue::Blue)?;
     face(&mut stage, centre, second, third, now.roll_angle)?;
-    stage.dot_in_front(foot(&now), room.of(5.0, 3.5), Hue::Pink)?;
+    stage.dot_in_front(foot(&now), room.of(4.0, 3.5), Hue::Pink)?;
     // Its shadow, in a light from above, from the left and from behind the eye.
     let first = second.cross(&third);
     let shadow = linear_steps(0.0, TAU, 120).map(|angle| {

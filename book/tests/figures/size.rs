@@ -43,14 +43,7 @@ fn every_svg_is_cut_to_its_ink() {
 #[test]
 fn no_figure_is_too_wide() {
     for figure in every_figure() {
-        let is_cover = figure.id == "fig:cover"; // it has no type that could become small
-        let widest = if figure.drawing.parts().len() > 1 {
-            PANEL
-        } else if is_cover {
-            1040.0
-        } else {
-            700.0
-        };
+        let widest = if figure.drawing.parts().len() > 1 { PANEL } else { 700.0 };
         for part in figure.drawing.parts() {
             let width = view_box(figure, part).width();
             assert!(width <= widest, "{} is {width} px wide, more than {widest}", part.id());

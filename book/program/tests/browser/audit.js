@@ -22,9 +22,10 @@ window.audit = async (rules) => {
 // What a reader who does not see is told of pictures, tables and the page.
 window.untold = () => {
   const faults = [];
-  // Of a figure of panels the first speaks for all, and the others are silent. A figure in a closed fold is told of where its page shows it.
-  for (const figure of [...document.querySelectorAll('main figure')].filter((figure) => !figure.closest('details:not([open])'))) {
-    const speaking = [...figure.querySelectorAll('.drawing svg')].filter((svg) => shown(svg) && svg.ariaHidden !== 'true');
+  // Of a figure of panels the first speaks for all, and the others are silent. Of one in a closed fold all that may be shown must speak.
+  for (const figure of document.querySelectorAll('main figure')) {
+    const isFolded = figure.closest('details:not([open])') !== null;
+    const speaking = [...figure.querySelectorAll('.drawing svg')].filter((svg) => (isFolded || shown(svg)) && svg.ariaHidden !== 'true');
     const isTold = (svg) => {
       const told = ['title', 'desc'].map((name) => svg.querySelector(`:scope > ${name}`));
       const ids = svg.getAttribute('aria-labelledby')?.split(' ') ?? [];
