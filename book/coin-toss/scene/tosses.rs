@@ -43,9 +43,10 @@ impl Tosses {
     pub(super) fn made(&self, time: f64, pace: f64) -> usize {
         let since = (time - self.pressed) / (pace * TOSSING);
         // Those that begin again at the start, or look back, see all of them.
-        let part = if since < 0.0 { 1.0 } else { since.min(1.0) };
+        let part = if since < -1e-9 { 1.0 } else { since.clamp(0.0, 1.0) };
         let made = f64::from(AT_ONCE) + part * f64::from(TOSSES - AT_ONCE);
-        self.caught.len().min(made as usize)
+        // A frame may fall on the very moment of a catch: it is made, however the last bits of the times round.
+        self.caught.len().min((made + 1e-6) as usize)
     }
 
     /// The part of the first tosses that showed heads.

@@ -74,6 +74,19 @@ fn thousands_of_tosses_come_near_the_probability_if_the_hand_is_unsure() {
 }
 
 #[test]
+fn a_toss_at_the_moment_of_a_frame_is_made_however_its_time_is_rounded() {
+    let pressed = 0.147;
+    let hand = Hand::with("coin-toss", &[("toss", pressed)]);
+    // The reader sees a precession in 1.6 s, and 950 tosses in each second: 19 in 20 ms.
+    let pace = 2.0 * PI / 240_f64.hypot(2.0 * 60.0) / 1.6;
+    for frame in 0..250 {
+        let time = pressed + f64::from(frame) * 0.02 * pace;
+        let made = [time - 1e-12 * pace, time, time + 1e-12 * pace].map(|time| hand.reading(time, TOSSES));
+        assert_eq!(made, [250.0 + 19.0 * f64::from(frame); 3], "frame {frame}");
+    }
+}
+
+#[test]
 fn tosses_are_made_one_after_another_and_always_the_same() {
     let hand = Hand::with("coin-toss", &[("toss", 0.1)]);
     let made: Vec<f64> = [0.1, 0.11, 0.15, 0.3].map(|time| hand.reading(time, TOSSES)).to_vec();
