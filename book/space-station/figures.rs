@@ -329,7 +329,7 @@ pub(crate) fn two_arrows(id: &str) -> Outcome {
         drawing.dot(star, 4.0, Hue::Ink);
         drawing.label(tip + (tip - cross).unit() * 13.0, Side::Over, r"$\boldsymbol{L}$", Hue::Green)?;
         if still == 0 {
-            drawing.label(star, Side::Right, "star", Hue::Ink)?;
+            drawing.label(star + at(14.0, 0.0), Side::Right, "star", Hue::Ink)?;
         }
         drawing.label(cross + at(22.0, 76.0), Side::Over, name, Hue::Ink)?;
     }

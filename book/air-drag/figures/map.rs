@@ -94,31 +94,35 @@ pub(crate) fn fates(id: &str) -> Outcome {
         plot.curve("spheroids", all, Stroke::Curve, Hue::Ink);
         let steps = |wide: Point, narrow: Point| room.of(wide, narrow);
         for (place, form, step, side, name) in [
-            (
-                (1.0 / 417.2, 81.4),
-                Sign::Stick(false),
-                steps(at(4.0, 12.0), at(4.0, 10.0)),
-                Side::Below,
-                "pencil",
-            ),
-            ((1.0 / 549.0, 813.0), Sign::Stick(true), at(14.0, 0.0), Side::Right, "with a straw"),
+            ((1.0 / 549.0, 813.0), Sign::Stick(true), at(14.0, 0.0), Side::Right, "straw"),
             ((2.0, 10.0), Sign::Disc(false), at(12.0, 0.0), Side::Right, "Frisbee"),
             ((2.0, 0.1), Sign::Disc(true), at(12.0, -2.0), Side::Right, "rough rim"),
-            (spheroid(10.0)?, Sign::Spheroid(10.0), at(-4.0, 6.0), Side::BelowLeft, "$10$"),
+            (
+                spheroid(10.0)?,
+                Sign::Spheroid(10.0),
+                steps(at(-4.0, 6.0), at(0.0, 1.0)),
+                Side::BelowLeft,
+                "$10$",
+            ),
             (spheroid(3.0)?, Sign::Spheroid(3.0), at(-4.0, 6.0), Side::BelowLeft, "$3$"),
             (spheroid(1.0)?, Sign::Spheroid(1.0), at(-6.0, 8.0), Side::BelowLeft, "$1$"),
-            (spheroid(0.4)?, Sign::Spheroid(0.4), at(-3.0, 6.0), Side::Below, r"$\tfrac25$"),
+            (spheroid(0.4)?, Sign::Spheroid(0.4), at(14.0, 3.0), Side::Right, r"$\tfrac25$"),
         ] {
             let place = plot.at(place);
             sign(plot.drawing(), place, &form);
             plot.drawing().label(place + step, side, name, Hue::Ink)?;
         }
+        // The lines are close to the pencil: its name stands apart.
+        let [pencil, name] = [plot.at((1.0 / 417.2, 81.4)), plot.at((1.0 / 417.2, 12.0))];
+        plot.drawing().line(pencil, name, Stroke::Dotted, Hue::Muted);
+        sign(plot.drawing(), pencil, &Sign::Stick(false));
+        plot.drawing().label(name, Side::Below, "pencil", Hue::Ink)?;
         plot.label((0.4, 90.0), Side::Over, "settle", Hue::Ink)?;
-        plot.label((0.02, 0.5), Side::Over, "tumble", Hue::Ink)?;
+        plot.label((0.006, 1.2), Side::Over, "tumble", Hue::Ink)?;
         plot.label((flattest, most), Side::Above, "$I_3 = 2I_1$", Hue::Muted)?;
         for (place, side, lines) in [
-            (plot.at((0.023, 520.0)), Side::Right, ["wobble’s clock", "10 × as fast"]),
-            (plot.at((0.011, 6.0)), Side::Left, ["spin’s clock", "10 × as fast"]),
+            (plot.at((0.035, 760.0)), Side::Right, ["wobble’s clock", "10 × as fast"]),
+            (plot.at((0.2, 0.2)), Side::Left, ["spin’s clock", "10 × as fast"]),
         ] {
             for (line, words) in lines.into_iter().enumerate() {
                 plot.drawing().label(place + at(0.0, 17.0 * line as f64), side, words, Hue::Muted)?;
