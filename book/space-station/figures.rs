@@ -232,9 +232,9 @@ fn whole_turn(struck: &StruckStation, turn: f64) -> Outcome {
     Ok(drawing)
 }
 
-/// A blow so small that the sky about axis 3 is flat: a twentieth of that of the text.
+/// A blow so small that the sky about axis 3 is flat: a hundredth of that of the text.
 fn tapped() -> Result<StruckStation, InvalidQuantity> {
-    struck(0.05 * IMPULSE)
+    struck(0.01 * IMPULSE)
 }
 
 /// The tip of axis 3 just after a blow: one speed, on a circle about ω and on one half as wide about L.

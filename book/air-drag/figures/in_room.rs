@@ -33,7 +33,7 @@ pub(crate) fn air_pull(id: &str) -> Outcome {
     // A disc, whose axis leans by 30° from L, with a drag of which little is seen in a round.
     let moments = PrincipalMoments::symmetric(1.0, 2.0)?;
     let omega_body = Vector3::new(2.0 * 30_f64.to_radians().tan(), 0.0, 1.0);
-    let (top, thrown) = thrown_upright(moments, Drag::isotropic(1e-3), omega_body)?;
+    let (top, thrown) = thrown_upright(moments, Drag::isotropic(1e-4), omega_body)?;
     let start = thrown.at(0.0)?;
     let momentum = start.angular_momentum_world(&moments);
     let round = TAU * moments.to_array()[0] / momentum.norm();
@@ -172,7 +172,7 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
     let moments = Body::thin_disk(0.175, 0.137)?.moments();
     let omega_body = Vector3::new(12.0, 0.0, 40.0);
     let (_, thrown) = thrown_upright(moments, Drag::isotropic(2e-3), omega_body)?;
-    let times: Vec<f64> = linear_steps(0.0, 6.0, 6000).collect();
+    let times: Vec<f64> = linear_steps(0.0, 6.0, 12000).collect();
     let states = thrown.sample(&times)?;
     let axis: Vec<(f64, f64)> =
         states.iter().map(|state| (state.axis_3_world().x, state.axis_3_world().y)).collect();
@@ -215,7 +215,7 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
                 plot.drawing().dot(place, 2.2, Hue::Ink);
             }
         }
-        let [before, here] = [plot.at(axis[56]), plot.at(axis[62])];
+        let [before, here] = [plot.at(axis[112]), plot.at(axis[124])];
         kit::head(plot.drawing(), here, here - before, 1.0, Hue::Ink);
         // The magnifier: a ring about L, and its image.
         let lens = room.of(86.0, 80.0);

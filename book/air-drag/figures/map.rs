@@ -90,7 +90,7 @@ pub(crate) fn fates(id: &str) -> Outcome {
             let drag = Drag::of_spheroid(shape, 1.0)?;
             Ok::<_, InvalidQuantity>((axial / transverse, drag.transverse / drag.axial))
         };
-        let all = log_steps(1e-3, 44.0, 300).map(spheroid).collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        let all = log_steps(1e-3, 46.0, 400).map(spheroid).collect::<Result<Vec<_>, InvalidQuantity>>()?;
         plot.curve("spheroids", all, Stroke::Curve, Hue::Ink);
         let steps = |wide: Point, narrow: Point| room.of(wide, narrow);
         for (place, form, step, side, name) in [

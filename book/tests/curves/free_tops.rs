@@ -174,8 +174,7 @@ fn the_station_nods_and_star_trails_are_circles_about_one_axis_or_two() {
 
 #[test]
 fn after_a_small_blow_the_axis_runs_on_half_the_circle_and_the_star_on_a_line() {
-    // In units of the lean of ω: a circle about (−½, 0), and the one about (−1, 0) that it leaves. The blow leans ω by
-    // a fiftieth, and the sky is not quite flat.
+    // In units of the lean of ω: a circle about (−½, 0), and the one about (−1, 0) that it leaves.
     let circle = |middle: f64, radius: f64| {
         (0..100).map(move |step| {
             let (sin, cos) = (TAU * f64::from(step) / 100.0).sin_cos();
