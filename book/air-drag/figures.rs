@@ -228,7 +228,8 @@ pub(crate) fn two_slopes(id: &str) -> Outcome {
     let time = Axis::linear(0.0, 60.0, 20.0).minor(10.0).titled("time, s");
     let value = Axis::log(0.1, 100.0, 1).titled("rad/s, logarithmic scale");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 36.0, 276.0, 212.0), time, value)?;
-    let parts: [(&str, Stroke, fn(&Vector3<f64>) -> f64); 2] =
+    type Part = fn(&Vector3<f64>) -> f64;
+    let parts: [(&str, Stroke, Part); 2] =
         [("spin", Stroke::Heavy, |omega| omega.z), ("across", Stroke::Curve, |omega| omega.x.hypot(omega.y))];
     for (name, stroke, part) in parts {
         let values = linear_steps(0.0, 60.0, 60)

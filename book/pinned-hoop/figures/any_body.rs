@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 /// The direction of L in the body of the example on the page.
 const DIRECTION: [f64; 3] = [0.6, 0.0, 0.8];
 /// The angle of the last turn, as drawn, rad.
-const LAST: f64 = 2.5;
+const LAST: f64 = 2.25;
 
 /// Axis 3 and L before, between and after the two turns of the attitude.
 pub(crate) fn two_turns(id: &str) -> Outcome {
