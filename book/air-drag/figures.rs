@@ -1,20 +1,34 @@
 //! The figures of the chapter "Frisbee and pencil".
 
-use drawing::kit::{Heads, Marker, arrow, head};
+use drawing::kit::{Heads, Marker, arrow, dimension, head};
 use drawing::space::{Camera, Curve, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
-use figures::{Axis, Cause, Figure, Outcome, Plot, figures, in_both, linear_steps, log_steps};
+use figures::{Axis, Cause, Figure, Outcome, Plot, figures, linear_steps};
 use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
-use mechanics::inertia::{Body, Cylinder, PrincipalMoments, Spheroid, SymmetricMoments};
+use mechanics::inertia::{Body, Cylinder, PrincipalMoments};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, LN_2, TAU};
 
 /// All figures of this chapter.
-pub(crate) const FIGURES: &[Figure] =
-    figures![drag_stills, two_clocks, tangent, spin_tangent, wobble_turns, axis_path, fates];
+pub(crate) const FIGURES: &[Figure] = figures![
+    two_clocks,
+    two_slopes,
+    drag_stills,
+    tangent,
+    spin_tangent,
+    wobble_turns,
+    in_room::air_pull,
+    in_room::axis_path,
+    map::fates
+];
+
+#[path = "figures/in_room.rs"]
+pub(crate) mod in_room;
+#[path = "figures/map.rs"]
+pub(crate) mod map;
 
 /// A body with I₁ = 1 and a ratio of the moments, under the same drag about all axes.
 fn body(ratio: f64, drag: f64, omega_body: Vector3<f64>) -> Result<DraggedTop, InvalidQuantity> {
@@ -119,20 +133,21 @@ fn stills(size: (f64, f64), cell: (f64, f64), down: bool) -> Outcome {
             stage.solid(solid, Hue::Blue)?;
             let reach = if body.flat { 1.1 } else { PENCIL.1 };
             let path = states.iter().map(|state| state.axis_3_world() * reach);
-            stage.arrow(Curve::smooth(path)?, Stroke::Outline, Heads::End, Hue::Blue)?;
+            stage.arrow(Curve::smooth(path)?, Stroke::Outline, Heads::End, Hue::Ink)?;
             let momentum = states[0].angular_momentum_world(&body.moments).normalize();
             stage.vector([0.0; 3], momentum * 1.45, Hue::Green)?;
             if body.flat {
-                stage.vector([0.0; 3], axis * reach, Hue::Blue)?;
+                stage.vector([0.0; 3], axis * reach, Hue::Ink)?;
             }
             stage.write(&mut drawing);
             let decimals = usize::from(left < 0.01);
             let percent = format!("{:.decimals$} %", 100.0 * left);
-            let name = if still == 0 { format!("{}, spin {percent}", body.name) } else { percent };
+            let name = if still == 0 { format!("spin {percent}") } else { percent };
             let below = if body.flat && !down { 60.0 } else { 76.0 };
             drawing.label(middle + at(0.0, below), Side::Over, &name, Hue::Ink)?;
             if still == 0 {
                 drawing.label(middle + at(4.0, -70.0), Side::Right, r"$\boldsymbol{L}$", Hue::Green)?;
+                drawing.label(middle + at(-74.0, -64.0), Side::Right, body.name, Hue::Ink)?;
             }
         }
     }
@@ -148,28 +163,32 @@ pub(crate) fn drag_stills(id: &str) -> Outcome {
 
 /// The spin and the wobble part of the angular velocity, shrinking.
 pub(crate) fn two_clocks(id: &str) -> Outcome {
-    let panel =
-        |name: &str, [title, description, says]: [&str; 3], ratio: f64, wobble: f64, step: f64| -> Outcome {
-            let mut drawing = Drawing::new("", 240.0, 372.0).titled(title, description);
-            let top = body(ratio, 1.0, Vector3::new(wobble, 0.0, 1.0))?;
-            let parts = |time: f64| -> Result<(f64, f64), InvalidQuantity> {
-                let omega = top.at(time)?;
-                Ok((omega.x.hypot(omega.y), omega.z))
-            };
-            let across = Axis::linear(0.0, 0.6, 0.2).titled(r"wobble part $\omega_\perp/\omega_{3,0}$");
-            let along = Axis::linear(0.0, 1.0, 0.2).titled(r"spin part $\omega_3/\omega_{3,0}$");
-            let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 156.0, 260.0), across, along)?;
-            let tips =
-                linear_steps(0.0, 12.0, 1200).map(parts).collect::<Result<Vec<_>, InvalidQuantity>>()?;
-            plot.curve(name, tips, Stroke::Curve, Hue::Orange);
-            for count in 0..3 {
-                let [from, to] = [plot.at((0.0, 0.0)), plot.at(parts(step * f64::from(count))?)];
-                arrow(plot.drawing(), from, to, Hue::Orange);
-            }
-            plot.label(parts(0.0)?, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-            drawing.label(at(130.0, 360.0), Side::Over, says, Hue::Ink)?;
-            Ok(drawing)
+    let panel = |name: &str, [title, description, says]: [&str; 3], ratio: f64, step: f64| -> Outcome {
+        let mut drawing = Drawing::new("", 240.0, 372.0).titled(title, description);
+        let top = body(ratio, 1.0, Vector3::new(0.6, 0.0, 1.0))?;
+        let parts = |time: f64| -> Result<(f64, f64), InvalidQuantity> {
+            let omega = top.at(time)?;
+            Ok((omega.x.hypot(omega.y), omega.z))
         };
+        let across = Axis::linear(0.0, 0.6, 0.2).titled(r"wobble part $\omega_\perp/\omega_{3,0}$");
+        let along = Axis::linear(0.0, 1.0, 0.2).titled(r"spin part $\omega_3/\omega_{3,0}$");
+        let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 156.0, 260.0), across, along)?;
+        let tips = linear_steps(0.0, 12.0, 1200).map(parts).collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        plot.curve(name, tips, Stroke::Orbit, Hue::Orange);
+        for (count, time) in ["", "$T$", "$2T$"].into_iter().enumerate() {
+            let tip = parts(step * count as f64)?;
+            let [from, to] = [plot.at((0.0, 0.0)), plot.at(tip)];
+            arrow(plot.drawing(), from, to, Hue::Orange);
+            // On the side to which the path bulges.
+            let side = if ratio > 1.0 { Side::AboveLeft } else { Side::BelowRight };
+            if count > 0 {
+                plot.label(tip, side, time, Hue::Ink)?;
+            }
+        }
+        plot.label(parts(0.0)?, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+        drawing.label(at(130.0, 360.0), Side::Over, says, Hue::Ink)?;
+        Ok(drawing)
+    };
     let flat = panel(
         "flat",
         [
@@ -180,7 +199,6 @@ pub(crate) fn two_clocks(id: &str) -> Outcome {
             "flat: the wobble dies first",
         ],
         2.0,
-        0.6,
         0.9,
     )?;
     let long = panel(
@@ -192,67 +210,123 @@ pub(crate) fn two_clocks(id: &str) -> Outcome {
             "long: the spin dies first",
         ],
         0.5,
-        0.6,
         0.5,
     )?;
     Ok(Drawing::panels(id, vec![flat, long]))
 }
 
+/// The two clocks of the example by hand, as the slopes of two straight lines.
+pub(crate) fn two_slopes(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 340.0, 300.0).titled(
+        "Two clocks are two slopes",
+        "Two components of the angular velocity on a logarithmic scale against time, from 0 to 60 seconds. The spin falls along a straight \
+         line from 20 radians a second, the rotation across the axis along one half as steep from 2. The gap between the lines, the \
+         tangent of the angle, is a tenth at the start, 0.4 at 40 seconds, and goes on closing.",
+    );
+    // I₃ = ½I₁, one coefficient for all axes, a spin that is halved in 10 s.
+    let top = body(0.5, 0.05 * LN_2, Vector3::new(2.0, 0.0, 20.0))?;
+    let time = Axis::linear(0.0, 60.0, 20.0).minor(10.0).titled("time, s");
+    let value = Axis::log(0.1, 100.0, 1).titled("rad/s, logarithmic scale");
+    let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 36.0, 276.0, 212.0), time, value)?;
+    type Part = fn(&Vector3<f64>) -> f64;
+    let parts: [(&str, Stroke, Part); 2] =
+        [("spin", Stroke::Heavy, |omega| omega.z), ("across", Stroke::Curve, |omega| omega.x.hypot(omega.y))];
+    for (name, stroke, part) in parts {
+        let values = linear_steps(0.0, 60.0, 60)
+            .map(|t| Ok((t, part(&top.at(t)?))))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        plot.curve(name, values, stroke, Hue::Orange);
+    }
+    for (t, name) in [(1.5, r"$\tan\theta = 0.1$"), (40.0, "$0.4$")] {
+        let omega = top.at(t)?;
+        let [from, to] = [omega.z, omega.x.hypot(omega.y)].map(|value| plot.at((t, value)));
+        dimension(plot.drawing(), from.towards(to, 0.08), from.towards(to, 0.92), Heads::Both, Hue::Muted);
+        let (place, side) = if t < 10.0 { (from.towards(to, 0.74), Side::Right) } else { (to, Side::Below) };
+        plot.drawing().label(place, side, name, Hue::Muted)?;
+    }
+    plot.label((16.0, 11.0), Side::AboveRight, r"spin $\omega_3$, slope $-C_3/I_3$", Hue::Orange)?;
+    plot.label((28.0, 0.62), Side::BelowLeft, r"across, $\omega_\perp$,", Hue::Orange)?;
+    plot.label((28.0, 0.34), Side::BelowLeft, r"slope $-C_1/I_1$", Hue::Orange)?;
+    Ok(drawing)
+}
+
 /// The tangent of the angle against time, on a logarithmic scale.
 pub(crate) fn tangent(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
+    let mut drawing = Drawing::new(id, 340.0, 300.0).titled(
         "Tangent of the angle against time",
         "The tangent of the angle between the angular velocity and the body's axis on a logarithmic scale, \
          against time times C over I1, from 0 to 6. Three straight lines from 0.3: for a thin disc falling \
          by a factor of twenty, for a ball level, for a thick rod rising by a factor of four hundred.",
     );
     let time = Axis::linear(0.0, 6.0, 1.0).minor(0.2).titled(r"time $Ct/I_1$");
-    let value = Axis::log(1e-3, 1e3, 1).titled(r"$\tan\theta$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 252.0), time, value)?;
+    let value = Axis::log(1e-2, 1e3, 1).titled(r"$\tan\theta$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 274.0, 212.0), time, value)?;
     plot.level(1.0, Stroke::Reference);
-    for (ratio, place, side, name) in [
-        (2.0, 3.4, Side::BelowLeft, r"thin disc, $I_3 = 2I_1$"),
-        (1.0, 5.0, Side::Below, "ball"),
-        (0.5, 3.6, Side::AboveLeft, r"rod, $I_3 = \tfrac12I_1$"),
+    for (ratio, place, side, name, hue) in [
+        (2.0, 3.6, Side::BelowLeft, r"thin disc, $I_3 = 2I_1$", Hue::Ink),
+        (1.0, 5.0, Side::Below, "ball", Hue::Muted),
+        (0.5, 3.6, Side::AboveLeft, r"rod, $I_3 = \tfrac12I_1$", Hue::Faint),
     ] {
         let top = body(ratio, 1.0, Vector3::new(0.3, 0.0, 1.0))?;
         let values = linear_steps(0.0, 6.0, 60)
             .map(|t| Ok((t, top.axis_angle(t)?.tan())))
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(&format!("ratio-{ratio}"), values, Stroke::Curve, Hue::Orange);
-        plot.label((place, top.axis_angle(place)?.tan()), side, name, Hue::Orange)?;
+        plot.curve(&format!("ratio-{ratio}"), values, Stroke::Curve, hue);
+        let named = if hue == Hue::Ink { Hue::Ink } else { Hue::Muted };
+        plot.label((place, top.axis_angle(place)?.tan()), side, name, named)?;
     }
-    plot.label((6.0, 1.0), Side::AboveLeft, r"$\theta = 45°$", Hue::Muted)?;
+    plot.label((0.1, 1.0), Side::AboveRight, r"$\theta = 45°$", Hue::Muted)?;
     Ok(drawing)
 }
 
-/// The tangent of the angle against the spin that is left.
+/// The tangent of the angle against the spin that is lost.
 pub(crate) fn spin_tangent(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
-        "Tangent of the angle against the spin that is left",
-        "The tangent of the angle, divided by that at the start, against the spin divided by that at the \
-         start, from 0 to 1. All curves end at one, one. For a thin disc it is the straight line through \
-         the origin; for a ratio of the moments of one and a half a square root; for a ball level at one; \
-         for a ratio of a half it rises without limit as the spin goes to zero.",
+    let mut drawing = Drawing::new(id, 400.0, 330.0).titled(
+        "Tangent of the angle against the spin that is lost",
+        "The tangent of the angle, divided by that at the start, against the part of the spin that is lost, \
+         from 0 at the left to 1. All curves begin at one. For a thin disc with equal coefficients it is a straight line down to \
+         nothing at the right; for a Frisbee whose face counts ten times it falls at once; for a ball it stays at one; \
+         for a ratio of a half it rises without limit. Dots on each curve mark equal steps of time, in each of which the spin is halved.",
     );
-    let spin = Axis::linear(0.0, 1.0, 0.2).minor(0.05).titled(r"spin that is left $\omega_3/\omega_{3,0}$");
+    let spin = Axis::linear(0.0, 1.0, 0.5)
+        .minor(0.1)
+        .titled(r"part of the spin that is lost, $1 - \omega_3/\omega_{3,0}$");
     let value = Axis::linear(0.0, 2.0, 0.5).minor(0.1).titled(r"$\tan\theta/\tan\theta_0$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(48.0, 34.0, 330.0, 252.0), spin, value)?;
-    for ratio in [2.0, 1.5, 1.0, 0.5] {
-        let top = body(ratio, 1.0, Vector3::new(1.0, 0.0, 1.0))?;
-        // Evenly spaced in the spin: its logarithm is the time.
-        let values = linear_steps(1e-4, 1.0, 300)
-            .map(|left| {
-                let time = -left.ln() * ratio;
-                Ok((top.at(time)?.z, top.axis_angle(time)?.tan()))
-            })
-            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(&format!("ratio-{ratio}"), values, Stroke::Curve, Hue::Orange);
+    let mut plot = Plot::new(&mut drawing, Rect::new(42.0, 34.0, 300.0, 230.0), spin, value)?;
+    for (from, to) in [((0.0, 0.5), (0.5, 0.5)), ((0.5, 0.5), (0.5, 0.0))] {
+        plot.reference(from, to, Stroke::Dotted);
     }
-    plot.label((0.47, 0.4), Side::BelowRight, r"$I_3/I_1 = 2$", Hue::Orange)?;
-    plot.label((0.2, 0.47), Side::AboveLeft, r"$\tfrac32$", Hue::Orange)?;
-    plot.label((0.62, 1.0), Side::Above, "$1$", Hue::Orange)?;
-    plot.label((0.4, 1.6), Side::AboveRight, r"$\tfrac12$", Hue::Orange)?;
+    for (name, ratio, face, stroke, hue) in [
+        ("frisbee", 2.0, 10.0, Stroke::Heavy, Hue::Ink),
+        ("ratio-2", 2.0, 1.0, Stroke::Curve, Hue::Ink),
+        ("ratio-1", 1.0, 1.0, Stroke::Curve, Hue::Muted),
+        ("ratio-0.5", 0.5, 1.0, Stroke::Curve, Hue::Faint),
+    ] {
+        let moments = PrincipalMoments::symmetric(1.0, ratio)?;
+        let drag = Drag { transverse: face, axial: 1.0 };
+        let omega_body = Vector3::new(1.0, 0.0, 1.0);
+        let top = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
+        // When so much of the spin is left.
+        let at_left = |left: f64| {
+            let time = -left.ln() * ratio;
+            Ok::<_, InvalidQuantity>((1.0 - top.at(time)?.z, top.axis_angle(time)?.tan()))
+        };
+        // Evenly spaced in the spin: its logarithm is the time.
+        let values =
+            linear_steps(1.0, 1e-4, 400).map(at_left).collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        plot.curve(name, values, stroke, hue);
+        for halvings in 1..=3 {
+            let place = at_left(0.5_f64.powi(halvings))?;
+            if place.1 < 2.0 {
+                let place = plot.at(place);
+                plot.drawing().dot(place, 2.6, hue);
+            }
+        }
+    }
+    plot.label((0.12, 0.12), Side::Right, "Frisbee", Hue::Ink)?;
+    plot.label((0.56, 0.44), Side::AboveRight, "thin disc", Hue::Ink)?;
+    plot.label((0.2, 1.0), Side::Below, "ball", Hue::Muted)?;
+    plot.label((0.55, 1.5), Side::AboveLeft, r"rod, $I_3 = \tfrac12I_1$", Hue::Muted)?;
     Ok(drawing)
 }
 
@@ -261,7 +335,7 @@ const TURNS: f64 = 3.3;
 
 /// The angular velocity across the axis, as seen from the body: a spiral with a finite number of turns.
 pub(crate) fn wobble_turns(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 400.0).titled(
+    let mut drawing = Drawing::new(id, 340.0, 350.0).titled(
         "The angular velocity spirals in with a finite number of turns",
         "The component omega 2 against omega 1 in the body, both divided by omega 1 at the start. The \
          curve begins at one on the axis of omega 1, winds inwards counter-clockwise, as an arrowhead \
@@ -272,7 +346,7 @@ pub(crate) fn wobble_turns(id: &str) -> Outcome {
     let top = body(2.0, drag, Vector3::new(1.0, 0.0, 1.0))?;
     let across = Axis::linear(-1.0, 1.0, 0.5).minor(0.1);
     let (x, y) = (across.titled(r"$\omega_1/\omega_{1,0}$"), across.titled(r"$\omega_2/\omega_{1,0}$"));
-    let mut plot = Plot::new(&mut drawing, Rect::new(52.0, 34.0, 310.0, 310.0), x, y)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 264.0, 264.0), x, y)?;
     let times: Vec<f64> = linear_steps(0.0, 12.0 / drag, 4000).collect();
     let values: Vec<(f64, f64)> = top.sample(&times)?.into_iter().map(|omega| (omega.x, omega.y)).collect();
     // The direction of arrival, from the number of turns.
@@ -281,145 +355,15 @@ pub(crate) fn wobble_turns(id: &str) -> Outcome {
     plot.curve("spiral", values.iter().copied(), Stroke::Curve, Hue::Orange);
     plot.markers(&[(1.0, 0.0)], Marker::Disc, Hue::Orange);
     plot.label((0.98, 0.02), Side::AboveLeft, "start", Hue::Orange)?;
+    // The end of each round, on the axis of ω₁.
+    let rounds = values.windows(2).filter(|pair| pair[0].1 < 0.0 && pair[1].1 >= 0.0 && pair[1].0 > 0.0);
+    for (count, pair) in rounds.take(2).enumerate() {
+        let place = plot.at(pair[1]);
+        plot.drawing().dot(place, 2.6, Hue::Orange);
+        plot.label(pair[1], Side::Right, &(count + 1).to_string(), Hue::Ink)?;
+    }
     plot.label((1.05 * cos, 1.05 * sin), Side::Over, "arrives from here", Hue::Muted)?;
     let [before, here] = [38, 44].map(|index| plot.at(values[index]));
     head(&mut drawing, here, here - before, 1.0, Hue::Orange);
     Ok(drawing)
-}
-
-/// A curve with its name and its hue.
-type Named<'a> = (&'a str, &'a [(f64, f64)], Hue);
-
-/// The same Frisbee on board and in the room, and the small dance of its angular momentum.
-pub(crate) fn axis_path(id: &str) -> Outcome {
-    let moments = Body::thin_disk(0.175, 0.137)?.moments();
-    let (drag, omega_body) = (Drag::isotropic(2e-3), Vector3::new(12.0, 0.0, 40.0));
-    let top = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
-    // Stand so that the angular momentum is upright at the start.
-    let momentum = moments.angular_momentum(&omega_body);
-    let upright =
-        UnitQuaternion::rotation_between(&momentum, &Vector3::z()).ok_or("L is not opposite to z")?;
-    let times: Vec<f64> = linear_steps(0.0, 6.0, 6000).collect();
-    let states = top.thrown(upright, &Dop853::new(1e-10)?)?.sample(&times)?;
-    let pairs = |place: &dyn Fn(&Turning) -> (f64, f64)| states.iter().map(place).collect::<Vec<_>>();
-    let omega =
-        pairs(&|state| (state.omega_body.x / state.omega_body.z, state.omega_body.y / state.omega_body.z));
-    let axis = pairs(&|state| (state.axis_3_world().x, state.axis_3_world().y));
-    let momenta = pairs(&|state| {
-        let direction = state.angular_momentum_world(&moments).normalize();
-        (direction.x, direction.y)
-    });
-    let enlarged: Vec<(f64, f64)> = momenta.iter().map(|(x, y)| (1e3 * x, 1e3 * y)).collect();
-    let panel =
-        |[title, description, axis, name]: [&str; 4], reach: f64, minor: f64, curves: &[Named<'_>]| {
-            let mut drawing = Drawing::new("", 212.0, 250.0).titled(title, description);
-            let across = Axis::linear(-reach, reach, reach).minor(minor);
-            let mut plot =
-                Plot::new(&mut drawing, Rect::new(42.0, 34.0, 156.0, 156.0), across, across.titled(axis))?;
-            for &(curve, values, hue) in curves {
-                plot.curve(curve, values.iter().copied(), Stroke::Orbit, hue);
-                plot.markers(&values[..1], Marker::Disc, hue);
-            }
-            drawing.label(at(120.0, 238.0), Side::Over, name, Hue::Ink)?;
-            Ok::<Drawing, Cause>(drawing)
-        };
-    let board = panel(
-        [
-            "The angular velocity on board",
-            "Seen along the Frisbee's axis. The angular velocity, divided by its spin part, begins at the \
-             right, 0.3 from the middle, and spirals in about five times, counter-clockwise.",
-            r"$\omega_2/\omega_3$ against $\omega_1/\omega_3$",
-            r"on board: $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$",
-        ],
-        0.3,
-        0.1,
-        &[("omega", &omega, Hue::Orange)],
-    )?;
-    let room = panel(
-        [
-            "The axis in the room",
-            "Seen along the angular momentum at the start. The tip of the axis begins at the left, 0.15 \
-             from the middle, and spirals in about ten times, twice as often; the angular momentum is a \
-             dot in the middle.",
-            "$y$ against $x$",
-            r"in the room: $\hat{\mathbf{3}}$ about $\boldsymbol{L}$",
-        ],
-        0.15,
-        0.05,
-        &[("axis", &axis, Hue::Blue), ("momentum-small", &momenta, Hue::Green)],
-    )?;
-    let close = panel(
-        [
-            "The middle of the room's picture, enlarged",
-            "The direction of the angular momentum, in thousandths of a radian. It begins in the middle \
-             and goes round a circle of a radius of 2.2, again and again.",
-            "$y$ against $x$, thousandths",
-            r"its middle, enlarged: $\boldsymbol{L}$",
-        ],
-        5.0,
-        1.0,
-        &[("momentum", &enlarged, Hue::Green)],
-    )?;
-    Ok(Drawing::panels(id, vec![board, room, close]))
-}
-
-/// The map of fates: moments along it, drag up it, the border, and where real and even bodies lie.
-pub(crate) fn fates(id: &str) -> Outcome {
-    in_both(|room| {
-        let mut drawing = Drawing::new(id, room.of(420.0, 336.0), 400.0).titled(
-            "Which bodies settle",
-            "Both scales are logarithmic: along x the ratio of the moments, I3 over I1, from a thousandth to 2, \
-             beyond which there are no bodies; along y the ratio of the drags, C1 over C3, from a tenth to a \
-             thousand. The border is the falling straight line on which their product is one; above it bodies \
-             settle, below it they tumble. Dashed lines beside it: one clock ten times as fast as the other. A \
-             curve of all even spheroids in slow air runs from flat ones at the lower right, above the border, \
-             through the ball, which is on it, to needles, below it and nearly along it. A pencil lies below \
-             the border, a pencil with a straw and a Frisbee above it, a disc with a rough rim below.",
-        );
-        let moments = Axis::log(1e-3, 10.0, 1).titled(r"$I_3/I_1$");
-        let drags = Axis::log(0.1, 1000.0, 1).titled(r"$C_1/C_3$");
-        let frame = Rect::new(56.0, 34.0, room.of(340.0, 262.0), 306.0);
-        let mut plot = Plot::new(&mut drawing, frame, moments, drags)?;
-        plot.region((2.0, 0.1), (10.0, 1000.0), Hue::Muted);
-        for (name, clocks, stroke) in [
-            ("border", 1.0, Stroke::Border),
-            ("ten", 10.0, Stroke::DashedCurve),
-            ("tenth", 0.1, Stroke::DashedCurve),
-        ] {
-            let line = log_steps(1e-3, 10.0, 40).map(|ratio| (ratio, clocks / ratio));
-            plot.curve(name, line, stroke, Hue::Muted);
-        }
-        let spheroid = |eta: f64| {
-            let shape = Spheroid { equatorial_radius: 1.0, polar_radius: eta };
-            let SymmetricMoments { transverse, axial } =
-                Body::spheroid(1.0, shape)?.moments().as_symmetric()?;
-            let drag = Drag::of_spheroid(shape, 1.0)?;
-            Ok::<_, InvalidQuantity>((axial / transverse, drag.transverse / drag.axial))
-        };
-        let all = log_steps(1e-3, 44.0, 300).map(spheroid).collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve("spheroids", all, Stroke::Curve, Hue::Blue);
-        plot.markers(&[spheroid(0.4)?], Marker::Disc, Hue::Blue);
-        plot.label((1.45, 2.2), Side::Over, r"$\tfrac25$", Hue::Blue)?;
-        for (eta, side, name) in
-            [(1.0, Side::BelowLeft, "$1$"), (3.0, Side::BelowLeft, "$3$"), (10.0, Side::BelowLeft, "$10$")]
-        {
-            plot.markers(&[spheroid(eta)?], Marker::Disc, Hue::Blue);
-            plot.label(spheroid(eta)?, side, name, Hue::Blue)?;
-        }
-        plot.markers(&[(1.0 / 417.2, 81.4)], Marker::Square, Hue::Ink);
-        plot.label((1.0 / 360.0, 13.0), Side::Over, "pencil", Hue::Ink)?;
-        for (place, side, name) in [
-            ((1.0 / 549.0, 813.0), Side::Right, "straw"),
-            ((2.0, 10.0), Side::Right, "Frisbee"),
-            ((2.0, 0.1), Side::AboveRight, "rim"),
-        ] {
-            plot.markers(&[place], Marker::Square, Hue::Ink);
-            plot.label(place, side, name, Hue::Ink)?;
-        }
-        plot.label((0.3, 300.0), Side::Over, "settle", Hue::Ink)?;
-        plot.label((0.012, 0.6), Side::Over, "tumble", Hue::Ink)?;
-        plot.label((4.5, 30.0), Side::Over, "no", Hue::Muted)?;
-        plot.label((4.5, 18.0), Side::Over, "bodies", Hue::Muted)?;
-        Ok(drawing)
-    })
 }

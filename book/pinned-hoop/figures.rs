@@ -17,14 +17,25 @@ use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 pub(crate) const FIGURES: &[Figure] = figures![
     pinned_hoop,
     speed_of_b,
-    hoop_pendulum,
     momentum_in_hoop,
     tumble,
+    pendulum::twice_the_angle,
+    hoop_pendulum,
     flip,
-    herpolhode,
-    hoop_and_sphere,
-    waits
+    paths::herpolhode,
+    paths::hoop_and_sphere,
+    pendulum::wait_plateau,
+    waits,
+    any_body::two_turns,
+    any_body::tip_path
 ];
+
+#[path = "figures/any_body.rs"]
+pub(crate) mod any_body;
+#[path = "figures/paths.rs"]
+pub(crate) mod paths;
+#[path = "figures/pendulum.rs"]
+pub(crate) mod pendulum;
 
 /// A body of mass, radius and spin one, pinned at an angle in degrees.
 fn pinning(shape: Shape, degrees: f64) -> Result<Pinning, InvalidQuantity> {
@@ -139,12 +150,8 @@ fn after_the_snap(id: &str) -> Outcome {
     let out = hoop.impulse().z > 0.0 && hoop.centre_velocity().z > 0.0;
     let mark = if out { Marker::Out } else { Marker::Into };
     kit::marker(&mut drawing, pin, mark, Hue::Pink);
-    drawing.label(
-        pin + at(4.0, 8.0),
-        Side::Right,
-        r"$A$, $\boldsymbol{P}$, $\hat{\mathbf{3}}$",
-        Hue::Pink,
-    )?;
+    drawing.label(pin + at(4.0, 8.0), Side::Right, r"$A$, $\boldsymbol{P}$,", Hue::Pink)?;
+    drawing.label(pin + at(42.0, 8.0), Side::Right, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
     kit::marker(&mut drawing, CENTRE + at(-24.0, -14.0), mark, Hue::Ink);
     drawing.label(CENTRE + at(-28.0, -14.0), Side::Left, r"$\boldsymbol{v}_\text{cm}$", Hue::Ink)?;
     drawing.label(at(CENTRE.x, 364.0), Side::Over, "just after", Hue::Muted)?;
@@ -153,7 +160,7 @@ fn after_the_snap(id: &str) -> Outcome {
 
 /// Speeds of the two points a quarter of the circle from A, and the stated answer.
 pub(crate) fn speed_of_b(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 320.0).titled(
+    let mut drawing = Drawing::new(id, 340.0, 310.0).titled(
         "Speeds of the two points a quarter of the circle from A",
         "Speeds in units of a omega zero against the angle theta from 0 to 90 degrees. The point at theta plus 90 degrees starts at one, falls to \
          zero at 71.57 degrees, where a ring marks it, and rises to one third. The point at theta minus 90 degrees starts at one, rises a little and falls to \
@@ -161,7 +168,7 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
     );
     let angle = Axis::linear(0.0, 90.0, 15.0).minor(5.0).titled(r"angle $\theta$, degrees");
     let speed = Axis::linear(0.0, 1.2, 0.2).minor(0.05).titled(r"speed, in $a\omega_0$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 236.0), angle, speed)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(38.0, 34.0, 282.0, 226.0), angle, speed)?;
     type Velocity = fn(&Pinning) -> f64;
     let curves: [(Velocity, &str); 2] =
         [(Pinning::velocity_of_b, "plus"), (Pinning::velocity_opposite_b, "minus")];
@@ -169,7 +176,8 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
         let values = linear_steps(0.0, 90.0, 720)
             .map(|degrees| Ok((degrees, velocity(&pinning(Shape::Hoop, degrees)?).abs())))
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(name, values, Stroke::Curve, Hue::Blue);
+        let stroke = if name == "plus" { Stroke::Heavy } else { Stroke::Curve };
+        plot.curve(name, values, stroke, Hue::Ink);
     }
     let stated = linear_steps(0.0, 90.0, 180)
         .map(|degrees| {
@@ -179,12 +187,12 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
         })
         .collect::<Result<Vec<_>, InvalidQuantity>>()?;
     plot.curve("stated", stated, Stroke::DashedCurve, Hue::Muted);
-    plot.markers(&[(3_f64.atan().to_degrees(), 0.0)], Marker::Ring, Hue::Blue);
-    plot.label((44.0, 0.99), Side::AboveRight, r"at $\theta - 90°$", Hue::Blue)?;
+    plot.markers(&[(3_f64.atan().to_degrees(), 0.0)], Marker::Ring, Hue::Ink);
+    plot.label((44.0, 0.99), Side::AboveRight, r"at $\theta - 90°$", Hue::Ink)?;
     plot.label((60.5, 0.42), Side::Over, "squares", Hue::Muted)?;
     plot.label((61.5, 0.34), Side::Over, "added", Hue::Muted)?;
-    plot.label((37.0, 0.55), Side::BelowLeft, r"$B$, at $\theta + 90°$", Hue::Blue)?;
-    plot.label((62.5, 0.07), Side::Left, "$71.57°$", Hue::Blue)?;
+    plot.label((37.0, 0.55), Side::BelowLeft, r"$B$, at $\theta + 90°$", Hue::Ink)?;
+    plot.label((62.5, 0.07), Side::Left, "$71.57°$", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -197,21 +205,21 @@ pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
          curves run on above and below without turning.",
     );
     let angle = Axis::linear(-30.0, 210.0, 30.0).titled(r"$\chi$, degrees");
-    let rate = Axis::linear(-1.0, 1.0, 0.5).minor(0.1).titled(r"$\dot\chi/W$");
+    let rate = Axis::linear(-1.0, 1.0, 0.5).titled(r"$\dot\chi/W$");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 325.0, 246.0), angle, rate)?;
     plot.level(0.0, Stroke::Axis);
     // The separatrix, where the energy is that of the balance at χ = 0: χ̇² = W² sin² χ/2.
     for (sign, name) in [(1.0, "separatrix-above"), (-1.0, "separatrix-below")] {
         let values = linear_steps(-30.0, 210.0, 480)
             .map(|degrees| (degrees, sign * degrees.to_radians().sin() / SQRT_2));
-        plot.curve(name, values, Stroke::Border, Hue::Muted);
+        plot.curve(name, values, Stroke::Border, Hue::Ink);
     }
     // χ and its rate, by eq:flat-rates: ω₁ = W cos χ, ω₂ = −W sin χ, ω₃ = −χ̇.
     let place = |omega: Vector3<f64>| {
         let along = omega.x.hypot(omega.y);
         ((-omega.y).atan2(omega.x).to_degrees(), -omega.z / along)
     };
-    for degrees in [60.0, 80.0, 89.0] {
+    for (degrees, hue) in [(60.0, Hue::Faint), (80.0, Hue::Muted), (89.0, Hue::Ink)] {
         let hoop = pinning(Shape::Hoop, degrees)?;
         let top = hoop.free_motion()?;
         let period = top.period().ok_or("a pendulum swings back")?;
@@ -219,14 +227,19 @@ pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
             .map(|time| Ok(place(top.at(time)?.omega_body)))
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         let start = values[0];
-        plot.curve(&format!("pin-{degrees}"), values, Stroke::Curve, Hue::Orange);
-        plot.markers(&[start], Marker::Disc, Hue::Pink);
+        plot.curve(&format!("pin-{degrees}"), values, Stroke::Curve, hue);
+        plot.markers(&[start], Marker::Disc, hue);
         let place = match degrees {
             60.0 => (90.0, 0.25),
             80.0 => (90.0, 0.49),
             _ => (153.0, 0.45),
         };
-        plot.label(place, Side::Over, &format!("${degrees}°$"), Hue::Orange)?;
+        plot.label(
+            place,
+            Side::Over,
+            &format!("${degrees}°$"),
+            if hue == Hue::Faint { Hue::Muted } else { hue },
+        )?;
     }
     // One that turns over, about axis 3: a start that no snap gives.
     let moments = pinning(Shape::Hoop, 45.0)?.moments_about_pin();
@@ -241,9 +254,16 @@ pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
                 Ok((if time > 3.0 && angle < 0.0 { angle + 360.0 } else { angle }, rate))
             })
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(name, values, Stroke::Orbit, Hue::Orange);
+        plot.curve(name, values, Stroke::Orbit, Hue::Muted);
     }
-    plot.label((90.0, 0.94), Side::Over, "about axis 3: no snap starts here", Hue::Ink)?;
+    plot.label((90.0, 0.94), Side::Over, "about axis 3: no snap starts here", Hue::Muted)?;
+    for (place, side, name) in [
+        ((0.0, -0.2), Side::Below, "pass"),
+        ((90.0, -0.02), Side::Below, "hill"),
+        ((180.0, -0.2), Side::Below, "pass"),
+    ] {
+        plot.label(place, side, name, Hue::Ink)?;
+    }
     Ok(drawing)
 }
 
@@ -383,7 +403,7 @@ fn stills(id: &str, room: Room) -> Outcome {
 
 /// The components of ω in the plane of the hoop for a pin near a right angle.
 pub(crate) fn flip(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 300.0).titled(
+    let mut drawing = Drawing::new(id, 340.0, 300.0).titled(
         "The flip of a hoop pinned at 89.9 degrees",
         "Two components of omega against time in units of one over omega zero, from 0 to 120. The component along the tangent stays near one \
          third until about 20, falls through zero at 28 to minus one third, stays there till 78, and rises again. The component along the diameter through A is near zero but for \
@@ -393,7 +413,7 @@ pub(crate) fn flip(id: &str) -> Outcome {
     let top = hoop.free_motion()?;
     let time = Axis::linear(0.0, 120.0, 30.0).minor(10.0).titled(r"time, in $1/\omega_0$");
     let omega = Axis::linear(-0.4, 0.4, 0.2).minor(0.05).titled(r"angular velocity, in $\omega_0$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 320.0, 216.0), time, omega)?;
+    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 270.0, 216.0), time, omega)?;
     plot.level(0.0, Stroke::Reference);
     for (axis, name, stroke) in [(1, "diameter", Stroke::Orbit), (0, "tangent", Stroke::Curve)] {
         let values = linear_steps(0.0, 120.0, 1200)
@@ -405,7 +425,7 @@ pub(crate) fn flip(id: &str) -> Outcome {
         plot.markers(&[(time, top.at(time)?.omega_body.x)], Marker::Disc, Hue::Orange);
     }
     plot.label((36.0, 0.26), Side::Right, r"$\omega_1$, tangent", Hue::Orange)?;
-    plot.label((38.0, -0.14), Side::Right, r"$\omega_2$, diameter", Hue::Orange)?;
+    plot.label((33.0, -0.24), Side::Right, r"$\omega_2$, diameter", Hue::Orange)?;
     Ok(drawing)
 }
 
@@ -414,130 +434,6 @@ fn along_momentum(hoop: &Pinning) -> Result<(FreeTop, UnitQuaternion<f64>), Caus
     let upright = UnitQuaternion::rotation_between(&hoop.angular_momentum(), &Vector3::z())
         .ok_or("the momentum is not opposite to the upright")?;
     Ok((hoop.free_motion()?, upright))
-}
-
-/// The tips of ω and L from the hoop, and that of ω from the room.
-pub(crate) fn herpolhode(id: &str) -> Outcome {
-    Ok(Drawing::panels(id, vec![from_the_hoop("")?, from_the_room("")?]))
-}
-
-/// ω and L as the hoop sees them, along its diameter through A.
-fn from_the_hoop(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 290.0, 280.0).titled(
-        "ω and L as the hoop sees them",
-        "Seen along the diameter through A, with the hoop edge on along axis 1. The tip of omega goes round one oval, that of the angular momentum round a larger one.",
-    );
-    let hoop = pinning(Shape::Hoop, 60.0)?;
-    let top = hoop.free_motion()?;
-    let period = top.period().ok_or("it swings")?;
-    let side = Axis::linear(-0.5, 0.5, 0.5).minor(0.1);
-    let (x, y) = (side.titled(r"along $\hat{\mathbf{1}}$"), side.titled(r"along $\hat{\mathbf{3}}$"));
-    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 196.0, 196.0), x, y)?;
-    let moments = hoop.moments_about_pin();
-    let mut curve = |name: &str, hue: Hue, of: &dyn Fn(&Vector3<f64>) -> Vector3<f64>| {
-        let values = linear_steps(0.0, period, 720)
-            .map(|time| Ok(of(&top.at(time)?.omega_body)))
-            .map(|found| found.map(|vector: Vector3<f64>| (vector.x, vector.z)))
-            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(name, values, Stroke::Curve, hue);
-        Ok::<(), InvalidQuantity>(())
-    };
-    curve("omega-in-hoop", Hue::Orange, &|omega| *omega)?;
-    curve("momentum-in-hoop", Hue::Green, &|omega| moments.angular_momentum(omega))?;
-    plot.label((0.0, 0.12), Side::Over, r"tip of $\boldsymbol{\omega}$", Hue::Orange)?;
-    plot.label((0.0, 0.47), Side::Over, r"tip of $\boldsymbol{L}_A$", Hue::Green)?;
-    let ends = [plot.at((-0.3, 0.0)), plot.at((0.3, 0.0))];
-    plot.drawing().line(ends[0], ends[1], Stroke::Vector, Hue::Blue);
-    plot.markers(&[(0.0, 0.0)], Marker::Disc, Hue::Pink);
-    plot.label((0.0, -0.02), Side::Below, "$A$", Hue::Pink)?;
-    Ok(drawing)
-}
-
-/// The tip of ω in the room, seen along the angular momentum.
-fn from_the_room(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 290.0, 280.0).titled(
-        "The herpolhode of a hoop pinned at 60 degrees",
-        "Seen along the angular momentum, the tip of omega traces a rosette of twelve loops between two dashed circles about the middle.",
-    );
-    let hoop = pinning(Shape::Hoop, 60.0)?;
-    let (top, upright) = along_momentum(&hoop)?;
-    let period = top.period().ok_or("it swings")?;
-    let values = linear_steps(0.0, 6.0 * period, 6000)
-        .map(|time| {
-            let omega = upright * top.at(time)?.omega_world();
-            Ok((omega.x, omega.y))
-        })
-        .collect::<Result<Vec<(f64, f64)>, InvalidQuantity>>()?;
-    let reach = values.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
-    let least = values.iter().map(|(x, y)| x.hypot(*y)).fold(f64::INFINITY, f64::min);
-    let side = Axis::linear(-0.5, 0.5, 0.5).minor(0.1);
-    let (x, y) = (side.titled(r"$\omega_x/\omega_0$"), side.titled(r"$\omega_y/\omega_0$"));
-    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 196.0, 196.0), x, y)?;
-    for (radius, name) in [(least, "circle-inner"), (reach, "circle-outer")] {
-        let circle =
-            linear_steps(0.0, 2.0 * PI, 180).map(|angle| (radius * angle.cos(), radius * angle.sin()));
-        plot.curve(name, circle, Stroke::Reference, Hue::Muted);
-    }
-    plot.curve("rosette", values[1000..].to_vec(), Stroke::Orbit, Hue::Orange);
-    plot.curve("first-period", values[..=1000].to_vec(), Stroke::Curve, Hue::Orange);
-    let start = values[0];
-    plot.markers(&[start, values[1000]], Marker::Disc, Hue::Orange);
-    plot.label((0.0, 0.45), Side::Over, r"tip of $\boldsymbol{\omega}$", Hue::Orange)?;
-    let middle = plot.at((0.0, 0.0));
-    kit::marker(plot.drawing(), middle, Marker::Out, Hue::Green);
-    plot.label((0.01, -0.02), Side::BelowRight, r"$\boldsymbol{L}_A$", Hue::Green)?;
-    Ok(drawing)
-}
-
-/// Paths of the centres of a hoop and of a ball, pinned at the same place.
-pub(crate) fn hoop_and_sphere(id: &str) -> Outcome {
-    let hoop = path_of_centre(Shape::Hoop, "hoop", 60.0)?.titled(
-        "Path of the centre of a pinned hoop",
-        "A hoop hangs from the pinned point A. Its centre goes round the upright angular momentum and nods as it goes, so that its path is a rosette on the sphere about A.",
-    );
-    let sphere = path_of_centre(Shape::Sphere, "ball", 60.0)?.titled(
-        "Path of the centre of a pinned ball",
-        "A ball hangs from the pinned point A. Its centre goes round the upright angular momentum on one level circle.",
-    );
-    Ok(Drawing::panels(id, vec![hoop, sphere]))
-}
-
-fn path_of_centre(shape: Shape, name: &str, degrees: f64) -> Outcome {
-    let mut drawing = Drawing::new("", 320.0, 330.0);
-    let body = pinning(shape, degrees)?;
-    let (top, upright) = along_momentum(&body)?;
-    let centre = |time: f64| Ok(upright * (top.at(time)?.world_from_body * body.centre()));
-    let path = |from: f64, to: f64| {
-        linear_steps(from, to, 2000).map(centre).collect::<Result<Vec<Vector3<f64>>, InvalidQuantity>>()
-    };
-    let (start, now) = if shape == Shape::Hoop { (0.0, 96.0) } else { (0.0, 32.0) };
-    let recent = now - 14.0;
-    let mut stage = Stage::new(Camera::new(View {
-        target: [0.0, 0.0, -0.1],
-        azimuth: -1.0,
-        elevation: 0.36,
-        distance: 9.0,
-        centre: at(160.0, 170.0),
-        scale: 72.0,
-    })?);
-    let room = upright * top.at(now)?.world_from_body;
-    let last = centre(now)?;
-    if shape == Shape::Hoop {
-        stage.solid(Solid::ring(last, room * Vector3::z(), 1.0, 0.9, 0.1)?, Hue::Blue)?;
-    } else {
-        stage.solid(Solid::sphere(last, 1.0)?, Hue::Blue)?;
-    }
-    let early = Curve::smooth(path(start, recent)?)?;
-    stage.curve(early.hiding(Hiding::Dashed), Stroke::Orbit, Hue::Blue)?;
-    let late = Curve::smooth(path(recent, now)?)?;
-    stage.arrow(late.hiding(Hiding::Ignored), Stroke::Vector, Heads::End, Hue::Blue)?;
-    stage.named_vector([0.0; 3], [0.0, 0.0, 1.25], r"$\boldsymbol{L}_A$", Hue::Green)?;
-    stage.dot_in_front(last, 3.0, Hue::Blue)?;
-    stage.dot_in_front([0.0; 3], 4.5, Hue::Pink)?;
-    stage.label_shifted([0.0; 3], at(2.0, -6.0), Side::Right, "$A$", Hue::Pink)?;
-    stage.write(&mut drawing);
-    drawing.label(at(160.0, 316.0), Side::Over, name, Hue::Muted)?;
-    Ok(drawing)
 }
 
 /// A body of mass, radius and spin one, pinned with a gap to a right angle whose sine is given.
@@ -590,15 +486,23 @@ pub(crate) fn waits(id: &str) -> Outcome {
         let time = Axis::linear(0.0, 300.0, 50.0).minor(10.0).titled(r"time, in $1/\omega_0$");
         let frame = Rect::new(52.0, 34.0, room.of(580.0, 320.0), 290.0);
         let mut plot = Plot::new(&mut drawing, frame, gap, time)?;
-        plot.curve("hoop", curve(Shape::Hoop, 1e-20)?, Stroke::Curve, Hue::Orange);
-        plot.curve("disc", curve(Shape::Disk, 1e-20)?, Stroke::Curve, Hue::Blue);
-        plot.curve("ball", curve(Shape::Sphere, 0.0075)?, Stroke::Curve, Hue::Ink);
-        plot.markers(&stepped, Marker::Disc, Hue::Orange);
-        plot.markers(&[(FRAC_PI_2.cos(), told_the_angle)], Marker::Ring, Hue::Orange);
-        plot.label((1e-5, 44.0), Side::BelowLeft, "hoop", Hue::Orange)?;
-        plot.label((1e-9, 126.0), Side::AboveRight, "disc", Hue::Blue)?;
-        plot.label((0.005, 260.0), Side::Left, "ball", Hue::Ink)?;
-        plot.label((3e-20, 92.0), Side::BelowRight, "stepped in the room", Hue::Orange)?;
+        plot.curve("hoop", curve(Shape::Hoop, 1e-20)?, Stroke::Heavy, Hue::Ink);
+        plot.curve("disc", curve(Shape::Disk, 1e-20)?, Stroke::Curve, Hue::Muted);
+        plot.curve("ball", curve(Shape::Sphere, 0.0075)?, Stroke::Curve, Hue::Faint);
+        plot.markers(&stepped, Marker::Ring, Hue::Ink);
+        plot.markers(&[(FRAC_PI_2.cos(), told_the_angle)], Marker::Diamond, Hue::Ink);
+        plot.label((1e-5, 44.0), Side::BelowLeft, "hoop", Hue::Ink)?;
+        plot.label((1e-9, 126.0), Side::AboveRight, "disc", Hue::Muted)?;
+        plot.label((0.005, 260.0), Side::Left, "ball", Hue::Muted)?;
+        plot.label((2e-20, room.of(142.0, 92.0)), Side::BelowRight, "stepped in the room", Hue::Ink)?;
+        let diamond = plot.at((FRAC_PI_2.cos(), told_the_angle));
+        plot.drawing().line(diamond, diamond + at(0.0, -24.0), Stroke::Dotted, Hue::Muted);
+        plot.drawing().label(
+            diamond + at(0.0, -24.0),
+            Side::Above,
+            room.of("told the angle", "angle"),
+            Hue::Ink,
+        )?;
         Ok(drawing)
     })
 }

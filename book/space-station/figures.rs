@@ -1,8 +1,8 @@
 //! The figures of the chapter "The struck space station".
 
-use drawing::kit::{Heads, Marker, head};
+use drawing::kit::{self, Heads, head};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
 use figures::{Axis, Cause, Figure, Outcome, Plot, figures, linear_steps};
 use mechanics::InvalidQuantity;
 use mechanics::euler::{self, Turning};
@@ -14,7 +14,8 @@ use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// All figures of this chapter.
-pub(crate) const FIGURES: &[Figure] = figures![station, crew_sky, station_views, cones_roll, nodding];
+pub(crate) const FIGURES: &[Figure] =
+    figures![station, equal_speed, crew_sky, two_arrows, station_views, cones_roll, nodding];
 
 /// Mass, kg, radius, m, spin, rad/s, and impulse, N·s, of the chapter.
 const MASS: f64 = 4e5;
@@ -118,7 +119,7 @@ fn sky(
     count: u32,
     clear: (f64, f64),
 ) -> Result<(Drawing, Point), Cause> {
-    let title = format!("The sky from the hub {below}");
+    let title = format!("The sky from the hub {}", &below[4..]);
     let mut drawing = Drawing::new("", 220.0, 260.0).titled(&title, description);
     let mut plot = Plot::plane(&mut drawing, MIDDLE, RADIUS_OF_PICTURE, 1.0)?;
     let mut ends = Vec::new();
@@ -139,7 +140,7 @@ fn sky(
     }
     drawing.circle(MIDDLE, RADIUS_OF_PICTURE, Role::Line(Stroke::Outline, Hue::Muted));
     for step in [at(5.0, 0.0), at(0.0, 5.0)] {
-        drawing.line(MIDDLE - step, MIDDLE + step, Stroke::Vector, Hue::Blue);
+        drawing.line(MIDDLE - step, MIDDLE + step, Stroke::Vector, Hue::Ink);
     }
     drawing.label(MIDDLE + at(0.0, RADIUS_OF_PICTURE + 22.0), Side::Over, below, Hue::Ink)?;
     Ok((drawing, pole))
@@ -152,7 +153,7 @@ pub(crate) fn crew_sky(id: &str) -> Outcome {
     let (mut before, middle) = sky(
         [
             "before",
-            "before the blow",
+            "(a) before the blow",
             "Short arcs of circles about the middle of the picture, where axis 3 points; stars go round it \
              counter-clockwise.",
         ],
@@ -161,12 +162,12 @@ pub(crate) fn crew_sky(id: &str) -> Outcome {
         130,
         (0.1, 0.09),
     )?;
-    before.label(middle + at(1.0, -1.0), Side::AboveRight, r"$\hat{\mathbf{3}}$", Hue::Blue)?;
+    before.label(middle + at(1.0, -1.0), Side::AboveRight, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
     let exposure = turn / 18.0;
     let (mut after, pole) = sky(
         [
             "after",
-            "just after it",
+            "(b) just after it",
             "Short arcs again, but about a pole above the middle, in the direction of the angular velocity \
              omega. An arrow shows that this pole itself goes round the middle, clockwise.",
         ],
@@ -184,25 +185,155 @@ pub(crate) fn crew_sky(id: &str) -> Outcome {
     plot.curve("pole", poles.iter().copied(), Stroke::Outline, Hue::Orange);
     let [from, to] = [poles.len() - 3, poles.len() - 1].map(|index| plot.at(poles[index]));
     head(&mut after, to + (to - from).unit() * 6.0, to - from, 0.8, Hue::Orange);
-    let (mut later, _) = sky(
-        [
-            "turn",
-            "a whole turn, shutter open",
-            "Long trails that cross each other: each star draws nearly an ellipse about the middle, some \
-             round, some flat. A heavy trail goes through the middle, nearly straight, to both sides.",
-        ],
-        &struck,
-        (0.0, turn),
-        26,
-        (1.0, 1.0),
-    )?;
-    // The star that stood on the cross.
-    let mut plot = Plot::plane(&mut later, MIDDLE, RADIUS_OF_PICTURE, 1.0)?;
-    let nodding = linear_steps(0.0, turn, 400)
-        .map(|time| Ok(in_picture(&(struck.at(time)?.world_from_body.inverse() * Vector3::z()))))
-        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-    plot.curve("old-pole", nodding.iter().copied(), Stroke::Curve, Hue::Ink);
+    let later = whole_turn(&struck, turn)?;
     Ok(Drawing::panels(id, vec![before, after, later]))
+}
+
+/// The third picture of the sky: four stars by their distance from L, in units of its lean, and their heading from L at
+/// the start, in turns from the cross.
+const CHOSEN: [(&str, f64, f64); 4] =
+    [("at-momentum", 0.0, 0.0), ("old-pole", 1.0, 0.0), ("ellipse-1", 2.6, 0.0), ("ellipse-2", 2.6, 0.5)];
+
+/// The trails of a few stars while the shutter is open for a whole turn.
+fn whole_turn(struck: &StruckStation, turn: f64) -> Outcome {
+    let mut drawing = Drawing::new("", 220.0, 260.0).titled(
+        "The sky from the hub, a whole turn",
+        "Four trails about the cross. A star in the direction of L draws a small circle. The star that stood on the cross \
+         draws nearly a straight line through it, to both sides. Two others draw nearly ellipses, which cross each other.",
+    );
+    let momentum = struck.angular_momentum_world().normalize();
+    // From L towards the place of axis 3 at the start, and across.
+    let towards = (Vector3::z() - momentum * momentum.z).normalize();
+    let across = momentum.cross(&towards);
+    let mut plot = Plot::plane(&mut drawing, MIDDLE, RADIUS_OF_PICTURE, 1.0)?;
+    for (name, distance, heading) in CHOSEN {
+        let (sin, cos) = (TAU * heading).sin_cos();
+        let (from_momentum, along) =
+            ((distance * struck.momentum_angle()).sin_cos(), towards * cos + across * sin);
+        let star = momentum * from_momentum.1 + along * from_momentum.0;
+        let trail = linear_steps(0.0, turn, 400)
+            .map(|time| Ok(in_picture(&(struck.at(time)?.world_from_body.inverse() * star))))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        let stroke = if name == "old-pole" { Stroke::Curve } else { Stroke::Axis };
+        plot.curve(name, trail.iter().copied(), stroke, Hue::Ink);
+        let end = plot.at(trail[trail.len() - 1]);
+        plot.drawing().dot(end, if name == "old-pole" { 2.6 } else { 1.9 }, Hue::Ink);
+    }
+    drawing.circle(MIDDLE, RADIUS_OF_PICTURE, Role::Line(Stroke::Outline, Hue::Muted));
+    for step in [at(5.0, 0.0), at(0.0, 5.0)] {
+        drawing.line(MIDDLE - step, MIDDLE + step, Stroke::Vector, Hue::Ink);
+    }
+    drawing.label(
+        MIDDLE + at(0.0, RADIUS_OF_PICTURE + 22.0),
+        Side::Over,
+        "(c) a whole turn, shutter open",
+        Hue::Ink,
+    )?;
+    Ok(drawing)
+}
+
+/// A blow so small that the sky about axis 3 is flat: a hundredth of that of the text.
+fn tapped() -> Result<StruckStation, InvalidQuantity> {
+    struck(0.01 * IMPULSE)
+}
+
+/// The tip of axis 3 just after a blow: one speed, on a circle about ω and on one half as wide about L.
+pub(crate) fn equal_speed(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 330.0, 300.0).titled(
+        "One speed on two circles",
+        "Looking down on the tips of three directions. On the right is the tip of axis 3. To its left, at half of the way and at \
+         the whole, are L and omega. A small circle about L and a dashed one, twice as wide, about omega touch at axis 3, and \
+         one arrow, the velocity of the tip, is tangent to both.",
+    );
+    let struck = tapped()?;
+    // Looking down, axis 1 of the first moment to the left, in units of the lean of ω.
+    let theta = struck.axis_angle();
+    let place = |direction: Vector3<f64>| (-direction.x / theta, -direction.y / theta);
+    let mut plot = Plot::plane(&mut drawing, at(210.0, 150.0), 112.0, 2.5)?;
+    let nod = TAU / struck.nodding_rate();
+    let nodding = linear_steps(0.0, nod, 200)
+        .map(|time| Ok(place(struck.at(time)?.axis_3_world())))
+        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+    // What it would do if ω stayed in its place.
+    let omega = struck.at(0.0)?.omega_world().normalize();
+    let kept = linear_steps(0.0, TAU, 200)
+        .map(|angle| place(UnitQuaternion::from_scaled_axis(omega * angle) * Vector3::z()));
+    plot.curve("about-omega", kept, Stroke::DashedCurve, Hue::Muted);
+    plot.curve("about-momentum", nodding.iter().copied(), Stroke::Curve, Hue::Ink);
+    let [tip, spin, momentum] = [
+        plot.at(nodding[0]),
+        plot.at(place(omega)),
+        plot.at(place(struck.angular_momentum_world().normalize())),
+    ];
+    // The way that its speed would make in an eighth of an old turn.
+    let speed = struck.at(0.0)?.omega_world().cross(&Vector3::z()) * (TAU / SPIN / 8.0);
+    let ahead = plot.at(place(speed + Vector3::z()));
+    let middle = plot.at(nodding[76]);
+    let before = plot.at(nodding[70]);
+    for (end, name, side) in [(spin, r"$\theta$", -15.0), (momentum, r"$\tfrac12\theta$", 17.0)] {
+        let step = at(0.0, side);
+        kit::dimension(&mut drawing, end + step, tip + step, Heads::Both, Hue::Muted);
+        let place = (end + step).towards(tip + step, if side > 0.0 { 0.5 } else { 0.25 });
+        let beside = if side > 0.0 { Side::Below } else { Side::Above };
+        drawing.label(place, beside, name, Hue::Ink)?;
+    }
+    kit::arrow(&mut drawing, tip, ahead, Hue::Ink);
+    drawing.label(tip.towards(ahead, 0.6), Side::Right, "speed", Hue::Ink)?;
+    head(&mut drawing, middle, middle - before, 0.8, Hue::Ink);
+    for (point, name, side, hue) in [
+        (spin, r"$\boldsymbol{\omega}$", Side::Left, Hue::Orange),
+        (momentum, r"$\boldsymbol{L}$", Side::Left, Hue::Green),
+        (tip, r"$\hat{\mathbf{3}}$", Side::Right, Hue::Ink),
+    ] {
+        drawing.dot(point, 4.0, hue);
+        drawing.label(point, side, name, hue)?;
+    }
+    drawing.label(spin - at(0.0, 66.0), Side::Over, r"if $\boldsymbol{\omega}$ stayed", Hue::Muted)?;
+    Ok(drawing)
+}
+
+/// The star that stood on the cross, as the sum of two arrows of one length: four moments.
+pub(crate) fn two_arrows(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 336.0, 310.0).titled(
+        "The star is the sum of two arrows that turn against each other",
+        "Four pictures of the sky about the cross, a quarter of a nod apart, from an eighth of a nod on. A green arrow from the cross to L \
+         turns clockwise on a circle. From its tip an arrow of the same length to the star turns the other way. At an \
+         eighth the star is a little to one side of the cross, at three eighths and five eighths farther off, at seven eighths \
+         near it again, all the time nearly on one straight line.",
+    );
+    let struck = tapped()?;
+    // The length of either arrow, px.
+    const SHORT: f64 = 44.0;
+    let lean = struck.momentum_angle();
+    let place = |direction: &Vector3<f64>| (direction.y / lean, direction.x / lean);
+    let nod = TAU / struck.nodding_rate();
+    let momentum = struck.angular_momentum_world().normalize();
+    for (still, name) in
+        [r"$\tfrac18$ nod", r"$\tfrac38$", r"$\tfrac58$", r"$\tfrac78$"].into_iter().enumerate()
+    {
+        let cross = at(54.0 + 166.0 * (still % 2) as f64, 62.0 + 152.0 * (still / 2) as f64);
+        let mut plot = Plot::plane(&mut drawing, cross, SHORT, 2.2)?;
+        let time = (still as f64 / 4.0 + 0.125) * nod;
+        let on_board = struck.at(time)?.world_from_body.inverse();
+        let trail = linear_steps(0.0, time, 100)
+            .map(|time| Ok(place(&(struck.at(time)?.world_from_body.inverse() * Vector3::z()))))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        plot.curve(&format!("star-{still}"), trail, Stroke::Orbit, Hue::Muted);
+        let [tip, star] = [momentum, Vector3::z()].map(|direction| plot.at(place(&(on_board * direction))));
+        drawing.circle(cross, SHORT, Role::Line(Stroke::Dotted, Hue::Muted));
+        for step in [at(5.0, 0.0), at(0.0, 5.0)] {
+            drawing.line(cross - step, cross + step, Stroke::Vector, Hue::Ink);
+        }
+        kit::arrow(&mut drawing, cross, tip, Hue::Green);
+        kit::arrow(&mut drawing, tip, star, Hue::Ink);
+        drawing.dot(star, 4.0, Hue::Ink);
+        drawing.label(tip + (tip - cross).unit() * 13.0, Side::Over, r"$\boldsymbol{L}$", Hue::Green)?;
+        if still == 0 {
+            drawing.label(star + at(14.0, 0.0), Side::Right, "star", Hue::Ink)?;
+        }
+        drawing.label(cross + at(22.0, 76.0), Side::Over, name, Hue::Ink)?;
+    }
+    Ok(drawing)
 }
 
 /// The same motion in the room and on board.
@@ -231,9 +362,9 @@ pub(crate) fn station_views(id: &str) -> Outcome {
         stage.arrow(Curve::smooth(path)?.hiding(Hiding::Ignored), Stroke::Outline, Heads::End, hue)?;
         Ok::<(), Cause>(())
     };
-    // Begins where axis 3 leans to the left on the page.
+    // Begins where axis 3 leans to the left on the page and towards the eye.
     let nod = TAU / struck.nodding_rate();
-    let (in_room, on_board) = (0.42 * nod, 0.1 * TAU / struck.body_rate());
+    let (in_room, on_board) = (0.02 * nod, 0.1 * TAU / struck.body_rate());
 
     let (mut room, mut stage) = view(
         "The struck station in the room",
@@ -246,10 +377,10 @@ pub(crate) fn station_views(id: &str) -> Outcome {
     let length = 1.65;
     let axis = |time: f64| Ok(upright * struck.at(in_room + time)?.axis_3_world() * length);
     let omega = |time: f64| Ok(upright * struck.at(in_room + time)?.omega_world().normalize() * length);
-    path(&mut stage, nod, &axis, Hue::Blue)?;
+    path(&mut stage, nod, &axis, Hue::Ink)?;
     path(&mut stage, nod, &omega, Hue::Orange)?;
     stage.named_vector([0.0; 3], [0.0, 0.0, 1.9], r"$\boldsymbol{L}$", Hue::Green)?;
-    stage.named_vector([0.0; 3], axis(0.0)?, r"$\hat{\mathbf{3}}$", Hue::Blue)?;
+    stage.named_vector([0.0; 3], axis(0.0)?, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
     stage.named_vector([0.0; 3], omega(0.0)?, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.write(&mut room);
     room.label(at(160.0, 306.0), Side::Over, "in the room:", Hue::Ink)?;
@@ -271,7 +402,7 @@ pub(crate) fn station_views(id: &str) -> Outcome {
     let turn = TAU / struck.body_rate();
     path(&mut stage, turn, &omega, Hue::Orange)?;
     path(&mut stage, turn, &momentum, Hue::Green)?;
-    stage.named_vector([0.0; 3], [0.0, 0.0, 1.9], r"$\hat{\mathbf{3}}$", Hue::Blue)?;
+    stage.named_vector([0.0; 3], [0.0, 0.0, 1.9], r"$\hat{\mathbf{3}}$", Hue::Ink)?;
     stage.named_vector([0.0; 3], omega(0.0)?, r"$\boldsymbol{\omega}$", Hue::Orange)?;
     stage.named_vector([0.0; 3], momentum(0.0)?, r"$\boldsymbol{L}$", Hue::Green)?;
     stage.write(&mut board);
@@ -314,7 +445,7 @@ fn rolling_cones(
     stage.solid(body_cone, Hue::Blue)?;
     stage.solid(Solid::cone([0.0; 3], Vector3::z(), (body_angle - lean).abs(), length)?, Hue::Green)?;
     stage.named_vector([0.0; 3], [0.0, 0.0, 1.75], r"$\boldsymbol{L}$", Hue::Green)?;
-    stage.named_vector([0.0; 3], axis * 1.75, r"$\hat{\mathbf{3}}$", Hue::Blue)?;
+    stage.named_vector([0.0; 3], axis * 1.75, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
     let arrow = Curve::segment([0.0; 3], omega * 1.85)?.hiding(Hiding::Ignored);
     stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Orange)?;
     let contact = Curve::segment([0.0; 3], omega * length)?.hiding(Hiding::Ignored);
@@ -362,13 +493,12 @@ pub(crate) fn cones_roll(id: &str) -> Outcome {
 
 /// How far the axis is to one side of L, in the room, and omega to one side of axis 3, on board.
 pub(crate) fn nodding(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 430.0).titled(
+    let mut drawing = Drawing::new(id, 340.0, 320.0).titled(
         "Nods in the room and turns on board",
-        "Two curves against time in turns of the old spin, from 0 to 4, one above the other. Above, how \
-         far the axis of the station is to one side of the angular momentum: a wave that swings a little \
-         more than eight times, through dots from a simulation. A dashed wave, once a turn, swings \
-         four times. Below, how far the angular velocity is to one side of the axis on board: a wave that \
-         swings four times.",
+        "Two waves against time in turns of the old spin, from 0 to 4, one above the other. Above, how \
+         far the axis of the station is to one side of the angular momentum: a wave with eight numbered \
+         crests, a little closer than two a turn, through rings from a simulation. Below, how far the angular velocity is to \
+         one side of the axis on board: a wave with four numbered crests.",
     );
     let struck = struck(IMPULSE)?;
     let period = TAU / SPIN;
@@ -380,35 +510,56 @@ pub(crate) fn nodding(id: &str) -> Outcome {
     // A simulation that knows neither rate.
     let moments = Body::hoop(MASS, RADIUS)?.moments();
     let free = euler::turning_rates(moments, |_, _| Vector3::zeros());
-    let times: Vec<f64> = linear_steps(0.0, 4.0 * period, 48).collect();
+    let times: Vec<f64> = linear_steps(0.0, 4.0 * period, 32).collect();
     let (states, _) = Dop853::new(1e-11)?.sample(free, 0.0, struck.at(0.0)?.to_array(), &times)?;
     let simulated: Vec<Turning> = states.into_iter().map(Turning::from_array).collect();
-
-    let (turns, side) = (Axis::linear(0.0, 4.0, 1.0).minor(0.25), Axis::linear(-1.0, 1.0, 1.0));
-    let nods = 4.0 * struck.nodding_rate() / SPIN;
-    let nodded = format!(r"in the room, $\hat{{\mathbf{{3}}}}$ about $\boldsymbol{{L}}$: ${nods:.1}$ nods");
-    let upper = side.titled(&nodded);
-    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 340.0, 130.0), turns.unlabelled(), upper)?;
-    let wave = |rate: f64| linear_steps(0.0, 4.0, 800).map(move |t| (t, (rate * t * period).cos()));
-    plot.curve("claimed", wave(SPIN), Stroke::DashedCurve, Hue::Muted);
-    let exact = linear_steps(0.0, 4.0, 800)
-        .map(|t| Ok((t, in_room(&struck.at(t * period)?.axis_3_world()))))
-        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-    plot.curve("in-the-room", exact, Stroke::Curve, Hue::Blue);
-    let dots: Vec<(f64, f64)> =
-        simulated.iter().zip(&times).map(|(state, t)| (t / period, in_room(&state.axis_3_world()))).collect();
-    plot.markers(&dots, Marker::Disc, Hue::Blue);
-    plot.label((4.06, 1.1), Side::AboveLeft, "dashed: once a turn", Hue::Muted)?;
-
-    let lower = side.titled(r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$: $4$ turns");
-    let time = turns.titled("time, turns of the old spin");
-    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 246.0, 340.0, 130.0), time, lower)?;
-    let exact = linear_steps(0.0, 4.0, 800)
-        .map(|t| Ok((t, on_board(&struck.at(t * period)?.omega_body))))
-        .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-    plot.curve("on-board", exact, Stroke::Curve, Hue::Orange);
-    let dots: Vec<(f64, f64)> =
-        simulated.iter().zip(&times).map(|(state, t)| (t / period, on_board(&state.omega_body))).collect();
-    plot.markers(&dots, Marker::Square, Hue::Orange);
+    let sampled = |of: &dyn Fn(&Turning) -> f64| {
+        linear_steps(0.0, 4.0, 800)
+            .map(|t| Ok((t, of(&struck.at(t * period)?))))
+            .collect::<Result<Vec<_>, InvalidQuantity>>()
+    };
+    let turns = Axis::linear(0.0, 4.0, 1.0).minor(0.25);
+    let side = Axis::linear(-1.0, 1.0, 1.0);
+    type Aside<'a> = &'a dyn Fn(&Turning) -> f64;
+    let strips: [(&str, &str, f64, Aside<'_>, f64); 2] = [
+        (
+            "in-the-room",
+            r"in the room: rounds of $\hat{\mathbf{3}}$ about $\boldsymbol{L}$",
+            60.0,
+            &|state| in_room(&state.axis_3_world()),
+            struck.nodding_rate(),
+        ),
+        (
+            "on-board",
+            r"on board: rounds of $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$",
+            190.0,
+            &|state| on_board(&state.omega_body),
+            struck.body_rate(),
+        ),
+    ];
+    for (name, title, top, aside, rate) in strips {
+        let time = if name == "on-board" {
+            turns.titled("time, in turns of the old spin")
+        } else {
+            turns.unlabelled()
+        };
+        let frame = Rect::new(36.0, top, 284.0, 66.0);
+        let mut plot = Plot::new(&mut drawing, frame, time, side)?;
+        plot.curve(name, sampled(aside)?, Stroke::Curve, Hue::Ink);
+        let dots: Vec<(f64, f64)> =
+            simulated.iter().zip(&times).map(|(state, t)| (t / period, aside(state))).collect();
+        for &dot in &dots {
+            let place = plot.at(dot);
+            plot.drawing().circle(place, 2.2, Role::Area(Fill::Page, Hue::Ink));
+            plot.drawing().circle(place, 2.2, Role::Line(Stroke::Outline, Hue::Ink));
+        }
+        // Every return to where it began has a number.
+        let waves = (4.0 * rate * period / TAU + 1e-9).floor() as u32;
+        for count in 1..=waves {
+            let turns = f64::from(count) * TAU / rate / period;
+            plot.label((turns, 1.06), Side::Above, &count.to_string(), Hue::Ink)?;
+        }
+        plot.drawing().label(at(14.0, top - 42.0), Side::Right, title, Hue::Ink)?;
+    }
     Ok(drawing)
 }

@@ -7,7 +7,7 @@ use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::{BrakedDisk, EulersDisk, Loss, SpinDown, SpinningCoin};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_PI_2, SQRT_2};
+use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 fn pinned(shape: Shape, pin: Pin) -> Pinning {
     Pinning::new(PinningParameters { shape, mass: 1.0, radius: 1.0, spin: 1.0, pin }).expect("a pinned body")
@@ -58,6 +58,34 @@ fn the_hoop_flips_and_waits_as_the_library_has_it() {
         let pin = Pin::Point { from_axis: (1.0 - gap * gap).sqrt(), height: gap };
         pinned(Shape::Disk, pin).wait().expect("a body").expect("a wait")
     });
+}
+
+#[test]
+fn the_plateau_is_half_as_wide_as_the_logarithm_of_its_gap() {
+    for decades in [2, 4, 8] {
+        let gap = 0.1_f64.powi(decades);
+        let up = |zeta: f64| {
+            ((zeta.exp().powi(2) * gap + 1.0) * ((-zeta).exp().powi(2) * gap + 1.0)).sqrt().recip()
+        };
+        lies_on("wait-plateau", &format!("gap-{decades}"), up);
+    }
+}
+
+#[test]
+fn the_tip_of_a_free_body_goes_round_as_its_quadrature_says() {
+    // eq:tip-heading for I = (1, 2, 2.5) and ω = (0.6, 0, 1), stepped along with Euler's equations.
+    let momentum = Vector3::new(0.6, 0.0, 2.5);
+    let rates = |_: f64, [x, y, z, _]: &[f64; 4]| {
+        let across = x * x + 4.0 * y * y;
+        [-0.5 * y * z, 0.75 * z * x, -0.4 * x * y, momentum.norm() * (x * x + 2.0 * y * y) / across]
+    };
+    let steps = Dop853::new(1e-12).unwrap();
+    let place = |time: f64| {
+        let [x, y, _, heading] = steps.solve(rates, 0.0, [0.6, 0.0, 1.0, PI], time).expect("a motion").state;
+        let radius = (x * x + 4.0 * y * y).sqrt() / momentum.norm();
+        (radius * heading.cos(), radius * heading.sin())
+    };
+    passes("tip-path", "first-period", (1..60).map(|n| place(0.1 * f64::from(n))));
 }
 
 #[test]

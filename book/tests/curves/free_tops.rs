@@ -143,7 +143,6 @@ fn the_station_nods_and_star_trails_are_circles_about_one_axis_or_two() {
     for (name, of, exposure, motion) in [
         ("before", 130, 1.0 / 9.0, &calm as &dyn Fn(f64) -> Rotation3<f64>),
         ("after", 130, 1.0 / 18.0, &struck),
-        ("turn", 26, 1.0, &struck),
     ] {
         let axes = || parts("crew-sky").into_iter().flat_map(Drawing::axes);
         let drawn = |star: &u32| axes().any(|axes| axes.curves.contains(&format!("{name}-{star}")));
@@ -153,19 +152,52 @@ fn the_station_nods_and_star_trails_are_circles_about_one_axis_or_two() {
         }
     }
     assert!(checked > 2000, "{checked}");
-    // The star that stood on the cross, and the pole about which all turn.
-    let times = [0.05, 0.2, 0.45, 0.6, 0.8];
-    passes("crew-sky", "old-pole", times.map(|turns| in_picture(struck(turns) * Vector3::z())));
+    // Four stars over a whole turn: one in the direction of L, and three beside it.
+    let from_momentum = |distance: f64, heading: f64| {
+        let lean = 0.2_f64.atan();
+        // Away from L towards axis 3 at the start, which is to the side of minus axis 1; then about L.
+        let beside = Rotation3::new(Vector3::new(0.0, -distance * lean, 0.0)) * momentum.normalize();
+        Rotation3::new(momentum.normalize() * (TAU * heading)) * beside
+    };
+    for (name, distance, heading) in
+        [("at-momentum", 0.0, 0.0), ("old-pole", 1.0, 0.0), ("ellipse-1", 2.6, 0.0), ("ellipse-2", 2.6, 0.5)]
+    {
+        let star = from_momentum(distance, heading);
+        // A start or an end on the cross itself has no azimuth.
+        let trail = (1..37).map(|step| in_picture(struck(f64::from(step) / 37.0) * star));
+        passes("crew-sky", name, trail);
+    }
+    // The pole about which all turn.
     let pole = |turns: f64| about(Vector3::z(), turns) * Vector3::new(0.4, 0.0, 1.0);
     passes("crew-sky", "pole", [0.01, 0.07, 0.13, 0.19].map(|turns| in_picture(pole(turns))));
+}
+
+#[test]
+fn after_a_small_blow_the_axis_runs_on_half_the_circle_and_the_star_on_a_line() {
+    // In units of the lean of ω: a circle about (−½, 0), and the one about (−1, 0) that it leaves.
+    let circle = |middle: f64, radius: f64| {
+        (0..100).map(move |step| {
+            let (sin, cos) = (TAU * f64::from(step) / 100.0).sin_cos();
+            (middle + radius * cos, radius * sin)
+        })
+    };
+    passes("equal-speed", "about-momentum", circle(-0.5, 0.5));
+    passes("equal-speed", "about-omega", circle(-1.0, 1.0));
+    // 2 sin ½Λt of the lean of L, at most, to the right.
+    let line = (0..100).map(|step| (2.0 * (0.5 * TAU * 0.875 * f64::from(step) / 100.0).sin(), 0.0));
+    passes("two-arrows", "star-3", line);
 }
 
 #[test]
 fn spin_and_wobble_decay_exponentially_and_as_powers_of_each_other() {
     for (ratio, name) in [(2.0, "2"), (1.0, "1"), (0.5, "0.5")] {
         lies_on("tangent", &format!("ratio-{name}"), |t: f64| 0.3 * (-(1.0 - 1.0 / ratio) * t).exp());
-        lies_on("spin-tangent", &format!("ratio-{name}"), |spin: f64| spin.powf(ratio - 1.0));
+        lies_on("spin-tangent", &format!("ratio-{name}"), |lost: f64| (1.0 - lost).powf(ratio - 1.0));
     }
+    lies_on("spin-tangent", "frisbee", |lost: f64| (1.0 - lost).powi(19));
+    // The example by hand: halved every 10 s, and every 20 s.
+    lies_on("two-slopes", "spin", |t: f64| 20.0 * 0.5_f64.powf(t / 10.0));
+    lies_on("two-slopes", "across", |t: f64| 2.0 * 0.5_f64.powf(t / 20.0));
     lies_on("two-clocks", "flat", |wobble: f64| (wobble / 0.6).sqrt());
     lies_on("two-clocks", "long", |wobble: f64| (wobble / 0.6).powi(2));
     // With I₃ = 2I₁ and u = e^{−Ct/I₃} the length is u², and what is left of the turns is 3.3 u.
@@ -195,19 +227,17 @@ fn the_axis_spirals_in_about_a_momentum_that_hardly_moves() {
     let thrown = top.thrown(upright, &Dop853::new(1e-12).unwrap()).expect("a motion");
     let states = || (0..1000).map(|n| thrown.at(0.0059 * f64::from(n)).expect("a state"));
     passes("axis-path", "axis", states().map(|state| state.axis_3_world()).map(|axis| (axis.x, axis.y)));
-    let directions = states().map(|state| state.angular_momentum_world(&moments).normalize() * 1e3);
-    passes("axis-path", "momentum", directions.map(|direction| (direction.x, direction.y)));
-    // On board the length of ω₁ + iω₂ in spins falls as the turns that are left do.
-    let turns = momentum.z / (TAU * 2e-3);
-    passes(
-        "axis-path",
-        "omega",
-        (0..300).map(|step| {
-            let left = 1.0 - f64::from(step) / 300.0 * 0.98;
-            let (sin, cos) = (TAU * turns * (1.0 - left)).sin_cos();
-            (0.3 * left * cos, 0.3 * left * sin)
-        }),
-    );
+    // Under the magnifier L begins at the top of a circle, whose radius is (C/I₁) (1 − I₁/I₃) ω₃ times the sine and the cosine of the
+    // lean of L, divided by the rate L/I₁.
+    let [across, _, along] = moments.to_array();
+    let lean = (momentum.x / momentum.z).atan();
+    let rate = momentum.norm() / across;
+    let radius = 2e-3 * (1.0 / across - 1.0 / along) * along * 40.0 * lean.sin() / momentum.norm() / rate;
+    let drawn = curve("axis-path", "momentum").values();
+    assert!((drawn[0].0.hypot(drawn[0].1) / radius - 1.0).abs() < 0.1, "{:?} of {radius}", drawn[0]);
+    // The axis of the disc leans from L by 30° all the way round.
+    let ring = (1..90).map(|step| (TAU * (0.5 + 0.98 * f64::from(step) / 90.0)).sin_cos());
+    passes("air-pull", "axis", ring.map(|(sin, cos)| (0.5 * cos, 0.5 * sin)));
 }
 
 /// How far a place is from the nearest line of a hue, px.
@@ -245,7 +275,7 @@ fn the_cones_touch_along_the_angular_velocity() {
         // The arrows; the rim of the space cone, and of the body cone what is not cut away, at their angles.
         for (hue, angle, azimuth, length) in [
             (Hue::Green, 0.0, 0.0, 1.4),
-            (Hue::Blue, axis, 0.0, 1.4),
+            (Hue::Ink, axis, 0.0, 1.4),
             (Hue::Orange, omega, 0.0, 1.4),
             (Hue::Green, omega, 0.0, 1.3),
             (Hue::Green, omega.abs(), 0.25 * TAU, 1.3),

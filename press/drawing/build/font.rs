@@ -29,8 +29,8 @@ const ALPHABETS: [(u32, u32); 10] = [
     (0x1d6e2, 0x1d755),
     (0x1d7ce, 0x1d7d7),
 ];
-/// Letters that stand apart in Unicode: the italic h, a variant of a Greek letter.
-const STRAYS: &str = "ℎϕ";
+/// Letters that stand apart in Unicode: the italic h, a variant of a Greek letter, the script l.
+const STRAYS: &str = "ℎϕℓ";
 
 /// Where glyphs without a character of their own get their keys: larger roots, and shapes drawn for small sizes.
 const ROOTS: u32 = 0x0f_0000;

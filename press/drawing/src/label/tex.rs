@@ -46,7 +46,7 @@ enum Alphabet {
 use Class::{Binary, Close, Open, Operator, Ordinary, Punctuation, Relation};
 
 /// Commands that stand for one character.
-const SYMBOLS: [(&str, Class, char); 20] = [
+const SYMBOLS: [(&str, Class, char); 22] = [
     ("alpha", Ordinary, 'α'),
     ("beta", Ordinary, 'β'),
     ("gamma", Ordinary, 'γ'),
@@ -58,6 +58,8 @@ const SYMBOLS: [(&str, Class, char); 20] = [
     ("tau", Ordinary, 'τ'),
     ("phi", Ordinary, 'ϕ'),
     ("varphi", Ordinary, 'φ'),
+    ("zeta", Ordinary, 'ζ'),
+    ("ell", Ordinary, 'ℓ'),
     ("chi", Ordinary, 'χ'),
     ("psi", Ordinary, 'ψ'),
     ("omega", Ordinary, 'ω'),
