@@ -206,6 +206,11 @@ fn map_of_ways(id: &str, room: Room, disc: &Wheel, full: &[(f64, f64)]) -> Outco
     plot.label((4.0, 45.5), Side::Right, r"a dot every $2\sqrt{a/g}$", Hue::Ink)?;
     plot.label((0.25, 80.0), Side::Above, "Euler’s disk", Hue::Ink)?;
     plot.label((100.0, 17.0), Side::AboveLeft, "rolls straight", Hue::Muted)?;
-    plot.label((0.012, 22.0), Side::Right, "spins upright", Hue::Muted)?;
+    plot.label(
+        room.of((0.012, 22.0), (0.0115, 6.2)),
+        Side::Right,
+        room.of("spins upright", "spins"),
+        Hue::Muted,
+    )?;
     Ok(drawing)
 }

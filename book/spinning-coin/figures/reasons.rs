@@ -21,10 +21,10 @@ pub(crate) fn shorter_arrow(id: &str) -> Outcome {
         (at(258.0, 110.0), 0.05, r"(b) tilt $\tfrac14\alpha$"),
     ] {
         let coin = disc(tilt)?;
-        let radius = 96.0 * coin.angular_momentum().norm() / longest;
+        let radius = 92.0 * coin.angular_momentum().norm() / longest;
         // What the torque adds in a time: Ω × L, which is level.
         let swept = 0.35 * coin.turn_rate() / disc(0.2)?.turn_rate();
-        let from = 0.15;
+        let from = 0.7;
         drawing.circle(centre, radius, Role::Line(Stroke::Reference, Hue::Muted));
         let [tip, then] = [from, from + swept].map(|angle| centre + Point::polar(radius, angle));
         drawing.line(centre, then, Stroke::Reference, Hue::Green);
@@ -33,8 +33,8 @@ pub(crate) fn shorter_arrow(id: &str) -> Outcome {
         kit::angle(&mut drawing, centre, 0.5 * radius, from, swept, Heads::None, Hue::Orange);
         drawing.dot(centre, 2.4, Hue::Ink);
         drawing.label(
-            centre.towards(tip, 0.62) + at(0.0, 2.0),
-            Side::Below,
+            centre.towards(tip, 0.62) + at(2.0, 2.0),
+            Side::BelowRight,
             r"$\boldsymbol{L}$",
             Hue::Green,
         )?;
