@@ -2,31 +2,40 @@
 
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Shape, Side, Stroke, at};
+use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke, at};
 use figures::{Axis, Cause, Figure, Outcome, Plot, figures, linear_steps, log_steps};
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::FRAC_PI_2;
 
 /// All figures of this chapter.
 pub(crate) const FIGURES: &[Figure] = figures![
+    why::wheel_forces,
+    why::falling_turns,
+    why::steepest_diameter,
+    why::shrinking_track,
     wheel_circle,
-    wheel_forces,
     rim_and_table,
     turn_rate,
     tongue,
     tongue_tips,
     near_flat_turn,
     potential,
-    contact_track,
+    wobble::contact_track,
+    wobble::mirrored_film,
+    any_wheel::ledge,
     any_wheel::tip_of_shape,
     any_wheel::ways_down
 ];
 
 #[path = "figures/any_wheel.rs"]
 pub(crate) mod any_wheel;
+#[path = "figures/why.rs"]
+pub(crate) mod why;
+#[path = "figures/wobble.rs"]
+pub(crate) mod wobble;
 
 /// A wheel of mass, radius and gravity one.
 fn wheel(moments: MomentFactors) -> Result<Wheel, Cause> {
@@ -39,9 +48,18 @@ fn axes(lean: f64) -> [Vector3<f64>; 3] {
     [Vector3::x(), Vector3::new(0.0, -sin, cos), Vector3::new(0.0, -cos, -sin)]
 }
 
+/// Where a disc of radius one stands: its foot, its centre, and its axes 2 and 3.
+fn placed(state: &Rolling) -> [Vector3<f64>; 4] {
+    let (foot, turn) =
+        (state.contact(1.0), UnitQuaternion::from_axis_angle(&Vector3::z_axis(), state.heading));
+    let [_, second, third] = axes(state.lean()).map(|axis| turn * axis);
+    let foot = Vector3::new(foot.re, foot.im, 0.0);
+    [foot, foot + second, second, third]
+}
+
 /// The wheel on its circle, with axes and lengths.
 pub(crate) fn wheel_circle(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
+    let mut drawing = Drawing::new(id, 400.0, 380.0).titled(
         "The wheel on its circle",
         "A table with a circle, and a wheel that stands on it and leans inward by theta. Above the table a smaller dashed circle is the path of the centre, of radius b; the \
          upright axis through both carries Omega. At the centre of the wheel the axis 1 is level, against the travel, 2 runs up the plane of the \
@@ -58,12 +76,11 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0, 0.1, 0.6],
         azimuth: -0.6,
-        elevation: 0.36,
+        elevation: 0.4,
         distance: 12.0,
-        centre: at(190.0, 190.0),
-        scale: 68.0,
+        centre: at(190.0, 200.0),
+        scale: 92.0,
     })?);
-    stage.ground([-2.0, -2.0], [2.0, 2.0], 0.0, 0.4)?;
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), contact.y)?, Stroke::Outline, Hue::Pink)?;
     // The contact goes with Ω: the travel, ahead of it on the circle.
     let ahead = linear_steps(0.75, 1.25, 40).map(|angle| {
@@ -105,110 +122,14 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     stage.curve(radius.hiding(Hiding::Ignored), Stroke::Outline, Hue::Muted)?;
     stage.label([0.0, 0.7, 0.0], Side::Below, "$r$", Hue::Ink)?;
     stage.dot_in_front(contact, 4.5, Hue::Pink)?;
-    stage.label_shifted(contact, at(32.0, 16.0), Side::Right, "contact", Hue::Pink)?;
-    stage.write(&mut drawing);
-    Ok(drawing)
-}
-
-/// The lean, and the radius of the centre's circle in radii, of the disc whose forces are drawn.
-const PUSHED: (f64, f64) = (0.55, 1.2);
-
-/// The forces on the wheel, and what their torque does to the angular momentum.
-pub(crate) fn wheel_forces(id: &str) -> Outcome {
-    Ok(Drawing::panels(id, vec![forces("")?, momentum_turned("")?]))
-}
-
-/// The wheel seen from behind, with weight, support and friction.
-fn forces(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 320.0, 330.0).titled(
-        "The forces on the wheel",
-        "The wheel edge on, seen from behind, leans to the left, towards the axis of its circle. At the centre the weight points down. At the contact the table supports it with an arrow as \
-         long, upwards, and friction points to the left, towards the axis. The torque about the centre comes out of the page.",
-    );
-    let (lean, b) = PUSHED;
-    let steady = wheel(MomentFactors::DISK)?.steady(lean, b)?;
-    let (sin, cos) = lean.sin_cos();
-    // The page holds y to the right and z up, so that axis 1 comes out of it: one travels into the page.
-    let (contact, radius) = (at(205.0, 262.0), 118.0);
-    let up = at(-sin, -cos);
-    let (centre, top) = (contact + up * radius, contact + up * (2.0 * radius));
-    drawing.line(at(40.0, contact.y), at(300.0, contact.y), Stroke::Axis, Hue::Ink);
-    let across = up.quarter_turned() * 4.0;
-    let corners = vec![contact + across, contact - across, top - across, top + across];
-    drawing.polygon(corners.clone(), Fill::Face, Hue::Blue);
-    drawing.push(Role::Line(Stroke::Outline, Hue::Blue), Shape::Polygon(corners));
-    drawing.line(contact, contact - at(0.0, 190.0), Stroke::Reference, Hue::Muted);
-    kit::angle(&mut drawing, contact, 172.0, FRAC_PI_2, lean, Heads::None, Hue::Ink);
-    let middle = contact + Point::polar(172.0, FRAC_PI_2 + 0.5 * lean);
-    drawing.label(middle, Side::Above, "lean", Hue::Ink)?;
-    let weight = 92.0;
-    let friction = weight * steady.friction_needed();
-    kit::arrow(&mut drawing, centre, centre + at(0.0, weight), Hue::Purple);
-    drawing.label(centre + at(0.0, weight - 6.0), Side::Left, "weight", Hue::Purple)?;
-    kit::arrow(&mut drawing, contact, contact - at(0.0, weight), Hue::Purple);
-    drawing.label(contact - at(-2.0, weight - 8.0), Side::Right, "support", Hue::Purple)?;
-    kit::arrow(&mut drawing, contact, contact - at(friction, 0.0), Hue::Purple);
-    drawing.label(contact + at(-0.5 * friction, 4.0), Side::Below, "friction", Hue::Purple)?;
-    let mark = if steady.torque() > 0.0 { Marker::Out } else { Marker::Into };
-    kit::marker(&mut drawing, centre, mark, Hue::Purple);
-    drawing.label(centre + at(-4.0, 8.0), Side::Left, r"$\boldsymbol{\tau}$", Hue::Purple)?;
-    drawing.dot(contact, 4.5, Hue::Pink);
-    let axis = at(36.0, contact.y);
-    drawing.label(axis + at(4.0, 14.0), Side::Right, "to the axis", Hue::Muted)?;
-    kit::head(&mut drawing, axis, at(-1.0, 0.0), 0.8, Hue::Muted);
-    Ok(drawing)
-}
-
-/// The angular momentum of the wheel, and the torque that turns it about the upright.
-fn momentum_turned(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 320.0, 330.0).titled(
-        "What the torque does",
-        "The wheel in perspective. From its centre the angular momentum points inward and up, and its tip goes round the upright on a level circle. At the tip a small piece, torque times dt, points \
-         along that circle, in the sense of Omega.",
-    );
-    let (lean, b) = PUSHED;
-    let steady = wheel(MomentFactors::DISK)?.steady(lean, b)?;
-    let axes = axes(lean);
-    let momentum = {
-        let found = steady.angular_momentum();
-        axes[0] * found.x + axes[1] * found.y + axes[2] * found.z
-    };
-    let mut stage = Stage::new(Camera::new(View {
-        target: [0.0, 0.0, 0.2],
-        azimuth: 0.6,
-        elevation: 0.42,
-        distance: 10.0,
-        centre: at(205.0, 165.0),
-        scale: 80.0,
-    })?);
-    stage.solid(Solid::disc([0.0; 3], axes[2], 1.0, 0.07)?, Hue::Blue)?;
-    let long = 1.25 / momentum.norm();
-    let tip = momentum * long;
-    let level = Vector3::new(tip.x, tip.y, 0.0).norm();
-    let upright = Curve::segment([0.0; 3], [0.0, 0.0, 1.55])?.hiding(Hiding::Ignored);
-    stage.arrow(upright, Stroke::Vector, Heads::End, Hue::Orange)?;
-    stage.label([0.0, 0.0, 1.5], Side::Right, r"$\boldsymbol{\Omega}$", Hue::Orange)?;
-    stage.turning([0.0, 0.0, 1.25], Vector3::z() * steady.turn_rate(), 0.16, Hue::Orange)?;
-    let round = Curve::circle([0.0, 0.0, tip.z], Vector3::z(), level)?;
-    stage.curve(round.hiding(Hiding::Dashed), Stroke::Reference, Hue::Green)?;
-    let arrow = Curve::segment([0.0; 3], tip)?.hiding(Hiding::Ignored);
-    stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Green)?;
-    stage.label(tip * 0.5, Side::Below, r"$\boldsymbol{L}$", Hue::Green)?;
-    // The torque is along axis 1; drawn at the tip of L, which it moves.
-    let push = axes[0] * (0.75 * steady.torque().signum());
-    let torque = Curve::segment(tip, tip + push)?.hiding(Hiding::Ignored);
-    stage.arrow(torque, Stroke::Vector, Heads::End, Hue::Purple)?;
-    let name = r"$\boldsymbol{\tau}\,dt$";
-    stage.label_shifted(tip + push, at(4.0, 4.0), Side::Left, name, Hue::Purple)?;
-    let contact = -axes[1];
-    stage.dot_in_front(contact, 4.5, Hue::Pink)?;
+    stage.label_shifted(contact, at(40.0, 18.0), Side::Right, "contact", Hue::Pink)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
 
 /// A wheel with marks of ink on its rim, and their prints on the table.
 pub(crate) fn rim_and_table(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 400.0, 320.0).titled(
+    let mut drawing = Drawing::new(id, 400.0, 340.0).titled(
         "Along the table as along the rim",
         "A wheel on its circle, with seven marks of ink at equal distances along its rim. The first is at the contact, the others follow up the side that has just rolled. Their prints \
          on the table lie at the same distances along the circle, behind the contact. The stretch on the rim and the one on the table are drawn heavy.",
@@ -218,14 +139,13 @@ pub(crate) fn rim_and_table(id: &str) -> Outcome {
     let [first, second, third] = axes(lean);
     let centre = Vector3::new(0.0, b, lean.cos());
     let mut stage = Stage::new(Camera::new(View {
-        target: [0.6, 0.4, 0.4],
-        azimuth: 0.75,
-        elevation: 0.36,
+        target: [0.6, 0.8, 0.5],
+        azimuth: 1.0,
+        elevation: 0.4,
         distance: 12.0,
-        centre: at(200.0, 170.0),
-        scale: 65.0,
+        centre: at(195.0, 180.0),
+        scale: 84.0,
     })?);
-    stage.ground([-1.5, -1.0], [2.75, 2.75], 0.0, 0.25)?;
     let contact_radius = steady.contact_radius();
     stage.solid(Solid::ring(centre, third, 1.0, 0.9, 0.1)?, Hue::Blue)?;
     // What touched the table a time ago: on the table it lies back by Ωt, on the rim by ω_rel t.
@@ -238,7 +158,7 @@ pub(crate) fn rim_and_table(id: &str) -> Outcome {
         centre - second * back.cos() + first * back.sin()
     };
     let ago = |length: f64| length / steady.relative_spin(); // in radii along the rim
-    let circle = Curve::smooth(linear_steps(ago(-2.0), ago(4.3), 120).map(printed))?;
+    let circle = Curve::smooth(linear_steps(ago(-1.5), ago(3.3), 120).map(printed))?;
     stage.curve(circle, Stroke::Outline, Hue::Pink)?;
     let far = ago(f64::from(marks) * apart);
     for line in [
@@ -256,9 +176,9 @@ pub(crate) fn rim_and_table(id: &str) -> Outcome {
             let name = format!("${mark}$");
             stage.label_shifted(printed(time), at(0.0, 1.0), Side::Below, &name, Hue::Pink)?;
         }
-        if mark > 1 {
-            let outward = (on_rim(time) - centre) * 1.2 + centre;
-            stage.label(outward, Side::Over, &format!("${mark}$"), Hue::Pink)?;
+        if mark > 0 {
+            let inward = (on_rim(time) - centre) * 0.74 + centre;
+            stage.label(inward, Side::Over, &format!("${mark}$"), Hue::Pink)?;
         }
     }
     let ahead = linear_steps(-ago(0.3), -ago(1.4), 40).map(printed);
@@ -270,31 +190,38 @@ pub(crate) fn rim_and_table(id: &str) -> Outcome {
 /// The leans that the plots compare, degrees.
 const LEANS: [f64; 3] = [20.0, 45.0, 70.0];
 
-/// Turn rate against the radius of the centre's circle.
+/// One over the square of the turn rate against the radius of the centre's circle.
 pub(crate) fn turn_rate(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
-        "Rate of steady rolling against the radius of the circle",
-        "The square of the turn rate, in g over a, against b over a from minus 0.2 to 0.8, for a disc leaning by 20, 45 and 70 degrees. Each curve falls from infinity at its own \
-         bound, a small negative b marked by a dotted line of the same hue, towards zero. Where b is positive the larger lean has the larger rate; left of zero the curves cross.",
+        "Steady rolling against the radius of the circle",
+        "One over the square of the turn rate, in a over g, against b over a from minus 0.2 to 0.8, for a disc leaning by 20, 45 and 70 degrees: three straight lines. Each begins on the abscissa, at a dot, its own \
+         bound, at a small negative b; the larger the lean, the farther to the left it begins and the less steeply it rises.",
     );
     let b = Axis::linear(-0.2, 0.8, 0.2).minor(0.05).titled("radius of the centre’s circle $b/a$");
-    let rate = Axis::linear(0.0, 20.0, 5.0).minor(1.0).titled(r"$\Omega^2$, in $g/a$");
-    let mut plot = Plot::new(&mut drawing, Rect::new(36.0, 34.0, 330.0, 246.0), b, rate)?;
+    let slowness = Axis::linear(0.0, 4.0, 1.0).minor(0.2).titled(r"$1/\Omega^2$, in $a/g$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(36.0, 34.0, 300.0, 246.0), b, slowness)?;
+    plot.upright(0.0, Stroke::Dotted);
     let disc = wheel(MomentFactors::DISK)?;
-    for degrees in LEANS {
+    let mut bounds = Vec::new();
+    for (degrees, hue) in LEANS.into_iter().zip([Hue::Faint, Hue::Muted, Hue::Ink]) {
         let lean = f64::to_radians(degrees);
         let bound = -0.5 * lean.sin() / 3.0; // eq:existence
-        let values = linear_steps(0.0, 1.0, 600)
-            .map(|part| bound + 1e-3 + (0.8 - bound - 1e-3) * part * part)
-            .map(|b| Ok((b, disc.steady(lean, b)?.turn_rate().powi(2))))
+        let values = linear_steps(bound + 1e-6, 0.8, 40)
+            .map(|b| Ok((b, disc.steady(lean, b)?.turn_rate().powi(-2))))
             .collect::<Result<Vec<_>, Cause>>()?;
-        let ends = [plot.at((bound, 0.0)), plot.at((bound, 20.0))];
-        plot.drawing().line(ends[0], ends[1], Stroke::Dotted, Hue::Orange);
-        plot.curve(&format!("lean-{degrees}"), values, Stroke::Curve, Hue::Orange);
+        let end = values[values.len() - 1];
+        plot.curve(&format!("lean-{degrees}"), values, Stroke::Curve, hue);
+        plot.label(
+            end,
+            Side::Right,
+            &format!("${degrees}°$"),
+            if degrees > 60.0 { Hue::Ink } else { Hue::Muted },
+        )?;
+        bounds.push((bound, 0.0));
     }
-    plot.label((0.25, 6.2), Side::AboveRight, r"$\theta = 70°$", Hue::Orange)?;
-    plot.label((0.2, 2.3), Side::AboveRight, "$45°$", Hue::Orange)?;
-    plot.label((0.02, 0.9), Side::Over, "$20°$", Hue::Orange)?;
+    plot.markers(&bounds, Marker::Disc, Hue::Ink);
+    plot.label((0.8, 3.85), Side::Right, "lean", Hue::Muted)?;
+    plot.label((-0.19, 0.35), Side::Right, "bounds", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -314,46 +241,46 @@ fn edge(wheel: &Wheel) -> Result<Vec<(f64, f64)>, Cause> {
     Ok(inner.into_iter().chain(outer.into_iter().rev()).collect())
 }
 
+/// Draws the tongue of unstable motions over a map of circles and leans, with its edge: a tint of ink and a border, wherever it is drawn.
+fn draw_tongue(plot: &mut Plot<'_>, edge: Vec<(f64, f64)>, [from, to]: [f64; 2]) {
+    let edge: Vec<_> = edge.into_iter().filter(|(b, _)| (from..=to).contains(b)).collect();
+    let corners = edge.iter().chain(&[(to, 0.0), (from, 0.0)]).map(|&corner| plot.at(corner)).collect();
+    plot.drawing().polygon(corners, Fill::Ground, Hue::Ink);
+    plot.curve("disc", edge, Stroke::Border, Hue::Ink);
+}
+
 /// The boundary of instability in the plane of radius and lean.
 pub(crate) fn tongue(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
         "Where steady rolling is unstable",
-        "The lean in degrees, from 0 to 25, against b over a from 0 to 4, with a curve for a hoop and one for a disc; below each the motion is unstable, and the region below the disc’s is shaded. Each rises from zero steeply to a tip near \
-         19 degrees at small b, and comes down along a falling curve towards large b.",
+        "The lean in degrees, from 0 to 30, against b over a from 0 to 4, with a curve for a hoop and one for a disc; below each the motion is unstable, and the region below the disc’s is shaded. Each rises from zero steeply to a tip near \
+         19 degrees at small b, and comes down along a falling curve towards large b. Two dots at b = 0.8 a, one at 12 degrees in the shaded region, one at 26 degrees above it, are the circles of the guess.",
     );
     let b = Axis::linear(0.0, 4.0, 1.0).minor(0.2).titled("radius of the centre’s circle $b/a$");
-    let lean = Axis::linear(0.0, 25.0, 5.0).minor(1.0).titled(r"lean $\theta$, degrees");
+    let lean = Axis::linear(0.0, 30.0, 10.0).minor(2.0).titled(r"lean $\theta$, degrees");
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 246.0), b, lean)?;
-    for (moments, name, hue, place) in [
-        (MomentFactors::DISK, "disc", Hue::Blue, (0.85, 15.2)),
-        (MomentFactors::HOOP, "hoop", Hue::Ink, (0.62, 20.9)),
-    ] {
-        let wheel = wheel(moments)?;
-        let boundary = edge(&wheel)?;
-        let boundary: Vec<_> = boundary.into_iter().filter(|&(b, _)| b <= 4.0).collect();
-        if name == "disc" {
-            let corners = [(0.0, 0.0)].iter().chain(&boundary).chain(&[(4.0, 0.0)]);
-            let corners = corners.map(|&corner| plot.at(corner)).collect();
-            plot.drawing().polygon(corners, Fill::Ground, hue);
-        }
-        plot.curve(name, boundary, Stroke::Curve, hue);
-        plot.label(place, Side::Over, name, hue)?;
-    }
-    plot.label((2.6, 17.0), Side::Over, "stable", Hue::Ink)?;
-    plot.label((1.5, 5.0), Side::Over, "unstable", Hue::Ink)?;
+    draw_tongue(&mut plot, edge(&wheel(MomentFactors::DISK)?)?, [0.0, 4.0]);
+    let hoop = edge(&wheel(MomentFactors::HOOP)?)?;
+    plot.curve("hoop", hoop.into_iter().filter(|&(b, _)| b <= 4.0), Stroke::Orbit, Hue::Muted);
+    plot.markers(&[(0.8, 12.0), (0.8, 26.0)], Marker::Disc, Hue::Ink);
+    plot.label((0.84, 12.0), Side::Right, "$12°$: lost", Hue::Ink)?;
+    plot.label((0.84, 26.0), Side::Right, "$26°$: held", Hue::Ink)?;
+    plot.label((0.5, 20.3), Side::Over, "hoop", Hue::Muted)?;
+    plot.label((1.85, 9.0), Side::Over, "disc", Hue::Ink)?;
+    plot.label((2.9, 17.0), Side::Over, "stable", Hue::Ink)?;
+    plot.label((1.6, 4.0), Side::Over, "unstable", Hue::Ink)?;
     Ok(drawing)
 }
 
-/// Wheels whose tongues are compared: name, label and its place, moments, hue.
-type Compared = (&'static str, &'static str, (f64, f64), MomentFactors, Hue);
-const COMPARED: [Compared; 4] = [
-    ("disc", "disc", (0.57, 12.5), MomentFactors::DISK, Hue::Blue),
-    ("hoop", "hoop", (0.11, 20.3), MomentFactors::HOOP, Hue::Ink),
-    ("weights", "weights", (16.0, 25.4), MomentFactors { transverse: 2.0, axial: 0.5 }, Hue::Purple),
-    ("beads", "beads", (90.0, 38.0), MomentFactors { transverse: 0.1, axial: 0.002 }, Hue::Green),
+/// Wheels whose tongues are compared: name, label and its place, moments, stroke and hue.
+type Compared = (&'static str, (f64, f64), MomentFactors, Stroke, Hue);
+const COMPARED: [Compared; 3] = [
+    ("hoop", (0.11, 20.3), MomentFactors::HOOP, Stroke::Orbit, Hue::Muted),
+    ("weights", (16.0, 25.4), MomentFactors { transverse: 2.0, axial: 0.5 }, Stroke::Curve, Hue::Muted),
+    ("beads", (90.0, 38.0), MomentFactors { transverse: 0.1, axial: 0.002 }, Stroke::Curve, Hue::Ink),
 ];
 
-/// The tongues of four wheels, over seven decades of the circle's radius.
+/// The tongues of four wheels, over six decades of the circle's radius.
 pub(crate) fn tongue_tips(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 350.0).titled(
         "The tongues of four wheels",
@@ -364,20 +291,12 @@ pub(crate) fn tongue_tips(id: &str) -> Outcome {
     let b = Axis::log(0.01, 1e4, 1).titled("radius of the centre’s circle $b/a$");
     let lean = Axis::linear(0.0, 50.0, 10.0).minor(5.0).titled(r"lean $\theta$, degrees");
     let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 262.0), b, lean)?;
-    for (name, label, place, moments, hue) in COMPARED {
-        let wheel = wheel(moments)?;
-        let within = |&(b, _): &(f64, f64)| (0.01..=1e4).contains(&b);
-        let boundary: Vec<_> = edge(&wheel)?.into_iter().filter(within).collect();
-        if name == "disc" {
-            let corners = boundary.iter().map(|&corner| plot.at(corner));
-            let ends = [plot.at((1e4, 0.0)), plot.at((0.01, 0.0))];
-            let corners = corners.chain(ends).collect();
-            plot.drawing().polygon(corners, Fill::Ground, hue);
-        }
-        let tip = boundary.iter().copied().fold((0.0, 0.0), |a, b| if b.1 > a.1 { b } else { a });
-        plot.curve(name, boundary, Stroke::Curve, hue);
-        plot.markers(&[tip], Marker::Disc, hue);
-        plot.label(place, Side::Over, label, hue)?;
+    draw_tongue(&mut plot, edge(&wheel(MomentFactors::DISK)?)?, [0.01, 1e4]);
+    plot.label((0.57, 12.5), Side::Over, "disc", Hue::Ink)?;
+    for (name, place, moments, stroke, hue) in COMPARED {
+        let boundary = edge(&wheel(moments)?)?;
+        plot.curve(name, boundary.into_iter().filter(|(b, _)| (0.01..=1e4).contains(b)), stroke, hue);
+        plot.label(place, Side::Over, name, hue)?;
     }
     let least = ((3.0 - 6_f64.sqrt()) / 6.0).sqrt().asin().to_degrees(); // eq:safe-lean of a point
     for bound in [least, 45.0] {
@@ -402,7 +321,7 @@ pub(crate) fn near_flat_turn(id: &str) -> Outcome {
     plot.level(360.0, Stroke::Dotted);
     let tilt = 0.05;
     for (moments, name, hue, place) in
-        [(MomentFactors::DISK, "disc", Hue::Blue, 415.0), (MomentFactors::HOOP, "hoop", Hue::Ink, 324.0)]
+        [(MomentFactors::DISK, "disc", Hue::Ink, 415.0), (MomentFactors::HOOP, "hoop", Hue::Muted, 324.0)]
     {
         let wheel = wheel(moments)?;
         let steady = wheel.steady(FRAC_PI_2 - tilt, 0.0)?.state().omega_2;
@@ -439,48 +358,20 @@ pub(crate) fn potential(id: &str) -> Outcome {
     plot.level(energy, Stroke::Reference);
     let values = linear_steps(-30.0, 40.0, 400)
         .map(|degrees| (degrees, disc.potential(&constants, FRAC_PI_2 - degrees.to_radians())));
-    plot.curve("potential", values, Stroke::Curve, Hue::Blue);
+    plot.curve("potential", values, Stroke::Heavy, Hue::Ink);
     let wobble = disc.wobble(WOBBLING, &Taylor::new(1e-12)?)?;
     let other = wobble.at(0.5 * wobble.period())?;
     let marks = [WOBBLING, other].map(|state| (state.lean().to_degrees(), energy));
-    let ends = marks.map(|(lean, energy)| plot.at((lean, energy + 0.006)));
+    let ends = marks.map(|(lean, energy)| plot.at((lean, energy + 0.012)));
     kit::dimension(plot.drawing(), ends[0], ends[1], Heads::Both, Hue::Ink);
-    plot.label((4.8, energy + 0.006), Side::Above, "the lean swings", Hue::Ink)?;
-    plot.markers(&marks, Marker::Disc, Hue::Blue);
+    plot.label((4.8, energy + 0.012), Side::Above, "the lean swings", Hue::Ink)?;
+    plot.markers(&marks, Marker::Disc, Hue::Ink);
     plot.label((24.0, energy), Side::AboveRight, "energy $E$", Hue::Muted)?;
-    plot.label((-15.0, 1.65), Side::Right, r"$V(\theta)$", Hue::Blue)?;
-    Ok(drawing)
-}
-
-/// The track of the contact over eleven wobbles, half of the first of them heavy.
-pub(crate) fn contact_track(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 340.0, 340.0).titled(
-        "Track of the contact of a wobbling disc",
-        "Seen from above, a track that goes round a circle several times in eleven equal waves, so that its rounds cross one another. Half of a wave is drawn heavy, from a place farthest out to one farthest in.",
-    );
-    let disc = wheel(MomentFactors::DISK)?;
-    let mut start = disc.steady(0.55, 1.6)?.state();
-    start.omega_1 = 0.3;
-    let wobble = disc.wobble(start, &Taylor::new(1e-16)?)?;
-    let period = wobble.period();
-    let track = |from: f64, to: f64, count: u32| -> Result<Vec<(f64, f64)>, Cause> {
-        let times: Vec<f64> = linear_steps(from, to, count).collect();
-        let states = wobble.sample(&times)?;
-        Ok(states.iter().map(|state| state.contact(1.0)).map(|place| (place.re, place.im)).collect())
-    };
-    // The moment at which the lean turns, by bisection.
-    let (mut before, mut turns) = (0.0, 0.5 * period);
-    for _ in 0..50 {
-        let middle = 0.5 * (before + turns);
-        *(if wobble.at(middle)?.omega_1 > 0.0 { &mut before } else { &mut turns }) = middle;
-    }
-    let mut plot = Plot::plane(&mut drawing, at(125.0, 165.0), 50.0, 4.0)?;
-    plot.curve("all", track(turns, turns + 11.0 * period, 4400)?, Stroke::Orbit, Hue::Pink);
-    let half = track(turns, turns + 0.5 * period, 200)?;
-    let ends = [half[0], half[200]];
-    plot.curve("half", half, Stroke::Curve, Hue::Pink);
-    plot.markers(&ends, Marker::Disc, Hue::Pink);
-    plot.label((0.94, 0.0), Side::Over, "eleven wobbles", Hue::Ink)?;
-    plot.label((0.94, -0.35), Side::Over, "from half of one", Hue::Ink)?;
+    plot.label((-15.0, 1.65), Side::Right, r"$V(\theta)$", Hue::Ink)?;
+    // The marble, as it rests on the curve at its farthest.
+    let slope = plot.at((17.2, energy))
+        - plot.at((15.2, disc.potential(&constants, FRAC_PI_2 - 15.2_f64.to_radians())));
+    let place = plot.at(marks[0]) + slope.quarter_turned() * (6.5 / slope.length());
+    plot.drawing().disc(place, 5.5, Hue::Blue);
     Ok(drawing)
 }

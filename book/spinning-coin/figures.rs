@@ -2,6 +2,8 @@
 
 #[path = "figures/ending.rs"]
 pub(crate) mod ending;
+#[path = "figures/reasons.rs"]
+pub(crate) mod reasons;
 
 use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
@@ -17,10 +19,14 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 /// All figures of this chapter.
 pub(crate) const FIGURES: &[Figure] = figures![
     coin_circle,
+    reasons::shorter_arrow,
     one_round,
     paper_cone,
+    reasons::book_tips,
     swept_cap,
+    reasons::paper_hat,
     spin_down,
+    reasons::air_gap,
     circle_opens,
     ending::four_exponents,
     ending::table_holds
@@ -72,7 +78,7 @@ pub(crate) fn coin_circle(id: &str) -> Outcome {
         centre: at(200.0, 180.0),
         scale: 96.0,
     })?);
-    stage.ground([-1.5, -1.5], [1.5, 1.5], 0.0, 0.25)?;
+    stage.ground([-1.25, -1.25], [1.25, 1.25], 0.0, 0.25)?;
     stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos)?, Stroke::Outline, Hue::Pink)?;
     let ahead = linear_steps(0.12, 0.75, 40).map(|angle| {
         let (sin, cos) = (angle * coin.turn_rate().signum()).sin_cos();
@@ -199,14 +205,14 @@ fn on_the_cone(id: &str) -> Outcome {
         scale: 104.0,
     })?);
     stage.ground([-1.0, -1.25], [1.0, 1.25], 0.0, 0.25)?;
-    stage.solid(Solid::cone(centre, -Vector3::z(), FRAC_PI_2 - coin.tilt(), 1.0)?, Hue::Pink)?;
+    stage.solid(Solid::cone(centre, -Vector3::z(), FRAC_PI_2 - coin.tilt(), 1.0)?, Hue::Muted)?;
     let thick = 0.04;
     stage.solid(Solid::disc(centre + normal * (0.5 * thick + 0.004), normal, 1.0, thick)?, Hue::Blue)?;
     stage.dot_in_front(contact, 4.5, Hue::Pink)?;
     stage.dot_in_front(centre, 3.0, Hue::Ink)?;
     stage.label_shifted(contact, at(-18.0, 4.0), Side::Left, "contact", Hue::Pink)?;
     let side = Vector3::new(0.35 * cos, 0.1, 0.35 * sin);
-    stage.label(side, Side::Over, "paper", Hue::Pink)?;
+    stage.label(side, Side::Over, "paper", Hue::Ink)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
@@ -224,16 +230,16 @@ fn cone_laid_flat(id: &str) -> Outcome {
             linear_steps(0.0, 1.0, 120).map(move |part| centre + Point::polar(radius, from + sweep * part));
         [centre].into_iter().chain(rim).collect::<Vec<Point>>()
     };
-    drawing.polygon(sector(from + left_over, TAU - left_over), Fill::Face, Hue::Pink);
+    drawing.polygon(sector(from + left_over, TAU - left_over), Fill::Face, Hue::Muted);
     drawing.arc(centre, radius, from + left_over, TAU - left_over, Stroke::Curve, Hue::Pink);
-    drawing.polygon(sector(from, left_over), Fill::Ghost, Hue::Blue);
-    drawing.arc(centre, radius, from, left_over, Stroke::Reference, Hue::Blue);
+    drawing.polygon(sector(from, left_over), Fill::Ghost, Hue::Muted);
+    drawing.arc(centre, radius, from, left_over, Stroke::Reference, Hue::Muted);
     for edge in [from, from + left_over] {
         drawing.line(centre, centre + Point::polar(radius, edge), Stroke::Outline, Hue::Ink);
     }
-    kit::angle(&mut drawing, centre, 34.0, from, left_over, Heads::None, Hue::Blue);
+    kit::angle(&mut drawing, centre, 34.0, from, left_over, Heads::None, Hue::Ink);
     drawing.dot(centre, 3.0, Hue::Ink);
-    drawing.label(centre + at(0.0, -66.0), Side::Over, r"$2\pi(1 - \cos\alpha)$", Hue::Blue)?;
+    drawing.label(centre + at(0.0, -66.0), Side::Over, r"$2\pi(1 - \cos\alpha)$", Hue::Ink)?;
     drawing.label_on_face(centre + at(0.0, 48.0), Side::Over, r"edge $2\pi a\cos\alpha$", Hue::Pink)?;
     Ok(drawing)
 }
@@ -249,7 +255,7 @@ pub(crate) fn swept_cap(id: &str) -> Outcome {
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0, 0.0, 0.2],
         azimuth: -FRAC_PI_2,
-        elevation: 0.82,
+        elevation: 1.0,
         distance: 8.0,
         centre: at(190.0, 175.0),
         scale: 145.0,
@@ -262,20 +268,20 @@ pub(crate) fn swept_cap(id: &str) -> Outcome {
     let arrow = |turns: f64| {
         let foot = normal(turns);
         let way = coin.attitude(turns) * Vector3::y();
-        let path = linear_steps(0.0, 0.3, 12).map(|part| foot * part.cos() + way * part.sin());
+        let path = linear_steps(0.0, 0.4, 12).map(|part| foot * part.cos() + way * part.sin());
         Curve::smooth(path).map(|path| path.hiding(Hiding::Ignored))
     };
     for n in 1..8 {
         stage.arrow(arrow(f64::from(n) / 8.0)?, Stroke::Outline, Heads::End, Hue::Ink)?;
     }
-    stage.arrow(arrow(0.0)?, Stroke::Vector, Heads::End, Hue::Ink)?;
-    stage.arrow(arrow(1.0)?, Stroke::Vector, Heads::End, Hue::Pink)?;
+    stage.arrow(arrow(0.0)?, Stroke::Reference, Heads::End, Hue::Ink)?;
+    stage.arrow(arrow(1.0)?, Stroke::Vector, Heads::End, Hue::Ink)?;
     stage.dot_in_front(normal(0.0), 4.0, Hue::Blue)?;
     let top = Vector3::z();
     stage.dot_in_front(top, 2.4, Hue::Muted)?;
     let [then, now] = [0.0, 1.0].map(|turns| coin.attitude(turns) * Vector3::y());
     let angle = Curve::between(normal(0.0), then, now, 0.17)?.hiding(Hiding::Ignored);
-    stage.arrow(angle, Stroke::Outline, Heads::End, Hue::Pink)?;
+    stage.arrow(angle, Stroke::Outline, Heads::End, Hue::Ink)?;
     stage.label_shifted(top, at(0.0, 2.0), Side::Above, r"$2\pi(1 - \cos\alpha)$", Hue::Blue)?;
     stage.label_shifted(normal(0.0), at(0.0, 2.0), Side::Below, r"$\hat{\mathbf{n}}$", Hue::Blue)?;
     stage.write(&mut drawing);
@@ -284,6 +290,11 @@ pub(crate) fn swept_cap(id: &str) -> Outcome {
 
 /// The laws of loss that the text compares: the power p, and its name in labels.
 const LAWS: [(f64, &str); 4] = [(2.0, "2"), (1.25, "5/4"), (1.0, "1"), (0.5, "1/2")];
+
+/// How the curve of a law is drawn: heavy for the one that was measured.
+fn look(power: f64) -> (Stroke, Hue) {
+    if power == 1.0 { (Stroke::Heavy, Hue::Ink) } else { (Stroke::Curve, Hue::Muted) }
+}
 
 /// The law of loss by which the toy lives for 100 s from a tilt of 0.1.
 fn a_long_life(power: f64) -> Result<Loss, InvalidQuantity> {
@@ -326,12 +337,12 @@ fn spin_down_whole(id: &str) -> Outcome {
             })
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
         values.dedup();
-        plot.curve(&format!("law-{power}"), values, Stroke::Curve, Hue::Blue);
+        let (stroke, hue) = look(power);
+        plot.curve(&format!("law-{power}"), values, stroke, hue);
     }
-    plot.label((54.0, 0.079), Side::AboveRight, "$p = 2$", Hue::Blue)?;
-    plot.label((64.0, 0.051), Side::BelowLeft, "$p = 1/2$", Hue::Blue)?;
-    plot.label((33.0, 0.026), Side::Over, "from above", Hue::Blue)?;
-    plot.label((33.0, 0.014), Side::Over, r"$p = 2,\,5/4,\,1,\,1/2$", Hue::Blue)?;
+    plot.label((54.0, 0.079), Side::AboveRight, "$p = 2$", Hue::Muted)?;
+    plot.label((64.0, 0.051), Side::BelowLeft, "$p = 1/2$", Hue::Muted)?;
+    plot.label((4.0, 0.01), Side::Right, "(a)", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -349,17 +360,19 @@ fn spin_down_end(id: &str) -> Outcome {
         let values = log_steps(1e-5, down.life().min(100.0), 200)
             .map(|left| Ok((left, down.with_time_left(left)?.tilt())))
             .collect::<Result<Vec<_>, InvalidQuantity>>()?;
-        plot.curve(&format!("end-{power}"), values, Stroke::Curve, Hue::Blue);
+        let (stroke, hue) = look(power);
+        plot.curve(&format!("end-{power}"), values, stroke, hue);
         let (left, coin) = law_ends(power)?;
-        plot.markers(&[(left, coin.tilt())], Marker::Disc, Hue::Pink);
+        plot.markers(&[(left, coin.tilt())], Marker::Disc, Hue::Ink);
         let name = if power == 2.0 { format!("$p = {name}$") } else { format!("${name}$") };
         let side = if power > 1.0 { Side::AboveLeft } else { Side::BelowRight };
         // Of the two lines that lie close, the upper has more room to its left.
         let (place, side) =
             if power == 1.25 { ((3.6e-5, 3.3e-4), Side::Over) } else { ((left, coin.tilt()), side) };
-        plot.label(place, side, &name, Hue::Blue)?;
+        plot.label(place, side, &name, hue)?;
     }
-    plot.label((1.0, 4e-6), Side::Over, "dots: it falls with $g$", Hue::Pink)?;
+    plot.label((1.0, 4e-6), Side::Over, "dots: it falls with $g$", Hue::Ink)?;
+    plot.label((2e-5, 0.07), Side::Right, "(b)", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -379,14 +392,14 @@ pub(crate) fn circle_opens(id: &str) -> Outcome {
     let states = sinking.sample(&times)?;
     // eq:true-spin: b/a = ω₃/Ω, with Ω = ω₂/sin α.
     let centre = |at: &Rolling| (at.tilt, 1e3 * at.omega_3 * at.tilt.sin() / at.omega_2);
-    plot.curve("motion", states.iter().map(centre), Stroke::Curve, Hue::Blue);
+    plot.curve("motion", states.iter().map(centre), Stroke::Heavy, Hue::Faint);
     let law = linear_steps(0.0, 1.0, 200)
         .map(|part| 0.1 * part * part)
         .map(|tilt: f64| (tilt, 4e3 / 9.0 * (0.1_f64.powf(1.5) * tilt.sqrt() - tilt * tilt))); // eq:film-circle
     plot.curve("law", law, Stroke::DashedCurve, Hue::Ink);
     let seconds: Vec<f64> = (0..10).map(|n| 10.0 * f64::from(n)).collect();
     let dots: Vec<(f64, f64)> = sinking.sample(&seconds)?.iter().map(centre).collect();
-    plot.markers(&dots, Marker::Disc, Hue::Blue);
+    plot.markers(&dots, Marker::Disc, Hue::Ink);
     plot.label((0.047, 1.35), Side::Over, "sinking", Hue::Muted)?;
     let arrow = [plot.at((0.06, 1.2)), plot.at((0.034, 1.2))];
     kit::dimension(plot.drawing(), arrow[0], arrow[1], Heads::End, Hue::Muted);

@@ -1,9 +1,9 @@
 //! Any wheel: its two moments, and where its circles lead when it is braked.
 
-use super::{edge, wheel};
-use drawing::kit::Marker;
-use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke};
-use figures::{Axis, Cause, Outcome, Plot, linear_steps, log_steps};
+use super::{draw_tongue, edge, wheel};
+use drawing::kit::{self, Marker};
+use drawing::{Drawing, Fill, Hue, Rect, Room, Side, Stroke, at};
+use figures::{Axis, Cause, Outcome, Plot, in_both, linear_steps, log_steps};
 use mechanics::integrate::Dop853;
 use mechanics::rolling::{MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;
@@ -21,6 +21,54 @@ const WHEELS: [([f64; 2], &str, Side); 7] = [
     ([0.4, 0.4], "ball", Side::Right),
     ([2.0, 0.5], "weights", Side::Below),
 ];
+
+/// The potential on the edge of the tongue, and what a loss makes of it.
+pub(crate) fn ledge(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 330.0, 290.0).titled(
+        "A ledge, and what a loss makes of it",
+        "Two potentials against the lean. One falls from the right, is level where a marble lies at 15 degrees, and falls on towards the upright. The other, after a loss, is lower, the more so the larger the lean: it has a \
+         hollow to the right of the ledge, where the marble lies now.",
+    );
+    let disc = wheel(MomentFactors::DISK)?;
+    let lean = f64::to_radians(15.0);
+    let [_, outer] = disc.unstable_circles(lean)?.ok_or("no tongue at this lean")?;
+    let start = disc.steady(lean, outer)?.state();
+    let slower = Rolling { omega_2: 0.97 * start.omega_2, omega_3: 0.97 * start.omega_3, ..start };
+    let level = disc.potential(&disc.constants(&start), start.tilt);
+    let well = |state: &Rolling| {
+        let constants = disc.constants(state);
+        move |degrees: f64| {
+            let tilt = std::f64::consts::FRAC_PI_2 - degrees.to_radians();
+            1e3 * (disc.potential(&constants, tilt) - level)
+        }
+    };
+    let across = Axis::linear(0.0, 30.0, 10.0).minor(2.0).titled(r"lean $\theta$, degrees");
+    let height = Axis::linear(-20.0, 20.0, 10.0).minor(2.0).titled(r"potential $V$, in $mga/1000$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 262.0, 206.0), across, height)?;
+    let (before, after) = (well(&start), well(&slower));
+    plot.curve(
+        "level",
+        linear_steps(0.0, 30.0, 300).map(|lean| (lean, before(lean))),
+        Stroke::Curve,
+        Hue::Muted,
+    );
+    plot.curve(
+        "tilted",
+        linear_steps(0.0, 30.0, 300).map(|lean| (lean, after(lean))),
+        Stroke::Heavy,
+        Hue::Ink,
+    );
+    let hollow = linear_steps(15.0, 30.0, 2000).min_by(|one, other| after(*one).total_cmp(&after(*other)));
+    let hollow = hollow.ok_or("a range of leans")?;
+    for (lean, height) in [(15.0, before(15.0)), (hollow, after(hollow))] {
+        let place = plot.at((lean, height)) - at(0.0, 6.5);
+        plot.drawing().disc(place, 5.0, Hue::Blue);
+    }
+    plot.label((1.0, 9.0), Side::Right, "level: the edge", Hue::Muted)?;
+    plot.label((1.0, 5.6), Side::Right, "of the tongue", Hue::Muted)?;
+    plot.label((9.0, -16.0), Side::Right, "tilted by a loss", Hue::Ink)?;
+    Ok(drawing)
+}
 
 /// The lean of the tip over the plane of the two moments, with some wheels in it.
 pub(crate) fn tip_of_shape(id: &str) -> Outcome {
@@ -55,8 +103,8 @@ pub(crate) fn tip_of_shape(id: &str) -> Outcome {
                 Some((axial / low, axial))
             })
             .filter(|&(across, _)| across <= 4.0);
-        plot.curve(&format!("tip-{degrees}"), joined, Stroke::Curve, Hue::Blue);
-        plot.label(place, Side::Over, &format!("${degrees}°$"), Hue::Blue)?;
+        plot.curve(&format!("tip-{degrees}"), joined, Stroke::Curve, Hue::Muted);
+        plot.label(place, Side::Over, &format!("${degrees}°$"), Hue::Muted)?;
     }
     for ([across, along], name, side) in WHEELS {
         plot.markers(&[(across, along)], Marker::Disc, Hue::Ink);
@@ -87,34 +135,57 @@ fn way(wheel: &Wheel, mut lean: f64, mut b: f64) -> Result<Vec<(f64, f64)>, Caus
     Ok(found)
 }
 
+/// A curve with arrowheads along it, at some leans, degrees.
+fn draw_way(plot: &mut Plot<'_>, name: &str, way: Vec<(f64, f64)>, heads: &[f64], hue: Hue) {
+    for &lean in heads {
+        if let Some(pair) = way.windows(2).find(|pair| pair[0].1 < lean && pair[1].1 >= lean) {
+            let [from, to] = [plot.at(pair[0]), plot.at(pair[1])];
+            kit::head(plot.drawing(), to, to - from, 0.8, hue);
+        }
+    }
+    plot.curve(name, way, Stroke::Orbit, hue);
+}
+
 /// Where gentle loss leads from straight rolling, from spinning upright, and from the edge of the tongue.
 pub(crate) fn ways_down(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 360.0).titled(
+    let disc = wheel(MomentFactors::DISK)?;
+    // The full motion.
+    let start = disc.steady(f64::to_radians(1.0), 40.0)?.state();
+    let times: Vec<f64> = linear_steps(0.0, 27.0, 2700).collect();
+    let (path, _) = Dop853::new(1e-10)?.sample(disc.slowed_rates(0.03), 0.0, start.to_array(), &times)?;
+    let full: Vec<(f64, f64)> = path
+        .iter()
+        .map(|state| {
+            let now = Rolling::from_array(*state);
+            (now.omega_3 * now.lean().cos() / now.omega_2, now.lean().to_degrees())
+        })
+        .collect();
+    in_both(|room| map_of_ways(id, room, &disc, &full))
+}
+
+fn map_of_ways(id: &str, room: Room, disc: &Wheel, full: &[(f64, f64)]) -> Outcome {
+    let frame = room.of(Rect::new(40.0, 52.0, 435.0, 316.0), Rect::new(40.0, 52.0, 325.0, 272.0));
+    let mut drawing = Drawing::new(id, frame.right + 25.0, frame.bottom + 52.0).titled(
         "Where gentle loss leads",
         "The lean, from 0 to 80 degrees, against the radius of the centre’s circle over a, from 0.01 to 100 on a logarithmic scale, with the shaded tongue of a disc. Three lines come from the \
          right, from straight rolling, and climb to the left over the tongue; three come from the left, from spinning upright, go out to a third of a radius and turn back. Between the two sheaves thin lines \
-         begin on the edge of the tongue. No line leads into it. A full motion from one degree first runs along its line and then swings about it.",
+         begin on the edge of the tongue. Arrows on all of them point up. No line leads into the tongue. A full motion from one degree, drawn heavy, first runs along its line and then swings about it, with dots at equal times.",
     );
     let b = Axis::log(0.01, 100.0, 1).titled("radius of the centre’s circle $b/a$");
     let lean = Axis::linear(0.0, 80.0, 20.0).minor(5.0).titled(r"lean $\theta$, degrees");
-    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 272.0), b, lean)?;
-    let disc = wheel(MomentFactors::DISK)?;
+    let mut plot = Plot::new(&mut drawing, frame, b, lean)?;
     let shown = |&(b, lean): &(f64, f64)| (0.01..=100.0).contains(&b) && lean <= 80.0;
-    let border: Vec<_> = edge(&disc)?.into_iter().filter(shown).collect();
-    let ends = [plot.at((100.0, 0.0)), plot.at((0.01, 0.0))];
-    let corners = border.iter().map(|&corner| plot.at(corner)).chain(ends).collect();
-    plot.drawing().polygon(corners, Fill::Ground, Hue::Orange);
-    plot.curve("edge", border, Stroke::Border, Hue::Orange);
-    for (name, degrees, b) in [
-        ("straight-1", 1.0, 100.0),
-        ("straight-3", 3.0, 100.0),
-        ("straight-10", 10.0, 100.0),
-        ("spin-1", 1.0, 0.01),
-        ("spin-10", 10.0, 0.01),
-        ("spin-30", 30.0, 0.01),
+    draw_tongue(&mut plot, edge(disc)?, [0.01, 100.0]);
+    for (name, degrees, b, heads) in [
+        ("straight-1", 1.0, 100.0, &[20.0, 60.0][..]),
+        ("straight-3", 3.0, 100.0, &[15.0]),
+        ("straight-10", 10.0, 100.0, &[25.0, 55.0]),
+        ("spin-1", 1.0, 0.01, &[8.0]),
+        ("spin-10", 10.0, 0.01, &[20.0]),
+        ("spin-30", 30.0, 0.01, &[40.0, 70.0]),
     ] {
-        let found = way(&disc, f64::to_radians(degrees), b)?;
-        plot.curve(name, found.into_iter().filter(shown), Stroke::Curve, Hue::Blue);
+        let found = way(disc, f64::to_radians(degrees), b)?.into_iter().filter(shown).collect();
+        draw_way(&mut plot, name, found, heads, Hue::Muted);
     }
     for (name, degrees, side) in
         [("edge-10", 10.0, 0), ("edge-15", 15.0, 0), ("edge-18", 18.0, 1), ("edge-13", 13.0, 1)]
@@ -123,19 +194,23 @@ pub(crate) fn ways_down(id: &str) -> Outcome {
         let edges = disc.unstable_circles(lean)?.ok_or("no tongue at this lean")?;
         // A hair outside, where the circle is stable.
         let b = edges[side] * [1.0 - 1e-6, 1.0 + 1e-6][side];
-        plot.curve(name, way(&disc, lean, b)?.into_iter().filter(shown), Stroke::Orbit, Hue::Blue);
+        let found = way(disc, lean, b)?.into_iter().filter(shown).collect();
+        draw_way(&mut plot, name, found, &[[38.0, 33.0][side]], Hue::Faint);
     }
-    // The full motion.
-    let start = disc.steady(f64::to_radians(1.0), 40.0)?.state();
-    let rates = disc.slowed_rates(0.03);
-    let times: Vec<f64> = linear_steps(0.0, 27.0, 2700).collect();
-    let (path, _) = Dop853::new(1e-10)?.sample(rates, 0.0, start.to_array(), &times)?;
-    let full = path.iter().map(|state| {
-        let now = Rolling::from_array(*state);
-        (now.omega_3 * now.lean().cos() / now.omega_2, now.lean().to_degrees())
-    });
-    plot.curve("full", full.filter(shown), Stroke::Orbit, Hue::Pink);
-    plot.label((0.28, 5.0), Side::Over, "unstable", Hue::Ink)?;
-    plot.label((7.0, 46.0), Side::Over, "full motion", Hue::Pink)?;
+    let full: Vec<(f64, f64)> = full.iter().copied().filter(shown).collect();
+    let dots: Vec<(f64, f64)> = full.iter().step_by(200).copied().collect();
+    plot.curve("full", full, Stroke::Curve, Hue::Ink);
+    plot.markers(&dots, Marker::Disc, Hue::Ink);
+    plot.label((0.3, 6.0), Side::Over, "unstable", Hue::Ink)?;
+    plot.label((4.0, 50.0), Side::Right, "full motion", Hue::Ink)?;
+    plot.label((4.0, 45.5), Side::Right, r"a dot every $2\sqrt{a/g}$", Hue::Ink)?;
+    plot.label((0.25, 80.0), Side::Above, "Euler’s disk", Hue::Ink)?;
+    plot.label((100.0, 17.0), Side::AboveLeft, "rolls straight", Hue::Muted)?;
+    plot.label(
+        room.of((0.012, 22.0), (0.0115, 6.2)),
+        Side::Right,
+        room.of("spins upright", "spins"),
+        Hue::Muted,
+    )?;
     Ok(drawing)
 }

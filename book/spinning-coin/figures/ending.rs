@@ -1,6 +1,6 @@
 //! How Euler's disk ends: four laws of loss, followed with nothing assumed to be slow.
 
-use super::{LAWS, a_long_life, disc, going_down, law_ends};
+use super::{LAWS, a_long_life, disc, going_down, law_ends, look};
 use drawing::kit::Marker;
 use drawing::{Drawing, Hue, Rect, Side, Stroke};
 use figures::{Axis, Cause, Outcome, Plot, log_steps};
@@ -28,7 +28,7 @@ pub(crate) fn four_exponents(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 400.0, 330.0).titled(
         "Four exponents, and where each is given up",
         "The exponent against the tilt, from a millionth to a tenth, on a logarithmic scale. Four curves lie on the dashed levels 1/3, 4/9, 1/2 and 2/3 from the right, where the motion \
-         begins, and turn up one after the other: for p = 2 at some five thousandths, for p = 1/2 at some forty millionths. A pink dot below each marks where the law would fall with g.",
+         begins, and turn up one after the other: for p = 2 at some five thousandths, for p = 1/2 at some forty millionths. A dot below each marks where the law would fall with g.",
     );
     let tilt = Axis::log(1e-6, 0.1, 1).titled(r"tilt $\alpha$, rad");
     let exponent = Axis::linear(0.0, 1.0, 0.2).minor(0.05).titled("exponent of the tilt");
@@ -51,13 +51,14 @@ pub(crate) fn four_exponents(id: &str) -> Outcome {
         let values: Vec<(f64, f64)> =
             values.take_while(|(_, exponent)| (0.0..1.0).contains(exponent)).collect();
         let top = *values.last().ok_or("no exponent")?;
-        plot.curve(&format!("exponent-{power}"), values, Stroke::Curve, Hue::Blue);
-        plot.markers(&[(last.tilt(), law)], Marker::Disc, Hue::Pink);
+        let (stroke, hue) = look(power);
+        plot.curve(&format!("exponent-{power}"), values, stroke, hue);
+        plot.markers(&[(last.tilt(), law)], Marker::Disc, Hue::Ink);
         let text = if power == 2.0 { format!("$p = {name}$") } else { format!("${name}$") };
         let side = if power > 1.0 { Side::Right } else { Side::Left };
-        plot.label(top, side, &text, Hue::Blue)?;
+        plot.label(top, side, &text, hue)?;
     }
-    plot.label((6e-5, 0.17), Side::Over, "dots: the law falls with $g$", Hue::Pink)?;
+    plot.label((6e-5, 0.17), Side::Over, "dots: the law falls with $g$", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -69,10 +70,10 @@ pub(crate) fn table_holds(id: &str) -> Outcome {
 fn support(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 290.0, 310.0).titled(
         "What the table carries",
-        "The support, in weights, against the tilt, in units of that at which each law falls with g, from 0.5 to 10. By the laws, dashed, it goes down through zero at one. In the motions it dips \
-         to 0.73 for p = 2, and less for smaller p, and rises above one again; all stay above the bound, a fifth.",
+        "The support, in weights, against the tilt, in units of that at which each law falls with g, from 0.4 to 10. By the law for p = 2, dashed, it goes down through zero at one. In the motions it dips \
+         to 0.73 for p = 2, drawn heavy, and less for the others, and rises above one again; all stay above the bound, a fifth.",
     );
-    let tilt = Axis::log(0.1, 10.0, 1).titled("tilt, where the law falls with $g$: 1");
+    let tilt = Axis::log(0.3, 10.0, 1).titled("tilt, 1 where the law falls with $g$");
     let weight = Axis::linear(0.0, 2.0, 0.5).minor(0.1).titled("support, in weights");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 200.0, 226.0), tilt, weight)?;
     for (power, _) in LAWS {
@@ -84,15 +85,16 @@ fn support(id: &str) -> Outcome {
         let values =
             sunk.iter().map(|there| (there.state.tilt / last.tilt(), disk.support(&there.state).z / weight));
         let values: Vec<(f64, f64)> = values.take_while(|(_, support)| *support < 2.0).collect();
-        plot.curve(&format!("support-{power}"), values, Stroke::Curve, Hue::Purple);
-        // The fall that slow sinking asks for goes like the tilt to the power 1 − 2/s (eq:sinking-fall).
-        let law = log_steps(10.0, 1.0, 100).map(|part| (part, 1.0 - part.powf(-2.0 * power - 1.0)));
-        plot.curve(&format!("law-support-{power}"), law, Stroke::DashedCurve, Hue::Ink);
+        let stroke = if power == 2.0 { Stroke::Heavy } else { Stroke::Pale };
+        plot.curve(&format!("support-{power}"), values, stroke, Hue::Purple);
     }
+    // The fall that slow sinking asks for goes like the tilt to the power 1 − 2/s (eq:sinking-fall).
+    let law = log_steps(10.0, 1.0, 100).map(|part| (part, 1.0 - part.powf(-5.0)));
+    plot.curve("law-support", law, Stroke::DashedCurve, Hue::Ink);
     plot.level(0.2, Stroke::Reference);
-    plot.label((0.12, 0.2), Side::AboveRight, "the bound", Hue::Purple)?;
-    plot.label((1.15, 0.1), Side::Right, "the laws", Hue::Ink)?;
-    plot.label((0.12, 1.75), Side::AboveRight, "the motions", Hue::Purple)?;
+    plot.label((2.4, 0.2), Side::AboveRight, "a fifth", Hue::Muted)?;
+    plot.label((1.25, 0.62), Side::Right, "the law", Hue::Ink)?;
+    plot.label((0.55, 1.75), Side::Right, "(a) the motion, $p = 2$", Hue::Purple)?;
     Ok(drawing)
 }
 
@@ -130,5 +132,6 @@ fn contact(id: &str) -> Outcome {
         plot.label(place, side, text, Hue::Pink)?;
     }
     plot.label((9e-3, 1.0), Side::AboveLeft, "Mach 1", Hue::Muted)?;
+    plot.label((1e-2, 5.0), Side::Right, "(b)", Hue::Ink)?;
     Ok(drawing)
 }
