@@ -104,7 +104,8 @@ const PLANS: [(&str, usize, bool); 3] = [("four", 4, true), ("eight", 8, true), 
 /// The section of `teaching.md` that has a plan, and the cells of its rows.
 fn plan<'a>(teaching: &'a str, name: &str) -> (&'a str, Vec<Vec<&'a str>>) {
     let label = format!("{{#sec:teaching-{name}}}");
-    let section = teaching.split(&label).nth(1).and_then(|rest| rest.split("\n## ").next()).expect("a section");
+    let section =
+        teaching.split(&label).nth(1).and_then(|rest| rest.split("\n## ").next()).expect("a section");
     let rows = section.lines().filter(|row| row.starts_with("| "));
     let cells = rows.map(|row| row.split('|').map(str::trim).collect::<Vec<_>>());
     (section, cells.filter(|cells| cells[1].parse::<u32>().is_ok()).collect())
@@ -140,7 +141,9 @@ fn a_course_of_some_weeks_adds_up_the_minutes_of_its_exercises() {
         }
         let meetings = f64::from(u32::try_from(weeks).expect("few")) * 180.0;
         let said = [
-            format!("The pages take {board} of the {meetings} minutes of the meetings, and the checks {checks} more."),
+            format!(
+                "The pages take {board} of the {meetings} minutes of the meetings, and the checks {checks} more."
+            ),
             format!("The problems are {problems} minutes of homework in all."),
         ];
         for said in said.iter().filter(|_| has_board) {
@@ -205,7 +208,8 @@ fn the_exercises_of_a_plan_need_what_was_read_before_them() {
                     let Some(place) = place(&text, label) else { continue };
                     checked += 1;
                     if !read.iter().any(|range| range.contains(&place)) && section(&text, place).0 > 1 {
-                        faults.push(format!("{name}, {} | {}: @{exercise} needs @{label}", cells[1], cells[2]));
+                        faults
+                            .push(format!("{name}, {} | {}: @{exercise} needs @{label}", cells[1], cells[2]));
                     }
                 }
             }
