@@ -539,7 +539,7 @@ fn the_edge_is_likeliest_for_the_toss_whose_normal_just_comes_so_low() {
     let nickel = Cylinder { radius: 10.605, height: 1.95 };
     let sine = edge_at_random(nickel).unwrap();
     let edge_at = |lowest: f64| {
-        let double: f64 = lowest.acos(); // 2ψ
+        let double: f64 = lowest.acos(); // 2θ_L
         let toss = tossed(coin(), 2.0 * (0.5 * double).sin(), (0.5 * double).cos());
         toss.landings(nickel).unwrap().edge
     };

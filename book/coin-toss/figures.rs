@@ -112,7 +112,7 @@ pub(crate) fn toss(id: &str) -> Outcome {
         stage.named_vector([0.0; 3], normal * 1.55, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
         if time == 0.0 {
             stage.named_vector([0.0; 3], [1.6, 0.0, 0.0], r"$\hat{\mathbf{1}}$", Hue::Ink)?;
-            stage.angle([0.0; 3], normal, momentum, 0.8, r"$\psi$", Hue::Ink)?;
+            stage.angle([0.0; 3], normal, momentum, 0.8, r"$\theta_L$", Hue::Ink)?;
         } else {
             let start = Vector3::z();
             stage.curve(Curve::segment([0.0; 3], start * 1.5)?, Stroke::Reference, Hue::Muted)?;
@@ -121,10 +121,10 @@ pub(crate) fn toss(id: &str) -> Outcome {
             stage.label(
                 (start * 2.0 + momentum).normalize() * 1.13,
                 Side::AboveRight,
-                r"$2\psi$",
+                r"$2\theta_L$",
                 Hue::Ink,
             )?;
-            stage.angle([0.0; 3], normal, momentum, 0.7, r"$\psi$", Hue::Ink)?;
+            stage.angle([0.0; 3], normal, momentum, 0.7, r"$\theta_L$", Hue::Ink)?;
         }
         stage.write(&mut drawing);
         let name = if time == 0.0 { "at the start: heads" } else { "half a precession later: tails" };
@@ -134,13 +134,13 @@ pub(crate) fn toss(id: &str) -> Outcome {
     let start = panel(
         "The coin at the start",
         "The coin lies flat, heads up: its normal 3 points straight up, the axis 1 to the right, and the \
-         angular momentum L leans to the right at the angle psi to the normal.",
+         angular momentum L leans to the right at the angle theta L to the normal.",
         0.0,
     )?;
     let later = panel(
         "The coin half a precession later",
-        "L is where it was. The normal has gone to its other side, at the angle psi again, so that it has \
-         turned by two psi in all and points below the horizon: tails is seen from above.",
+        "L is where it was. The normal has gone to its other side, at the angle theta L again, so that it has \
+         turned by two theta L in all and points below the horizon: tails is seen from above.",
         half,
     )?;
     Ok(Drawing::panels(id, vec![start, later]))
@@ -263,7 +263,7 @@ fn circles_edge_on() -> Outcome {
     let mut drawing = Drawing::new("", 280.0, 280.0).titled(
         "The circles of five tosses, seen edge-on",
         "A unit sphere seen from the side, with its equator as a level line and the lower half tinted. Five \
-         straight lines run down from the pole, each the circle of a toss seen edge-on. That for psi 30 \
+         straight lines run down from the pole, each the circle of a toss seen edge-on. That for theta L 30 \
          degrees ends above the equator, that for 45 degrees on it, those for 60, 75 and 90 degrees below; \
          what is above is blue, what is below grey. The middles of the lines are dots on a small circle \
          between the pole and the centre of the sphere, none of them below the equator.",
@@ -280,7 +280,7 @@ fn circles_edge_on() -> Outcome {
     drawing.polyline(&middles.collect::<Vec<_>>(), Stroke::Dotted, Hue::Green);
     let pole = place(Vector3::z());
     let names = [
-        (30.0, Side::Right, r"$\psi = 30°$"),
+        (30.0, Side::Right, r"$\theta_L = 30°$"),
         (45.0, Side::Right, "$45°$"),
         (60.0, Side::Right, "$60°$"),
         (75.0, Side::BelowRight, "$75°$"),
@@ -312,9 +312,9 @@ fn circles_edge_on() -> Outcome {
 fn circle_face_on(degrees: f64) -> Outcome {
     let mut drawing = Drawing::new("", 280.0, 280.0).titled(
         "One of the circles, seen face-on",
-        "The circle for psi 60 degrees, seen against the angular momentum. It begins at the top, where the \
+        "The circle for theta L 60 degrees, seen against the angular momentum. It begins at the top, where the \
          coin lies flat, and runs counter-clockwise. A level chord, the height of the equator, cuts it below \
-         the middle, at a distance of cot squared psi of the radius. The part above the chord is blue, the \
+         the middle, at a distance of cot squared theta L of the radius. The part above the chord is blue, the \
          part below grey. The angle at the middle from the top to the chord is Lambda t edge.",
     );
     let toss = leaning(degrees)?;
@@ -347,7 +347,7 @@ fn circle_face_on(degrees: f64) -> Outcome {
     drawing.label(name, Side::AboveLeft, r"$\Lambda t_\text{edge}$", Hue::Ink)?;
     let chord = at(centre.x, first.y);
     kit::dimension(&mut drawing, centre, chord, Heads::Both, Hue::Ink);
-    drawing.label(centre.towards(chord, 0.5), Side::Right, r"$\text{cot}^2\psi$", Hue::Ink)?;
+    drawing.label(centre.towards(chord, 0.5), Side::Right, r"$\text{cot}^2\theta_L$", Hue::Ink)?;
     drawing.dot(centre, 3.5, Hue::Green);
     drawing.label(centre, Side::AboveRight, r"$\boldsymbol{L}$", Hue::Green)?;
     drawing.dot(start, 3.5, Hue::Ink);

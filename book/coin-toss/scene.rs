@@ -29,7 +29,7 @@ pub(crate) const SCENE: Scene = Scene {
                   sphere with its equator: the tip of the normal goes round L on a circle through \
                   the pole, of which the part above the equator is blue and the part below grey. Below, \
                   the height of the normal through one precession, which dips below zero in the middle, \
-                  and the probability of the same face against the angle psi between the normal and \
+                  and the probability of the same face against the angle theta L between the normal and \
                   L: certainty up to 45 degrees, then falling to a half.",
     question: "A thumb tumbles the coin 38 times a second. How fast must it twist the coin as well, if heads, \
                and nothing but heads, is to be seen from above?",
@@ -60,7 +60,7 @@ pub(crate) const SCENE: Scene = Scene {
         Reading { words: "part of them heads", form: Form::Fixed(4), unit: "" },
         Reading { words: r"drift of $\boldsymbol{L}$", form: Form::Power(1), unit: "" },
     ],
-    symbols: formulas![r"\boldsymbol{L}", r"\hat{\mathbf{3}}", r"n_z", r"\psi", r"p"],
+    symbols: formulas![r"\boldsymbol{L}", r"\hat{\mathbf{3}}", r"n_z", r"\theta_L", r"p"],
     start: |settings| Ok(Box::new(Throw::new(settings)?)),
 };
 
@@ -75,7 +75,7 @@ const AGAIN: f64 = 1.2;
 /// What the eye takes for one instant, s, and how many images of the coin stand for it.
 const BLINK: f64 = 0.02;
 const IMAGES: u32 = 6;
-/// Probability of the same face against ψ, degrees: the twists divide the curve most finely where it leaves one.
+/// Probability of the same face against θ_L, degrees: the twists divide the curve most finely where it leaves one.
 static PROBABILITIES: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
     let coin = |ratio: f64| -> Result<_, InvalidQuantity> {
         let moments = PrincipalMoments::symmetric(1.0, 2.0)?;
@@ -315,7 +315,7 @@ impl Throw {
         Ok(())
     }
 
-    /// The probability of the same face against ψ, and what the tosses gave.
+    /// The probability of the same face against θ_L, and what the tosses gave.
     fn draw_probability(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let (frame, x, y) = probability(moment.room);
         let mut graph = Graph::new(drawing, frame, x, y)?;
@@ -362,9 +362,9 @@ fn sphere(moment: &Moment) -> Result<Camera, Flaw> {
     })
 }
 
-/// The plot of probabilities: its frame on the page, ψ to the right and p upwards.
+/// The plot of probabilities: its frame on the page, θ_L to the right and p upwards.
 fn probability(room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
-    let x = Axis::linear(0.0, 90.0, 45.0).titled(r"$\psi$, degrees");
+    let x = Axis::linear(0.0, 90.0, 45.0).titled(r"$\theta_L$, degrees");
     let y = Axis::linear(0.5, 1.0, 0.25).titled(r"heads, $p$");
     (room.of(Rect::new(444.0, 364.0, 170.0, 104.0), Rect::new(60.0, 744.0, 220.0, 84.0)), x, y)
 }

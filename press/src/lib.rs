@@ -54,9 +54,10 @@
 //! who point at it.
 //!
 //! Two tables of `conventions.md` say which letters stand for which coloured quantity, in the whole book and in
-//! single chapters. A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its
-//! unit. In round brackets the number of an equation has none of its own: `(@eq:x)` is printed as (1.9), and
-//! `(see @eq:x)` as (see Eq. 1.9).
+//! single chapters. A table below a heading `{#sec:symbols-one}`, on any page, has the colours of the chapter `one`.
+//! A formula is tied to the punctuation, bracket, ending or unit beside it, and a number to its unit. In round
+//! brackets the number of an equation has none of its own: `(@eq:x)` is printed as (1.9), and `(see @eq:x)` as (see
+//! Eq. 1.9).
 //!
 //! In a table a column of numbers is set with their points below one another. (At least two cells are numbers, the
 //! rest dashes or short words.) There and in captions and notes `1.6e-8` is printed as 1.6·10⁻⁸.

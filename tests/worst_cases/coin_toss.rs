@@ -40,7 +40,7 @@ fn the_lowest_height_and_what_follows_from_it_have_all_their_digits() {
         }
         let mut probability = 1.0;
         if let (false, Some(edge)) = (keeps, toss.first_edge()) {
-            // At that time Λt/2 = atan2(1, √−cos 2ψ): the sine of twice the rest of the angle over there.
+            // At that time Λt/2 = atan2(1, √−cos 2θ_L): the sine of twice the rest of the angle over there.
             let half = rate * edge * 0.5;
             let (sin, cos) = half.sin_cos();
             error = worse(error, ((sin * (-lowest).sqrt() - cos) / half).abs().rounded());
@@ -134,7 +134,7 @@ fn ratio_and_angle_for_a_probability_have_all_their_digits() {
         };
         let ratio = draw.decades(1e-3, 2.0);
         let moments = PrincipalMoments::symmetric(1.0, ratio).ok()?;
-        // The cotangent of ψ, √(−cos πp) = √(sin π(p − ½)).
+        // The cotangent of θ_L, √(−cos πp) = √(sin π(p − ½)).
         let cotangent = (PI * (long(probability) - 0.5)).sin_cos().0.sqrt();
         let found = ratio_for_probability(moments, probability).ok()?;
         let off_ratio = if found == 0.0 { cotangent.rounded() } else { (cotangent / ratio).off(found) };

@@ -117,16 +117,16 @@ fn against_thickness() -> Outcome {
 /// The nickel, by the angle between its normal and L.
 fn against_angle() -> Result<Drawing, Cause> {
     let mut drawing = Drawing::new("", 280.0, 310.0).titled(
-        "Chance of the edge against psi, for a nickel",
-        "The chance that a nickel lands on its edge, against psi from 40 to 90 degrees. It is zero up to 42.4 \
+        "Chance of the edge against theta L, for a nickel",
+        "The chance that a nickel lands on its edge, against theta L from 40 to 90 degrees. It is zero up to 42.4 \
          degrees, rises to a sharp peak of 0.27 at 47.6 degrees, and falls to 0.058 at 90 degrees, a tumble. \
          The dashed curve of the limit of thin coins joins it on the right of the peak.",
     );
-    let angle = Axis::linear(40.0, 90.0, 10.0).minor(5.0).titled(r"$\psi$, degrees");
+    let angle = Axis::linear(40.0, 90.0, 10.0).minor(5.0).titled(r"$\theta_L$, degrees");
     let chance = Axis::linear(0.0, 0.4, 0.1).minor(0.02).titled("chance of the edge, nickel");
     let mut plot = Plot::new(&mut drawing, Rect::new(44.0, 34.0, 222.0, 222.0), angle, chance)?;
     let sine = edge_at_random(coin(NICKEL))?;
-    // The borders, where the curve has corners: the lowest normal, cos 2ψ, is ±sin β.
+    // The borders, where the curve has corners: the lowest normal, cos 2θ_L, is ±sin β.
     let [first, peak] = [sine, -sine].map(|lowest: f64| 0.5 * lowest.acos().to_degrees());
     let mut values = vec![(40.0, 0.0)];
     for (from, to) in [(first, peak), (peak, 90.0)] {

@@ -115,17 +115,17 @@ fn every_equation_of_the_source_has_its_row_its_label_and_its_test() {
 }
 
 #[test]
-fn the_tables_of_the_chapters_and_the_changelog_list_what_the_ledger_corrects() {
+fn the_tables_of_errata_and_the_changelog_list_what_the_ledger_corrects() {
     let corrected = corrected(&rows(&ledger(), "{#sec:ledger-equations}"));
-    // A row of a chapter's table that stands for an equation begins with its number and nothing else.
-    let pages = texts(&root().join("book"), "index.md");
-    let listed: BTreeSet<usize> = pages
-        .split("| source | printed | should be | proof |")
+    // A row that stands for an equation begins with its number and nothing else.
+    let page = fs::read_to_string(root().join("book/errata.md")).expect("the page");
+    let listed: BTreeSet<usize> = page
+        .split("| where | printed | true | see |")
         .skip(1)
         .flat_map(|table| table.lines().skip(1).take_while(|line| line.starts_with('|')))
         .filter_map(|line| line.strip_prefix("| @source:")?.split(' ').next()?.parse().ok())
         .collect();
-    assert_eq!(listed, corrected, "the tables of the chapters and the ledger");
+    assert_eq!(listed, corrected, "the tables of errata and the ledger");
     // An entry of the changelog begins with the numbers of its equations: "- (25), (26) …".
     let log = fs::read_to_string(root().join("CHANGELOG.md")).expect("the changelog");
     let entries = log.split("### Corrected in the source").nth(1).expect("the section");

@@ -38,7 +38,8 @@ struct Row {
 
 /// The rows of the tables below the headings `{#sec:symbols-…}`.
 fn tables() -> BTreeMap<String, Vec<Row>> {
-    let text = fs::read_to_string(root().join("book/conventions.md")).expect("the conventions");
+    let pages = ["conventions.md", "symbols.md"].map(|page| root().join("book").join(page));
+    let text: String = pages.map(|page| fs::read_to_string(page).expect("a page of symbols")).join("\n");
     let mut tables = BTreeMap::new();
     for section in text.split("\n#").filter(|section| section.contains("{#sec:symbols-")) {
         let label = section.split("{#sec:symbols-").nth(1).and_then(|rest| rest.split('}').next());

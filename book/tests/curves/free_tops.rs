@@ -105,7 +105,7 @@ fn the_film_shows_the_face_that_is_up() {
         for &(middle, hue) in &faces {
             let frame = (8.0 * (middle.x - first) / (last - first)).round() / 8.0;
             let strip = ((middle.y - top) / (bottom - top) * 2.0).round() as usize;
-            let square = 1.0 / (1.0 + 4.0 * [0.0_f64, 0.25, 0.6][strip].powi(2)); // sin²ψ
+            let square = 1.0 / (1.0 + 4.0 * [0.0_f64, 0.25, 0.6][strip].powi(2)); // sin²θ_L
             let height = 1.0 - square + square * (TAU * frame).cos();
             if height.abs() > 1e-9 {
                 assert_eq!(hue == Hue::Blue, height > 0.0, "strip {strip} at {frame}");

@@ -54,8 +54,8 @@ impl Toss {
         Ok(Landings { same, edge, other })
     }
 
-    /// How often a coin of this shape lands on its edge in the limit of thin coins: `2 sin β/(π √(−cos 2ψ))`
-    /// (`eq:edge-thin`); `None` if the normal never crosses the horizon. It grows without bound towards `ψ = 45°`, so
+    /// How often a coin of this shape lands on its edge in the limit of thin coins: `2 sin β/(π √(−cos 2θ_L))`
+    /// (`eq:edge-thin`); `None` if the normal never crosses the horizon. It grows without bound towards `θ_L = 45°`, so
     /// that it is no probability there.
     ///
     /// ```
@@ -73,7 +73,7 @@ impl Toss {
     /// As [`Toss::landings`].
     pub fn thin_edge(&self, coin: Cylinder) -> Result<Option<f64>, InvalidQuantity> {
         let (sin, _) = sine_of_edge(coin)?;
-        let lowest = self.lowest_normal(); // cos 2ψ
+        let lowest = self.lowest_normal(); // cos 2θ_L
         Ok((lowest < 0.0).then(|| FRAC_2_PI * sin / (-lowest).sqrt()))
     }
 }

@@ -34,7 +34,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Toss {
     top: FreeSymmetricTop,
-    cosine_of_double_angle: f64, // cos 2ψ, exact near the threshold, where it vanishes
+    cosine_of_double_angle: f64, // cos 2θ_L, exact near the threshold, where it vanishes
 }
 
 /// A coin, and what the thumb gives it.
@@ -76,7 +76,7 @@ impl Toss {
             omega_body: Vector3::new(omega_1, 0.0, omega_3),
         };
         let top = FreeSymmetricTop::new(moments, start)?;
-        // cos 2ψ = (L₃² − L₁²)/L² of eq:toss-angle, with exact products.
+        // cos 2θ_L = (L₃² − L₁²)/L² of eq:toss-angle, with exact products.
         let (l1, l3) = (TwoPart::product(i1, omega_1), TwoPart::product(i3, omega_3));
         let cosine_of_double_angle = (l3 - l1) * (l3 + l1) / (l3 * l3 + l1 * l1);
         Ok(Self { top, cosine_of_double_angle: cosine_of_double_angle.rounded() })
@@ -107,13 +107,13 @@ impl Toss {
         self.top.axis_world(time)
     }
 
-    /// How high the normal points, `n_z = cos²ψ + sin²ψ cos Λt`, at `time`, s (`eq:normal-height`): to 2e-15 for as
+    /// How high the normal points, `n_z = cos²θ_L + sin²θ_L cos Λt`, at `time`, s (`eq:normal-height`): to 2e-15 for as
     /// long as [`FreeSymmetricTop::at`] has its digits. Never below zero if the coin keeps its face.
     ///
     /// # Errors
     /// As [`Toss::at`].
     pub fn normal_height(&self, time: f64) -> Result<f64, InvalidQuantity> {
-        // eq:normal-height as eq:lowest-normal and 2 sin²ψ cos² ½Λt: of a coin that keeps its face neither is negative.
+        // eq:normal-height as eq:lowest-normal and 2 sin²θ_L cos² ½Λt: of a coin that keeps its face neither is negative.
         let (_, cos) = self.top.half_precession(time)?;
         Ok(self.cosine_of_double_angle + (1.0 - self.cosine_of_double_angle) * cos * cos)
     }
@@ -133,7 +133,7 @@ impl Toss {
         })
     }
 
-    /// The angle ψ between the coin's axis and its angular momentum, rad, from 0 to π (`eq:toss-angle`).
+    /// The angle θ_L between the coin's axis and its angular momentum, rad, from 0 to π (`eq:toss-angle`).
     #[must_use]
     pub fn momentum_angle(&self) -> f64 {
         self.top.momentum_angle()
@@ -145,7 +145,7 @@ impl Toss {
         self.top.precession_rate()
     }
 
-    /// The lowest height of the normal, `cos 2ψ`, reached half a precession after the start (`eq:lowest-normal`). To
+    /// The lowest height of the normal, `cos 2θ_L`, reached half a precession after the start (`eq:lowest-normal`). To
     /// 9e-16 of itself, next to the threshold too, where it vanishes; and so are the time and the probability that
     /// follow from it.
     #[must_use]
@@ -215,7 +215,7 @@ pub fn ratio_for_probability(moments: PrincipalMoments, probability: f64) -> Res
     Ok(steady_face_ratio(moments)? * cotangent_for_probability(probability)?) // eq:ratio-for-bias
 }
 
-/// The angle ψ, rad, between axis and angular momentum at which a coin shows the same face with a given probability:
+/// The angle θ_L, rad, between axis and angular momentum at which a coin shows the same face with a given probability:
 /// from π/2 at 1/2 down to π/4 at 1 (`eq:ratio-for-bias`).
 ///
 /// # Errors
@@ -231,7 +231,7 @@ pub fn angle_for_probability(probability: f64) -> Result<f64, InvalidQuantity> {
     Ok(1_f64.atan2(cotangent_for_probability(probability)?))
 }
 
-/// `cot ψ = √(−cos πp)`.
+/// `cot θ_L = √(−cos πp)`.
 fn cotangent_for_probability(probability: f64) -> Result<f64, InvalidQuantity> {
     let name = "probability of the same face";
     InvalidQuantity::require_finite(name, probability, "")?;

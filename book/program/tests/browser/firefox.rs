@@ -99,8 +99,7 @@ const WORDS: &str = "
 #[test]
 fn words_are_small_as_indices_in_firefox() {
     let Some(mut firefox) = Firefox::open() else { return };
-    for (page, least) in
-        [("conventions.html", 30), ("coin-toss/index.html", 8), ("rolling-wheel/index.html", 10)]
+    for (page, least) in [("symbols.html", 30), ("coin-toss/index.html", 8), ("rolling-wheel/index.html", 10)]
     {
         let address = format!("file://{}", site().join(page).display());
         firefox.ask("WebDriver:Navigate", &json!({ "url": address }));

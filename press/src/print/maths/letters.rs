@@ -2,8 +2,8 @@
 //!
 //! Two tables of the page of conventions say which: readers have them as a key, and the press reads the same. One
 //! begins with the column `quantity`, one with `chapter`; a column `letters` holds formulas, and a column
-//! `colour` the name of a colour or `none`. A table below a heading `{#sec:symbols-chapter}` shows letters as that
-//! chapter means them.
+//! `colour` the name of a colour or `none`. A table below a heading `{#sec:symbols-chapter}`, on whatever page, shows
+//! letters as that chapter means them.
 
 use super::tree::Element;
 use crate::book::Page;
@@ -22,8 +22,8 @@ pub(super) const CONVENTIONS: &str = "conventions.md";
 pub(super) struct Letters {
     /// A chapter's folder, or nothing for all of them; a letter, perhaps with its subscript → its quantity, or none.
     meanings: HashMap<(String, String), Option<Quantity>>,
-    /// Where on the page of conventions formulas show what a chapter means, and its folder.
-    shown: HashMap<usize, String>,
+    /// Where formulas show what a chapter means, the path of the page and the place on it, and its folder.
+    shown: HashMap<(String, usize), String>,
 }
 
 impl Letters {
@@ -37,23 +37,9 @@ impl Letters {
     ) -> Self {
         let mut letters = Self::default();
         let mut report = page.reporter(faults);
-        let mut chapter_shown = None;
         for placed in items {
-            let rows = match &placed.item {
-                Item::Heading { label, .. } => {
-                    let section = label.as_ref().filter(|label| label.kind == LabelKind::Section);
-                    let name = section.and_then(|label| label.name.strip_prefix("symbols-"));
-                    chapter_shown = name.map(str::to_owned);
-                    continue;
-                }
-                Item::Table { table, .. } => &table.rows,
-                _ => continue,
-            };
-            if let Some(folder) = &chapter_shown {
-                let formulas = rows.iter().flatten().flat_map(formulas);
-                letters.shown.extend(formulas.map(|(offset, _)| (offset, folder.clone())));
-            }
-            let Some((head, rows)) = rows.split_first() else { continue };
+            let Item::Table { table, .. } = &placed.item else { continue };
+            let Some((head, rows)) = table.rows.split_first() else { continue };
             let column = |name: &str| head.iter().position(|cell| words(cell) == name);
             let (Some(colours), Some(signs)) = (column("colour"), column("letters")) else {
                 continue;
@@ -85,7 +71,7 @@ impl Letters {
                         continue;
                     };
                     if let Some(folder) = folders.first().filter(|folder| !folder.is_empty()) {
-                        letters.shown.insert(offset, folder.clone());
+                        letters.shown.insert((page.path.clone(), offset), folder.clone());
                     }
                     for folder in &folders {
                         letters.meanings.insert((folder.clone(), key.clone()), quantity);
@@ -96,9 +82,29 @@ impl Letters {
         letters
     }
 
+    /// Notes the tables of symbols of a page, each of which means what its chapter does.
+    pub(super) fn note_symbols(&mut self, page: &Page, items: &[PlacedItem<'_>]) {
+        let mut chapter = None;
+        for placed in items {
+            match (&placed.item, &chapter) {
+                (Item::Heading { label, .. }, _) => {
+                    let section = label.as_ref().filter(|label| label.kind == LabelKind::Section);
+                    let name = section.and_then(|label| label.name.strip_prefix("symbols-"));
+                    chapter = name.map(str::to_owned);
+                }
+                (Item::Table { table, .. }, Some(folder)) => {
+                    let formulas = table.rows.iter().flatten().flat_map(formulas);
+                    let places = formulas.map(|(offset, _)| (page.path.clone(), offset));
+                    self.shown.extend(places.map(|place| (place, folder.clone())));
+                }
+                _ => {}
+            }
+        }
+    }
+
     /// The folder of the chapter whose letters a page uses at a place.
     pub(super) fn folder<'a>(&'a self, path: &'a str, offset: usize) -> &'a str {
-        let shown = self.shown.get(&offset).filter(|_| path == CONVENTIONS);
+        let shown = self.shown.get(&(path.to_owned(), offset));
         shown.map_or_else(|| path.split('/').next().unwrap_or(path), String::as_str)
     }
 
@@ -264,9 +270,15 @@ mod tests {
             "{TABLES}\n### One {{#sec:symbols-one}}\n\n| symbol | meaning |\n|---|---|\n| $L$ | a length |\n"
         );
         let place = text.rfind("$L$").unwrap();
-        let (maths, faults) = maths(&text);
-        assert_eq!((maths.folder("conventions.md", place), faults.len()), ("one", 0));
-        assert_eq!(maths.folder("conventions.md", place + 1), "conventions.md");
+        let conventions = Page::new("book", "conventions.md".to_owned(), None, None, TABLES.to_owned());
+        let symbols = Page::new("book", "symbols.md".to_owned(), None, None, text);
+        let pages = [conventions, symbols];
+        let mut faults = Faults::default();
+        let scans: Vec<_> = pages.iter().map(|page| scan(page, &mut Faults::default())).collect();
+        let maths = Maths::new(&pages, &scans, &mut faults);
+        assert_eq!((maths.folder("symbols.md", place), faults.sorted().len()), ("one", 0));
+        assert_eq!(maths.folder("symbols.md", place + 1), "symbols.md");
+        assert_eq!(maths.folder("conventions.md", place), "conventions.md");
     }
 
     #[test]

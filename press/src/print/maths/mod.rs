@@ -56,6 +56,7 @@ impl Maths {
             let convert = |tex: &str| maths.formula(tex, MathDisplay::Inline).ok();
             maths.letters = Letters::read(page, items, convert, faults);
         }
+        pages.iter().zip(scans).for_each(|(page, items)| maths.letters.note_symbols(page, items));
         maths
     }
 
