@@ -55,7 +55,8 @@ pub(super) fn packed(pdf: &[u8]) -> Option<Vec<u8>> {
         [*kind, a, b, c, d, *index]
     });
     let rows: Vec<u8> = rows.collect();
-    let kept = kept.trim_start().trim_start_matches("/Size ").trim_start_matches(|c: char| c.is_ascii_digit());
+    let kept =
+        kept.trim_start().trim_start_matches("/Size ").trim_start_matches(|c: char| c.is_ascii_digit());
     let words = format!("/Type /XRef /W [1 4 1] /Size {}{}", places.len(), kept.replace('\n', " "));
     stream(&mut out, places.len() - 1, &words, &rows);
     out.extend(format!("startxref\n{start}\n%%EOF\n").bytes());
@@ -74,7 +75,9 @@ fn offsets(pdf: &[u8], table: usize) -> Option<Vec<usize>> {
 fn stream(out: &mut Vec<u8>, id: usize, words: &str, content: &[u8]) {
     let mut packer = ZlibEncoder::new(Vec::new(), Compression::best());
     let packed = packer.write_all(content).and_then(|()| packer.finish()).unwrap_or_default();
-    out.extend(format!("{id} 0 obj\n<<{words} /Filter /FlateDecode /Length {}>> stream\n", packed.len()).bytes());
+    out.extend(
+        format!("{id} 0 obj\n<<{words} /Filter /FlateDecode /Length {}>> stream\n", packed.len()).bytes(),
+    );
     out.extend(packed);
     out.extend(b"\nendstream\nendobj\n");
 }
