@@ -23,7 +23,7 @@ window.audit = async (rules) => {
 window.untold = () => {
   const faults = [];
   // Of a figure of panels the first speaks for all, and the others are silent.
-  for (const figure of document.querySelectorAll('main figure')) {
+  for (const figure of [...document.querySelectorAll('main figure')].filter(shown)) {
     const speaking = [...figure.querySelectorAll('.drawing svg')].filter((svg) => shown(svg) && svg.ariaHidden !== 'true');
     const isTold = (svg) => {
       const told = ['title', 'desc'].map((name) => svg.querySelector(`:scope > ${name}`));
@@ -120,10 +120,13 @@ window.crowded = () => {
   const beside = [...document.querySelectorAll('main *')].filter((node) => shown(node) && getComputedStyle(node).float === 'right');
   const edge = Math.min(...beside.map((node) => node.getBoundingClientRect().left));
   const reach = (node) => {
-    const { left, right, top, bottom } = node.getBoundingClientRect();
-    return { left, right: right + (node.matches('pre > code') ? 16 - parseFloat(getComputedStyle(node).paddingRight) : 0), top, bottom };
+    const isCode = node.matches('pre > code');
+    const text = document.createRange(); // its box goes to the margin, wherever its lines end
+    text.selectNodeContents(node);
+    const { left, right, top, bottom } = (isCode ? text : node).getBoundingClientRect();
+    return { left, right: right + (isCode ? 16 : 0), top, bottom };
   };
-  const inText = [...document.querySelectorAll(`main :is(${CONTENT})`)].filter((node) => shown(node) && reach(node).right > edge + 1);
+  const inText = [...document.querySelectorAll(`main :is(${CONTENT})`)].filter((node) => shown(node) && !node.matches('pre') && reach(node).right > edge + 1);
   const covers = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
   return beside.flatMap((node, index) => {
     const others = [...beside.slice(index + 1), ...inText].filter((other) => !node.contains(other) && !other.contains(node));
