@@ -56,8 +56,8 @@ pub struct Figure {
     pub source: String,
     /// Its SVGs for a page in their box, coloured by the page's style sheet.
     pub svg: String,
-    /// Whether it needs more room than a column of text has.
-    pub wide: bool,
+    /// Where on a page it has room: `margin`, `column` of text, or `wide`.
+    pub place: String,
     /// SVG that stands alone, for slides.
     pub standalone: String,
 }
@@ -88,7 +88,7 @@ impl Rendered {
             rendered.figures.push(Figure {
                 id: id.to_owned(),
                 source: source.to_owned(),
-                wide: place == "wide",
+                place: place.to_owned(),
                 svg: text(&format!("{name}.inline.svg"))?,
                 standalone: text(&format!("{name}.svg"))?,
             });

@@ -6,6 +6,7 @@
 //! a number of a page is written twice: the first print says where everything has come to stand.
 
 mod epub;
+mod packed;
 mod pdf;
 mod sheet;
 

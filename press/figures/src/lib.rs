@@ -26,7 +26,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::{env, fs, thread};
 
-/// The width of a column of text, px.
+/// The widest figure of the margin, and of the column of text with the band beside it, px.
+const MARGIN: f64 = 340.0;
+/// See [`MARGIN`].
 const COLUMN: f64 = 660.0;
 
 /// Why a figure could not be drawn: whatever the library or the kit says.
@@ -107,8 +109,8 @@ pub struct Rendered {
     pub id: String,
     /// Its SVGs in the box that lays them out on a page; the page's style sheet gives their roles colours.
     pub svg: String,
-    /// Whether it is wider than a column of text, its panels side by side.
-    pub wide: bool,
+    /// Where on a page it has room, its panels side by side: `margin`, `column`, or `wide`.
+    pub place: &'static str,
     /// An SVG file that stands alone, with its own style sheet for light and dark.
     pub standalone: String,
     /// What it was rendered from.
@@ -116,7 +118,7 @@ pub struct Rendered {
 }
 
 /// For a build script: renders all figures of a book and writes its tables, into Cargo's `OUT_DIR`, from where the
-/// press reads them. `figures.txt` has a line `fig:name wide file` (or `column`) for each figure, which is in
+/// press reads them. `figures.txt` has a line `fig:name wide file` (or `column`, `margin`) for each figure, which is in
 /// `name.inline.svg` for a page and in `name.svg` to stand alone; a table is in `name.md`. What fails is said with file
 /// and line.
 pub fn write(figures: &[&[Figure]], tables: &[Table]) -> ExitCode {
@@ -144,8 +146,7 @@ fn written(figures: &[&[Figure]], tables: &[Table]) -> Result<(), Vec<String>> {
             let name = figure.id.trim_start_matches("fig:");
             fs::write(out.join(format!("{name}.inline.svg")), &figure.svg)?;
             fs::write(out.join(format!("{name}.svg")), &figure.standalone)?;
-            let place = if figure.wide { "wide" } else { "column" };
-            list += &format!("{} {place} {}\n", figure.id, source.file.replace('\\', "/"));
+            list += &format!("{} {} {}\n", figure.id, figure.place, source.file.replace('\\', "/"));
         }
         for table in tables {
             fs::write(out.join(format!("{}.md", table.name.replace('_', "-"))), (table.write)())?;
@@ -215,7 +216,11 @@ fn rendered(figure: &Figure) -> Result<Rendered, Cause> {
     Ok(Rendered {
         id,
         svg: boxed(&drawing)?,
-        wide: drawing.room() > COLUMN,
+        place: match drawing.room() {
+            ..=MARGIN => "margin",
+            ..=COLUMN => "column",
+            _ => "wide",
+        },
         standalone: drawing.to_standalone_svg()?,
         drawing,
     })

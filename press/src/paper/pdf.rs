@@ -1,5 +1,6 @@
 //! Printing by a headless Chromium, and reading where in the PDF everything stands.
 
+use crate::paper::packed;
 use crate::site::publish;
 use anyhow::{Context as _, Result, bail, ensure};
 use hayro_syntax::Pdf;
@@ -64,7 +65,10 @@ pub fn print(browser: &Path, page: &Path, target: &Path, profile: &Path) -> Resu
         .output()
         .context("Chromium cannot be run")?;
     match fs::metadata(target) {
-        Ok(pdf) if pdf.len() > 0 => Ok(()),
+        Ok(pdf) if pdf.len() > 0 => {
+            let packed = packed::packed(&fs::read(target)?);
+            packed.map_or(Ok(()), |pdf| fs::write(target, pdf)).with_context(|| target.display().to_string())
+        }
         _ => bail!("Chromium printed nothing:\n{}", String::from_utf8_lossy(&output.stderr)),
     }
 }
@@ -107,6 +111,34 @@ mod tests {
         assert_eq!(numbers(pdf.as_bytes()), expected);
         assert_eq!(numbers(pdf.replace("/Dests", "/Other").as_bytes()), BTreeMap::new());
         assert_eq!(numbers(b"%PDF-1.7 of another kind"), BTreeMap::new());
+    }
+
+    #[test]
+    fn a_pdf_is_packed_and_what_is_none_stays() {
+        let head = "%PDF-1.4\n%\u{3}\n";
+        let objects = [
+            "1 0 obj\n<</Type /Catalog\n/Pages 3 0 R\n/Dests 4 0 R>>\nendobj\n",
+            "2 0 obj\n<</Type /Page\n/Parent 3 0 R>>\nendobj\n",
+            "3 0 obj\n<</Type /Pages\n/Count 1\n/MediaBox [0 0 9 9]\n/Kids [2 0 R]>>\nendobj\n",
+            "4 0 obj\n<</here [2 0 R /XYZ 0 1 0]>>\nendobj\n",
+            "5 0 obj\n<</Length 3>> stream\nabc\nendstream\nendobj\n",
+        ];
+        // Their order in the file is another than that of their numbers.
+        let order = [0, 4, 2, 3, 1];
+        let mut file = head.to_owned();
+        let mut places = [0; 5];
+        for n in order {
+            places[n] = file.len();
+            file += objects[n];
+        }
+        let start = file.len();
+        file += "xref\n0 6\n0000000000 65535 f \n";
+        places.iter().for_each(|place| file += &format!("{place:010} 00000 n \n"));
+        file += &format!("trailer\n<</Size 6\n/Root 1 0 R>>\nstartxref\n{start}\n%%EOF\n");
+        let packed = packed::packed(file.as_bytes()).expect("it is as Chromium writes it");
+        assert_eq!(numbers(&packed), BTreeMap::from([("here".to_owned(), 1)]));
+        assert_eq!(Pdf::new(packed).expect("a PDF").pages().len(), 1);
+        assert!(packed::packed(b"%PDF-1.7 of another kind").is_none());
     }
 
     #[test]

@@ -5,6 +5,7 @@ pub mod check;
 pub(crate) mod exercises;
 pub(crate) mod licence;
 pub(crate) mod links;
+pub(crate) mod look;
 pub(crate) mod not_found_page;
 pub(crate) mod package;
 pub(crate) mod page_metadata;

@@ -10,7 +10,7 @@ use crate::site::package::Package;
 use crate::site::page_metadata::{self, SiteMetadata};
 use crate::site::version_stamp::edition;
 use crate::site::{
-    exercises, links, not_found_page, publish, rustdoc, scripts, search, solutions, theme, trails, wasm,
+    exercises, links, look, not_found_page, publish, rustdoc, scripts, search, solutions, theme, trails, wasm,
 };
 use anyhow::{Context as _, Error, Result, anyhow, ensure};
 use mdbook_renderer::RenderContext;
@@ -60,6 +60,7 @@ fn finished(site: &Path, context: &RenderContext, hidden: &[String], drawn: &Ren
         rustdoc::add(site, &context.root, package)?;
     }
     let mut pages = complete_pages(site, context, package.as_ref(), hidden)?;
+    look::gather(site, &context.config, &mut pages)?;
     wasm::add(site, &context.root, &pages)?;
     let index = search::rename(site, &mut pages)?;
     for (page, html) in &pages {

@@ -1,7 +1,7 @@
 //! The index of the site's search, made anew from the finished pages.
 //!
 //! mdBook's own holds every number of every drawing, all code, and formulas with a space between any two of their
-//! letters. This one holds what is read: headings, text, captions, and formulas within a text as words (`ω0`). The form
+//! letters. This one holds what is read: headings, text, captions, and formulas within a text as one reads them (`ω₀²`, which `ω0` finds). The form
 //! is elasticlunr's, so that mdBook's scripts search it; only what they cut off at both ends of a word, anything but
 //! Latin letters, is kept, so that `ω` is a word. Solutions and hints are not found, but their exercises.
 
@@ -184,7 +184,8 @@ impl Language for Words {
 fn words(text: &str) -> Vec<String> {
     let text = text.to_lowercase().replace('’', "'");
     let mut found = Vec::new();
-    for word in text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '.' | '_' | '\''))) {
+    let is_part = |c: char| c.is_alphanumeric() && !HIGH.contains(c) || matches!(c, '.' | '_' | '\'');
+    for word in text.split(|c: char| !is_part(c)) {
         let word = word.trim_matches(['.', '_', '\'']);
         let is_number = word.bytes().all(|byte| byte.is_ascii_digit() || byte == b'.');
         let is_result = is_number && (word.len() > 5 || word.starts_with("0."));
@@ -200,12 +201,45 @@ fn words(text: &str) -> Vec<String> {
     found
 }
 
-/// A letter without its accent.
+/// A letter without its accent, or the digit of an index.
 fn plain(c: char) -> char {
     match c {
         'ø' => 'o',
         'ł' => 'l',
+        '₀'..='₉' => c.nfkd().next().unwrap_or(c),
         _ => c.nfd().next().unwrap_or(c),
+    }
+}
+
+/// What is written high or low in a formula, and how it is in a line of text.
+const WRITTEN: &str = "0123456789+−=()n";
+const HIGH: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾ⁿ";
+const LOW: &str = "₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎ₙ";
+
+/// A text set high or low, if all of it can be.
+fn shifted(text: &str, into: &str) -> Option<String> {
+    let shifted = |c| WRITTEN.chars().zip(into.chars()).find(|(written, _)| *written == c).map(|(_, to)| to);
+    text.chars().map(shifted).collect()
+}
+
+/// A part of a formula in a line of text, from its own parts.
+fn in_line(name: &str, parts: &[String]) -> String {
+    let closed = |text: &str| {
+        let is_sum = text.chars().any(|c| "+−-/=".contains(c));
+        if is_sum { format!("({text})") } else { text.to_owned() }
+    };
+    let low = |text: &str| shifted(text, LOW).unwrap_or_else(|| text.to_owned());
+    let high = |text: &str| match text {
+        "′" | "″" | "˙" | "*" | "°" => text.to_owned(),
+        _ => shifted(text, HIGH).unwrap_or_else(|| format!("^{}", closed(text))),
+    };
+    match (name, parts) {
+        ("mfrac", [above, below]) => format!("{}/{}", closed(above), closed(below)),
+        ("msqrt", _) => format!("√{}", closed(&parts.concat())),
+        ("msub", [base, index]) => base.to_owned() + &low(index),
+        ("msup", [base, power]) => base.to_owned() + &high(power),
+        ("msubsup", [base, index, power]) => base.to_owned() + &low(index) + &high(power),
+        _ => parts.concat(),
     }
 }
 
@@ -247,7 +281,8 @@ struct Reader {
     sections: Vec<Section>,
     in_main: bool,
     in_heading: bool,
-    in_maths: bool,
+    /// The open elements of a formula and their parts so far.
+    maths: Vec<(String, Vec<String>)>,
     /// The element that is left out, and how often it is open.
     left_out: Option<(String, u32)>,
     /// How long the text of the section was where the open cell of a table begins.
@@ -284,7 +319,9 @@ impl Reader {
             self.in_heading = true;
             self.sections.push(Section { id, ..Section::default() });
         } else {
-            self.in_maths |= name == "math";
+            if (name == "math" || !self.maths.is_empty()) && !tag.self_closing {
+                self.maths.push((name.clone(), Vec::new()));
+            }
             self.space(&name);
             if name == "td" {
                 self.cell = self.sections.last().map(|section| section.text.len());
@@ -302,7 +339,13 @@ impl Reader {
         }
         self.in_main &= name != "main";
         self.in_heading &= !matches!(name, "h1" | "h2" | "h3");
-        self.in_maths &= name != "math";
+        if let Some((name, parts)) = self.maths.pop() {
+            let words = in_line(&name, &parts);
+            match self.maths.last_mut() {
+                Some((_, parts)) => parts.push(words),
+                None => self.text(&words),
+            }
+        }
         self.space(name);
         if name == "td" {
             self.end_cell();
@@ -321,7 +364,7 @@ impl Reader {
 
     /// Between blocks.
     fn space(&mut self, name: &str) {
-        if !self.in_maths && !IN_LINE.contains(&name) {
+        if self.maths.is_empty() && !IN_LINE.contains(&name) {
             self.text(" ");
         }
     }
@@ -329,9 +372,12 @@ impl Reader {
     fn text(&mut self, text: &str) {
         if let (true, None, Some(section)) = (self.in_main, &self.left_out, self.sections.last_mut()) {
             let into = if self.in_heading { &mut section.title } else { &mut section.text };
-            if self.in_maths {
+            if let Some((name, parts)) = self.maths.last_mut() {
+                if name != "mtext" && text.trim().is_empty() {
+                    return; // between elements
+                }
                 let is_accent = |c: &char| "ˆ˜˙¨¯→\u{302}\u{303}\u{304}\u{307}\u{308}\u{20d7}".contains(*c);
-                into.extend(text.chars().filter(|c| !is_accent(c)).map(upright));
+                parts.push(text.chars().filter(|c| !is_accent(c)).map(upright).collect());
             } else {
                 into.push_str(text);
             }
@@ -347,7 +393,7 @@ mod tests {
     fn what_is_read_is_found_and_nothing_else() {
         let html = "<p>Menu</p>\
             <main><p class=\"kicker\">Chapter 1</p><h1 id=\"a\"><a href=\"#a\">A top</a></h1>\
-            <p>So <math><msub><mi>ω</mi><mn>0</mn></msub></math>, <em>Stör</em>mer’s\
+            <p>So <math><msubsup><mi>ω</mi><mrow><mn>0</mn></mrow><mn>2</mn></msubsup><mo>=</mo><mfrac><mi>k</mi><mrow><mi>m</mi><mo>+</mo><mi>M</mi></mrow></mfrac></math>, <em>Stör</em>mer’s\
             <a class=\"note-mark\">1</a>.</p>\
             <figure><svg><svg><text>12</text></svg><text>13</text></svg>\
             <figcaption>It turns.</figcaption></figure>\
@@ -357,7 +403,7 @@ mod tests {
             <ul><li>one<li>two</ul></main><p>Foot</p>";
         let [a, b] = sections(html).try_into().unwrap();
         assert_eq!((a.id.as_str(), a.title.as_str()), ("a", "A top"));
-        assert_eq!(a.text, "So ω0, Störmer’s. It turns.");
+        assert_eq!(a.text, "So ω₀²=k/(m+M), Störmer’s. It turns.");
         assert_eq!(
             (b.text.as_str(), b.sources),
             ("An easy one: source 19 1 0.1 rad one two", vec!["19".to_owned()])
@@ -367,8 +413,8 @@ mod tests {
     #[test]
     fn a_word_is_found_as_people_write_it() {
         assert_eq!(
-            words("Störmer’s ω0-axis"),
-            ["stormer's", "störmer's", "stormer", "störmer", "ω0", "axis"]
+            words("Störmer’s ω₀²-axis"),
+            ["stormer's", "störmer's", "stormer", "störmer", "ω0", "ω₀", "axis"]
         );
         assert_eq!(
             words("of 1869: (1.24), 0.15, 1.001523 e.g. ‘spin’"),

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::{fs, io};
 
 /// Where the theme goes, relative to the project's root. book.toml names it.
-const FOLDER: &str = "target/press/theme";
+pub(crate) const FOLDER: &str = "target/press/theme";
 /// The setting that names the files which are the book's own, and take the place of those of the theme.
 const OWN: &str = "preprocessor.press.theme";
 

@@ -21,7 +21,7 @@ fn drawn() -> Rendered {
         source: "book/a/figures.rs".to_owned(),
         svg,
         standalone,
-        wide: false,
+        place: "column".to_owned(),
     };
     let tables = vec![("methods".to_owned(), "| a |\n|---|\n".to_owned())];
     let book = press::Book { code: &["src"], ..press::Book::default() };

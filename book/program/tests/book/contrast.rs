@@ -91,15 +91,12 @@ pub(super) struct Theme {
 
 impl Theme {
     pub(super) fn new(name: &'static str) -> Self {
-        let (own, figures) =
-            ([sheet("page"), sheet("maths"), sheet("live"), sheet("numbers")].concat(), sheet("figures"));
+        let own = sheet("look");
         let mut variables = BTreeMap::new();
         // In the order of their weight: a class, then an element with it.
         let [class, element] = [format!(".{name}"), format!("html.{name}")];
         for selector in [":root", &class, "html:root", &element] {
-            for (_, declarations) in
-                sheet("variables").iter().chain(&own).chain(&figures).filter(|(s, _)| s == selector)
-            {
+            for (_, declarations) in sheet("variables").iter().chain(&own).filter(|(s, _)| s == selector) {
                 let variable = declarations.iter().filter(|(name, _)| name.starts_with("--"));
                 variables.extend(variable.map(|(name, value)| (name.clone(), value.clone())));
             }

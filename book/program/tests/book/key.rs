@@ -1,7 +1,6 @@
 //! The key of the colours on the page of conventions: its table, its drawing and the style sheet say the same.
 
-use super::{pages, site};
-use std::fs;
+use super::{files, pages, site};
 
 /// What a table's row says: role, words, name of the colour.
 fn rows(page: &str) -> Vec<(String, String, String)> {
@@ -20,11 +19,10 @@ fn rows(page: &str) -> Vec<(String, String, String)> {
 #[test]
 fn the_key_of_the_colours_is_what_formulas_and_figures_show() {
     let (_, page) = pages().into_iter().find(|(path, _)| path.ends_with("conventions.html")).unwrap();
-    let maths = site().join("target/press/theme");
-    let sheet = fs::read_dir(maths).unwrap().map(|entry| entry.unwrap().path());
-    let sheet = sheet.filter(|path| path.to_string_lossy().contains("/maths-"));
-    let sheet: String = sheet.map(|path| fs::read_to_string(path).unwrap()).collect();
-    let compact: String = sheet.split_whitespace().collect();
+    let sheets =
+        files(site(), ".css").into_iter().filter(|(path, _)| path.to_string_lossy().contains("/look-"));
+    let compact: String =
+        sheets.flat_map(|(_, css)| css.split_whitespace().map(str::to_owned).collect::<Vec<_>>()).collect();
     let rows = rows(&page);
     assert_eq!(rows.len(), 5, "{rows:?}");
     for (role, words, colour) in rows {

@@ -123,6 +123,20 @@ fn axe_finds_nothing_and_nothing_is_cut_off() {
     });
 }
 
+#[test]
+fn nothing_in_the_margin_covers_anything() {
+    let figures = Mutex::new(0.0);
+    ask_all("margin", names(), |page, name| {
+        open(page, &name, WIDTHS[0]);
+        page.get("document.getElementById('mdbook-sidebar-toggle-anchor')?.checked && document.getElementById('mdbook-sidebar-toggle').click()");
+        page.settle();
+        let beside = "[...document.querySelectorAll('.figure.margin')].filter((figure) => getComputedStyle(figure).float === 'right').length";
+        *figures.lock().unwrap() += page.number(beside);
+        faults(page, &name, "crowded()")
+    });
+    assert!(*figures.lock().unwrap() > 20.0, "small figures stand in the margin");
+}
+
 /// Goes on by the tabulator until the page ends, and gives what had the focus: its name and where it is.
 fn by_keys(page: &mut Page<'_>, place: &str) -> Vec<(String, String)> {
     let mut visited = Vec::new();

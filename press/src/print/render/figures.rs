@@ -17,10 +17,10 @@ impl Printer<'_, '_> {
         };
         let caption = self.words_of(caption, "caption");
         let up = "../".repeat(self.page.path.matches('/').count());
-        let class = if figure.wide { "figure wide" } else { "figure" };
         Some(format!(
-            "<figure class=\"{class}\" id=\"{}\">\n{}\n<figcaption>{number}{caption}\u{a0}\
+            "<figure class=\"figure {}\" id=\"{}\">\n{}\n<figcaption>{number}{caption}\u{a0}\
              <a class=\"save\" href=\"{up}figures/{}\" download title=\"Save this figure as an SVG file\">SVG</a></figcaption>\n</figure>",
+            figure.place,
             label.id(),
             figure.svg.trim(),
             figure.file_name(),

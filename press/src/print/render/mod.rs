@@ -251,7 +251,7 @@ mod tests {
     pub(super) fn printed(text: &str, is_still: bool) -> String {
         let [source, svg, standalone] = ["", "<svg></svg>", ""].map(str::to_owned);
         let scene = Scene { chapter: "a.md", live: SCENE, svg: svg.clone() };
-        let figure = Figure { id: "fig:x".to_owned(), source, svg, standalone, wide: false };
+        let figure = Figure { id: "fig:x".to_owned(), source, svg, standalone, place: "column".to_owned() };
         let mut drawn = Rendered { is_still, ..Rendered::default() };
         if text.contains("scene:") {
             drawn.scenes.push(scene);

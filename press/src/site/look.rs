@@ -1,0 +1,61 @@
+//! The style sheets and scripts of the theme in the site: at addresses that say what they are, the sheets as one.
+
+use crate::site::theme;
+use mdbook_renderer::config::Config;
+use std::collections::BTreeMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+/// Joins the sheets of the theme in the order of book.toml, and moves its scripts beside those of mdBook. Pages load
+/// them from there, also the list of chapters for those without scripts.
+pub(crate) fn gather(site: &Path, config: &Config, pages: &mut BTreeMap<String, String>) -> io::Result<()> {
+    let html = config.html_config().unwrap_or_default();
+    let mut sheets = Vec::new();
+    let mut joined = String::new();
+    for sheet in of_theme(site, &html.additional_css) {
+        joined += &fs::read_to_string(site.join(&sheet))?;
+        sheets.push(sheet);
+    }
+    let mut moved = Vec::new();
+    if !sheets.is_empty() {
+        let mut hasher = DefaultHasher::new();
+        joined.hash(&mut hasher);
+        let name = format!("css/look-{:08x}.css", hasher.finish() >> 32);
+        fs::write(site.join(&name), joined)?;
+        moved.push((sheets.remove(0), name));
+    }
+    for script in of_theme(site, &html.additional_js) {
+        let name = script.rsplit('/').next().unwrap_or_default().to_owned();
+        fs::copy(site.join(&script), site.join(&name))?;
+        moved.push((script, name));
+    }
+    let gathered = |html: &str| {
+        let lines =
+            html.split_inclusive('\n').filter(|line| !sheets.iter().any(|sheet| line.contains(sheet)));
+        moved.iter().fold(lines.collect::<String>(), |html, (from, to)| html.replace(from, to))
+    };
+    pages.values_mut().for_each(|html| *html = gathered(html));
+    let list = site.join("toc.html");
+    if list.is_file() {
+        fs::write(&list, gathered(&fs::read_to_string(&list)?))?;
+    }
+    let Some(folder) = theme::FOLDER.split('/').next().map(|top| site.join(top)) else { return Ok(()) };
+    if folder.is_dir() { fs::remove_dir_all(folder) } else { Ok(()) }
+}
+
+/// Those of the files that are the theme's, as they lie in the site: mdBook may have put a hash into their names.
+fn of_theme(site: &Path, files: &[PathBuf]) -> Vec<String> {
+    let here = |file: &PathBuf| {
+        let folder = file.parent().filter(|folder| *folder == Path::new(theme::FOLDER))?;
+        let [stem, ending] = [file.file_stem()?, file.extension()?].map(|part| part.to_string_lossy());
+        let names = fs::read_dir(site.join(folder)).ok()?.flatten();
+        let is_it = |name: &String| {
+            let hash = name.strip_prefix(&*stem).and_then(|rest| rest.strip_suffix(&format!(".{ending}")));
+            hash.is_some_and(|hash| hash.is_empty() || hash.starts_with('-'))
+        };
+        let name = names.map(|entry| entry.file_name().to_string_lossy().into_owned()).find(is_it)?;
+        Some(format!("{}/{name}", theme::FOLDER))
+    };
+    files.iter().filter_map(here).collect()
+}
