@@ -93,7 +93,8 @@ fn drawn(draw: &mut Draw<'_>) -> Drawn {
     };
     let a = axial * spin;
     let tilt = match draw.below(6) {
-        0 => draw.signed(1e-24, 1e-1).abs(),
+        // The judge follows all states to 1e-31: of a smaller tilt it has too few digits.
+        0 => draw.signed(1e-13, 1e-1).abs(),
         1 => std::f64::consts::PI - draw.signed(1e-12, 1e-1).abs(),
         _ => draw.between(0.0, std::f64::consts::PI),
     };
