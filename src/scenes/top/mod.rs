@@ -167,7 +167,7 @@ impl Top {
         self.moments.kinetic_energy(&state.omega_body) + self.weight_torque() * state.axis_3_world().z
     }
 
-    /// The state of a top at the moment of letting go: azimuth and own turn are zero (`eq:euler-angle-rates`).
+    /// The state of a top at the moment of letting go: azimuth and own turn are zero (`eq:top-angle-rates`).
     ///
     /// # Errors
     /// [`InvalidQuantity`] if a number breaks its rule.
@@ -182,7 +182,7 @@ impl Top {
         let cos = if tilt == PI { 0.0 } else { cos };
         Ok(Turning {
             world_from_body: UnitQuaternion::new_unchecked(Quaternion::new(cos, sin, 0.0, 0.0)),
-            omega_body: Vector3::new(tilt_rate, precession * (2.0 * sin * cos), spin), // eq:euler-angle-rates
+            omega_body: Vector3::new(tilt_rate, precession * (2.0 * sin * cos), spin), // eq:top-angle-rates
         })
     }
 
