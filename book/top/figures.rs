@@ -130,7 +130,7 @@ pub(crate) fn top_well(id: &str) -> Outcome {
     let mut plot = Plot::new(&mut drawing, Rect::new(42.0, 34.0, 325.0, 236.0), tilt, energy)?;
     let values =
         linear_steps(10.0, 80.0, 400).map(|degrees| (degrees, 1e3 * motion.well(degrees.to_radians())));
-    plot.curve("well", values.filter(|value| value.1 < 60.0), Stroke::Curve, Hue::Ink);
+    plot.curve("well", values, Stroke::Curve, Hue::Ink);
     let level = 1e3 * motion.well_energy();
     let [from, to] = motion.tilts().map(f64::to_degrees);
     plot.reference((from, level), (to, level), Stroke::Reference);
@@ -195,10 +195,9 @@ pub(crate) fn top_steady(id: &str) -> Outcome {
         slow.push((spin, steady.slow));
         fast.extend(steady.fast.map(|rate| (spin, rate)));
     }
-    let estimate =
-        linear_steps(30.0, 300.0, 200).map(|spin| (spin, toy.weight_torque() / (TOY.axial * spin)));
+    let estimate = linear_steps(9.0, 300.0, 600).map(|spin| (spin, toy.weight_torque() / (TOY.axial * spin)));
     plot.curve("estimate", estimate, Stroke::Reference, Hue::Muted);
-    plot.curve("fast", fast.into_iter().filter(|value| value.1 < 80.0), Stroke::Curve, Hue::Orange);
+    plot.curve("fast", fast, Stroke::Curve, Hue::Orange);
     plot.curve("slow", slow, Stroke::Curve, Hue::Orange);
     plot.upright(least, Stroke::Dotted);
     plot.label((220.0, 62.0), Side::AboveLeft, "fast", Hue::Orange)?;

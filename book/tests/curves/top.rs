@@ -48,8 +48,7 @@ fn the_tip_goes_as_the_angles_stepped_have_it() {
 #[test]
 fn the_rates_of_steady_precession_are_roots() {
     let middle = |spin: f64| ALONG * spin / (2.0 * ACROSS * 30_f64.to_radians().cos());
-    let half =
-        |spin: f64| (middle(spin).powi(2) - WEIGHT / (ACROSS * 30_f64.to_radians().cos())).max(0.0).sqrt();
+    let half = |spin: f64| (middle(spin).powi(2) - WEIGHT / (ACROSS * 30_f64.to_radians().cos())).sqrt();
     lies_on("top-steady", "slow", |spin| middle(spin) - half(spin));
     lies_on("top-steady", "fast", |spin| middle(spin) + half(spin));
     lies_on("top-steady", "estimate", |spin| WEIGHT / (ALONG * spin));
