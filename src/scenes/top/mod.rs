@@ -226,7 +226,7 @@ impl Top {
         Ok(((self.beta() * 2.0 - a * a).sqrt() * 0.5).rounded())
     }
 
-    /// The tilt at which a top goes round steadily that has slept, as its spin falls below [`Top::sleeping_spin`] ω_s
+    /// The tilt at which a top goes round steadily that has slept, as its spin falls below [`Top::sleeping_spin`] `ω_s`
     /// slowly and with no torque about the vertical but that about its axis: `cos ½θ = √(ω₃/ω_s)`, rad
     /// (`eq:waking-tilt`). Zero for one that sleeps, π for one that does not turn.
     ///
@@ -236,7 +236,7 @@ impl Top {
         Ok(2.0 * self.lost(spin)?.sqrt().asin())
     }
 
-    /// How far a top tilts that leaves the upright with this spin, rad/s, below [`Top::sleeping_spin`] ω_s: `cos ½θ =
+    /// How far a top tilts that leaves the upright with this spin, rad/s, below [`Top::sleeping_spin`] `ω_s`: `cos ½θ =
     /// ω₃/ω_s`, rad (`eq:waking-nod`). Zero for one that sleeps.
     ///
     /// # Errors
@@ -246,7 +246,7 @@ impl Top {
         Ok(2.0 * (lost * (2.0 - lost)).sqrt().atan2(1.0 - lost))
     }
 
-    /// What is missing of the sleeping spin, as a part of it: 1 − |ω₃|/ω_s, or zero.
+    /// What is missing of the sleeping spin, as a part of it: `1 − |ω₃|/ω_s`, or zero.
     fn lost(&self, spin: f64) -> Result<f64, InvalidQuantity> {
         InvalidQuantity::check("spin", spin, "rad/s")?;
         let momentum = TwoPart::product(self.parameters.axial, spin.abs());

@@ -287,7 +287,7 @@ impl TopMotion {
         let nod = (second.rounded() < 0.0).then(|| TwoPart::PI * 2.0 / (-second).sqrt() / number(unit));
         let turns_a_nod =
             nod.map(|nod| [(rates[0] + rates[1]) * nod, (rates[0] - rates[1]) * nod].map(TwoPart::rounded));
-        let [first, second, _] = values.map(|value| value.arg());
+        let [first, second, _] = values.map(Complex::arg);
         Self {
             top: *top,
             start: *turning,
