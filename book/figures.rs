@@ -24,6 +24,8 @@ mod space_station;
 mod speed_and_accuracy;
 #[path = "spinning-coin/figures.rs"]
 mod spinning_coin;
+#[path = "top/figures.rs"]
+mod top;
 #[path = "turning/figures.rs"]
 mod turning;
 #[path = "wobble-plate/figures.rs"]
@@ -41,6 +43,7 @@ pub const FIGURES: &[&[Figure]] = &[
     space_station::FIGURES,
     air_drag::FIGURES,
     pinned_hoop::FIGURES,
+    top::FIGURES,
     rolling_wheel::FIGURES,
     spinning_coin::FIGURES,
     methods::FIGURES,

@@ -14,6 +14,8 @@ mod rolling_wheel;
 mod space_station;
 #[path = "spinning-coin/scene.rs"]
 mod spinning_coin;
+#[path = "top/scene.rs"]
+mod top;
 #[path = "turning/scene.rs"]
 mod turning;
 #[path = "wobble-plate/scene.rs"]
@@ -30,6 +32,7 @@ pub const SCENES: &[(&str, &Scene)] = &[
     ("space-station", &space_station::SCENE),
     ("air-drag", &air_drag::SCENE),
     ("pinned-hoop", &pinned_hoop::SCENE),
+    ("top", &top::SCENE),
     ("rolling-wheel", &rolling_wheel::SCENE),
     ("spinning-coin", &spinning_coin::SCENE),
 ];

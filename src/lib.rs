@@ -4,6 +4,7 @@
 //! |---|---|
 //! | Physics in the laundromat | [`scenes::laundromat`], [`faddeeva`] |
 //! | How a body turns | [`inertia`], [`attitude`], [`euler`], [`free_rotation`] |
+//! | The top under gravity | [`scenes::top`] |
 //! | The wobble plate | [`scenes::wobble_plate`] |
 //! | The coin toss | [`scenes::coin_toss`] |
 //! | The struck space station | [`scenes::space_station`] |

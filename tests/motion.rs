@@ -11,6 +11,7 @@ use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Sha
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::space_station::{Blow, Station, StationParameters};
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
+use mechanics::scenes::top::{Release, Top, TopParameters};
 use mechanics::{InvalidQuantity, Motion};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::fmt::{Debug, Display};
@@ -70,6 +71,15 @@ fn nearly<M: Motion<State = Shaft, Error = InvalidQuantity>>(motion: &M, span: [
 fn turning(w1: f64, w2: f64, w3: f64) -> Turning {
     let world_from_body = UnitQuaternion::from_euler_angles(0.4, -0.9, 2.2);
     Turning { world_from_body, omega_body: Vector3::new(w1, w2, w3) }
+}
+
+#[test]
+fn tops_under_gravity() {
+    let top = Top::new(TopParameters { mass: 0.1, arm: 0.04, transverse: 2e-4, axial: 5e-5, gravity: 9.81 })
+        .unwrap();
+    for (tilt, precession, spin) in [(0.5, 0.0, 150.0), (0.1, 1.0, 30.0), (0.0, 0.0, 30.0), (2.0, 3.0, 0.0)] {
+        exactly(&top.let_go(Release { tilt, tilt_rate: 0.1, precession, spin }).unwrap(), [-300.0, 300.0]);
+    }
 }
 
 #[test]

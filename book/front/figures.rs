@@ -20,6 +20,7 @@ use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::space_station::{Blow, Station, StationParameters};
 use mechanics::scenes::spinning_coin::SpinningCoin;
+use mechanics::scenes::top::{Release, Top, TopParameters};
 use nalgebra::{Complex, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -32,9 +33,9 @@ type Scene = fn(&mut Stage) -> Result<(), Cause>;
 /// The height of the floor of all scenes.
 const FLOOR: f64 = -1.0;
 
-/// Nine small scenes on floors of one size, one for each chapter about a thing that spins, each a link to it.
+/// Ten small scenes on floors of one size, one for each chapter about a thing that spins, each a link to it.
 pub(crate) fn frontispiece(id: &str) -> Outcome {
-    let scenes: [(&str, &str, &str, Scene); 9] = [
+    let scenes: [(&str, &str, &str, Scene); 10] = [
         ("laundromat", "1 Laundromat", "A drum; its shaft spirals out to a circle.", laundromat),
         (
             "turning",
@@ -62,15 +63,16 @@ pub(crate) fn frontispiece(id: &str) -> Outcome {
             "A hoop that tumbles about a pinned point of its rim, at three moments.",
             pinned_hoop,
         ),
+        ("top", "8 Top under gravity", "A top that leans; its tip draws loops.", top),
         (
             "rolling-wheel",
-            "8 Rolling wheel",
+            "9 Rolling wheel",
             "A disc that rolls and wobbles on a floor along a wavy track, at three moments.",
             rolling_wheel,
         ),
         (
             "spinning-coin",
-            "9 Spinning coin",
+            "10 Spinning coin",
             "A coin that leans on a table and rolls round a circle.",
             spinning_coin,
         ),
@@ -237,6 +239,24 @@ fn pinned_hoop(stage: &mut Stage) -> Result<(), Cause> {
     Ok(())
 }
 
+fn top(stage: &mut Stage) -> Result<(), Cause> {
+    let toy = TopParameters { mass: 0.1, arm: 0.04, transverse: 2e-4, axial: 5e-5, gravity: 9.81 };
+    let pushed = Release { tilt: 0.6, tilt_rate: 0.0, precession: -4.0, spin: 170.0 };
+    let motion = Top::new(toy)?.let_go(pushed)?;
+    let point = Vector3::new(0.0, 0.0, FLOOR);
+    let duration = 3.4 * motion.nod_period().ok_or("it nods")?;
+    let axis = |time: f64| -> Result<Vector3<f64>, Cause> { Ok(motion.at(time)?.axis_3_world()) };
+    let track = linear_steps(0.0, duration, 400)
+        .map(|time| Ok(point + axis(time)? * 1.9))
+        .collect::<Result<Vec<_>, Cause>>()?;
+    let now = axis(duration)?;
+    stage.solid(Solid::disc(point + now * 1.0, now, 0.62, 0.16)?, Hue::Blue)?;
+    stage.solid(Solid::rod(point, point + now * 1.9, 0.04)?, Hue::Blue)?;
+    stage.curve(seen(track)?, Stroke::Outline, Hue::Ink)?;
+    stage.dot_in_front(point, 3.5, Hue::Pink)?;
+    Ok(())
+}
+
 fn rolling_wheel(stage: &mut Stage) -> Result<(), Cause> {
     let parameters = DiskParameters { mass: 1.0, radius: 1.0, moments: MomentFactors::DISK, gravity: 1.0 };
     let wheel = Wheel::new(parameters)?;
@@ -345,24 +365,25 @@ pub(crate) fn colours(id: &str) -> Outcome {
 type Place = (&'static str, &'static str, [f64; 2], [f64; 2]);
 
 /// The chapters, and the corner of each box in columns and rows.
-const CHAPTERS: [Place; 13] = [
+const CHAPTERS: [Place; 14] = [
     ("laundromat", "1 Laundromat", [0.0, 0.0], [0.0, 0.0]),
     ("turning", "2 How a body turns", [0.0, 3.0], [0.0, 1.0]),
     ("wobble-plate", "3 Wobble plate", [1.0, 0.0], [1.0, 2.0]),
     ("coin-toss", "4 Coin toss", [1.0, 1.0], [1.0, 3.0]),
     ("space-station", "5 Space station", [1.0, 2.0], [1.0, 4.0]),
     ("air-drag", "6 Frisbee and pencil", [1.0, 3.0], [1.0, 5.0]),
-    ("rolling-wheel", "8 Rolling wheel", [1.0, 4.0], [1.0, 6.0]),
-    ("spinning-coin", "9 Spinning coin", [2.0, 4.0], [2.0, 7.0]),
+    ("rolling-wheel", "9 Rolling wheel", [1.0, 4.0], [1.0, 6.0]),
+    ("spinning-coin", "10 Spinning coin", [2.0, 4.0], [2.0, 7.0]),
     ("pinned-hoop", "7 Pinned hoop", [1.0, 5.0], [1.0, 8.0]),
-    ("methods", "10 Methods", [1.0, 6.0], [1.0, 9.0]),
-    ("judged", "12 Judged by others", [2.0, 5.0], [2.0, 10.0]),
-    ("speed-and-accuracy", "11 Speed and accuracy", [2.0, 6.0], [2.0, 11.0]),
-    ("hard-cases", "13 Hard cases", [2.0, 7.0], [2.0, 12.0]),
+    ("top", "8 Top under gravity", [2.0, 5.0], [2.0, 9.0]),
+    ("methods", "11 Methods", [1.0, 6.0], [1.0, 10.0]),
+    ("judged", "13 Judged by others", [2.0, 6.0], [2.0, 11.0]),
+    ("speed-and-accuracy", "12 Speed and accuracy", [2.0, 7.0], [2.0, 12.0]),
+    ("hard-cases", "14 Hard cases", [2.0, 8.0], [2.0, 13.0]),
 ];
 
 /// Which chapter leads to which; what a chapter needs by way of another is left out.
-const LEADS_TO: [(&str, &str); 12] = [
+const LEADS_TO: [(&str, &str); 13] = [
     ("turning", "wobble-plate"),
     ("turning", "coin-toss"),
     ("turning", "space-station"),
@@ -371,6 +392,7 @@ const LEADS_TO: [(&str, &str); 12] = [
     ("turning", "pinned-hoop"),
     ("turning", "methods"),
     ("rolling-wheel", "spinning-coin"),
+    ("pinned-hoop", "top"),
     ("pinned-hoop", "judged"),
     ("methods", "judged"),
     ("methods", "speed-and-accuracy"),
@@ -382,11 +404,11 @@ pub(crate) fn chapters_map(id: &str) -> Outcome {
     in_both(|room| {
         let (step, pitch, size) = (room.of([230.0, 46.0], [46.0, 42.0]), 30.0, [168.0, 30.0]);
         let width = room.of(640.0, 330.0);
-        let mut drawing = Drawing::new(id, width, pitch + room.of(8.0, 13.0) * step[1]).titled(
+        let mut drawing = Drawing::new(id, width, pitch + room.of(9.0, 14.0) * step[1]).titled(
             "Which chapters need which",
-            "Thirteen boxes, one for each chapter, and arrows from what is needed. The laundromat stands alone. From \
-             chapter 2, How a body turns, arrows lead to chapters 3 to 8 and to 10; from 8, the rolling wheel, to 9, the \
-             spinning coin; from 10, Methods, to 11, 12 and 13; and from 7, the pinned hoop, to 12.",
+            "Fourteen boxes, one for each chapter, and arrows from what is needed. The laundromat stands alone. From \
+             chapter 2, How a body turns, arrows lead to chapters 3 to 7, 9 and 11; from 9, the rolling wheel, to 10, the \
+             spinning coin; from 11, Methods, to 12, 13 and 14; and from 7, the pinned hoop, to 8, the top under gravity, and 13.",
         );
         let corner = |chapter: &str| -> Result<Point, Cause> {
             let place = CHAPTERS.iter().find(|place| place.0 == chapter).ok_or("no such chapter")?;

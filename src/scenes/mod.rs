@@ -7,4 +7,5 @@ pub mod pinned_hoop;
 pub mod rolling_wheel;
 pub mod space_station;
 pub mod spinning_coin;
+pub mod top;
 pub mod wobble_plate;

@@ -5,6 +5,7 @@ mod free_tops;
 mod laundromat;
 mod methods;
 mod spinning_coin;
+mod top;
 mod wobble_plate;
 
 use mechanics::euler::Turning;

@@ -30,6 +30,7 @@ mod spin_down;
 mod steady;
 mod steady_wheel;
 mod taylor;
+mod top;
 mod transient;
 mod turning;
 mod whirl;

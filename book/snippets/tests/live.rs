@@ -117,6 +117,10 @@ fn with_other_numbers_the_answers_are_those_of_the_equations() {
     let hoop = of("book/pinned-hoop/index.md", &["theta"]);
     let (sin, cos) = 40_f64.to_radians().sin_cos();
     prints(hoop, &[40.0], 1, cos + sin / 3.0);
+    // eq:waking-tilt and eq:waking-nod.
+    let top = of("book/top/index.md", &["part"]);
+    prints(top, &[0.6], 0, 2.0 * 0.6_f64.sqrt().acos().to_degrees());
+    prints(top, &[0.6], 1, 2.0 * 0.6_f64.acos().to_degrees());
     // eq:steady-rolling of a hoop.
     let wheel = of("book/rolling-wheel/index.md", &["lean", "b"]);
     let rate = 2.0 * 9.81 * 0.9_f64.tan() / (4.0 * 0.5 + 0.3 * 0.9_f64.sin());

@@ -11,6 +11,7 @@ mod judged;
 mod laundromat;
 mod methods;
 mod report;
+mod top;
 mod turning_plates;
 
 use drawing::{Axes, Drawing, Fill, Hue, Piece, Point, Role, Shape, Stroke, at};

@@ -22,6 +22,7 @@ const CASES: &[(&str, f64, Settings, usize, Settings)] = &[
     ("space-station", 5.0, &[("fire", 9.0)], 1, &[("fire", 33.0)]),
     ("spinning-coin", 2.0, &[], 0, &[("tilt", 0.2)]),
     ("spinning-coin", 2.0, &[("loss", 3.0)], 0, &[("tilt", 0.1)]),
+    ("top", 0.3, &[], 0, &[("tilt", 40.0)]),
     ("turning", 0.3, &[], 0, &[("across", 5.5), ("spin", 11.2)]),
     ("turning", 0.3, &[], 1, &[("ratio", 1.3)]),
     ("wobble-plate", 0.006, &[("mass", 1.0)], 0, &[("mass", 2.2)]),

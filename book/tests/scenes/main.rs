@@ -10,6 +10,7 @@ mod pinned_hoop;
 mod rolling_wheel;
 mod space_station;
 mod spinning_coin;
+mod top;
 mod turning;
 mod wobble_plate;
 mod words;

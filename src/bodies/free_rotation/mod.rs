@@ -3,7 +3,7 @@
 //! [`FreeSymmetricTop`] has an axis of symmetry and gives names to its two rates; [`FreeTop`] takes any body.
 
 mod symmetric;
-mod theta;
+pub(crate) mod theta;
 mod top;
 mod tumbling;
 mod two_turns;

@@ -36,10 +36,10 @@ impl Theta {
 
 /// Terms of the theta series (`eq:theta-series`): the nome is below 0.0433 on either side, and a term of number j at
 /// most its power `j²`.
-const TERMS: usize = 4;
+pub(crate) const TERMS: usize = 4;
 
 /// Coefficients of a polynomial, the constant first.
-type Cubic = [f64; TERMS];
+pub(crate) type Cubic = [f64; TERMS];
 
 /// Polynomials in cos 2v.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,13 +83,13 @@ pub(super) struct Fast {
 
 /// A polynomial in F and one in E.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Parts {
-    up: Cubic,
-    down: Cubic,
+pub(crate) struct Parts {
+    pub(crate) up: Cubic,
+    pub(crate) down: Cubic,
 }
 
 #[inline(always)]
-fn cubic([c0, c1, c2, c3]: &Cubic, x: f64) -> f64 {
+pub(crate) fn cubic([c0, c1, c2, c3]: &Cubic, x: f64) -> f64 {
     ((c3 * x + c2) * x + c1) * x + c0
 }
 
@@ -123,19 +123,9 @@ impl Fast {
     fn new(nome: f64, angle: f64, [quarter, other_quarter]: [f64; 2]) -> Self {
         let limit = PI * quarter / other_quarter;
         let power = |n: usize| nome.powi(n as i32);
-        // For a sum of q'^{j(j+1)} a_j (e^{(2j+1)w} + e^{−(2j+1)w}), times e^{−w}; of the same with a minus, over e^w
-        // − e^{−w}, which is the sum of all q'^{j(j+1)} a_j e^{2iw} with |i| ≤ j and has no difference that is small
-        // with w; and of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
-        let cosh = |weight: &dyn Fn(usize) -> f64| Parts {
-            up: std::array::from_fn(|j| weight(j) * power(j * j)),
-            down: std::array::from_fn(|j| weight(j) * power(j * (j + 1))),
-        };
-        let sinh = |weight: &dyn Fn(usize) -> f64| {
-            let from = |i: usize, less: usize| {
-                (i..TERMS).rev().map(|j| weight(j) * power(j * (j + 1) - less)).sum::<f64>()
-            };
-            Parts { up: std::array::from_fn(|i| from(i, i)), down: std::array::from_fn(|i| from(i + 1, 0)) }
-        };
+        let cosh = |weight: &dyn Fn(usize) -> f64| Parts::cosh(nome, weight);
+        let sinh = |weight: &dyn Fn(usize) -> f64| Parts::sinh(nome, weight);
+        // Of q'^{j²} a_j (e^{2jw} + e^{−2jw}).
         let even = |weight: &dyn Fn(usize) -> f64| Parts {
             up: std::array::from_fn(|j| weight(j + 1) * power(j * (j + 1))),
             down: std::array::from_fn(|j| weight(j + 1) * power((j + 1) * (j + 1))),
@@ -158,6 +148,33 @@ impl Fast {
             im: sinh(&|j| alternating(j) * ((2 * j + 1) as f64 * angle).cos()),
             scales: [2.0 * at_2 / at_4, at_3 / at_4, 2.0 * at_2 / at_3],
         }
+    }
+}
+
+impl Parts {
+    /// For a sum of `q'^{j(j+1)} a_j (e^{(2j+1)w} + e^{−(2j+1)w})`, times `e^{−w}`.
+    pub(crate) fn cosh(nome: f64, weight: &dyn Fn(usize) -> f64) -> Self {
+        let power = |n: usize| nome.powi(n as i32);
+        Self {
+            up: std::array::from_fn(|j| weight(j) * power(j * j)),
+            down: std::array::from_fn(|j| weight(j) * power(j * (j + 1))),
+        }
+    }
+
+    /// For the same with a minus, over `e^w − e^{−w}`, which is the sum of all `q'^{j(j+1)} a_j e^{2iw}` with `|i| ≤ j`
+    /// and has no difference that is small with w.
+    pub(crate) fn sinh(nome: f64, weight: &dyn Fn(usize) -> f64) -> Self {
+        let from = |i: usize, less: usize| {
+            let power = |n: usize| nome.powi(n as i32);
+            (i..TERMS).rev().map(|j| weight(j) * power(j * (j + 1) - less)).sum::<f64>()
+        };
+        Self { up: std::array::from_fn(|i| from(i, i)), down: std::array::from_fn(|i| from(i + 1, 0)) }
+    }
+
+    /// Either sum, from `F = q'e^{2w}` and `E = e^{−2w}`.
+    #[inline(always)]
+    pub(crate) fn at(&self, up: f64, down: f64) -> f64 {
+        cubic(&self.up, up) + down * cubic(&self.down, down)
     }
 }
 
@@ -196,7 +213,7 @@ impl Polynomials for Fast {
         // Of sn and im alike: a rounding of it turns Z by nothing that counts, a rounding of one of them would.
         let from_one = 1.0 - down;
         let up = exp(2.0 * w - self.limit);
-        let odd = |parts: &Parts| cubic(&parts.up, up) + down * cubic(&parts.down, down);
+        let odd = |parts: &Parts| parts.at(up, down);
         let even = |parts: &Parts| 1.0 + (up * cubic(&parts.up, up) + down * cubic(&parts.down, down));
         let over = 1.0 / odd(&self.even);
         let [cn, sn, dn] = self.scales;
@@ -212,21 +229,21 @@ impl Polynomials for Fast {
 }
 
 /// (−1)^j
-fn alternating(j: usize) -> f64 {
+pub(crate) fn alternating(j: usize) -> f64 {
     if j.is_multiple_of(2) { 1.0 } else { -1.0 }
 }
 
 /// Σ aⱼ cos (2j+1)v / cos v in powers of cos 2v.
-fn cos_odd([a0, a1, a2, a3]: [f64; TERMS]) -> Cubic {
+pub(crate) fn cos_odd([a0, a1, a2, a3]: [f64; TERMS]) -> Cubic {
     [a0 - a1 - a2 + a3, 2.0 * (a1 - a2) - 4.0 * a3, 4.0 * (a2 - a3), 8.0 * a3]
 }
 
 /// Σ aⱼ sin (2j+1)v / sin v in powers of cos 2v.
-fn sin_odd([a0, a1, a2, a3]: [f64; TERMS]) -> Cubic {
+pub(crate) fn sin_odd([a0, a1, a2, a3]: [f64; TERMS]) -> Cubic {
     [a0 + a1 - a2 - a3, 2.0 * (a1 + a2) - 4.0 * a3, 4.0 * (a2 + a3), 8.0 * a3]
 }
 
 /// a₀ + 2 Σ aⱼ cos 2jv in powers of cos 2v.
-fn cos_even([a0, a1, a2, a3]: [f64; TERMS]) -> Cubic {
+pub(crate) fn cos_even([a0, a1, a2, a3]: [f64; TERMS]) -> Cubic {
     [a0 - 2.0 * a2, 2.0 * a1 - 6.0 * a3, 4.0 * a2, 8.0 * a3]
 }
