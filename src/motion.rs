@@ -4,7 +4,7 @@ use crate::euler::Turning;
 use crate::free_rotation::{FreeSymmetricTop, FreeTop};
 use crate::quantity::InvalidQuantity;
 use crate::rolling::Rolling;
-use crate::scenes::{air_drag, coin_toss, laundromat, rolling_wheel, space_station, spinning_coin};
+use crate::scenes::{air_drag, ball, coin_toss, laundromat, rolling_wheel, space_station, spinning_coin};
 use nalgebra::Vector3;
 
 /// A motion whose state at any time is known at once: in closed form, or from a part that has been integrated when it
@@ -80,4 +80,7 @@ motions! {
     laundromat::LockedMotion: laundromat::LockedState,
     rolling_wheel::Wobble: Rolling,
     spinning_coin::SpinDown: spinning_coin::SpinningCoin,
+    ball::Shot: ball::BallState,
+    ball::TurntableRoll: ball::BallState,
+    ball::HoleRoll: ball::BallState,
 }
