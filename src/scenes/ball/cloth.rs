@@ -41,8 +41,8 @@ pub struct Cue {
 /// A ball on the cloth, from the blow on: it slides for [`Shot::sliding_time`], and then it rolls for ever, because
 /// nothing here stops a ball that rolls (`eq:ball-slide`).
 ///
-/// Velocities, and spins times the radius, are good to 1e-15 of the sum of both at the start, `|v₀| + a|ω₀|`; places to
-/// as much of that times the time. The slip is good to 1e-15 of itself, however little is left of it.
+/// Velocities, and spins times the radius, are good to 2e-15 of the sum of both at the start, `|v₀| + a|ω₀|`; places to
+/// as much of that times the time. The slip is good to 2e-15 of itself, however little is left of it.
 ///
 /// ```
 /// use mechanics::scenes::ball::{Ball, BallParameters, Cloth, ClothParameters, ShotStart};

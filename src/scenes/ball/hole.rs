@@ -37,8 +37,8 @@ pub struct HoleStart {
 /// friction (`eq:ball-hole-motion`).
 ///
 /// With A the height of the start above the middle of the swing and B the speed of rising over the rate of the swing,
-/// heights are good to 1e-15 of `|A| + |B|`, their rates to as much times the rate of the swing, and the places and
-/// velocities round the axis to 1e-15, at any time.
+/// heights are good to 2e-15 of `|A| + |B|` and 1e-31 of `g/kΩ²`, their rates to as much times the rate of the swing,
+/// and the places and velocities round the axis to 2e-15, at any time.
 ///
 /// ```
 /// use mechanics::scenes::ball::{Ball, BallParameters, Hole, HoleParameters, HoleStart};
@@ -182,13 +182,13 @@ impl HoleRoll {
         self.above_middle.hypot(self.by_the_start)
     }
 
-    /// The height of the lowest point above the start, m: never positive, to 1e-15 of itself.
+    /// The height of the lowest point above the start, m: never positive, to 2e-15 of itself.
     #[must_use]
     pub fn lowest(&self) -> f64 {
         -self.beyond(self.above_middle)
     }
 
-    /// The height of the highest point above the start, m: never negative, to 1e-15 of itself.
+    /// The height of the highest point above the start, m: never negative, to 2e-15 of itself.
     #[must_use]
     pub fn highest(&self) -> f64 {
         self.beyond(-self.above_middle)
