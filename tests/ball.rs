@@ -108,6 +108,9 @@ fn ball_slide_is_that_of_newton_and_euler_and_ends_when_they_say() {
         let shot = masse(factor);
         let time = shot.sliding_time();
         let start = to_array(&shot.at(0.0).unwrap());
+        // It begins as it was hit.
+        let hit = [0.0, 0.0, 0.0, 2.0, 0.3, 0.0, 90.0, -40.0, 25.0];
+        assert!(start.iter().zip(hit).all(|(found, given)| (found - given).abs() < 5e-14), "{start:?}");
         let solver = Dop853::new(1e-13).unwrap();
         for part in [0.1, 0.5, 0.9, 0.999] {
             let end = solver.solve(sliding(ball(factor), 0.2), 0.0, start, part * time).unwrap();
