@@ -2,6 +2,8 @@
 
 #[path = "air-drag/scene.rs"]
 mod air_drag;
+#[path = "ball/scene.rs"]
+mod ball;
 #[path = "coin-toss/scene.rs"]
 mod coin_toss;
 #[path = "laundromat/scene.rs"]
@@ -32,6 +34,7 @@ pub const SCENES: &[(&str, &Scene)] = &[
     ("pinned-hoop", &pinned_hoop::SCENE),
     ("rolling-wheel", &rolling_wheel::SCENE),
     ("spinning-coin", &spinning_coin::SCENE),
+    ("ball", &ball::SCENE),
 ];
 
 /// The scene of this name, if there is one: `coin-toss`.

@@ -48,8 +48,8 @@ pub struct Circle {
 
 /// A ball that rolls on a turning table, at any time before or after the start (`eq:ball-table-motion`).
 ///
-/// Velocities are good to 2e-15 of `|v₀| + |γ| min(t, 2/λ)`, and places to as much of `|r₀| + |v₀| min(t, 2/λ) + |γ| t
-/// min(t, 2/λ)`, with λ the rate of the circles and γ the acceleration down the slope that a table at rest would give,
+/// Velocities are good to 2e-15 of `|v₀| + f min(t, 2/λ)`, and places to as much of `|r₀| + |v₀| min(t, 2/λ) + f t
+/// min(t, 2/λ)`, with λ the rate of the circles and f the acceleration down the slope that a table at rest would give,
 /// at any time.
 ///
 /// ```
@@ -69,7 +69,7 @@ pub struct TurntableRoll {
     start: TurntableStart,
     half: Clock,                // of λt/2
     lambda: f64,                // kΩ/(1 + k)
-    acceleration: Vector3<f64>, // γ
+    acceleration: Vector3<f64>, // f
 }
 
 impl Turntable {
