@@ -2,6 +2,8 @@
 
 #[path = "air-drag/figures.rs"]
 mod air_drag;
+#[path = "ball/figures.rs"]
+mod ball;
 #[path = "coin-toss/figures.rs"]
 mod coin_toss;
 #[path = "front/figures.rs"]
@@ -46,6 +48,7 @@ pub const FIGURES: &[&[Figure]] = &[
     top::FIGURES,
     rolling_wheel::FIGURES,
     spinning_coin::FIGURES,
+    ball::FIGURES,
     methods::FIGURES,
     speed_and_accuracy::FIGURES,
     judged::FIGURES,

@@ -2,6 +2,8 @@
 
 #[path = "air-drag/scene.rs"]
 mod air_drag;
+#[path = "ball/scene.rs"]
+mod ball;
 #[path = "coin-toss/scene.rs"]
 mod coin_toss;
 #[path = "laundromat/scene.rs"]
@@ -35,6 +37,7 @@ pub const SCENES: &[(&str, &Scene)] = &[
     ("top", &top::SCENE),
     ("rolling-wheel", &rolling_wheel::SCENE),
     ("spinning-coin", &spinning_coin::SCENE),
+    ("ball", &ball::SCENE),
 ];
 
 /// The scene of this name, if there is one: `coin-toss`.

@@ -12,6 +12,7 @@
 //! | The pinned hoop | [`scenes::pinned_hoop`], [`elliptic`] |
 //! | The rolling wheel | [`scenes::rolling_wheel`], [`rolling`], [`conical`] |
 //! | The spinning coin | [`scenes::spinning_coin`], [`rolling`] |
+//! | The ball | [`scenes::ball`] |
 //! | Methods | [`integrate`], [`geometric`] |
 //! | Speed and accuracy | [`measure`], [`sweep`] |
 //! | Hard cases | all of them, where digits get lost |

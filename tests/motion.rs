@@ -6,6 +6,10 @@ use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
+use mechanics::scenes::ball::{
+    Ball, BallParameters, Cloth, ClothParameters, Hole, HoleParameters, HoleStart, ShotStart, Turntable,
+    TurntableParameters, TurntableStart,
+};
 use mechanics::scenes::coin_toss::{Toss, TossParameters};
 use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
@@ -135,4 +139,19 @@ fn disks_that_roll() {
     exactly(&wheel.wobble(start, &Taylor::new(1e-13).unwrap()).unwrap(), [-100.0, 100.0]);
     let spin_down = SpinDown::new(SpinningCoin::new(disc, 0.3).unwrap(), Loss::new(1e-3, 1.0).unwrap());
     exactly(&spin_down.unwrap(), [0.0, 10.0]);
+}
+
+#[test]
+fn balls() {
+    let (moment_factor, gravity) = (Ball::SOLID, 9.81);
+    let ball = Ball::new(BallParameters { radius: 0.03, moment_factor }).unwrap();
+    let cloth = Cloth::new(ClothParameters { ball, friction: 0.2, gravity }).unwrap();
+    exactly(&cloth.shot(ShotStart { velocity: [2.0, 0.3], omega: [90.0, -40.0, 25.0] }).unwrap(), [0.0, 2.0]);
+    for (rate, slope) in [(6.0, 0.1), (0.0, 0.1), (-1e-3, 0.0)] {
+        let table = Turntable::new(TurntableParameters { ball, rate, slope, gravity }).unwrap();
+        let start = TurntableStart { place: [0.2, -0.1], velocity: [0.3, 0.5], pivot: 4.0 };
+        exactly(&table.roll(start).unwrap(), [-100.0, 100.0]);
+    }
+    let hole = Hole::new(HoleParameters { ball, radius: 0.08, gravity }).unwrap();
+    exactly(&hole.roll(HoleStart { rate: 20.0, rise: -0.3, pivot: 2.0 }).unwrap(), [-100.0, 100.0]);
 }

@@ -14,6 +14,7 @@ use mechanics::inertia::{Body, PrincipalMoments};
 use mechanics::integrate::{Dop853, Taylor};
 use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
+use mechanics::scenes::ball::{Ball, BallParameters, Turntable, TurntableParameters, TurntableStart};
 use mechanics::scenes::coin_toss::{Toss, TossParameters};
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
@@ -33,9 +34,9 @@ type Scene = fn(&mut Stage) -> Result<(), Cause>;
 /// The height of the floor of all scenes.
 const FLOOR: f64 = -1.0;
 
-/// Ten small scenes on floors of one size, one for each chapter about a thing that spins, each a link to it.
+/// Eleven small scenes on floors of one size, one for each chapter about a thing that spins, each a link to it.
 pub(crate) fn frontispiece(id: &str) -> Outcome {
-    let scenes: [(&str, &str, &str, Scene); 10] = [
+    let scenes: [(&str, &str, &str, Scene); 11] = [
         ("laundromat", "1 Laundromat", "A drum; its shaft spirals out to a circle.", laundromat),
         (
             "turning",
@@ -76,6 +77,7 @@ pub(crate) fn frontispiece(id: &str) -> Outcome {
             "A coin that leans on a table and rolls round a circle.",
             spinning_coin,
         ),
+        ("ball", "11 The ball", "A ball on a table that turns, and the circle on which it rolls.", ball),
     ];
     let draw = |(chapter, name, words, scene): (&str, &str, &str, Scene)| -> Outcome {
         let mut drawing =
@@ -287,6 +289,23 @@ fn rolling_wheel(stage: &mut Stage) -> Result<(), Cause> {
     Ok(())
 }
 
+fn ball(stage: &mut Stage) -> Result<(), Cause> {
+    let ball = Ball::new(BallParameters { radius: 0.35, moment_factor: Ball::SOLID })?;
+    let table = Turntable::new(TurntableParameters { ball, rate: 3.5, slope: 0.0, gravity: 9.81 })?;
+    let roll = table.roll(TurntableStart { place: [0.9, 0.1], velocity: [-0.1, 0.75], pivot: 0.0 })?;
+    let period = roll.period().ok_or("the table is at rest")?;
+    let down = Vector3::new(0.0, 0.0, FLOOR);
+    let track = linear_steps(0.0, period, 120)
+        .map(|time| roll.at(time).map(|state| state.centre + down))
+        .collect::<Result<Vec<_>, _>>()?;
+    stage.curve(Curve::smooth(track)?.hiding(Hiding::Dashed), Stroke::Curve, Hue::Pink)?;
+    stage.turning(down, Vector3::z(), 0.3, Hue::Orange)?;
+    let centre = roll.at(0.8 * period)?.centre + down + Vector3::z() * ball.radius();
+    stage.solid(Solid::sphere(centre, ball.radius())?, Hue::Blue)?;
+    stage.dot_in_front(centre - Vector3::z() * ball.radius(), 3.5, Hue::Pink)?;
+    Ok(())
+}
+
 fn spinning_coin(stage: &mut Stage) -> Result<(), Cause> {
     let coin = SpinningCoin::new(
         DiskParameters { mass: 0.4, radius: 0.0375, moments: MomentFactors::DISK, gravity: 9.81 },
@@ -365,7 +384,7 @@ pub(crate) fn colours(id: &str) -> Outcome {
 type Place = (&'static str, &'static str, [f64; 2], [f64; 2]);
 
 /// The chapters, and the corner of each box in columns and rows.
-const CHAPTERS: [Place; 14] = [
+const CHAPTERS: [Place; 15] = [
     ("laundromat", "1 Laundromat", [0.0, 0.0], [0.0, 0.0]),
     ("turning", "2 How a body turns", [0.0, 3.0], [0.0, 1.0]),
     ("wobble-plate", "3 Wobble plate", [1.0, 0.0], [1.0, 2.0]),
@@ -374,21 +393,23 @@ const CHAPTERS: [Place; 14] = [
     ("air-drag", "6 Frisbee and pencil", [1.0, 3.0], [1.0, 5.0]),
     ("rolling-wheel", "9 Rolling wheel", [1.0, 4.0], [1.0, 6.0]),
     ("spinning-coin", "10 Spinning coin", [2.0, 4.0], [2.0, 7.0]),
-    ("pinned-hoop", "7 Pinned hoop", [1.0, 5.0], [1.0, 8.0]),
-    ("top", "8 Top under gravity", [2.0, 5.0], [2.0, 9.0]),
-    ("methods", "11 Methods", [1.0, 6.0], [1.0, 10.0]),
-    ("judged", "13 Judged by others", [2.0, 6.0], [2.0, 11.0]),
-    ("speed-and-accuracy", "12 Speed and accuracy", [2.0, 7.0], [2.0, 12.0]),
-    ("hard-cases", "14 Hard cases", [2.0, 8.0], [2.0, 13.0]),
+    ("ball", "11 The ball", [1.0, 5.0], [1.0, 8.0]),
+    ("pinned-hoop", "7 Pinned hoop", [1.0, 6.0], [1.0, 9.0]),
+    ("top", "8 Top under gravity", [2.0, 6.0], [2.0, 10.0]),
+    ("methods", "12 Methods", [1.0, 7.0], [1.0, 11.0]),
+    ("judged", "14 Judged by others", [2.0, 7.0], [2.0, 12.0]),
+    ("speed-and-accuracy", "13 Speed and accuracy", [2.0, 8.0], [2.0, 13.0]),
+    ("hard-cases", "15 Hard cases", [2.0, 9.0], [2.0, 14.0]),
 ];
 
 /// Which chapter leads to which; what a chapter needs by way of another is left out.
-const LEADS_TO: [(&str, &str); 13] = [
+const LEADS_TO: [(&str, &str); 14] = [
     ("turning", "wobble-plate"),
     ("turning", "coin-toss"),
     ("turning", "space-station"),
     ("turning", "air-drag"),
     ("turning", "rolling-wheel"),
+    ("turning", "ball"),
     ("turning", "pinned-hoop"),
     ("turning", "methods"),
     ("rolling-wheel", "spinning-coin"),
@@ -404,11 +425,11 @@ pub(crate) fn chapters_map(id: &str) -> Outcome {
     in_both(|room| {
         let (step, pitch, size) = (room.of([230.0, 46.0], [46.0, 42.0]), 30.0, [168.0, 30.0]);
         let width = room.of(640.0, 330.0);
-        let mut drawing = Drawing::new(id, width, pitch + room.of(9.0, 14.0) * step[1]).titled(
+        let mut drawing = Drawing::new(id, width, pitch + room.of(10.0, 15.0) * step[1]).titled(
             "Which chapters need which",
-            "Fourteen boxes, one for each chapter, and arrows from what is needed. The laundromat stands alone. From \
-             chapter 2, How a body turns, arrows lead to chapters 3 to 7, 9 and 11; from 9, the rolling wheel, to 10, the \
-             spinning coin; from 11, Methods, to 12, 13 and 14; and from 7, the pinned hoop, to 8, the top under gravity, and 13.",
+            "Fifteen boxes, one for each chapter, and arrows from what is needed. The laundromat stands alone. From \
+             chapter 2, How a body turns, arrows lead to chapters 3 to 7, 9, 11 and 12; from 9, the rolling wheel, to 10, the \
+             spinning coin; from 12, Methods, to 13, 14 and 15; and from 7, the pinned hoop, to 8, the top under gravity, and 14.",
         );
         let corner = |chapter: &str| -> Result<Point, Cause> {
             let place = CHAPTERS.iter().find(|place| place.0 == chapter).ok_or("no such chapter")?;

@@ -1,6 +1,7 @@
 //! The scenes of the book, one module a problem. Each models only what its scene needs.
 
 pub mod air_drag;
+pub mod ball;
 pub mod coin_toss;
 pub mod laundromat;
 pub mod pinned_hoop;

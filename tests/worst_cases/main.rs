@@ -10,6 +10,7 @@
 //! units of measurement at the ends of what is computed with, and machines of any numbers at all.
 
 mod attitude;
+mod ball;
 mod blows;
 mod chaplygin;
 mod coin_toss;

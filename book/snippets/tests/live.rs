@@ -125,6 +125,9 @@ fn with_other_numbers_the_answers_are_those_of_the_equations() {
     let wheel = of("book/rolling-wheel/index.md", &["lean", "b"]);
     let rate = 2.0 * 9.81 * 0.9_f64.tan() / (4.0 * 0.5 + 0.3 * 0.9_f64.sin());
     prints(wheel, &[0.9, 0.5], 0, rate.sqrt());
+    // eq:ball-final of a uniform ball.
+    let ball = of("book/ball/index.md", &["speed", "roll", "friction"]);
+    prints(ball, &[2.0, -3.0, 0.1], 2, (2.0 - 0.4 * 3.0) / 1.4);
     // eq:figure-rate: 2π(1 − cos α) in a round.
     let spinning = of("book/spinning-coin/index.md", &["tilt"]);
     prints(spinning, &[0.8], 0, std::f64::consts::TAU * (1.0 - 0.8_f64.cos()));

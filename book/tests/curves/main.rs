@@ -4,6 +4,7 @@
 //! What the places of a curve mean is read off the axes that its drawing carries, and that these are the axes
 //! a reader sees is a test of its own: the numbers at the ticks stand where their values belong.
 
+mod ball;
 mod constrained;
 mod free_tops;
 mod hard_cases;

@@ -1,6 +1,7 @@
 //! The live scenes, used as a reader would use them, against simulations and what the library says.
 
 mod air_drag;
+mod ball;
 mod coin_toss;
 mod every;
 mod grips;
