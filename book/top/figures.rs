@@ -70,7 +70,7 @@ pub(crate) fn top_torque(id: &str) -> Outcome {
     };
     stage.curve(segment(Vector3::zeros(), Vector3::z() * 1.75)?, Stroke::Reference, Hue::Muted)?;
     stage.arrow(segment(Vector3::zeros(), tip)?, Stroke::Vector, Heads::End, Hue::Green)?;
-    stage.label_shifted(tip, at(-2.0, 6.0), Side::Left, r"$\boldsymbol L$", Hue::Green)?;
+    stage.label_shifted(tip, at(3.0, 8.0), Side::Right, r"$\boldsymbol L$", Hue::Green)?;
     let centre = axis * 0.62;
     let weight = centre - Vector3::z() * 0.6;
     stage.arrow(segment(centre, weight)?, Stroke::Vector, Heads::End, Hue::Purple)?;

@@ -102,7 +102,7 @@ window.disordered = () => {
   const top = (node) => node.getBoundingClientRect().top;
   const blocks = [...document.querySelectorAll('main > *')].filter(shown);
   const isBeside = (node) => getComputedStyle(node).float !== 'none';
-  const flows = [blocks.filter((node) => !isBeside(node)), [...document.querySelectorAll('main :is(.note, figcaption)')].filter((node) => shown(node) && isBeside(node))];
+  const flows = [blocks.filter((node) => !isBeside(node)), [...document.querySelectorAll('main :is(.note, figcaption, .figure.margin)')].filter((node) => shown(node) && isBeside(node))];
   for (const flow of flows) {
     flow.forEach((node, index) => {
       if (index > 0 && top(node) < top(flow[index - 1]) - 1) faults.push(`stands above what is read before it: ${named(node)}`);
@@ -113,6 +113,26 @@ window.disordered = () => {
     if (before && shown(note) && top(note) < top(before) - 12) faults.push(`a note above its paragraph: ${named(note)}`);
   }
   return faults;
+};
+
+// What stands in the margin and covers something else there: what hangs in it, or reaches into it from the text. Code ends
+// well before what stands beside it.
+window.crowded = () => {
+  const beside = [...document.querySelectorAll('main *')].filter((node) => shown(node) && getComputedStyle(node).float === 'right');
+  const edge = Math.min(...beside.map((node) => node.getBoundingClientRect().left));
+  const reach = (node) => {
+    const isCode = node.matches('pre > code');
+    const text = document.createRange(); // its box goes to the margin, wherever its lines end
+    text.selectNodeContents(node);
+    const { left, right, top, bottom } = (isCode ? text : node).getBoundingClientRect();
+    return { left, right: right + (isCode ? 16 : 0), top, bottom };
+  };
+  const inText = [...document.querySelectorAll(`main :is(${CONTENT})`)].filter((node) => shown(node) && !node.matches('pre') && reach(node).right > edge + 1);
+  const covers = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
+  return beside.flatMap((node, index) => {
+    const others = [...beside.slice(index + 1), ...inText].filter((other) => !node.contains(other) && !other.contains(node));
+    return others.filter((other) => covers(reach(node), reach(other))).map((other) => `${named(node)} covers ${named(other)}`);
+  });
 };
 
 // What has the focus: how it is called, and what is wrong with how it shows.
