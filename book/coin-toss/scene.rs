@@ -75,7 +75,7 @@ const AGAIN: f64 = 1.2;
 /// What the eye takes for one instant, s, and how many images of the coin stand for it.
 const BLINK: f64 = 0.02;
 const IMAGES: u32 = 6;
-/// Probability of the same face against θ_L, degrees: the twists divide the curve most finely where it leaves one.
+/// Probability of the same face against `θ_L`, degrees: the twists divide the curve most finely where it leaves one.
 static PROBABILITIES: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
     let coin = |ratio: f64| -> Result<_, InvalidQuantity> {
         let moments = PrincipalMoments::symmetric(1.0, 2.0)?;
@@ -315,7 +315,7 @@ impl Throw {
         Ok(())
     }
 
-    /// The probability of the same face against θ_L, and what the tosses gave.
+    /// The probability of the same face against `θ_L`, and what the tosses gave.
     fn draw_probability(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let (frame, x, y) = probability(moment.room);
         let mut graph = Graph::new(drawing, frame, x, y)?;
@@ -362,7 +362,7 @@ fn sphere(moment: &Moment) -> Result<Camera, Flaw> {
     })
 }
 
-/// The plot of probabilities: its frame on the page, θ_L to the right and p upwards.
+/// The plot of probabilities: its frame on the page, `θ_L` to the right and p upwards.
 fn probability(room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
     let x = Axis::linear(0.0, 90.0, 45.0).titled(r"$\theta_L$, degrees");
     let y = Axis::linear(0.5, 1.0, 0.25).titled(r"heads, $p$");

@@ -133,7 +133,7 @@ impl Toss {
         })
     }
 
-    /// The angle θ_L between the coin's axis and its angular momentum, rad, from 0 to π (`eq:toss-angle`).
+    /// The angle `θ_L` between the coin's axis and its angular momentum, rad, from 0 to π (`eq:toss-angle`).
     #[must_use]
     pub fn momentum_angle(&self) -> f64 {
         self.top.momentum_angle()
@@ -215,7 +215,7 @@ pub fn ratio_for_probability(moments: PrincipalMoments, probability: f64) -> Res
     Ok(steady_face_ratio(moments)? * cotangent_for_probability(probability)?) // eq:ratio-for-bias
 }
 
-/// The angle θ_L, rad, between axis and angular momentum at which a coin shows the same face with a given probability:
+/// The angle `θ_L`, rad, between axis and angular momentum at which a coin shows the same face with a given probability:
 /// from π/2 at 1/2 down to π/4 at 1 (`eq:ratio-for-bias`).
 ///
 /// # Errors

@@ -99,7 +99,7 @@ impl Tossers {
     /// The logarithm of the mean over the people of p^k (1 − p)^(n − k).
     ///
     /// The integral over the twist, to either side, is one over the angle v of s = (I₁/I₃) sin v, in which
-    /// `eq:same-face` has no corner: cot²θ_L = sin²v. Halve panels until the integrand hardly varies in each. Both
+    /// `eq:same-face` has no corner: `cot²θ_L = sin²v`. Halve panels until the integrand hardly varies in each. Both
     /// factors of it have one peak, so that their values at the ends of a panel, and at the peaks within, bound it
     /// there: no peak is missed.
     fn ln_mean(&self, counted: &TossCount) -> f64 {
