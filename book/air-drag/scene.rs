@@ -21,8 +21,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "A body slows down in air",
     description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the \
                   upright angular momentum L. Beside it a map of the ratio of the drags against the ratio \
-                  of the moments, parted by a sloping line: above it the wobble dies first, below it the \
-                  spin; the disc is a dot above the line. Below the map the angular momentum as an arrow, \
+                  of the moments, parted by a sloping line, with a dot for the disc. Below the map the angular momentum as an arrow, \
                   its part along the axis upwards: its tip follows a curve that comes to the origin \
                   upright.",
     question: "In the end a pencil turns end over end. Is this rotation faster than at the start, when it was only a \

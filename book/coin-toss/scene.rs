@@ -29,8 +29,8 @@ pub(crate) const SCENE: Scene = Scene {
                   sphere with its equator: the tip of the normal goes round L on a circle through \
                   the pole, of which the part above the equator is blue and the part below grey. Below, \
                   the height of the normal through one precession, which dips below zero in the middle, \
-                  and the probability of the same face against the angle theta L between the normal and \
-                  L: certainty up to 45 degrees, then falling to a half.",
+                  and a curve of the probability of the same face against the angle theta L between the normal \
+                  and L, with a dot for this toss.",
     question: "A thumb tumbles the coin 38 times a second. How fast must it twist the coin as well, if heads, \
                and nothing but heads, is to be seen from above?",
     size: [[640.0, 520.0], [380.0, 872.0]],

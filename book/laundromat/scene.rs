@@ -24,10 +24,8 @@ pub(crate) const SCENE: Scene = Scene {
     name: "laundromat",
     title: "A drum with its load, from above",
     description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and \
-                  in it a drum with a heavy mat on one side. The drum turns at its natural frequency. The shaft \
-                  stands to one side of the fixed point O, and the load leads it by a quarter turn. Beside it three \
-                  plots: the force on the floor against the spin, with a peak of 176 newtons at the natural \
-                  frequency and its least at 25 radians a second; the lead of the load, from 0 to 180 degrees; and \
+                  in it a drum with a heavy mat on one side. The shaft stands to one side of the fixed point O. Beside it three \
+                  plots: the force on the floor against the spin, the angle from the shaft to the load against the spin, and \
                   the distance of the shaft from O against time.",
     question: "A flash shows the fast drum just when its centre is farthest to the right. Where is the load: on the \
                right, on the left, or a quarter turn ahead?",

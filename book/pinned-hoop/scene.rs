@@ -17,12 +17,11 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "pinned-hoop",
-    title: "A pinned hoop turns over",
-    description: "A hoop that is pinned at A, in the middle of turning over, with the upright angular \
-                  momentum. Beside it a sphere in the axes of the hoop with the path of the momentum on it, a pendulum that falls from \
-                  near its upright balance, and the plane of the hoop at the moment of the snap, with A a \
-                  degree from the place at a quarter of the circle. A plot against that degree, in which a dot \
-                  climbs as long as the hoop waits.",
+    title: "A hoop, pinned at its rim",
+    description: "A hoop that is pinned at A, with the upright angular momentum. Beside it a sphere in the axes of the \
+                  hoop with the path of the momentum on it, a pendulum, and the plane of the hoop at the moment of \
+                  the snap, with A a degree from the place at a quarter of the circle. Below, a plot against that \
+                  degree, with a dot that climbs as time goes on.",
     question: "The pin catches the hoop a degree from the place where the rim is fastest, and makes a door of \
                it. What becomes of this door? And what changes if the pin is ten times more accurate: 89°, \
                89.9°, 89.99°?",

@@ -19,9 +19,8 @@ pub(crate) const SCENE: Scene = Scene {
     title: "A spinning coin with ink on its rim",
     description: "A coin with a head on its face leans on a table. Its lowest point has run most of the \
                   way round a circle on the table, and ink marks that way on the table and the same length \
-                  on the rim. Beside it the two lengths lie side by side: the rim is longer than the \
-                  circle, and what it has left over is the angle by which the head has turned. Below, \
-                  against the tilt, the rates of contact and head.",
+                  on the rim. Beside it the circle and the rim are rolled out side by side, each with its ink. \
+                  Below, against the tilt, the rates of contact and head.",
     question: "The contact has run once round its circle and is back: how does the head stand now, upright, \
                turned with the contact, or against it? And as the coin goes down, ever faster: does its \
                contact reach the speed of sound?",

@@ -13,7 +13,7 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "top",
     title: "A top is let go",
-    description: "A top leans on its point. Its tip has drawn a row of arcs with cusps between two level circles; the angular momentum points \
+    description: "A top leans on its point. Its tip has drawn a track between two level circles; the angular momentum points \
                   along the axis. Beside it a well: the energy of the tilt against the tilt, with a marble that rolls in it below the level at \
                   which it was let go.",
     question: "A fast top leans and is let go, without a push. What does its tip draw? And what if you push it on, or back? Then take its \

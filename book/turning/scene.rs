@@ -19,9 +19,8 @@ pub(crate) const SCENE: Scene = Scene {
     description: "A flat round plate in the air above a floor, leaning, with a stripe painted from \
                   its middle to its rim. The angular momentum L points straight up; the axis of the \
                   plate and the angular velocity omega lean away from it on opposite sides, each on \
-                  a circle. Beside it the plane of the three arrows: L over I1 reaches twice as high \
-                  along the axis as omega. Below, the axis swings to the right twice between two passages \
-                  of the stripe.",
+                  a circle. Beside it the plane of the three arrows. Below, the swings of the axis to the right \
+                  and to the left against time, with a line at each passage of the stripe.",
     question: "While the plate turns once, how often does its axis swing to the right and back? And when it \
                has grown into a long can?",
     size: [[640.0, 480.0], [380.0, 716.0]],
