@@ -1,4 +1,4 @@
-//! The code of the pages. Each chapter keeps its figures and its live scene in its own folder, beside its text; the
+//! The code of the pages. Each chapter keeps its figures and its live scenes in its own folder, beside its text; the
 //! files of this folder name them.
 
 #[cfg(feature = "figures")]

@@ -6,8 +6,14 @@ mod air_drag;
 mod ball;
 #[path = "coin-toss/scene.rs"]
 mod coin_toss;
+#[path = "coin-toss/edge.rs"]
+mod edge;
 #[path = "laundromat/scene.rs"]
 mod laundromat;
+#[path = "spinning-coin/loss.rs"]
+mod loss;
+#[path = "turning/middle-axis.rs"]
+pub(crate) mod middle_axis;
 #[path = "pinned-hoop/scene.rs"]
 mod pinned_hoop;
 #[path = "rolling-wheel/scene.rs"]
@@ -25,18 +31,21 @@ mod wobble_plate;
 
 use live::Scene;
 
-/// All live scenes, each with the folder of its chapter.
+/// All live scenes, each with where it stands: the folder of the chapter that it opens, or a page of one.
 pub const SCENES: &[(&str, &Scene)] = &[
     ("laundromat", &laundromat::SCENE),
     ("turning", &turning::SCENE),
+    ("turning/middle-axis", &middle_axis::SCENE),
     ("wobble-plate", &wobble_plate::SCENE),
     ("coin-toss", &coin_toss::SCENE),
+    ("coin-toss/edge", &edge::SCENE),
     ("space-station", &space_station::SCENE),
     ("air-drag", &air_drag::SCENE),
     ("pinned-hoop", &pinned_hoop::SCENE),
     ("top", &top::SCENE),
     ("rolling-wheel", &rolling_wheel::SCENE),
     ("spinning-coin", &spinning_coin::SCENE),
+    ("spinning-coin/loss", &loss::SCENE),
     ("ball", &ball::SCENE),
 ];
 

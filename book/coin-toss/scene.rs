@@ -1,6 +1,6 @@
 //! The scene of the chapter "The coin toss": a coin in slow motion beside the path of its normal on a sphere.
 
-use coin::draw_coin;
+pub(super) use coin::draw_coin;
 use drawing::space::{Camera, Curve, Solid, Stage, View};
 use drawing::{Drawing, Fill, Flaw, Hue, Point, Rect, Role, Shape, Side, Stroke, at, kit::Heads};
 use live::{

@@ -535,11 +535,11 @@ fn angle(angle: f64) -> String {
 }
 
 /// A small angle, rad, as it is written.
-fn small(angle: f64) -> String {
+pub(super) fn small(angle: f64) -> String {
     if angle < 1e-3 { format!("{} µrad", few(1e6 * angle)) } else { format!("{} rad", few(angle)) }
 }
 
 /// A time, s, as it is written.
-fn seconds(time: f64) -> String {
+pub(super) fn seconds(time: f64) -> String {
     if time < 1e-3 { format!("{:.0} µs", 1e6 * time) } else { format!("{:.1} ms", 1e3 * time) }
 }

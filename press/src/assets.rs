@@ -25,8 +25,8 @@ pub struct Rendered {
 /// A live scene, as its page shows it first.
 #[derive(Debug, Clone)]
 pub struct Scene {
-    /// The folder of the chapter that it opens.
-    pub chapter: &'static str,
+    /// Where it stands: the folder of the chapter that it opens, `turning`, or a page of a chapter, `turning/middle-axis`.
+    pub page: &'static str,
     /// What it is.
     pub live: live::Scene,
     /// Its still as SVGs for a page, on a wide one and on a phone.
@@ -39,12 +39,22 @@ impl Scene {
         self.live.file.replace('\\', "/")
     }
 
+    /// The folder of its chapter: `turning`.
+    pub(crate) fn chapter(&self) -> &'static str {
+        chapter_of(self.page)
+    }
+
     /// Draws the still, by the code that moves the scene in its page.
-    fn drawn(chapter: &'static str, scene: &'static live::Scene) -> Result<Self> {
+    fn drawn(page: &'static str, scene: &'static live::Scene) -> Result<Self> {
         let still = Player::new(scene).and_then(|mut player| Ok(player.still()?.to_svg()?));
         let cannot = |error| anyhow!("{}: the scene {}: {error}", scene.file, scene.name);
-        Ok(Self { chapter, live: *scene, svg: still.map_err(cannot)? })
+        Ok(Self { page, live: *scene, svg: still.map_err(cannot)? })
     }
+}
+
+/// The folder of the chapter in which a scene stands.
+pub(crate) fn chapter_of(page: &'static str) -> &'static str {
+    page.split_once('/').map_or(page, |(chapter, _)| chapter)
 }
 
 /// One rendered figure.
@@ -69,7 +79,7 @@ impl Rendered {
     /// If a file of the build script is missing or cannot be read; which scene cannot be drawn as it starts, and why.
     pub fn of(book: &Book) -> Result<Self> {
         let mut rendered = Self::read(book)?;
-        let scenes = book.scenes.iter().map(|(chapter, scene)| Scene::drawn(chapter, scene));
+        let scenes = book.scenes.iter().map(|(page, scene)| Scene::drawn(page, scene));
         rendered.scenes = scenes.collect::<Result<_>>()?;
         Ok(rendered)
     }

@@ -30,7 +30,7 @@
 //! | `![Caption.](fig:machine)` in a paragraph of its own | the figure, with number and caption |
 //! | `words[^name]`, and `[^name]: The note.` somewhere below | a note in the margin, with maths and references |
 //! | `![Caption.](fig:machine)[^name]` | the same, on a figure |
-//! | `![Caption.](scene:turning)` in a paragraph of its own | the live scene of the chapter, above its first equation |
+//! | `![Caption.](scene:turning)` in a paragraph of its own | the live scene that opens the chapter, above its first equation, or one of this page at its sentence |
 //! | `[set the spin to three](scene:turning?spin=3&kick=0)` | a link that sets the scene, on the page of the scene |
 //! | a Markdown table, and right below it a paragraph `Table: what it holds.` | a table with its caption |
 //! | `![Caption.](table:methods)` in a paragraph of its own | a table that the library gives |
@@ -82,8 +82,8 @@
 //! - labels: one that is unknown or defined twice (also one that a comment in `src/` or `tests/` cites), an
 //!   id that stands on a page twice, an unknown, doubled or unused figure, a citation without entry, an entry
 //!   that nothing cites;
-//! - scenes: one that is unknown or that no page shows, that stands on a page of another chapter or below an
-//!   equation, that starts where none of its controls can stand; a link to settings that it does not have, or
+//! - scenes: one that is unknown or that no page shows, that stands on another page than its own, or opens a
+//!   chapter below an equation, that starts where none of its controls can stand; a link to settings that it does not have, or
 //!   from another page;
 //! - colours: words in a colour that there is not; a colour or letter of the tables of conventions that is none;
 //! - mathematics: LaTeX that is not understood or nested too deeply, a blank line inside `$$`, a stray `$`,
@@ -140,7 +140,7 @@ pub struct Book {
     pub code: &'static [&'static str],
     /// The folder into which its build script has rendered figures and tables: `env!("OUT_DIR")`.
     pub drawn: &'static str,
-    /// Its live scenes, each with the folder of its chapter.
+    /// Its live scenes, each with where it stands: `turning` opens that chapter, `turning/middle-axis` is on that page.
     pub scenes: &'static [(&'static str, &'static Scene)],
     /// The package that has its snippets as tests, and that browsers run.
     pub snippets: &'static str,

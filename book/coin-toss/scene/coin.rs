@@ -14,7 +14,7 @@ const TAILS: [[[f64; 2]; 2]; 2] = [[[0.0, -0.4], [0.0, 0.4]], [[-0.34, -0.4], [0
 
 /// The coin of radius 1 about the origin as it is seen from a direction, in the hue of the face that is seen: that
 /// which was up in the hue of the body, the other grey. Each has its letter.
-pub(super) fn draw_coin(
+pub(crate) fn draw_coin(
     moments: &PrincipalMoments,
     stage: &mut Stage,
     attitude: &UnitQuaternion<f64>,

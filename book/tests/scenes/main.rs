@@ -3,10 +3,13 @@
 mod air_drag;
 mod ball;
 mod coin_toss;
+mod disk_end;
+mod edge;
 mod every;
 mod grips;
 mod hand;
 mod laundromat;
+mod middle_axis;
 mod pinned_hoop;
 mod rolling_wheel;
 mod space_station;

@@ -1,5 +1,6 @@
 //! Rotation about the middle axis: where ω goes in a body, and a bat that flips.
 
+use crate::scenes::middle_axis::{BAT, draw_bat};
 use drawing::kit::Heads;
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Side, Stroke, at};
@@ -119,12 +120,6 @@ pub(crate) fn polhodes(id: &str) -> Outcome {
     Ok(Drawing::panels(id, vec![left, right]))
 }
 
-/// The bat of the page: about its handle, across it in the plane of the blade, and across the blade, kg·m².
-const BAT: [f64; 3] = [1.83e-4, 7.89e-4, 9.72e-4];
-/// Radius of the blade, and where it and the ends of the handle are along axis 1, in radii.
-const BLADE: f64 = 0.463;
-const HANDLE: [f64; 2] = [-0.5, -1.87];
-
 /// A bat that flips while it goes round once, in five stills, a quarter of a turn apart.
 pub(crate) fn bat_flip(id: &str) -> Outcome {
     let [i1, i2, i3] = BAT;
@@ -162,11 +157,7 @@ pub(crate) fn bat_flip(id: &str) -> Outcome {
             centre: at(95.0, 112.0),
             scale: 46.0,
         })?);
-        for (side, hue) in [(-1.0, Hue::Pink), (1.0, Hue::Blue)] {
-            let centre = along * BLADE + normal * (0.04 * side);
-            stage.solid(Solid::disc(centre, normal, 1.0, 0.08)?, hue)?;
-        }
-        stage.solid(Solid::rod(along * HANDLE[0], along * HANDLE[1], 0.13)?, Hue::Blue)?;
+        draw_bat(&mut stage, along, -normal)?;
         let omega = level * now.omega_world();
         for (tip, name, hue) in [
             (-Vector3::y() * 2.3, r"$\boldsymbol{L}$", Hue::Green),

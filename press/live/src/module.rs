@@ -5,7 +5,7 @@
 //! is that of an error, in words for the reader.
 //!
 //! A page loads what it needs: there is a module for each chapter, built with the name of its folder in
-//! `BOOK_CHAPTER`. It holds the scene and the snippets of that chapter and what they use of the library.
+//! `BOOK_CHAPTER`. It holds the scenes and the snippets of that chapter and what they use of the library.
 //! Built without a name it holds all. [`pages!`](crate::pages) gives these functions the names that scripts call.
 
 use crate::scene::{Run, Scene};
@@ -36,46 +36,35 @@ pub fn text() -> *const u8 {
     TEXT.with(|text| text.borrow().as_ptr())
 }
 
-/// The scenes that a module holds.
-#[derive(Debug, Clone, Copy)]
-pub enum Scenes {
-    /// All of the book.
-    All(&'static [(&'static str, &'static Scene)]),
-    /// That of one chapter, and its place in the book.
-    One(usize, &'static Scene),
-    /// None, because the chapter has none.
-    None,
+/// The scenes of a book that a module holds, each at its place among all: those on the pages of a chapter, or all.
+/// They are found while the module is compiled, so that it holds no other.
+pub const fn held<const COUNT: usize>(
+    all: &[(&'static str, &'static Scene)],
+    chapter: Option<&str>,
+) -> [Option<&'static Scene>; COUNT] {
+    let mut held = [None; COUNT];
+    let mut place = 0;
+    while place < COUNT {
+        let (page, scene) = all[place];
+        let is_held = match chapter {
+            Some(chapter) => lies_in(page.as_bytes(), chapter.as_bytes()),
+            None => true,
+        };
+        if is_held {
+            held[place] = Some(scene);
+        }
+        place += 1;
+    }
+    held
 }
 
-impl Scenes {
-    /// Those of a chapter, or of all: found while the module is compiled, so that it holds no other.
-    pub const fn of(all: &'static [(&'static str, &'static Scene)], chapter: Option<&str>) -> Self {
-        let Some(chapter) = chapter else { return Self::All(all) };
-        let mut place = 0;
-        while place < all.len() {
-            if is_same(all[place].0.as_bytes(), chapter.as_bytes()) {
-                return Self::One(place, all[place].1);
-            }
-            place += 1;
-        }
-        Self::None
-    }
-
-    fn at(self, place: usize) -> Option<&'static Scene> {
-        match self {
-            Self::All(all) => all.get(place).map(|(_, scene)| *scene),
-            Self::One(own, scene) => Some(scene).filter(|_| own == place),
-            Self::None => None,
-        }
-    }
-}
-
-const fn is_same(one: &[u8], other: &[u8]) -> bool {
+/// Whether a page, `turning/middle-axis` or `turning` for the first one, lies in the folder of a chapter.
+const fn lies_in(page: &[u8], chapter: &[u8]) -> bool {
     let mut at = 0;
-    while at < one.len() && at < other.len() && one[at] == other[at] {
+    while at < page.len() && at < chapter.len() && page[at] == chapter[at] {
         at += 1;
     }
-    at == one.len() && at == other.len()
+    at == chapter.len() && (at == page.len() || page[at] == b'/')
 }
 
 /// Begins or changes a scene: its place in the book, and how many values of its controls stand in [`input`]. With
@@ -83,10 +72,11 @@ const fn is_same(one: &[u8], other: &[u8]) -> bool {
 ///
 /// # Panics
 /// If the module has no such scene.
-pub fn start(scenes: Scenes, scene: usize, count: usize) -> isize {
+pub fn start(scenes: &[Option<&'static Scene>], scene: usize, count: usize) -> isize {
     listen();
     answer(|| {
-        let scene = scenes.at(scene).unwrap_or_else(|| panic!("this module has no scene {scene}"));
+        let held = scenes.get(scene).copied().flatten();
+        let scene = held.unwrap_or_else(|| panic!("this module has no scene {scene}"));
         let mut player = if count == 0 { Player::new(scene)? } else { Player::with(scene, values(count))? };
         PLAYER.with(|own| {
             let mut own = own.borrow_mut();
@@ -222,8 +212,8 @@ macro_rules! pages {
 
         pub use written::SNIPPETS;
 
-        const SCENES: $crate::module::Scenes =
-            $crate::module::Scenes::of($scenes, option_env!("BOOK_CHAPTER"));
+        static SCENES: [Option<&'static $crate::Scene>; $scenes.len()] =
+            $crate::module::held($scenes, option_env!("BOOK_CHAPTER"));
 
         $crate::exported! {
             input() -> *const f64;
@@ -242,7 +232,7 @@ macro_rules! pages {
         /// Begins or changes a scene.
         #[unsafe(no_mangle)]
         pub extern "C" fn start(scene: usize, count: usize) -> isize {
-            $crate::module::start(SCENES, scene, count)
+            $crate::module::start(&SCENES, scene, count)
         }
 
         /// Runs a snippet.

@@ -11,6 +11,7 @@
 //! target: then rustup is asked for it.
 
 use crate::Book;
+use crate::assets::chapter_of;
 use crate::book::{Page, script};
 use crate::mdbook::For;
 use crate::site::package::cargo;
@@ -73,7 +74,7 @@ impl Modules {
                 *chapters.entry(folder.to_owned()).or_default() += &live_numbers::matter([&*page.text]);
             }
         }
-        let has_scene = |folder: &str| book.scenes.iter().any(|(chapter, _)| *chapter == folder);
+        let has_scene = |folder: &str| book.scenes.iter().any(|(page, _)| chapter_of(page) == folder);
         chapters.retain(|folder, text| !text.is_empty() || has_scene(folder));
         Self { root: root.to_owned(), package: book.snippets, chapters }
     }

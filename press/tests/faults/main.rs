@@ -54,7 +54,7 @@ fn scene() -> Scene {
         symbols: &[],
         start: |_| Err("it never starts".into()),
     };
-    Scene { chapter: "a.md", live: PLATE, svg: String::new() }
+    Scene { page: "a.md", live: PLATE, svg: String::new() }
 }
 
 /// The same with another control in a place.
@@ -256,6 +256,28 @@ fn two_curves_of_one_name_are_a_fault_of_their_figure() {
     let said = "error: book/a/figures.rs: the id `fig-machine-gain` stands twice in the figure fig:machine: has it two \
                 curves of one name?";
     assert!(faults.contains(said) && !faults.contains("stands on the page already"), "{faults}");
+}
+
+#[test]
+fn a_scene_of_a_further_page_stands_there_wherever_it_is_needed() {
+    let text = "# A\n\n$$\na\n$$\n\n![A plate.](scene:plate)\n";
+    let book = Book::new("further", "# A\n");
+    book.write("book/SUMMARY.md", b"- [A](a.md)\n  - [D](a/d.md)\n  - [B](b.md)\n");
+    for (page, shown, said) in [
+        ("a/d", "book/a/d.md", None),
+        ("a/d", "book/b.md", Some("error: book/b.md:7: the scene scene:plate belongs on a/d.md")),
+        ("a", "book/a/d.md", Some("error: book/a/d.md:7: the scene scene:plate opens the chapter in a")),
+    ] {
+        let mut drawn = drawn();
+        drawn.scenes[0].page = page;
+        drawn.figures.clear();
+        book.write("book/a/d.md", b"# D\n");
+        book.write("book/b.md", b"# B\n");
+        book.write(shown, text.as_bytes());
+        let faults = check(&book.root, &drawn).err().map(|faults| faults.to_string());
+        let first = faults.as_deref().and_then(|faults| faults.lines().find(|line| line.contains("scene")));
+        assert_eq!(first, said, "{faults:?}");
+    }
 }
 
 #[test]

@@ -59,9 +59,9 @@ struct Place {
 }
 
 fn scenes() -> Vec<Place> {
-    let place = |(chapter, scene): &(&str, &'static Scene)| Place {
+    let place = |(page, scene): &(&str, &'static Scene)| Place {
         scene,
-        address: format!("{}{chapter}/index.html", address()),
+        address: format!("{}{page}{}.html", address(), if page.contains('/') { "" } else { "/index" }),
         figure: format!("document.getElementById('scene-{}')", scene.name),
     };
     assert!(!SCENES.is_empty());

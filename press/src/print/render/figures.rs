@@ -43,7 +43,7 @@ impl Printer<'_, '_> {
         };
         let (id, question) = (label.id(), html(scene.live.question));
         let panel = if drawn.is_still { String::new() } else { scenes::panel(&scene.live, html) };
-        let file = script(scene.chapter);
+        let file = script(scene.chapter());
         let module = if drawn.is_still { String::new() } else { format!(" data-module=\"{file}\"") };
         Some(format!(
             "<figure class=\"scene\" id=\"{id}\" data-scene=\"{place}\"{module} aria-labelledby=\"{id}-caption\">\n<p class=\"question\">{question}</p>\n\

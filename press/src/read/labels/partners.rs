@@ -119,9 +119,12 @@ fn check_scene(label: &Label, page: &Page, above: &[PlacedItem<'_>], drawn: &Ren
         let near = hint("scene", nearest(&label.name, names));
         return Err(format!("there is no scene {}{near}", label.written()));
     };
-    if page.path.split('/').next() != Some(scene.chapter) || page.part.is_some() {
-        Err(format!("the scene {} opens the chapter in {}", label.written(), scene.chapter))
-    } else if above.iter().any(|above| matches!(above.item, Item::DisplayMaths { .. })) {
+    let opens = scene.page == scene.chapter();
+    if !opens && page.path.strip_suffix(".md") != Some(scene.page) {
+        Err(format!("the scene {} belongs on {}.md", label.written(), scene.page))
+    } else if opens && (page.path.split('/').next() != Some(scene.page) || page.part.is_some()) {
+        Err(format!("the scene {} opens the chapter in {}", label.written(), scene.page))
+    } else if opens && above.iter().any(|above| matches!(above.item, Item::DisplayMaths { .. })) {
         Err(format!("the scene {} belongs above the first equation", label.written()))
     } else {
         Ok(())
