@@ -3,7 +3,7 @@
 
 use crate::{Book, html};
 use anyhow::{Context as _, Result, anyhow};
-use live::Player;
+use live::{Kind, Player};
 use std::fs;
 use std::path::Path;
 
@@ -31,6 +31,8 @@ pub struct Scene {
     pub live: live::Scene,
     /// Its still as SVGs for a page, on a wide one and on a phone.
     pub svg: String,
+    /// The longest of what it says where the text leads and at the ends of its controls: the page keeps room for it.
+    pub longest: String,
 }
 
 impl Scene {
@@ -43,8 +45,27 @@ impl Scene {
     fn drawn(chapter: &'static str, scene: &'static live::Scene) -> Result<Self> {
         let still = Player::new(scene).and_then(|mut player| Ok(player.still()?.to_svg()?));
         let cannot = |error| anyhow!("{}: the scene {}: {error}", scene.file, scene.name);
-        Ok(Self { chapter, live: *scene, svg: still.map_err(cannot)? })
+        Ok(Self { chapter, live: *scene, svg: still.map_err(cannot)?, longest: longest(scene) })
     }
+}
+
+fn longest(scene: &'static live::Scene) -> String {
+    let ends = scene.controls.iter().flat_map(|control| {
+        let values = match control.kind {
+            Kind::Slider { from, to, .. } | Kind::LogSlider { from, to, .. } => vec![from, to],
+            Kind::Choice(choices) => (0..choices.len()).map(|choice| choice as f64).collect(),
+            Kind::Switch => vec![0.0, 1.0],
+            Kind::Button(_) => vec![0.0],
+            Kind::Kept => Vec::new(),
+        };
+        values.into_iter().map(|value| vec![(control.name, value)])
+    });
+    let all = scene.presets.iter().map(|preset| preset.settings.to_vec()).chain(ends);
+    let said = all.map(|settings| {
+        let player = Player::new(scene).and_then(|start| start.changed(&settings));
+        player.map_or_else(|trouble| trouble.to_string(), |player| player.words(0.0))
+    });
+    said.max_by_key(|words| words.chars().count()).unwrap_or_default()
 }
 
 /// One rendered figure.
