@@ -343,7 +343,14 @@ impl Motion for Rolled {
         let [before, after] = [first, now].map(|state| self.wheel.constants(&state));
         let change = (after.even - before.even).hypot(after.odd - before.odd) / before.even.hypot(before.odd);
         let change = if self.loss == 0.0 { change } else { f64::NAN }; // nothing keeps them then
-        Ok(vec![now.lean().to_degrees(), (now.heading - self.turned[0]) / TAU, wobbles, friction, energy, change])
+        Ok(vec![
+            now.lean().to_degrees(),
+            (now.heading - self.turned[0]) / TAU,
+            wobbles,
+            friction,
+            energy,
+            change,
+        ])
     }
 
     /// Neither the wheel nor its spokes leap when its circle is changed.
@@ -493,8 +500,7 @@ impl Rolled {
         let unit = MASS * GRAVITY * RADIUS;
         let constants = self.wheel.constants(now);
         // Heights are counted so that the energy stays at one level, whatever is lost.
-        let is_kicked =
-            now.omega_1 != 0.0 || !matches!(self.course, Course::Steady | Course::Wobbling(_));
+        let is_kicked = now.omega_1 != 0.0 || !matches!(self.course, Course::Steady | Course::Wobbling(_));
         let kick = self.energy_of_rate(self.push);
         let level = if is_kicked { kick } else { 0.0 };
         let zero = self.wheel.energy(now) / unit - level;

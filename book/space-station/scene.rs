@@ -4,8 +4,8 @@ use drawing::kit;
 use drawing::space::{Camera, Curve, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Press, Preset, Reading, Room, Run, Scene, Settings, formulas,
-    value_at,
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Press, Reading, Room, Run, Scene, Settings,
+    formulas, value_at,
 };
 use mechanics::euler::Turning;
 use mechanics::inertia::Body;

@@ -157,8 +157,11 @@ fn a_control_does_something_unless_it_says_what_it_waits_for() {
             assert!(changes(&[(waits_for, from)]), "{of} does nothing");
             let governing = scene.controls.iter().position(|control| control.name == waits_for);
             let governing = governing.expect("it waits for a control");
-            assert!(governing != place && !(from..=to).contains(&scene.controls[governing].start)
-                || matches!(scene.controls[governing].kind, Kind::Choice(_)), "{of} waits for nothing");
+            assert!(
+                governing != place && !(from..=to).contains(&scene.controls[governing].start)
+                    || matches!(scene.controls[governing].kind, Kind::Choice(_)),
+                "{of} waits for nothing"
+            );
             let dead = match scene.controls[governing].kind {
                 Kind::Choice(choices) => (0..choices.len()).map(|choice| choice as f64).collect(),
                 _ => vec![-1.0],

@@ -47,7 +47,10 @@ fn what_can_be_held_looks_so_and_nothing_else_does() {
                 let (marks, grips) = (marks.collect::<Vec<_>>(), hand.grips());
                 let of = format!("{} {settings:?} at {part}, {room:?}: {marks:?} and {grips:?}", scene.name);
                 assert_eq!(marks.len(), grips.len(), "{of}");
-                assert!(grips.iter().all(|grip| marks.iter().any(|mark| (*mark - *grip).length() < 0.5)), "{of}");
+                assert!(
+                    grips.iter().all(|grip| marks.iter().any(|mark| (*mark - *grip).length() < 0.5)),
+                    "{of}"
+                );
             }
         }
     }

@@ -98,11 +98,7 @@ impl Control {
     }
 
     /// A button whose presses add up, and the controls that say how strong each is.
-    pub const fn adding(
-        name: &'static str,
-        words: &'static str,
-        strengths: &'static [&'static str],
-    ) -> Self {
+    pub const fn adding(name: &'static str, words: &'static str, strengths: &'static [&'static str]) -> Self {
         Self { kind: Kind::Button(Some(strengths)), ..Self::button(name, words) }
     }
 

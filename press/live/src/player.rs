@@ -38,7 +38,9 @@ impl Player {
         };
         let is_press = |press: &[f64]| {
             let button = scene.controls.get(press[0] as usize).map(|control| control.kind);
-            matches!(button, Some(Kind::Button(Some(_)))) && press.iter().all(|x| x.is_finite()) && press[1] >= 0.0
+            matches!(button, Some(Kind::Button(Some(_))))
+                && press.iter().all(|x| x.is_finite())
+                && press[1] >= 0.0
         };
         if earlier.len() % EARLIER != 0 || !earlier.chunks_exact(EARLIER).all(is_press) {
             return Err("these are no presses of a button".into());
@@ -79,7 +81,11 @@ impl Player {
                 turned.push((name, (1e5 * (value + gap).rem_euclid(TAU)).round() / 1e5)); // as a link gives it
             }
         }
-        if turned.is_empty() { Ok(player) } else { Self::with(self.scene, changed(self.scene, values, &turned)?) }
+        if turned.is_empty() {
+            Ok(player)
+        } else {
+            Self::with(self.scene, changed(self.scene, values, &turned)?)
+        }
     }
 
     /// The scene with some settings changed.

@@ -46,7 +46,10 @@ pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
             if let Some((other, between)) = control.when
                 && let Err(message) = check_setting(scene, other, between[0])
             {
-                fault(format!("the control `{name}` of the scene {} waits for something else: {message}", scene.name));
+                fault(format!(
+                    "the control `{name}` of the scene {} waits for something else: {message}",
+                    scene.name
+                ));
             }
             if let Err(message) = check_value(control, control.start) {
                 fault(format!("the scene {} starts with {message}", scene.name));
@@ -187,7 +190,9 @@ pub(crate) fn panel(scene: &live::Scene, room: &str, mut html: impl FnMut(&str) 
 /// A control with its words.
 fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str) -> String) -> String {
     let Control { name, start, kind, .. } = control;
-    let when = control.when.map_or_else(String::new, |(other, [from, to])| format!(" data-when=\"{other} {from} {to}\""));
+    let when = control
+        .when
+        .map_or_else(String::new, |(other, [from, to])| format!(" data-when=\"{other} {from} {to}\""));
     let id = format!("{scene}-{name}");
     let range = |[from, to, start]: [f64; 3], step: &str, log: &str| {
         let (unit, shown) = (escaped(control.unit()), control.shown());
@@ -219,7 +224,8 @@ fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str
             )
         }
         Kind::Button(strengths) => {
-            let strengths = strengths.map_or_else(String::new, |names| format!(" data-adds=\"{}\"", names.join(" ")));
+            let strengths =
+                strengths.map_or_else(String::new, |names| format!(" data-adds=\"{}\"", names.join(" ")));
             format!(
                 "<div class=\"control\"><button type=\"button\" class=\"press\" name=\"{name}\" data-start=\"{start}\"{strengths}>{words}</button></div>"
             )
