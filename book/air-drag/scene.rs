@@ -267,7 +267,7 @@ impl Slowing {
             Hue::Blue,
         )?;
         map.label((0.0025, 0.3), Side::Right, room.of("spin dies first", "spin dies"), Hue::Orange)?;
-        map.dot((self.ratio, self.drag_ratio()), 6.0, Hue::Pink);
+        map.grip((self.ratio, self.drag_ratio()), Hue::Pink);
         Ok(())
     }
 
@@ -299,7 +299,7 @@ impl Slowing {
         if (to - from).length() > 1.0 {
             arrow(graph.drawing(), from, to, Hue::Green);
         }
-        graph.dot(self.parts(0.0)?, 5.0, Hue::Pink);
+        graph.grip(self.parts(0.0)?, Hue::Pink);
         Ok(())
     }
 }

@@ -29,12 +29,18 @@ pub(crate) const SCENE: Scene = Scene {
         Control::choice("place", "where", &["on a cloth", "on a turning table", "in a hole"]),
         Control::choice("kind", "the ball", &["solid", "hollow"]),
         Control::slider("speed", r"speed, $v$", [0.2, 4.0, 0.1], "m/s", 3.0),
-        Control::slider("roll", r"cloth: its spin would roll at, along $v$", [-10.0, 10.0, 0.1], "m/s", 0.0),
-        Control::slider("side", "cloth: and to the left at", [-6.0, 6.0, 0.1], "m/s", 0.0),
-        Control::slider("friction", r"cloth: friction, $\mu$", [0.05, 0.5, 0.01], "", 0.2),
-        Control::slider("rate", r"table: it turns at, $\Omega$", [0.0, 12.0, 0.1], "rad/s", 6.0),
-        Control::slider("slope", r"table: slope, $\varepsilon$", [0.0, 5.0, 0.1], "°", 0.0),
-        Control::slider("drop", "hole: sinks at first at", [0.0, 1.0, 0.05], "m/s", 0.0),
+        Control::slider("roll", r"cloth: its spin would roll at, along $v$", [-10.0, 10.0, 0.1], "m/s", 0.0)
+            .when("place", [0.0, 0.0]),
+        Control::slider("side", "cloth: and to the left at", [-6.0, 6.0, 0.1], "m/s", 0.0)
+            .when("place", [0.0, 0.0]),
+        Control::slider("friction", r"cloth: friction, $\mu$", [0.05, 0.5, 0.01], "", 0.2)
+            .when("place", [0.0, 0.0]),
+        Control::slider("rate", r"table: it turns at, $\Omega$", [0.0, 12.0, 0.1], "rad/s", 6.0)
+            .when("place", [1.0, 1.0]),
+        Control::slider("slope", r"table: slope, $\varepsilon$", [0.0, 5.0, 0.1], "°", 0.0)
+            .when("place", [1.0, 1.0]),
+        Control::slider("drop", "hole: sinks at first at", [0.0, 1.0, 0.05], "m/s", 0.0)
+            .when("place", [2.0, 2.0]),
     ],
     presets: &[
         Preset { words: "hit in the middle", settings: &[("place", 0.0), ("roll", 0.0), ("side", 0.0)] },

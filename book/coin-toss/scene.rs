@@ -2,7 +2,7 @@
 
 pub(super) use coin::draw_coin;
 use drawing::space::{Camera, Curve, Solid, Stage, View};
-use drawing::{Drawing, Fill, Flaw, Hue, Point, Rect, Role, Shape, Side, Stroke, at, kit::Heads};
+use drawing::{Drawing, Fill, Flaw, Hue, Point, Rect, Role, Shape, Side, Stroke, at, kit, kit::Heads};
 use live::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
     point_at, value_at,
@@ -39,10 +39,11 @@ pub(crate) const SCENE: Scene = Scene {
     controls: &[
         Control::slider("tumble", r"tumble, $\omega_1$", [0.0, MOST, 0.5], "rad/s", 240.0),
         Control::slider("twist", r"twist, $\omega_3$", [0.0, MOST, 0.5], "rad/s", 60.0),
+        Control::choice("hand", "tossed by", &["a hand", "a steady hand", "a machine"])
+            .when("toss", [0.0, f64::MAX]),
+        Control::button("toss", "Toss five thousand"),
         Control::slider("ratio", r"thick to thin: moments $I_3/I_1$", [0.5, 2.0, 0.01], "", 2.0),
         Control::choice("camera", "the coin is seen", &["from straight above", "from the side"]),
-        Control::choice("hand", "tossed by", &["a hand", "a steady hand", "a machine"]),
-        Control::button("toss", "Toss five thousand"),
     ],
     presets: &[
         Preset { words: "no twist", settings: &[("twist", 0.0)] },
@@ -248,6 +249,8 @@ impl Throw {
         let normal = self.attitude(moment.time)? * Vector3::z();
         stage.dot(normal, 5.5, if normal.z >= 0.0 { Hue::Blue } else { Hue::Muted })?;
         stage.write(drawing);
+        let tip = sphere(moment)?.on_page(self.momentum() * REACH)?;
+        kit::grip(drawing, tip, Hue::Green);
         Ok(())
     }
 
@@ -320,11 +323,12 @@ impl Throw {
         let (frame, x, y) = probability(moment.room);
         let mut graph = Graph::new(drawing, frame, x, y)?;
         graph.area([(0.0, 0.5), (45.0, 0.5), (45.0, 1.0), (0.0, 1.0)], Fill::Ground, Hue::Blue);
-        graph.curve(PROBABILITIES.iter().copied(), Stroke::Curve, Hue::Blue);
+        graph.answer(|graph| {
+            graph.curve(PROBABILITIES.iter().copied(), Stroke::Curve, Hue::Blue);
+            Ok(())
+        })?;
         let angle = self.angle().to_degrees();
-        let here = graph.at((angle, self.probability()));
-        graph.drawing().dot(here, 4.5, Hue::Ink);
-        graph.drawing().circle(here, 8.0, Role::Line(Stroke::Outline, Hue::Ink));
+        graph.grip((angle, self.probability()), Hue::Ink);
         let made = self.made(moment.time);
         if made > 0 {
             let (heads, error) = (self.tosses.heads(made), 1.0 / f64::from(made as u32).sqrt());

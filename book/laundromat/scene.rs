@@ -35,12 +35,14 @@ pub(crate) const SCENE: Scene = Scene {
     controls: &[
         Control::slider("spin", r"spin, $\Omega$", [0.0, MOST_SPIN, 0.1], "rad/s", 10.0),
         Control::slider("damping", r"damping, $\Gamma/\omega_0$", [0.0, 2.5, 0.01], "", 0.3),
-        Control::slider("board", r"friction on board, $\Gamma_i/\omega_0$", [0.0, 0.5, 0.01], "", 0.0),
-        Control::choice("damper", "the damper feels", &["the whole velocity", "the radius only"]),
-        Control::choice("motor", "the drum", &["keeps its spin", "speeds up from rest", "has a weak motor"]),
-        Control::slider("torque", "torque of the weak motor", [0.1, 12.0, 0.1], "N·m", 6.0),
         Control::choice("camera", "seen", &["in the room", "on the drum"]),
-        Control::button("kick", "Kick"),
+        Control::adding("kick", "Kick", &[]),
+        Control::choice("damper", "the damper feels", &["the whole velocity", "the radius only"]),
+        Control::slider("board", r"friction on board, $\Gamma_i/\omega_0$", [0.0, 0.5, 0.01], "", 0.0),
+        Control::choice("motor", "the drum", &["keeps its spin", "speeds up from rest", "has a weak motor"]),
+        Control::slider("torque", "torque of the weak motor", [0.1, 12.0, 0.1], "N·m", 6.0)
+            .when("motor", [2.0, 2.0]),
+        Control::kept("phase"),
     ],
     presets: &[
         Preset { words: "slow", settings: &[("spin", 5.0)] },
@@ -176,8 +178,9 @@ impl Washer {
             _ => Drive::WeakMotor(settings.of("torque")?),
         };
         let on_board = settings.of("board")? * 300.0;
-        let course =
-            Course::new(still, on_board, settings.of("spin")?, is_radial, drive, settings.pressed("kick")?)?;
+        let kicks = settings.presses("kick")?.iter().map(|kick| kick[0]).collect();
+        let phase = settings.of("phase")?;
+        let course = Course::new(still, on_board, settings.of("spin")?, is_radial, drive, (phase, kicks))?;
         let (forces, leads) = over_spin(&still, is_radial);
         let quietest = forces.windows(3).find(|at| at[0].0 > 12.0 && at[1].1 < at[0].1 && at[1].1 <= at[2].1);
         let quietest = quietest.map(|at| at[1]);
@@ -264,27 +267,29 @@ impl Washer {
             plot.label((place, 185.0), side, "quietest", Hue::Muted)?;
         }
         plot.dot((state.spin, course.force(state).norm()), 4.5, Hue::Purple);
-        if course.driven.is_some() {
-            let idle = plot.at(self.handle());
-            plot.drawing().circle(idle, 7.0, Role::Line(Stroke::Outline, Hue::Orange));
-        }
-        for &steady in &self.steady {
+        for &steady in self.steady.iter().filter(|_| course.driven.is_some()) {
             let ring = plot.at(steady);
-            plot.drawing().circle(ring, 7.0, Role::Line(Stroke::Outline, Hue::Purple));
+            plot.drawing().circle(ring, 5.0, Role::Line(Stroke::Outline, Hue::Purple));
         }
+        plot.grip(self.handle(), if course.driven.is_some() { Hue::Orange } else { Hue::Purple });
 
         let mut plot = Graph::new(drawing, lead, SPIN_AXIS, LEAD_AXIS)?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
-        plot.curve(self.leads.iter().copied(), Stroke::Curve, Hue::Blue);
+        plot.answer(|plot| {
+            plot.curve(self.leads.iter().copied(), Stroke::Curve, Hue::Blue);
+            Ok(())
+        })?;
         plot.dot((state.spin, state.lead().to_degrees()), 4.5, Hue::Blue);
 
         let [x, y] = self.swing_axes();
         let mut plot = Graph::new(drawing, swing, x, y)?;
         let swings = course.swings.iter().step_by(1 + course.swings.len() / 800);
         plot.curve(swings.map(|(t, r)| (*t, 100.0 * r)), Stroke::Outline, Hue::Blue);
-        if let Some(kick) = course.kick.filter(|kick| *kick < course.end) {
+        for &kick in course.kicks.iter().filter(|kick| **kick < course.end) {
             plot.upright(kick, Stroke::Outline, Hue::Pink);
-            plot.dot((kick, 0.0), 4.5, Hue::Pink);
+        }
+        if let Some(&kick) = course.kicks.last().filter(|kick| **kick < course.end) {
+            plot.grip((kick, 0.0), Hue::Pink);
         }
         plot.dot((moment.time, 100.0 * state.shaft.position.norm()), 4.5, Hue::Blue);
         Ok(())
@@ -307,7 +312,8 @@ impl Motion for Washer {
     fn grips(&self, moment: &Moment) -> Vec<Point> {
         let ([force, _, swing], [x, y]) = (frames(moment.room), self.swing_axes());
         let mut grips = vec![point_at(force, &SPIN_AXIS, &FORCE_AXIS, self.handle())];
-        grips.extend(self.course.kick.map(|kick| point_at(swing, &x, &y, (kick, 0.0))));
+        let last = self.course.kicks.last().filter(|kick| **kick < self.course.end);
+        grips.extend(last.map(|&kick| point_at(swing, &x, &y, (kick, 0.0))));
         grips
     }
 
@@ -320,7 +326,8 @@ impl Motion for Washer {
         if grip == 0 {
             return vec![("spin", value_at(force, &SPIN_AXIS, &FORCE_AXIS, to).0)];
         }
-        vec![("kick", value_at(swing, &x, &y, to).0.clamp(0.0, self.course.end - 0.1))]
+        let before = self.course.kicks.iter().rev().nth(1).copied().unwrap_or(0.0);
+        vec![("kick", value_at(swing, &x, &y, to).0.min(self.course.end - 0.1).max(before))]
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
@@ -335,6 +342,12 @@ impl Motion for Washer {
             self.course.force(&state).norm(),
             self.course.imbalance(time)?,
         ])
+    }
+
+    /// The drum does not leap when its spin is changed.
+    fn kept(&self, time: f64) -> Result<Vec<(&'static str, f64)>, Cause> {
+        let is_kept = !self.course.speeds_up; // from rest every spin is reached on another way
+        Ok(if is_kept { vec![("phase", self.course.at(time)?.azimuth)] } else { Vec::new() })
     }
 
     fn words(&self, _time: f64) -> String {

@@ -356,7 +356,7 @@ impl Pinned {
         drawing.label(top - at(0.0, 0.5 * long), Side::Left, r"$\boldsymbol{\omega}_0$", Hue::Orange)?;
         kit::arrow(drawing, pin, pin + omega, Hue::Orange);
         drawing.label(pin + omega, Side::Right, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        drawing.dot(pin, 5.5, Hue::Pink);
+        kit::grip(drawing, pin, Hue::Pink);
         drawing.label(pin + at(1.0, 8.0), Side::Right, r"$A$", Hue::Pink)?;
         let below = centre + at(0.0, radius + room.of(20.0, 18.0));
         drawing.label(below, Side::Over, "the snap", Hue::Muted)?;
@@ -391,7 +391,7 @@ impl Pinned {
             graph.dot(place, 3.5, Hue::Pink);
         }
         if self.gap > 0.0 {
-            graph.dot(self.on_plot(moment.time), 6.0, Hue::Pink);
+            graph.grip(self.on_plot(moment.time), Hue::Pink);
         }
         Ok(())
     }

@@ -31,11 +31,14 @@ pub(crate) const SCENE: Scene = Scene {
     controls: &[
         Control::slider("circle", r"radius of the centre's circle, $b/a$", [-0.2, 4.0, 0.01], "", 1.0),
         Control::slider("lean", r"lean, $\theta$", [0.0, 60.0, 0.1], "°", 28.0),
-        Control::choice("wheel", "wheel", &["disc", "hoop", "weights on the axle"]),
-        Control::slider("reach", "how far out the weights are, in radii", [0.2, 2.0, 0.01], "", 1.0),
         Control::slider("push", r"strength of the kick, $\dot\theta$", [-3.0, 3.0, 0.05], "rad/s", 1.0),
-        Control { start: 0.0, ..Control::button("kick", "Kick") },
+        Control { start: 0.0, ..Control::adding("kick", "Kick", &["push"]) },
+        Control::choice("wheel", "wheel", &["disc", "hoop", "weights on the axle"]),
+        Control::slider("reach", "how far out the weights are, in radii", [0.2, 2.0, 0.01], "", 1.0)
+            .when("wheel", [2.0, 2.0]),
         Control::slider("loss", "what slows its turning", [0.0, 0.5, 0.01], "1/s", 0.0),
+        Control::kept("heading"),
+        Control::kept("roll"),
     ],
     presets: &[
         Preset { words: "inside the tongue", settings: &[("lean", 12.0), ("circle", 0.8), ("push", 0.1)] },
@@ -247,9 +250,14 @@ impl Rolled {
     fn draw_map(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
         let frame = Layout::of(moment.room).map;
         let mut map = Graph::new(drawing, frame, CIRCLES, LEANS)?;
-        let below = [(0.0, 0.0)].into_iter().chain(self.tongue.iter().copied()).chain([(4.0, 0.0)]);
-        map.area(below, Fill::Face, Hue::Orange);
-        map.curve(self.tongue.iter().copied(), Stroke::Border, Hue::Orange);
+        map.answer(|map| {
+            let below = [(0.0, 0.0)].into_iter().chain(self.tongue.iter().copied()).chain([(4.0, 0.0)]);
+            map.area(below, Fill::Face, Hue::Orange);
+            map.curve(self.tongue.iter().copied(), Stroke::Border, Hue::Orange);
+            map.label((2.4, 44.0), Side::Over, "stays small", Hue::Ink)?;
+            let inside = map.at((2.2, 4.5));
+            map.drawing().label_on_face(inside, Side::Over, "grows", Hue::Ink)
+        })?;
         let leans = (0..=30).map(|k| 2.0 * f64::from(k));
         let border: Vec<(f64, f64)> = leans.map(|lean| (self.bound(lean.to_radians()), lean)).collect();
         let none = [(-0.5, 60.0), (-0.5, 0.0)].into_iter().chain(border.iter().copied());
@@ -265,9 +273,6 @@ impl Rolled {
             way.push(Self::on_map(state));
         }
         map.curve(way, Stroke::Orbit, Hue::Blue);
-        map.label((2.4, 44.0), Side::Over, "stays small", Hue::Ink)?;
-        let inside = map.at((2.2, 4.5));
-        map.drawing().label_on_face(inside, Side::Over, "grows", Hue::Ink)?;
         map.dot(Self::on_map(now), 3.4, Hue::Blue);
         map.grip((self.circle, self.lean.to_degrees()), Hue::Ink);
         Ok(())
@@ -316,10 +321,13 @@ impl Motion for Rolled {
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
         let now = self.at(time)?;
-        let wobbles = match (&self.course, &self.wobble) {
-            (Course::Wobbling { kicked }, Some(wobble)) => (time - kicked).max(0.0) / wobble.period(),
-            (Course::Steady, _) => 0.0,
-            _ => f64::NAN,
+        let wobbles = match &self.course {
+            Course::Wobbling(wobbles) => {
+                let last = wobbles.iter().rev().find(|(kicked, _)| *kicked <= time);
+                last.map_or(0.0, |(kicked, wobble)| (time - kicked) / wobble.period())
+            }
+            Course::Steady => 0.0,
+            Course::Followed(_) => f64::NAN,
         };
         // Its formula is that of a wheel that nothing slows.
         let friction = if self.loss == 0.0 && now.omega_2 != 0.0 {
@@ -335,7 +343,20 @@ impl Motion for Rolled {
         let [before, after] = [first, now].map(|state| self.wheel.constants(&state));
         let change = (after.even - before.even).hypot(after.odd - before.odd) / before.even.hypot(before.odd);
         let change = if self.loss == 0.0 { change } else { f64::NAN }; // nothing keeps them then
-        Ok(vec![now.lean().to_degrees(), now.heading / TAU, wobbles, friction, energy, change])
+        Ok(vec![
+            now.lean().to_degrees(),
+            (now.heading - self.turned[0]) / TAU,
+            wobbles,
+            friction,
+            energy,
+            change,
+        ])
+    }
+
+    /// Neither the wheel nor its spokes leap when its circle is changed.
+    fn kept(&self, time: f64) -> Result<Vec<(&'static str, f64)>, Cause> {
+        let now = self.at(time)?;
+        Ok(vec![("heading", now.heading), ("roll", now.roll_angle)])
     }
 
     fn words(&self, _time: f64) -> String {
@@ -373,7 +394,7 @@ impl Motion for Rolled {
         let kicked = match &self.wobble {
             _ if self.loss > 0.0 => self.spiral(),
             Some(wobble) => {
-                let [low, high] = self.swings.map(degrees);
+                let [low, high] = self.swung.map(degrees);
                 let (before, after) = if self.is_thrown_over() {
                     ("This kick is too strong for that. ", ", and of the circle nothing is left".into())
                 } else {
@@ -412,8 +433,8 @@ impl Motion for Rolled {
 impl Rolled {
     /// The state from which it has rolled undisturbed until a time: that just after the kick or, before it, the first.
     fn first(&self, time: f64) -> Result<Rolling, Cause> {
-        match self.kicked.filter(|kicked| *kicked <= time) {
-            Some(kicked) => self.at(kicked),
+        match self.kicks.iter().rev().find(|kicked| **kicked <= time) {
+            Some(kicked) => self.at(*kicked),
             None => Ok(self.states[0].1),
         }
     }
@@ -432,8 +453,8 @@ impl Rolled {
     /// than in a small wobble.
     fn is_thrown_over(&self) -> bool {
         let square = self.steady.map_or(0.0, |steady| steady.wobble_square());
-        let width = self.swings[1] - self.swings[0];
-        square > 0.0 && (width > 1.0 || width > 3.0 * self.push.abs() / square.sqrt())
+        let width = self.swung[1] - self.swung[0];
+        square > 0.0 && (width > 1.0 || width > 3.0 * self.push.abs() / square.sqrt() && self.kicks.len() < 2)
     }
 
     /// What becomes of the circle when something slows the wheel.
@@ -479,8 +500,7 @@ impl Rolled {
         let unit = MASS * GRAVITY * RADIUS;
         let constants = self.wheel.constants(now);
         // Heights are counted so that the energy stays at one level, whatever is lost.
-        let is_kicked =
-            now.omega_1 != 0.0 || !matches!(self.course, Course::Steady | Course::Wobbling { .. });
+        let is_kicked = now.omega_1 != 0.0 || !matches!(self.course, Course::Steady | Course::Wobbling(_));
         let kick = self.energy_of_rate(self.push);
         let level = if is_kicked { kick } else { 0.0 };
         let zero = self.wheel.energy(now) / unit - level;

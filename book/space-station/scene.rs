@@ -1,11 +1,11 @@
-//! The scene of the chapter "The struck space station": a blow, what three observers count, and a second blow.
+//! The scene of the chapter "The struck space station": a blow, what three observers count, and later blows.
 
-use drawing::kit::{self, Marker};
+use drawing::kit;
 use drawing::space::{Camera, Curve, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
-    value_at,
+    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Press, Reading, Room, Run, Scene, Settings,
+    formulas, value_at,
 };
 use mechanics::euler::Turning;
 use mechanics::inertia::Body;
@@ -41,7 +41,7 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("impulse", r"impulse of the blow, $P$", [0.0, 10.0, 0.1], "MN·s", 1.8),
         Control::slider("place", "its distance from the axis", [0.0, 50.0, 1.0], "m", 50.0),
         Control::choice("camera", "seen", &["in the room", "on board"]),
-        Control::button("fire", "Fire the thruster now"),
+        Control::adding("fire", "Fire the thruster now", &["thruster", "thrust"]),
         Control::slider("thruster", "thruster, round the rim from the blow", [0.0, 360.0, 0.5], "°", 0.0),
         Control::slider("thrust", "its impulse", [-10.0, 10.0, 0.1], "MN·s", -1.8),
     ],
@@ -136,13 +136,19 @@ fn time_axis(room: Room) -> Axis<'static> {
 
 impl Nodding {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let fired = settings.pressed("fire")?;
-        let later = Blow { radius: RADIUS, impulse: settings.of("thrust")? * MEGA };
-        let azimuth = settings.of("thruster")?.to_radians();
+        let later = |[time, azimuth, thrust]: Press| LaterBlow {
+            time: time.min(DURATION),
+            azimuth: azimuth.to_radians(),
+            blow: Blow { radius: RADIUS, impulse: thrust * MEGA },
+        };
+        let mut between: Vec<LaterBlow> = settings.presses("fire")?.into_iter().map(later).collect();
+        let last = between.pop();
+        let next = later([0.0, settings.of("thruster")?, settings.of("thrust")?]);
         let blows = Blows {
             first: Blow { radius: settings.of("place")?, impulse: settings.of("impulse")? * MEGA },
-            second: LaterBlow { time: fired.unwrap_or(0.0).min(DURATION), azimuth, blow: later },
-            is_fired: fired.is_some(),
+            between,
+            second: last.unwrap_or(next),
+            is_fired: last.is_some(),
         };
         let station = Struck::new(&blows)?;
         let on_board = settings.choice("camera")? == 1;
@@ -244,16 +250,23 @@ impl Nodding {
             let [foot, tip] = self.impulse_arrow();
             stage.named_vector(foot, tip, r"$\boldsymbol{P}$", Hue::Pink)?;
         }
-        let Blows { second, is_fired, .. } = self.blows;
-        let thruster = Self::thruster(second.azimuth);
-        let since = time - second.time;
-        if is_fired && (0.0..SHOWN).contains(&since) && second.blow.impulse != 0.0 {
-            let push = Vector3::z() * (ARROW * second.blow.impulse / MEGA);
-            stage.vector(attitude * thruster, attitude * (thruster + push), Hue::Pink)?;
+        // Where it fires, and how, is seen before it does.
+        let Blows { between, second, is_fired, .. } = &self.blows;
+        for blow in between.iter().chain([second]) {
+            let thruster = Self::thruster(blow.azimuth);
+            let is_seen = (0.0..SHOWN).contains(&(time - blow.time)) || !is_fired;
+            if is_seen && blow.blow.impulse != 0.0 {
+                let push = Vector3::z() * (ARROW * blow.blow.impulse / MEGA);
+                let hue = if *is_fired { Hue::Pink } else { Hue::Muted };
+                stage.vector(attitude * thruster, attitude * (thruster + push), hue)?;
+            }
         }
         stage.write(drawing);
-        if is_fired {
-            kit::marker(drawing, camera.on_page(attitude * thruster)?, Marker::Ring, Hue::Pink);
+        kit::grip(drawing, camera.on_page(attitude * Self::thruster(second.azimuth))?, Hue::Pink);
+        if time < SHOWN && self.blows.first.impulse > 0.0 {
+            for held in self.impulse_arrow() {
+                kit::grip(drawing, camera.on_page(held)?, Hue::Pink);
+            }
         }
         Ok(())
     }
@@ -278,8 +291,10 @@ impl Nodding {
             graph.dot((moment.time, MIDDLES[index] + 0.85 * now[index] * self.scales[index]), 4.0, hue);
         }
         if self.blows.is_fired {
-            graph.upright(self.blows.second.time, Stroke::Reference, Hue::Pink);
-            kit::marker(drawing, self.fire_place(layout, moment.room), Marker::Ring, Hue::Pink);
+            for blow in self.blows.between.iter().chain([&self.blows.second]) {
+                graph.upright(blow.time, Stroke::Reference, Hue::Pink);
+            }
+            kit::grip(drawing, self.fire_place(layout, moment.room), Hue::Pink);
         }
         Ok(())
     }
@@ -301,11 +316,9 @@ impl Nodding {
             held.push((Grip::Place, camera.on_page(foot)?));
             held.push((Grip::Impulse, camera.on_page(tip)?));
         }
+        let thruster = self.thruster_place(&camera, moment.time, self.blows.second.azimuth)?;
+        held.push((Grip::Thruster, thruster));
         if self.blows.is_fired {
-            held.push((
-                Grip::Thruster,
-                self.thruster_place(&camera, moment.time, self.blows.second.azimuth)?,
-            ));
             held.push((Grip::Fire, self.fire_place(&layout, moment.room)));
         }
         Ok(held)
@@ -314,7 +327,7 @@ impl Nodding {
     /// Where a thruster at another azimuth would be on the page at a time.
     fn thruster_place(&self, camera: &Camera, time: f64, azimuth: f64) -> Result<Point, Cause> {
         let second = LaterBlow { azimuth, ..self.blows.second };
-        let now = Struck::new(&Blows { second, ..self.blows })?.at(time)?;
+        let now = Struck::new(&Blows { second, ..self.blows.clone() })?.at(time)?;
         Ok(camera.on_page(self.seen(&now) * (now.world_from_body * Self::thruster(azimuth)))?)
     }
 
@@ -347,7 +360,8 @@ impl Nodding {
             }
             Grip::Fire => {
                 let (time, _) = value_at(layout.graph, &time_axis(moment.room), &WAVES_AXIS, to);
-                Some(("fire", time.clamp(0.0, DURATION)))
+                let before = self.blows.between.last().map_or(0.0, |blow| blow.time);
+                Some(("fire", time.clamp(before, DURATION)))
             }
         };
         Ok(found.into_iter().collect())
@@ -388,18 +402,19 @@ impl Motion for Nodding {
 
     fn words(&self, _time: f64) -> String {
         let first = &self.station.first;
-        if let Some((time, top, velocity)) = &self.station.second {
+        if let Some((time, top, velocity)) = self.station.later.last() {
+            let which = if self.station.later.len() > 1 { "last" } else { "second" };
             let nod = 2.0 * top.momentum_angle().to_degrees();
             let after = Vector3::z().angle(&top.angular_momentum_world()).to_degrees();
             let drift = velocity.norm();
             let nodding = if nod < 0.1 { "no nod".into() } else { format!("a nod of {nod:.1}°") };
             if nod < 0.1 && after < 0.1 && drift < 0.01 {
                 return format!(
-                    "The second blow, after {time:.2} s, leaves nothing: no nod, the axis where it was, no drift."
+                    "The {which} blow, after {time:.2} s, leaves nothing: no nod, the axis where it was, no drift."
                 );
             }
             return format!(
-                "The second blow, after {time:.2} s, leaves {nodding}. The angular momentum points {after:.1}° away from the old axis, and the \
+                "The {which} blow, after {time:.2} s, leaves {nodding}. The angular momentum points {after:.1}° away from the old axis, and the \
                  centre drifts at {drift:.2} m/s."
             );
         }

@@ -263,7 +263,7 @@ impl Throw {
             if (tip - origin).length() > 1.0 {
                 kit::arrow(drawing, origin, tip, hue);
             }
-            drawing.circle(tip, 7.0, Role::Line(Stroke::Outline, hue));
+            kit::grip(drawing, tip, hue);
         }
         // Names to the right of the tips, those of near tips moved apart, and none on the axis below.
         let gap = momentum.y - omega.y;

@@ -29,11 +29,11 @@ pub(crate) const SCENE: Scene = Scene {
     view: Some([-1.15, 0.24]),
     still: 0.006,
     controls: &[
-        Control::slider("tilt", r"tilt of the plate, $\alpha$", [0.0, 45.0, 0.5], "°", 25.0),
         Control::slider("pistons", r"number of pistons, $N$", [1.0, 7.0, 1.0], "", 4.0),
         Control::slider("mass", r"mass of all of them, $Nm$", [0.0, 3.4, 0.004], "kg", 0.8),
-        Control::slider("thickness", r"thickness of the plate, $h$", [0.0, 24.0, 0.02], "cm", 0.0),
         Control::slider("spin", r"spin, $\omega$", [0.0, 150.0, 1.0], "rad/s", 100.0),
+        Control::slider("tilt", r"tilt of the plate, $\alpha$", [0.0, 45.0, 0.5], "°", 25.0),
+        Control::slider("thickness", r"thickness of the plate, $h$", [0.0, 24.0, 0.02], "cm", 0.0),
         Control::choice("camera", "seen", &["in the room", "from the turning shaft"]),
     ],
     presets: &[
@@ -296,7 +296,7 @@ impl Shaking {
         }
 
         let grip = camera.on_page(self.high_end(self.engine.plate().tilt(), phase)?)?;
-        kit::marker(drawing, grip, kit::Marker::Ring, Hue::Blue);
+        kit::grip(drawing, grip, Hue::Blue);
         Ok(())
     }
 
@@ -408,25 +408,26 @@ impl Shaking {
         let mut graph = Graph::new(drawing, layout.graph, MASS_AXIS, TORQUE_AXIS)?;
         let least = self.torques.iter().map(|&(mass, [least, _])| (mass, least));
         let most = self.torques.iter().map(|&(mass, [_, most])| (mass, most));
-        if self.count() < 3 {
-            graph.area(least.clone().chain(most.clone().rev()), Fill::Ground, Hue::Purple);
-            graph.curve(least, Stroke::Outline, Hue::Purple);
-            graph.curve(most, Stroke::Outline, Hue::Purple);
-        } else {
-            graph.curve(most, Stroke::Curve, Hue::Purple);
-        }
-        let alone = self.engine.plate().bearing_torque_rotating(self.spin).norm();
-        graph.level(alone, Stroke::Reference, Hue::Muted);
-        if let Some(balancing) = self.balancing {
+        graph.answer(|graph| {
+            if self.count() < 3 {
+                graph.area(least.clone().chain(most.clone().rev()), Fill::Ground, Hue::Purple);
+                graph.curve(least, Stroke::Outline, Hue::Purple);
+                graph.curve(most, Stroke::Outline, Hue::Purple);
+            } else {
+                graph.curve(most, Stroke::Curve, Hue::Purple);
+            }
+            let Some(balancing) = self.balancing else { return Ok(()) };
             graph.upright(balancing, Stroke::Dotted, Hue::Muted);
             let side = if balancing < 1.5 { Side::Right } else { Side::Left };
-            graph.label((balancing, 46.0), side, "balance", Hue::Muted)?;
-        }
+            graph.label((balancing, 46.0), side, "balance", Hue::Muted)
+        })?;
+        let alone = self.engine.plate().bearing_torque_rotating(self.spin).norm();
+        graph.level(alone, Stroke::Reference, Hue::Muted);
         if (4.0..36.0).contains(&alone) {
             let above = graph.at((0.0, alone)) - at(-2.0, 9.0);
             graph.drawing().label(above, Side::Right, "no pistons", Hue::Muted)?;
         }
-        kit::marker(drawing, self.mass_grip(layout, phase), kit::Marker::Ring, Hue::Purple);
+        kit::grip(drawing, self.mass_grip(layout, phase), Hue::Purple);
         Ok(())
     }
 

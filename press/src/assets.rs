@@ -3,7 +3,7 @@
 
 use crate::{Book, html};
 use anyhow::{Context as _, Result, anyhow};
-use live::Player;
+use live::{Kind, Player};
 use std::fs;
 use std::path::Path;
 
@@ -31,6 +31,8 @@ pub struct Scene {
     pub live: live::Scene,
     /// Its still as SVGs for a page, on a wide one and on a phone.
     pub svg: String,
+    /// The longest of what it says where the text leads and at the ends of its controls: the page keeps room for it.
+    pub longest: String,
 }
 
 impl Scene {
@@ -48,13 +50,33 @@ impl Scene {
     fn drawn(page: &'static str, scene: &'static live::Scene) -> Result<Self> {
         let still = Player::new(scene).and_then(|mut player| Ok(player.still()?.to_svg()?));
         let cannot = |error| anyhow!("{}: the scene {}: {error}", scene.file, scene.name);
-        Ok(Self { page, live: *scene, svg: still.map_err(cannot)? })
+        Ok(Self { page, live: *scene, svg: still.map_err(cannot)?, longest: longest(scene) })
     }
 }
 
 /// The folder of the chapter in which a scene stands.
 pub(crate) fn chapter_of(page: &'static str) -> &'static str {
     page.split_once('/').map_or(page, |(chapter, _)| chapter)
+}
+
+/// The longest words that a scene may say: room is kept for them.
+fn longest(scene: &'static live::Scene) -> String {
+    let ends = scene.controls.iter().flat_map(|control| {
+        let values = match control.kind {
+            Kind::Slider { from, to, .. } | Kind::LogSlider { from, to, .. } => vec![from, to],
+            Kind::Choice(choices) => (0..choices.len()).map(|choice| choice as f64).collect(),
+            Kind::Switch => vec![0.0, 1.0],
+            Kind::Button(_) => vec![0.0],
+            Kind::Kept => Vec::new(),
+        };
+        values.into_iter().map(|value| vec![(control.name, value)])
+    });
+    let all = scene.presets.iter().map(|preset| preset.settings.to_vec()).chain(ends);
+    let said = all.map(|settings| {
+        let player = Player::new(scene).and_then(|start| start.changed(&settings));
+        player.map_or_else(|trouble| trouble.to_string(), |player| player.words(0.0))
+    });
+    said.max_by_key(|words| words.chars().count()).unwrap_or_default()
 }
 
 /// One rendered figure.

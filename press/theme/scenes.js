@@ -137,7 +137,7 @@ function control(name, elements) {
   const { type, step, dataset, defaultValue } = first;
   const isLog = "log" in dataset; // a slider over powers of ten, with values of three digits
   const output = first.parentElement.querySelector("output");
-  let pressed = Number(dataset.start); // the time at which a button was pressed
+  let pressed = Number(dataset.start); // the time at which a button was pressed last
   const [get, set] = {
     range: [
       () => (isLog ? Number((10 ** first.valueAsNumber).toPrecision(3)) : first.valueAsNumber),
@@ -149,6 +149,7 @@ function control(name, elements) {
     ],
     checkbox: [() => Number(first.checked), (isOn) => (first.checked = isOn !== 0)],
     button: [() => pressed, (time) => (pressed = Math.max(time, -1))],
+    hidden: [() => Number(first.value), (angle) => (first.value = angle)],
   }[type];
   const show = () => {
     if (type !== "range") return;
@@ -170,7 +171,9 @@ function control(name, elements) {
     set((Math.round(get() / digit) + way) * digit);
     first.dispatchEvent(new Event("input"));
   });
-  const own = { name, elements, show, isButton: type === "button", start: get() };
+  const own = { name, elements, show, isButton: type === "button", isKept: type === "hidden", start: get() };
+  // A button whose presses add up: the controls that say how strong one is, and the presses before the last.
+  Object.assign(own, { strengths: dataset.adds?.split(" ").filter(Boolean), earlier: [] });
   return Object.defineProperty(own, "value", { get, set: (value) => [set(value), show()] });
 }
 
@@ -186,9 +189,30 @@ function controlsIn(figure, selector) {
 
 /** The value that settings give to a control; its start, if they name none that is a number. */
 function named(settings, { name, start }) {
-  const value = settings.get(name) ? Number(settings.get(name)) : NaN;
+  const last = settings.getAll(name).at(-1);
+  const value = last ? Number(last) : NaN;
   return Number.isFinite(value) ? value : start;
 }
+
+/** As many presses add up. */
+const MOST_PRESSES = 20;
+
+/** The presses of a button before the last that settings name: times, and how strong each was. */
+function pressesIn(settings, { name, strengths }) {
+  if (!strengths) return [];
+  const presses = settings.getAll(name).slice(0, -1).map((press) => press.split(",").map(Number));
+  const isPress = (press) => press.length === 1 + strengths.length && press.every(Number.isFinite) && press[0] >= 0;
+  return presses.filter(isPress).slice(-MOST_PRESSES);
+}
+
+/** How fast time goes, in words. */
+function paced(pace) {
+  const times = (ratio) => `${ratio < 9.5 ? Number(ratio.toPrecision(2)) : Math.round(ratio)} times`;
+  if (Math.abs(pace - 1) < 0.03) return "as it is";
+  return pace < 1 ? `slowed ${times(1 / pace)}` : `${times(pace)} as fast`;
+}
+
+const NONE = new URLSearchParams();
 
 // 4 — A scene
 
@@ -196,6 +220,7 @@ class Scene {
   #frame = 0; // that is asked for
   #before = null; // when the frame before was drawn, if it plays
   #isChanged = true; // since the module computed the motion
+  #isNew = true; // the motion does not go on from the one before
   #isAtStill = true; // at the moment of the still: it plays from the beginning
   #usual = null; // how long the motion runs with the settings of the start
   #isOnScreen = false;
@@ -211,8 +236,14 @@ class Scene {
     this.controls = controlsIn(figure, ".controls");
     this.view = controlsIn(figure, ".view");
     this.angles = this.view.map(({ start }) => start);
-    [this.drawing, this.play, this.step, this.time, this.clock, this.says, this.copied] =
-      [".drawing", ".play", ".step", ".time", ".clock", ".says", ".copied"].map(find);
+    [this.drawing, this.play, this.step, this.time, this.clock, this.speed, this.says, this.copied] =
+      [".drawing", ".play", ".step", ".time", ".clock", ".pace", ".says", ".copied"].map(find);
+    this.waiting = [...figure.querySelectorAll("[data-when]")].map((element) => {
+      const [name, from, to] = element.dataset.when.split(" ");
+      const other = this.controls.find((control) => control.name === name);
+      const parts = element.querySelectorAll("input");
+      return () => parts.forEach((part) => (part.disabled = !(other.value >= Number(from) && other.value <= Number(to))));
+    });
     this.presets = [...figure.querySelectorAll(".presets button")]
       .map((button) => ({ button, settings: new URLSearchParams(button.dataset.set) }));
     this.readings = [...figure.querySelectorAll(".readings dd")];
@@ -223,11 +254,27 @@ class Scene {
     this.still = Number(this.time.defaultValue);
     [this.now, this.duration, this.pace] = [this.still, Infinity, 1];
     this.#lock(true);
+    this.#cover();
     this.says.textContent = "The program that moves this picture is loading.";
   }
   #lock(isLocked) {
-    for (const part of this.figure.querySelectorAll(".panel > :not(.says)")) part.inert = isLocked;
+    for (const part of this.figure.querySelectorAll(".presets, .panel > :not(.words)")) part.inert = isLocked;
   }
+  /** Below a guess what answers it is covered until the reader has made it, opened its fold, or asks for it here. */
+  #cover() {
+    const folds = [];
+    for (let node = this.figure; (node = node.previousElementSibling) && !/^H[12]$/.test(node.nodeName); ) {
+      if (node.matches("ol + details")) folds.push(node);
+    }
+    if (folds.length === 0) return;
+    const cover = this.says.parentElement.appendChild(document.createElement("button"));
+    Object.assign(cover, { type: "button", className: "cover", textContent: "Show what happens" });
+    this.uncover = () => this.figure.classList.remove("covered");
+    this.figure.classList.add("covered");
+    this.on([cover], "click", () => this.uncover());
+    this.on(folds, "toggle", () => this.uncover()); // an answer that is chosen opens its fold
+  }
+  uncover() {}
 
   /** Loads the library, draws the first moment and begins to listen. */
   async wake() {
@@ -260,14 +307,23 @@ class Scene {
   #begin() {
     const { run } = this.machine;
     for (const { button, settings } of this.presets) button.ariaPressed = this.#isSet(settings);
-    const values = this.controls.map(({ value }) => value);
+    for (const wait of this.waiting) wait();
+    const earlier = this.controls.flatMap(({ earlier }, place) =>
+      earlier.map(([time, one = 0, other = 0]) => [place, time, one, other]));
+    const values = [...this.controls.map(({ value }) => value), ...earlier.flat()];
     this.machine.numbers(values.length).set(values);
-    this.machine.text(run.start(Number(this.figure.dataset.scene), values.length));
-    this.#isChanged = false;
+    this.machine.text(run.start(Number(this.figure.dataset.scene), values.length, this.#isNew ? -1 : this.now));
+    const reached = this.machine.numbers(this.controls.length);
+    this.controls.forEach((control, place) => control.isKept && (control.value = reached[place]));
+    [this.#isChanged, this.#isNew] = [false, false];
     [this.duration, this.pace, this.repeats] = [run.duration(), run.pace(), run.repeats() !== 0];
     this.#usual ??= this.duration;
     this.time.max = this.duration;
     this.digits = Math.ceil(0.7 - Math.log10(this.pace)); // of the clock: one can see them change
+    for (const option of this.speed.options) {
+      const words = paced(this.pace * option.value);
+      if (option.text !== words) option.text = words;
+    }
   }
 
   /** Draws the present moment, in the picture for the page or for the phone, and writes what is beside it. */
@@ -316,23 +372,24 @@ class Scene {
     if (this.isPlaying && this.#isOnScreen && !this.#isChanged) this.ask();
   }
   #advance(moment) {
-    this.now += (within(moment - (this.#before ?? moment), 0, 100) / 1000) * this.pace;
+    this.now += (within(moment - (this.#before ?? moment), 0, 100) / 1000) * this.pace * this.speed.value;
     this.#before = moment;
     if (this.now < this.duration) return;
     if (this.repeats) this.now %= this.duration;
     else this.#setPlaying(false);
   }
   #isSet(settings) {
-    return this.controls.every((control) => Math.abs(control.value - named(settings, control)) < 1e-6);
+    const isAs = (control) => Math.abs(control.value - named(settings, control)) < 1e-6 && control.earlier.length === 0;
+    return this.controls.every((control) => control.isKept || isAs(control));
   }
   /** What is read aloud to those who cannot see: nothing while it stays the same. */
   #say(words, isTrouble) {
     if (this.says.textContent !== words) this.says.textContent = words;
-    const isOther = !isTrouble && !this.#isSet(new Map());
+    const isOther = !isTrouble && !this.#isSet(NONE);
     for (const picture of this.pictures) picture.describe(isOther ? words : undefined);
     this.says.classList.toggle("trouble", isTrouble);
     this.figure.classList.toggle("pale", isTrouble && !this.hasFailed);
-    for (const part of [this.play, this.step, this.time]) part.disabled = isTrouble; // there is no motion
+    for (const part of [this.play, this.step, this.time, this.speed]) part.disabled = isTrouble; // there is no motion
     this.#name();
   }
   /** Says what the button would do. */
@@ -368,13 +425,22 @@ class Scene {
   }
   /** A button of the scene is pressed now, and the motion goes on from there. */
   press(button) {
-    button.value = +this.now.toPrecision(6); // as its link gives it: what is drawn by lot is the same there
+    const now = +this.now.toPrecision(6); // as its link gives it: what is drawn by lot is the same there
+    if (button.strengths && button.value >= 0) { // it adds up to what was pressed until now
+      const strengths = button.strengths.map((name) => this.controls.find((control) => control.name === name).value);
+      const all = [...button.earlier, [button.value, ...strengths]];
+      button.earlier = all.filter(([time]) => time <= now).slice(-MOST_PRESSES);
+    }
+    button.value = now;
     this.#setPlaying(true);
     this.change();
   }
   /** Sets controls by name, the others to their starts; begins anew without a time. */
   set(settings) {
-    for (const control of this.controls) control.value = named(settings, control);
+    for (const control of this.controls) {
+      Object.assign(control, { value: named(settings, control), earlier: pressesIn(settings, control) });
+    }
+    this.#isNew = true;
     this.change();
     this.#isAtStill = true;
     const time = named(settings, { name: "t" });
@@ -391,15 +457,18 @@ class Scene {
   }
   /** The address of the present settings, time and view. */
   address() {
-    const changed = [...this.controls, ...this.view].filter(({ value, start }) => value !== start);
+    const changed = [...this.controls, ...this.view].filter(({ value, start, earlier }) => value !== start || earlier?.length);
     const settings = [...changed, { name: "t", value: this.now }];
-    return `#${this.figure.id}?` + settings.map(({ name, value }) => `${name}=${+value.toPrecision(6)}`).join("&");
+    const written = ({ name, value, earlier = [] }) =>
+      [...earlier, [value]].map((numbers) => `${name}=${numbers.map((number) => +number.toPrecision(6))}`).join("&");
+    return `#${this.figure.id}?${settings.map(written).join("&")}`;
   }
   /** Does what the page's address says, if it is of this scene. */
   follow() {
     const target = addressed(location.hash);
     if (target?.figure !== this.figure || !this.machine || this.hasFailed) return;
     const { settings } = target;
+    this.uncover();
     this.look((_, control) => named(settings, control));
     this.set(settings);
   }
@@ -432,12 +501,13 @@ class Scene {
   #listen() {
     const on = (selector, events, act) => this.on(this.figure.querySelectorAll(selector), events, act);
     on(".play", "click", () => (this.isPlaying ? this.#setPlaying(false) : this.start()));
-    on(".step", "click", () => this.seek(this.now + this.pace / 10));
+    const step = (way) => this.seek(this.now + (way * this.pace * this.speed.value) / 10);
+    on(".step", "click", () => step(1));
     on(".time", "input", () => this.seek(this.time.valueAsNumber));
     on(".view input", "input", () => this.look((_, { value }) => value));
     on(".reset", "click", () => {
       this.look((_, { start }) => start);
-      this.set(new Map());
+      this.set(NONE);
     });
     for (const { button, settings } of this.presets) this.on([button], "click", () => this.set(settings));
     // Before the link is opened elsewhere, or copied by the browser.
@@ -447,9 +517,17 @@ class Scene {
       if (control.isButton) this.on(control.elements, "click", () => this.press(control));
       else this.on(control.elements, "input", () => this.change(control.show()));
     }
-    // The arrow keys belong to the slider that has them, and not to the book, whose pages they would turn.
-    on("input", "keydown", (event) => /^(Arrow|Home|End|Page)/.test(event.key) && event.stopPropagation());
-    this.on([this.figure], "keydown", ({ key }) => key === "Escape" && this.isPlaying && this.#setPlaying(false));
+    // The arrow keys belong to the slider that has them, and else to the time; not to the book, whose pages they would turn.
+    this.on([this.figure], "keydown", (event) => {
+      const { key, target, altKey, ctrlKey, metaKey } = event;
+      if (key === "Escape" && this.isPlaying) this.#setPlaying(false);
+      if (altKey || ctrlKey || metaKey || !/^(Arrow|Home|End|Page)/.test(key)) return;
+      event.stopPropagation();
+      const way = (key === "ArrowRight") - (key === "ArrowLeft");
+      if (way === 0 || target.matches("input, select")) return;
+      event.preventDefault();
+      if (!this.play.disabled) step(way);
+    });
     for (const { svg } of this.pictures) this.#give(svg);
     new ResizeObserver(() => {
       this.picture = null; // the page may have come to be narrow
@@ -495,7 +573,7 @@ class Scene {
     this.on([svg], "pointermove", (event) => {
       if (!held) {
         const isGrip = event.pointerType === "mouse" && gripAt(event) >= 0;
-        drawing.style.cursor = isGrip || view.length > 0 ? "grab" : "";
+        drawing.style.cursor = isGrip ? "move" : view.length > 0 ? "grab" : "";
         return;
       }
       const [{ grip, at, angles, degrees }, { x, y }] = [held, place(event)];
@@ -506,7 +584,7 @@ class Scene {
         const turned = { azimuth: azimuth - 360 * Math.floor((azimuth + 180) / 360), elevation };
         if (grip < 0) return this.look((_, { name }) => turned[name]);
         const values = [...machine.numbers(machine.run.drag(grip, x, y))];
-        values.forEach((value, index) => (this.controls[index].value = value));
+        this.controls.forEach((control, index) => values.length > 0 && (control.value = values[index]));
         return values.length > 0 && this.change();
       };
       this.ask();

@@ -43,6 +43,24 @@ pub struct LaterBlow {
     pub blow: Blow,
 }
 
+impl LaterBlow {
+    /// What it makes of a station that has turned as `top` until then, as [`StruckStation::struck_again`]: a third blow
+    /// strikes what the second one left. Its time is counted from the beginning of `top`.
+    ///
+    /// # Errors
+    /// As [`StruckStation::struck_again`].
+    pub fn on(&self, top: &FreeSymmetricTop) -> Result<FreeSymmetricTop, InvalidQuantity> {
+        let Self { time, azimuth, blow: Blow { radius, impulse } } = *self;
+        InvalidQuantity::check("azimuth of the blow", azimuth, "rad")?;
+        InvalidQuantity::check_not_negative("radius of the blow", radius, "m")?;
+        InvalidQuantity::check("impulse", impulse, "N·s")?;
+        let Turning { world_from_body, omega_body } = top.at(time)?;
+        let added = radius * impulse / top.moments().as_symmetric()?.transverse; // eq:struck-rate
+        let gained = Vector3::new(azimuth.cos(), azimuth.sin(), 0.0) * added;
+        FreeSymmetricTop::new(top.moments(), Turning { world_from_body, omega_body: omega_body + gained })
+    }
+}
+
 /// The station after the blow: a free symmetric top whose centre drifts. Its angles and rates are good to 9e-16 of
 /// themselves.
 ///
@@ -187,17 +205,7 @@ impl StruckStation {
     /// As [`StruckStation::at`], and [`InvalidQuantity`] for a negative radius and for numbers that are not finite or
     /// of a size that cannot be computed with.
     pub fn struck_again(&self, later: LaterBlow) -> Result<FreeSymmetricTop, InvalidQuantity> {
-        let LaterBlow { time, azimuth, blow: Blow { radius, impulse } } = later;
-        InvalidQuantity::check("azimuth of the blow", azimuth, "rad")?;
-        InvalidQuantity::check_not_negative("radius of the blow", radius, "m")?;
-        InvalidQuantity::check("impulse", impulse, "N·s")?;
-        let Turning { world_from_body, omega_body } = self.at(time)?;
-        let added = radius * impulse / self.top.moments().as_symmetric()?.transverse; // eq:struck-rate
-        let gained = Vector3::new(azimuth.cos(), azimuth.sin(), 0.0) * added;
-        FreeSymmetricTop::new(
-            self.top.moments(),
-            Turning { world_from_body, omega_body: omega_body + gained },
-        )
+        later.on(&self.top)
     }
 
     /// The position at `time`, s, of the point of the station that was at `point_body`, m, along its axes, in the room.

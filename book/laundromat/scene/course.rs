@@ -192,7 +192,10 @@ pub(super) struct Course {
     pub speeds_up: bool,
     /// With its motor, if that is a weak one.
     pub driven: Option<DrivenMachine>,
-    pub kick: Option<f64>,
+    /// The times of the kicks, s, in their order.
+    pub kicks: Vec<f64>,
+    /// The azimuth of the load at the beginning.
+    phase: f64,
     /// When it ends, s, and whether it does because the tub strikes its housing.
     pub end: f64,
     pub strikes: bool,
@@ -213,7 +216,7 @@ impl Course {
         spin: f64,
         is_radial: bool,
         drive: Drive,
-        kick: Option<f64>,
+        (phase, kicks): (f64, Vec<f64>),
     ) -> Result<Self, Cause> {
         let machine = still.with_spin(spin)?;
         let (run_up, end, driven) = match drive {
@@ -239,7 +242,8 @@ impl Course {
             is_radial,
             speeds_up: run_up > 0.0 || driven.is_some(),
             driven,
-            kick: kick.filter(|time| *time < end),
+            kicks: kicks.into_iter().filter(|time| *time < end).collect(),
+            phase,
             end,
             strikes: false,
             swings: Vec::new(),
@@ -253,16 +257,16 @@ impl Course {
     }
 
     fn move_on(&mut self, run_up: f64) -> Result<(), Cause> {
-        let (machine, kick) = (self.machine, self.kick);
+        let (machine, kicks) = (self.machine, self.kicks.clone());
         let largest = (LARGEST_SWING - 1.0) * machine.offset();
-        let mut now = State { shaft: Shaft::AT_REST, azimuth: 0.0, spin: 0.0 };
+        let mut now = State { shaft: Shaft::AT_REST, azimuth: self.phase, spin: 0.0 };
         if let Some(steady) =
             steady(&machine, self.is_radial).filter(|steady| !self.speeds_up && steady.radius() < largest)
         {
-            let position = steady.amplitude();
+            let position = steady.amplitude() * now.load();
             now.shaft = Shaft { position, velocity: Complex::new(0.0, machine.spin()) * position };
         }
-        let mut cuts = vec![0.0, run_up, kick.unwrap_or(0.0)];
+        let mut cuts = [&[0.0, run_up], &kicks[..]].concat();
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
         cuts.push(self.end);
@@ -271,9 +275,7 @@ impl Course {
             if let Some(part) = self.parts.last() {
                 now = part.at(from)?;
             }
-            if kick == Some(from) {
-                now.shaft.velocity += KICK;
-            }
+            now.shaft.velocity += KICK * kicks.iter().filter(|kick| **kick == from).count() as f64;
             if let Some(driven) = self.driven {
                 self.parts.push(Part::driven(driven, &now, [from, span[1]])?);
                 continue;
@@ -330,7 +332,7 @@ impl Course {
 
     /// Whether the machine has been kicked by a time.
     pub(super) fn is_kicked(&self, time: f64) -> bool {
-        self.kick.is_some_and(|kick| kick <= time)
+        self.kicks.first().is_some_and(|kick| *kick <= time)
     }
 
     /// The force of springs and dampers on the floor, N: minus what they do to a drum that does not turn, and what the
@@ -351,9 +353,8 @@ impl Course {
             left += self.force(&self.at(from + place * (time - from))?) * (weight * (time - from));
         }
         left += self.momentum(&self.at(time)?) - self.momentum(&self.at(0.0)?);
-        if self.is_kicked(time) && self.kick > Some(0.0) {
-            left -= KICK * self.machine.total_mass();
-        }
+        let kicks = self.kicks.iter().filter(|kick| (f64::MIN_POSITIVE..=time).contains(*kick)).count();
+        left -= KICK * (self.machine.total_mass() * kicks as f64);
         Ok(left.norm())
     }
 

@@ -248,7 +248,7 @@ impl<'a> Drum<'a> {
                 kit::head(drawing, *tip, *tip - *neck, 1.0, Hue::Orange);
             }
         }
-        if self.course.is_kicked(self.time) && !self.course.is_kicked(self.time - 0.12) {
+        if self.course.kicks.iter().any(|kick| (0.0..0.12).contains(&(self.time - kick))) {
             let wall = self.shaft - TUB;
             kit::arrow(drawing, self.land(wall - 0.8, RIM), self.land(wall, RIM), Hue::Pink);
             drawing.label(self.land(wall - 0.9, RIM), Side::Over, "kick", Hue::Pink)?;

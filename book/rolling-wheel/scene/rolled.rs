@@ -1,6 +1,6 @@
 //! How the wheel of the scene rolls.
 
-use live::{Cause, Settings};
+use live::{Cause, Press, Settings};
 use mechanics::InvalidQuantity;
 use mechanics::integrate::{Failure, Taylor, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
@@ -46,8 +46,8 @@ fn tongue(wheel: &Wheel) -> Vec<(f64, f64)> {
 pub(super) enum Course {
     /// It is steady.
     Steady,
-    /// It is steady up to a kick, and wobbles from then on.
-    Wobbling { kicked: f64 },
+    /// It is steady up to a kick, and wobbles from then on, from each kick in another way: when they came, s.
+    Wobbling(Vec<(f64, Wobble)>),
     /// It was followed step by step, the states being [`STEP`] apart, until it lay flat at the time of the last.
     Followed(Vec<Rolling>),
 }
@@ -63,11 +63,15 @@ pub(super) struct Rolled {
     pub(super) circle: f64,
     pub(super) push: f64,
     pub(super) loss: f64,
-    /// When it is kicked, s, if it is: if its states are known step by step, at one of them.
-    pub(super) kicked: Option<f64>,
+    /// When it is kicked, s: if its states are known step by step, at one of them.
+    pub(super) kicks: Vec<f64>,
+    /// The heading and the angle of the roll with which it begins.
+    pub(super) turned: [f64; 2],
     pub(super) steady: Option<SteadyRolling>,
-    /// What the kick makes of the steady motion, if the lean swings.
+    /// The wobbling from the last kick on, or from one that may come at the beginning, if the lean swings; and the
+    /// leans between which it does.
     pub(super) wobble: Option<Wobble>,
+    pub(super) swung: [f64; 2],
     pub(super) course: Course,
     pub(super) start: Rolling,
     /// The states of the run and their times, s: [`STEP`] apart, and closer where it whirls.
@@ -87,23 +91,42 @@ impl Rolled {
         let far = settings.of("reach")?;
         let wheel = wheel(which, far)?;
         let (lean, circle) = (settings.of("lean")?.to_radians(), settings.of("circle")?);
-        let (push, loss, kicked) = (settings.of("push")?, settings.of("loss")?, settings.pressed("kick")?);
+        let (push, loss, kicks) = (settings.of("push")?, settings.of("loss")?, settings.presses("kick")?);
+        let turned = [settings.of("heading")?, settings.of("roll")?];
         let steady = wheel.steady(lean, circle * RADIUS).ok();
-        let rest = Rolling { tilt: FRAC_PI_2 - lean, ..Rolling::UPRIGHT };
-        let start = steady.map_or(rest, |steady| steady.state());
-        let kick = |state: Rolling| Rolling { omega_1: state.omega_1 + push, ..state };
-        let wobble = steady.filter(|_| push != 0.0).and_then(|steady| {
-            let start = kick(steady_at(&steady, kicked.unwrap_or(0.0)));
-            wheel.wobble(start, &Taylor::new(1e-13).ok()?).ok()
-        });
-        let course = match (steady, wobble.is_some(), kicked) {
-            (Some(_), true, Some(kicked)) if loss == 0.0 => Course::Wobbling { kicked },
-            (Some(_), _, None) if loss == 0.0 => Course::Steady,
-            (Some(_), false, _) if loss == 0.0 && push == 0.0 => Course::Steady,
-            _ => Course::Followed(followed(&wheel, start, loss, kicked.map(|time| (time, push)))),
+        let [heading, roll_angle] = turned;
+        let rest = Rolling { tilt: FRAC_PI_2 - lean, heading, roll_angle, ..Rolling::UPRIGHT };
+        let start = steady.map_or(rest, |steady| steady_at(&steady, turned, 0.0));
+        let wobbling = |state: Rolling, push: f64| {
+            let kicked = Rolling { omega_1: state.omega_1 + push, ..state };
+            wheel.wobble(kicked, &Taylor::new(1e-13).ok()?).ok()
+        };
+        // Each kick acts on the motion as it is then.
+        let (mut wobbles, mut is_known) = (Vec::<(f64, Wobble)>::new(), loss == 0.0 && steady.is_some());
+        for &[time, push, _] in kicks.iter().filter(|kick| kick[1] != 0.0) {
+            let Some(steady) = steady.filter(|_| is_known) else { break };
+            let now = match wobbles.last() {
+                Some((from, wobble)) => wobble.at(time - from)?,
+                None => steady_at(&steady, turned, time),
+            };
+            match wobbling(now, push) {
+                Some(wobble) => wobbles.push((time, wobble)),
+                None => is_known = false,
+            }
+        }
+        let last = match wobbles.last() {
+            Some((_, wobble)) => Some(wobble.clone()),
+            None if kicks.is_empty() && push != 0.0 && is_known => wobbling(start, push),
+            None => None,
+        };
+        let wobble = last.filter(|_| is_known);
+        let course = match (is_known, wobbles.is_empty()) {
+            (true, true) => Course::Steady,
+            (true, false) => Course::Wobbling(wobbles),
+            (false, _) => Course::Followed(followed(&wheel, start, loss, &kicks)),
         };
         let is_followed = matches!(course, Course::Followed(_));
-        let kicked = kicked.map(|time| if is_followed { (time / STEP).round() * STEP } else { time });
+        let on_step = |time: f64| if is_followed { (time / STEP).round() * STEP } else { time };
         let mut rolled = Self {
             tongue: tongue(&wheel),
             wheel,
@@ -113,9 +136,11 @@ impl Rolled {
             circle,
             push,
             loss,
-            kicked,
+            kicks: kicks.iter().map(|kick| on_step(kick[0])).collect(),
+            turned,
             steady,
             wobble,
+            swung: [lean; 2],
             course,
             start,
             states: Vec::new(),
@@ -142,6 +167,8 @@ impl Rolled {
             let Some(wobble) = rolled.wobble.as_ref().filter(|_| loss == 0.0) else { break };
             let state = wobble.at(wobble.period() * f64::from(k) / 120.0)?;
             rolled.widen(&state);
+            let [low, high] = rolled.swung;
+            rolled.swung = [low.min(state.lean()), high.max(state.lean())];
         }
         Ok(rolled)
     }
@@ -192,10 +219,12 @@ impl Rolled {
 
     /// The state at a time, s.
     pub(super) fn at(&self, time: f64) -> Result<Rolling, Cause> {
-        let steady = |time: f64| self.steady.map_or(self.start, |steady| steady_at(&steady, time));
-        match (&self.course, &self.wobble) {
-            (Course::Wobbling { kicked }, Some(wobble)) if time >= *kicked => Ok(wobble.at(time - kicked)?),
-            (Course::Followed(states), _) => {
+        match &self.course {
+            Course::Wobbling(wobbles) if wobbles[0].0 <= time => {
+                let (from, wobble) = &wobbles[wobbles.partition_point(|(from, _)| *from <= time) - 1];
+                Ok(wobble.at(time - from)?)
+            }
+            Course::Followed(states) => {
                 let last = states.len() - 1;
                 let before = ((time / STEP + 1e-9) as usize).min(last); // that of a step, whatever is rounded
                 let since = time - before as f64 * STEP;
@@ -205,17 +234,17 @@ impl Rolled {
                 let now = rolled_on(&self.wheel, self.loss, &states[before], since);
                 Ok(now.ok().filter(|now| !is_flat(now)).unwrap_or(states[before + 1]))
             }
-            _ => Ok(steady(time)),
+            _ => Ok(self.steady.map_or(self.start, |steady| steady_at(&steady, self.turned, time))),
         }
     }
 }
 
-/// The steady motion at a time, s.
-fn steady_at(steady: &SteadyRolling, time: f64) -> Rolling {
+/// The steady motion at a time, s, that begins with a heading and an angle of the roll.
+fn steady_at(steady: &SteadyRolling, [heading, roll]: [f64; 2], time: f64) -> Rolling {
     let state = steady.state();
-    let heading = steady.turn_rate() * time;
+    let heading = heading + steady.turn_rate() * time;
     let centre = state.centre * Complex::cis(heading);
-    Rolling { heading, roll_angle: steady.relative_spin() * time, centre, ..state }
+    Rolling { heading, roll_angle: roll + steady.relative_spin() * time, centre, ..state }
 }
 
 /// Whether the wheel has fallen.
@@ -229,16 +258,13 @@ fn rolled_on(wheel: &Wheel, loss: f64, state: &Rolling, time: f64) -> Result<Rol
     Ok(Rolling::from_array(rk4(rates, 0.0, state.to_array(), time, 10)?))
 }
 
-/// The motion step by step, [`STEP`] apart, with a kick at a time of a strength, to the end of the run or until the
+/// The motion step by step, [`STEP`] apart, with kicks at times of some strengths, to the end of the run or until the
 /// wheel lies flat, where it comes to rest.
-fn followed(wheel: &Wheel, mut now: Rolling, loss: f64, kick: Option<(f64, f64)>) -> Vec<Rolling> {
+fn followed(wheel: &Wheel, mut now: Rolling, loss: f64, kicks: &[Press]) -> Vec<Rolling> {
     let mut states = Vec::new();
     for k in 0..(DURATION / STEP).round() as u32 {
-        if let Some((time, push)) = kick
-            && (time / STEP).round() == f64::from(k)
-        {
-            now.omega_1 += push;
-        }
+        let given = kicks.iter().filter(|kick| (kick[0] / STEP).round() == f64::from(k));
+        now.omega_1 += given.map(|kick| kick[1]).sum::<f64>();
         states.push(now);
         // What has no next state has fallen through the table.
         let next = rolled_on(wheel, loss, &now, STEP).ok().filter(|next| !is_flat(next));

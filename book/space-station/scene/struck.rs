@@ -1,4 +1,4 @@
-//! The station as it turns: before a blow, after it, and after a second one.
+//! The station as it turns: before a blow, after it, and after later ones.
 
 use live::Cause;
 use mechanics::euler::Turning;
@@ -15,37 +15,42 @@ pub(super) const SPIN: f64 = 0.45;
 /// A motion whose axis is no further from its angular momentum than this, rad, does not nod.
 pub(super) const STILL: f64 = 2e-3;
 
-/// The two blows.
-#[derive(Clone, Copy)]
+/// The blows: the first, those of the thruster, and the last of them, or the one to come.
+#[derive(Clone)]
 pub(super) struct Blows {
     pub(super) first: Blow,
+    pub(super) between: Vec<LaterBlow>,
     pub(super) second: LaterBlow,
     pub(super) is_fired: bool,
 }
 
-/// The station, struck once or twice.
+/// The station, struck once or more often: the time of each later blow, the motion since, and the drift.
 pub(super) struct Struck {
     pub(super) first: StruckStation,
-    pub(super) second: Option<(f64, FreeSymmetricTop, Vector3<f64>)>,
+    pub(super) later: Vec<(f64, FreeSymmetricTop, Vector3<f64>)>,
 }
 
 impl Struck {
     pub(super) fn new(blows: &Blows) -> Result<Self, Cause> {
         let station = Station::new(StationParameters { body: Body::hoop(MASS, RADIUS)?, spin: SPIN })?;
         let first = station.struck(blows.first)?;
-        let Blows { second, is_fired, .. } = *blows;
-        let second = if is_fired {
-            let push = first.at(second.time)?.axis_3_world() * (second.blow.impulse / MASS); // eq:drift
-            Some((second.time, first.struck_again(second)?, first.centre_velocity() + push))
-        } else {
-            None
-        };
-        Ok(Self { first, second })
+        let mut struck = Self { first, later: Vec::new() };
+        for blow in blows.between.iter().chain(Some(&blows.second).filter(|_| blows.is_fired)) {
+            let push = struck.at(blow.time)?.axis_3_world() * (blow.blow.impulse / MASS); // eq:drift
+            let (top, velocity) = match struck.later.last() {
+                Some((from, top, velocity)) => {
+                    (LaterBlow { time: blow.time - from, ..*blow }.on(top)?, *velocity)
+                }
+                None => (first.struck_again(*blow)?, first.centre_velocity()),
+            };
+            struck.later.push((blow.time, top, velocity + push));
+        }
+        Ok(struck)
     }
 
     /// The blow of which the station is turning at a time: when it came, and the motion since.
     pub(super) fn last(&self, time: f64) -> Option<&(f64, FreeSymmetricTop, Vector3<f64>)> {
-        self.second.as_ref().filter(|(fired, ..)| time >= *fired)
+        self.later.iter().rev().find(|(fired, ..)| time >= *fired)
     }
 
     /// Attitude and angular velocity; before the first blow the station turns about its axis.
@@ -77,11 +82,17 @@ impl Struck {
     /// Counts until a time, in turns: nods, turns of a mark on the rim, turns of the axis of rotation on board.
     pub(super) fn counts(&self, time: f64) -> [f64; 3] {
         let first = rates(self.first.momentum_angle(), self.first.nodding_rate(), self.first.body_rate());
-        let end = self.last(time).map_or(time, |(fired, ..)| *fired);
-        let second = self.last(time).map_or([0.0; 3], |(_, top, _)| {
-            rates(top.momentum_angle(), top.precession_rate(), top.body_rate())
+        let later = self.later.iter().map(|(fired, top, _)| {
+            (*fired, rates(top.momentum_angle(), top.precession_rate(), top.body_rate()))
         });
-        [0, 1, 2].map(|index| (first[index] * end + second[index] * (time - end)) / TAU)
+        let parts: Vec<_> = std::iter::once((0.0, first)).chain(later).collect();
+        [0, 1, 2].map(|index| {
+            let turned = parts.iter().enumerate().map(|(part, (from, rates))| {
+                let end = parts.get(part + 1).map_or(time, |next| next.0.min(time));
+                rates[index] * (end - from).max(0.0)
+            });
+            turned.sum::<f64>() / TAU
+        })
     }
 }
 

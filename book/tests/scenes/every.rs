@@ -5,7 +5,7 @@ use drawing::{Drawing, Point, Rect, at};
 use fastrand::Rng;
 use live::{Kind, Moment, Player, Room, Scene};
 use std::collections::BTreeSet;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Settings that are tried in each scene.
 const TRIALS: u32 = 150;
@@ -45,7 +45,8 @@ fn any(kind: Kind, random: &mut Rng) -> f64 {
         }
         Kind::Choice(choices) => random.usize(0..choices.len()) as f64,
         Kind::Switch => f64::from(random.bool()),
-        Kind::Button => [-1.0, 0.0, 10.0 * random.f64()][random.usize(0..3)],
+        Kind::Button(_) => [-1.0, 0.0, 10.0 * random.f64()][random.usize(0..3)],
+        Kind::Kept => TAU * random.f64(),
     }
 }
 
@@ -98,7 +99,7 @@ fn every_scene_can_be_named_and_set() {
                 }
                 Kind::LogSlider { from, to, .. } => assert!(0.0 < from && from < to, "{of}"),
                 Kind::Choice(choices) => assert!(choices.len() > 1, "{of}"),
-                Kind::Switch | Kind::Button => {}
+                Kind::Switch | Kind::Button(_) | Kind::Kept => {}
             }
         }
         let start = Player::new(scene).unwrap_or_else(|cause| panic!("{}: {cause}", scene.name));
@@ -113,6 +114,61 @@ fn every_scene_can_be_named_and_set() {
         }
         for wrong in [vec![f64::NAN; scene.controls.len()], vec![1e300; scene.controls.len()], Vec::new()] {
             assert!(Player::with(scene, wrong).is_err(), "{}", scene.name);
+        }
+    }
+}
+
+/// All that a page shows at some moments of a scene.
+fn shown(player: &mut Player) -> Vec<String> {
+    let [azimuth, elevation] = player.scene().view.unwrap_or_default();
+    let duration = player.run().duration;
+    let mut all = vec![player.words(0.0)];
+    for part in [0.0, 0.11, 0.3, 0.7, 1.0] {
+        let time = part * duration;
+        let drawing = player.draw(Moment { time, azimuth, elevation, room: Room::Wide }).expect("a picture");
+        all.push(drawing.to_elements().expect("no flaw"));
+        all.extend(player.readings(time).expect("readings"));
+    }
+    all
+}
+
+#[test]
+fn a_control_does_something_unless_it_says_what_it_waits_for() {
+    for scene in all() {
+        let start = Player::new(scene).expect("it begins");
+        for (place, control) in scene.controls.iter().enumerate() {
+            let of = format!("{}: {}", scene.name, control.name);
+            let other = match control.kind {
+                Kind::Slider { from, to, .. } | Kind::LogSlider { from, to, .. } => {
+                    let middle = from + 0.37 * (to - from);
+                    if (control.start - middle).abs() < 0.1 * (to - from) { to } else { middle }
+                }
+                _ => 1.0 - control.start.max(0.0),
+            };
+            let changes = |settings: &[(&str, f64)]| {
+                let mut before = start.changed(settings).expect("an answer");
+                let after = before.changed(&[(control.name, other)]);
+                after.map_or(true, |mut after| shown(&mut before) != shown(&mut after))
+            };
+            let Some((waits_for, [from, to])) = control.when else {
+                assert!(changes(&[]), "{of} does nothing");
+                continue;
+            };
+            assert!(changes(&[(waits_for, from)]), "{of} does nothing");
+            let governing = scene.controls.iter().position(|control| control.name == waits_for);
+            let governing = governing.expect("it waits for a control");
+            assert!(
+                governing != place && !(from..=to).contains(&scene.controls[governing].start)
+                    || matches!(scene.controls[governing].kind, Kind::Choice(_)),
+                "{of} waits for nothing"
+            );
+            let dead = match scene.controls[governing].kind {
+                Kind::Choice(choices) => (0..choices.len()).map(|choice| choice as f64).collect(),
+                _ => vec![-1.0],
+            };
+            for value in dead.into_iter().filter(|value| !(from..=to).contains(value)) {
+                assert!(!changes(&[(waits_for, value)]), "{of} does something at {waits_for} = {value}");
+            }
         }
     }
 }
@@ -202,7 +258,7 @@ fn no_settings_break_a_scene() {
                         let grain = match control.kind {
                             Kind::Slider { step, .. } => 1.001 * step,
                             Kind::LogSlider { .. } => 0.01 * before,
-                            Kind::Choice(_) | Kind::Switch | Kind::Button => 0.0,
+                            _ => 0.0,
                         };
                         let name = control.name;
                         assert!(

@@ -1,6 +1,8 @@
 //! A grip that a hand draws to where it stands for other settings stands there.
 
 use crate::hand::{Hand, Settings};
+use drawing::kit::GRIP;
+use drawing::{Role, Shape};
 use live::Room;
 
 /// A scene, a time, its settings, a grip, and what is different where the hand draws it.
@@ -28,6 +30,31 @@ const CASES: &[(&str, f64, Settings, usize, Settings)] = &[
     ("wobble-plate", 0.006, &[("mass", 1.0)], 0, &[("mass", 2.2)]),
     ("wobble-plate", 0.006, &[("mass", 1.0)], 1, &[("tilt", 37.5)]),
 ];
+
+#[test]
+fn what_can_be_held_looks_so_and_nothing_else_does() {
+    for scene in pages::scenes::SCENES.iter().map(|(_, scene)| *scene) {
+        for settings in [&[][..]].into_iter().chain(scene.presets.iter().map(|preset| preset.settings)) {
+            let mut hand = Hand::with(scene.name, settings);
+            for (part, room) in [(0.02, Room::Wide), (0.4, Room::Narrow), (0.9, Room::Wide)] {
+                let drawing = hand.draw(part * hand.duration(), room);
+                let marks = drawing.items().iter().filter_map(|item| match item.shape {
+                    Shape::Circle { centre, radius } if radius == GRIP => {
+                        matches!(item.role, Role::Line(..)).then_some(centre)
+                    }
+                    _ => None,
+                });
+                let (marks, grips) = (marks.collect::<Vec<_>>(), hand.grips());
+                let of = format!("{} {settings:?} at {part}, {room:?}: {marks:?} and {grips:?}", scene.name);
+                assert_eq!(marks.len(), grips.len(), "{of}");
+                assert!(
+                    grips.iter().all(|grip| marks.iter().any(|mark| (*mark - *grip).length() < 0.5)),
+                    "{of}"
+                );
+            }
+        }
+    }
+}
 
 #[test]
 fn grips_follow_the_hand() {

@@ -1,7 +1,7 @@
 //! A reader's hand: what tests do with a scene.
 
 use drawing::{Drawing, Label, Piece, Point, Shape};
-use live::{Moment, Player, Room, Scene};
+use live::{Moment, Player, Press, Room, Scene};
 
 /// Names of controls and their values.
 pub(crate) type Settings = &'static [(&'static str, f64)];
@@ -24,6 +24,21 @@ impl Hand {
         let scene = pages::scenes::named(name).expect("no such scene");
         let preset = scene.presets.iter().find(|preset| preset.words.contains(words));
         Self::with(name, preset.expect("no such preset").settings)
+    }
+
+    /// The same after earlier presses of a button: times, and how strong each was.
+    pub(crate) fn pressed(&self, button: &str, earlier: &[Press]) -> Self {
+        let place = self.scene().controls.iter().position(|control| control.name == button);
+        let place = place.expect("a button") as f64;
+        let presses = earlier.iter().flat_map(|&[time, one, other]| [place, time, one, other]);
+        let values = self.player.values().iter().copied().chain(presses).collect();
+        Self::of(Player::with(self.scene(), values).expect("an answer"))
+    }
+
+    /// The same with a control set to another value at a time, by a hand that goes on.
+    pub(crate) fn moved(&self, name: &str, value: f64, time: f64) -> Self {
+        let values = self.player.changed(&[(name, value)]).expect("an answer").values().to_vec();
+        Self::of(self.player.continued(values, time).expect("an answer"))
     }
 
     fn of(player: Player) -> Self {

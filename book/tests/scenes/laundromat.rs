@@ -137,6 +137,37 @@ fn a_radial_damper_holds_until_it_is_kicked() {
 }
 
 #[test]
+fn a_second_kick_acts_on_the_motion_as_it_is() {
+    let drum = Drum { spin: 22.0, floor: 3.0, ..Drum::default() };
+    let twice = washer(&[("spin", 22.0), ("kick", 1.1)]).pressed("kick", &[[0.4, 0.0, 0.0]]);
+    for end in [0.9_f64, 1.6] {
+        let mut state = drum.after(drum.start(), 0.4, end.min(1.1));
+        if end > 1.1 {
+            state[2] += KICK;
+            state = rk4(|time, state: &[f64; 4]| drum.rates(time, state), 1.1, state, end, 20_000)
+                .expect("steps");
+        }
+        let shaft = 1e3 * state[0].hypot(state[1]);
+        close(twice.reading(end, "shaft"), shaft, 0.02, &format!("after {end} s"));
+        close(twice.reading(end, "drift"), 0.0, 1e-6, "the balance of momentum");
+    }
+}
+
+#[test]
+fn a_drum_whose_spin_is_changed_goes_on_from_where_it_is() {
+    let moved = washer(&[("spin", 10.0)]).moved("spin", 11.3, 6.0);
+    close(moved.value("phase"), (6.0 * (10.0 - 11.3_f64)).rem_euclid(TAU), 1e-5, "the load at the beginning");
+    let again = moved.moved("spin", 9.0, 2.0);
+    close(again.value("phase"), (moved.value("phase") + 2.0 * 2.3).rem_euclid(TAU), 2e-5, "and again");
+    close(
+        moved.moved("damping", 0.5, 3.0).value("phase"),
+        moved.value("phase"),
+        0.0,
+        "the damping turns nothing",
+    );
+}
+
+#[test]
 fn the_words_say_how_a_kick_fares() {
     for spin in [3.0, 8.0, 9.5, 10.5, 15.0, 22.0, 40.0, 60.0] {
         for damping in [0.1, 0.3, 1.0, 2.4] {

@@ -89,6 +89,34 @@ fn the_readings_are_those_of_a_motion_followed_step_by_step() {
 }
 
 #[test]
+fn a_second_kick_acts_on_the_motion_as_it_is_and_a_changed_circle_turns_nothing() {
+    let lean = 28_f64.to_radians();
+    for loss in [0.0, 0.05] {
+        let settings = [("push", -0.4), ("kick", 1.5), ("loss", loss)];
+        let (hand, wheel) = (set(&settings).pressed("kick", &[[0.5, 0.8, 0.0]]), wheel(0.0, 1.0));
+        for end in [1.2_f64, 2.4] {
+            let mut state = judge(&wheel, [1.0, lean, 0.8, 0.5, loss], end.min(1.5));
+            if end > 1.5 {
+                state.omega_1 -= 0.4;
+                let solver = Dop853::new(1e-13).expect("a tolerance");
+                let rates = wheel.slowed_rates(loss);
+                let end = solver.solve(rates, 1.5, state.to_array(), end).expect("it rolls");
+                state = Rolling::from_array(end.state);
+            }
+            let off = hand.reading(end, "lean") - state.lean().to_degrees();
+            assert!(off.abs() < 0.06, "after {end} s, with a loss of {loss}: {off}°");
+        }
+    }
+    // The heading and the roll are what they were: at once, and together with what the new circle adds.
+    let before = set(&[("kick", -1.0)]);
+    let rounds = |hand: &Hand| hand.value("heading") / TAU + hand.reading(3.0, "times round");
+    for (name, value) in [("lean", 31.0), ("circle", 1.4)] {
+        let gap = rounds(&before) - rounds(&before.moved(name, value, 3.0));
+        assert!((gap - gap.round()).abs() < 1e-4, "{name}: {gap} rounds");
+    }
+}
+
+#[test]
 fn a_nudge_grows_at_the_rate_that_is_told() {
     let told = number_behind(&set(&[("lean", 10.0), ("circle", 0.8)]).words(), "at the rate ");
     let growth = |time: f64| {

@@ -77,6 +77,21 @@ fn blows_nod_it_stop_it_or_do_nothing() {
 }
 
 #[test]
+fn a_blow_that_is_taken_back_at_once_leaves_what_was() {
+    let both =
+        played(&[("fire", 9.0), ("thruster", 120.0), ("thrust", -1.5)]).pressed("fire", &[[9.0, 120.0, 1.5]]);
+    let once = played(&[("fire", 9.0), ("thruster", 120.0), ("thrust", -1.5)]);
+    for words in [NODS, ON_BOARD, MARK, "drift"] {
+        let [never, twice] = [&played(&[]), &both].map(|hand| hand.reading(30.0, words));
+        assert!((never - twice).abs() < 1e-9, "{words}: {never} and {twice}");
+    }
+    assert!(
+        (once.reading(30.0, "drift") - played(&[]).reading(30.0, "drift")).abs() > 0.1,
+        "one alone pushes"
+    );
+}
+
+#[test]
 fn an_axis_of_rotation_beyond_the_sky_is_pointed_to() {
     for room in [Room::Wide, Room::Narrow] {
         for impulse in [1.8, 4.0, 5.4, 9.0, 10.0] {

@@ -10,5 +10,5 @@ mod portrait;
 pub(crate) use arrow::{HEAD, size};
 pub use arrow::{Heads, angle, arrow, dimension, head};
 pub use device::{damper, ground, spring};
-pub use marker::{Marker, marker};
+pub use marker::{GRIP, Marker, grip, marker};
 pub use portrait::portrait;

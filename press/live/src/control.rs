@@ -14,6 +14,8 @@ pub struct Control {
     pub kind: Kind,
     /// Its value when the page opens.
     pub start: f64,
+    /// If it does something only while another control is between two values: that one's name, and the two.
+    pub when: Option<(&'static str, [f64; 2])>,
 }
 
 /// The kinds of controls.
@@ -43,9 +45,19 @@ pub enum Kind {
     Choice(&'static [&'static str]),
     /// On (1) or off (0).
     Switch,
-    /// A button. Its value is the scene's time at which it was pressed last, s, or −1.
-    Button,
+    /// A button. Its value is the scene's time at which it was pressed last, s, or −1. If its presses add up, each with
+    /// what went before it: the controls, two at most, that say how strong a press is.
+    Button(Option<&'static [&'static str]>),
+    /// An angle, rad, that no reader sets: the scene turns by it, so that nothing leaps when another control is changed.
+    /// See [`Motion::kept`](crate::Motion::kept).
+    Kept,
 }
+
+/// A press of a button: the scene's time, s, and how strong it was by the controls that say so, or zeros.
+pub type Press = [f64; 3];
+
+/// How an earlier press stands behind the values of the controls: the place of its button before it.
+pub(crate) const EARLIER: usize = 4;
 
 impl Control {
     /// A slider.
@@ -56,7 +68,7 @@ impl Control {
         unit: &'static str,
         start: f64,
     ) -> Self {
-        Self { name, words, kind: Kind::Slider { from, to, step, unit }, start }
+        Self { name, words, kind: Kind::Slider { from, to, step, unit }, start, when: None }
     }
 
     /// A slider over powers of ten.
@@ -67,29 +79,44 @@ impl Control {
         unit: &'static str,
         start: f64,
     ) -> Self {
-        Self { name, words, kind: Kind::LogSlider { from, to, unit }, start }
+        Self { name, words, kind: Kind::LogSlider { from, to, unit }, start, when: None }
     }
 
     /// A choice; the first is taken when the page opens.
     pub const fn choice(name: &'static str, words: &'static str, choices: &'static [&'static str]) -> Self {
-        Self { name, words, kind: Kind::Choice(choices), start: 0.0 }
+        Self { name, words, kind: Kind::Choice(choices), start: 0.0, when: None }
     }
 
     /// A switch.
     pub const fn switch(name: &'static str, words: &'static str, is_on: bool) -> Self {
-        Self { name, words, kind: Kind::Switch, start: if is_on { 1.0 } else { 0.0 } }
+        Self { name, words, kind: Kind::Switch, start: if is_on { 1.0 } else { 0.0 }, when: None }
     }
 
     /// A button.
     pub const fn button(name: &'static str, words: &'static str) -> Self {
-        Self { name, words, kind: Kind::Button, start: -1.0 }
+        Self { name, words, kind: Kind::Button(None), start: -1.0, when: None }
+    }
+
+    /// A button whose presses add up, and the controls that say how strong each is.
+    pub const fn adding(name: &'static str, words: &'static str, strengths: &'static [&'static str]) -> Self {
+        Self { kind: Kind::Button(Some(strengths)), ..Self::button(name, words) }
+    }
+
+    /// An angle that the scene keeps.
+    pub const fn kept(name: &'static str) -> Self {
+        Self { name, words: "", kind: Kind::Kept, start: 0.0, when: None }
+    }
+
+    /// The same, of no effect but while another control is between two values: a reader cannot move it then.
+    pub const fn when(self, other: &'static str, between: [f64; 2]) -> Self {
+        Self { when: Some((other, between)), ..self }
     }
 
     /// Its unit, as printed; empty for pure numbers, and for what is no slider.
     pub fn unit(&self) -> &'static str {
         match self.kind {
             Kind::Slider { unit, .. } | Kind::LogSlider { unit, .. } => unit,
-            Kind::Choice(_) | Kind::Switch | Kind::Button => "",
+            _ => "",
         }
     }
 
@@ -101,7 +128,7 @@ impl Control {
                 step.to_string().split_once('.').map_or(0, |(_, digits)| digits.len())
             }
             Kind::LogSlider { .. } => (2.0 - self.start.log10().floor()).clamp(0.0, 15.0) as usize,
-            Kind::Choice(_) | Kind::Switch | Kind::Button => 0,
+            _ => 0,
         };
         written(self.start, Form::Fixed(digits), self.unit())
     }
@@ -117,7 +144,8 @@ impl Control {
             Kind::LogSlider { from, to, .. } => value.clamp(from, to),
             Kind::Choice(choices) => value.round().clamp(0.0, choices.len() as f64 - 1.0),
             Kind::Switch => f64::from(value != 0.0),
-            Kind::Button => value.max(-1.0),
+            Kind::Button(_) => value.max(-1.0),
+            Kind::Kept => value,
         };
         nearest.is_finite().then_some(nearest)
     }
@@ -155,5 +183,23 @@ impl Settings<'_> {
     /// When a button was pressed last, s of the scene.
     pub fn pressed(&self, name: &str) -> Result<Option<f64>, Cause> {
         Ok(Some(self.of(name)?).filter(|time| *time >= 0.0))
+    }
+
+    /// The presses of a button whose presses add up, in the order of their times. The last is as strong as the
+    /// controls say now, those before it as strong as they were then.
+    pub fn presses(&self, name: &str) -> Result<Vec<Press>, Cause> {
+        let place = place_of(self.controls, name)?;
+        let earlier = self.values[self.controls.len()..].chunks_exact(EARLIER);
+        let own = earlier.filter(|press| press[0] == place as f64);
+        let mut presses: Vec<Press> = own.map(|press| [press[1], press[2], press[3]]).collect();
+        if let (Some(time), Kind::Button(strengths)) = (self.pressed(name)?, self.controls[place].kind) {
+            let mut press = [time, 0.0, 0.0];
+            for (slot, strength) in press[1..].iter_mut().zip(strengths.unwrap_or_default()) {
+                *slot = self.of(strength)?;
+            }
+            presses.push(press);
+        }
+        presses.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        Ok(presses)
     }
 }

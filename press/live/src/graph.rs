@@ -2,7 +2,7 @@
 
 use crate::Cause;
 use drawing::{
-    Axes, Axis, Drawing, Fill, Flaw, Hue, Label, Point, Rect, Role, Shape, Side, Stroke, at, clip,
+    Axes, Axis, Drawing, Fill, Flaw, Hue, Label, Point, Rect, Role, Shape, Side, Stroke, at, clip, kit,
 };
 
 /// Lengths of ticks, px; the type sizes of their numbers and of titles.
@@ -89,11 +89,23 @@ impl<'a> Graph<'a> {
         }
     }
 
-    /// A ring at a pair of values: what a hand can take hold of.
+    /// What a hand can take hold of, at a pair of values.
     pub fn grip(&mut self, value: (f64, f64), hue: Hue) {
         let point = self.at(value);
-        self.drawing.circle(point, 3.2, Role::Area(Fill::Page, hue));
-        self.drawing.circle(point, 3.2, Role::Line(Stroke::Curve, hue));
+        kit::grip(self.drawing, point, hue);
+    }
+
+    /// Draws what answers the chapter's guess: the page covers it until the reader has guessed. There is one such part
+    /// of a picture.
+    ///
+    /// # Errors
+    /// Those of what draws it.
+    pub fn answer(&mut self, draw: impl FnOnce(&mut Self) -> Result<(), Flaw>) -> Result<(), Flaw> {
+        let before = self.drawing.items().len();
+        draw(self)?;
+        let pieces = self.drawing.items().len() - before;
+        self.drawing.name_curve("answer", pieces);
+        Ok(())
     }
 
     /// A line across the plot at a value of y.

@@ -17,7 +17,7 @@ mod written;
 
 #[doc(hidden)]
 pub use approx;
-pub use control::{Control, Kind, Settings};
+pub use control::{Control, Kind, Press, Settings};
 pub use drawing::{Axis, Room};
 pub use formulas::formulas;
 pub use graph::{Graph, point_at, value_at};

@@ -15,8 +15,8 @@ use drawing::{Room, at};
 use std::cell::{Cell, RefCell};
 use std::panic;
 
-/// As many values as a scene or a snippet can have.
-const MOST: usize = 64;
+/// As many values as a scene, with its earlier presses, or a snippet can have.
+const MOST: usize = 128;
 
 thread_local! {
     static INPUT: [Cell<f64>; MOST] = const { [const { Cell::new(0.0) }; MOST] };
@@ -26,7 +26,7 @@ thread_local! {
     static PLAYER: RefCell<Option<Player>> = const { RefCell::new(None) };
 }
 
-/// Where numbers go in: 64 of them.
+/// Where numbers go in: 128 of them.
 pub fn input() -> *const f64 {
     INPUT.with(|input| input.as_ptr().cast())
 }
@@ -67,25 +67,32 @@ const fn lies_in(page: &[u8], chapter: &[u8]) -> bool {
     at == chapter.len() && (at == page.len() || page[at] == b'/')
 }
 
-/// Begins or changes a scene: its place in the book, and how many values of its controls stand in [`input`]. With
-/// none it begins with its own.
+/// Begins or changes a scene: its place in the book, and how many values of its controls, and of earlier presses, stand
+/// in [`input`]. With none it begins with its own. From a time on it goes on from the motion before, and leaves in
+/// [`input`] what the controls have come to; below zero it begins anew.
 ///
 /// # Panics
 /// If the module has no such scene.
-pub fn start(scenes: &[Option<&'static Scene>], scene: usize, count: usize) -> isize {
+pub fn start(scenes: &[Option<&'static Scene>], scene: usize, count: usize, time: f64) -> isize {
     listen();
     answer(|| {
         let held = scenes.get(scene).copied().flatten();
         let scene = held.unwrap_or_else(|| panic!("this module has no scene {scene}"));
-        let mut player = if count == 0 { Player::new(scene)? } else { Player::with(scene, values(count))? };
         PLAYER.with(|own| {
             let mut own = own.borrow_mut();
-            if let Some(before) = &*own {
+            let before = own.as_ref().filter(|before| before.scene().name == scene.name);
+            let mut player = match before {
+                _ if count == 0 => Player::new(scene)?,
+                Some(before) if time >= 0.0 => before.continued(values(count), time)?,
+                _ => Player::with(scene, values(count))?,
+            };
+            if let Some(before) = before {
                 player.keep(before);
             }
+            leave(player.values());
             *own = Some(player);
-        });
-        Ok(String::new())
+            Ok(String::new())
+        })
     })
 }
 
@@ -154,8 +161,8 @@ pub fn drag(grip: usize, x: f64, y: f64) -> usize {
     let mut count = 0;
     with(|player| {
         let values = player.drag(grip, at(x, y))?;
-        count = values.len().min(MOST);
-        INPUT.with(|input| input.iter().zip(values).for_each(|(slot, value)| slot.set(value)));
+        count = values.len();
+        leave(&values);
         Ok(String::new())
     });
     count
@@ -164,6 +171,11 @@ pub fn drag(grip: usize, x: f64, y: f64) -> usize {
 /// Keeps what the program says when it gives up.
 fn listen() {
     panic::set_hook(Box::new(|info| LAST_WORDS.with(|words| *words.borrow_mut() = info.to_string())));
+}
+
+/// Leaves values where numbers go in.
+fn leave(values: &[f64]) {
+    INPUT.with(|input| input.iter().zip(values).for_each(|(slot, value)| slot.set(*value)));
 }
 
 /// The first values of the input.
@@ -231,8 +243,8 @@ macro_rules! pages {
 
         /// Begins or changes a scene.
         #[unsafe(no_mangle)]
-        pub extern "C" fn start(scene: usize, count: usize) -> isize {
-            $crate::module::start(&SCENES, scene, count)
+        pub extern "C" fn start(scene: usize, count: usize, time: f64) -> isize {
+            $crate::module::start(&SCENES, scene, count, time)
         }
 
         /// Runs a snippet.

@@ -1,11 +1,12 @@
 //! A scene in use: its settings, its motion, its picture. The module of the page is a thin wrapper of it.
 
 use crate::Cause;
-use crate::control::{Settings, place_of};
+use crate::control::{EARLIER, Kind, Settings, place_of};
 use crate::numbers::tied;
 use crate::scene::{Moment, Motion, Run, Scene};
 use crate::written::written;
 use drawing::{Drawing, Point, Room, with_symbols};
+use std::f64::consts::TAU;
 
 /// A scene with its settings.
 pub struct Player {
@@ -26,13 +27,23 @@ impl Player {
         Self::with(scene, values)
     }
 
-    /// A scene with these values of its controls, in their order.
+    /// A scene with these values of its controls, in their order. Behind them may stand earlier presses of buttons, four
+    /// numbers each: the button's place among the controls, and a [`Press`](crate::Press).
     ///
     /// # Errors
     /// What the scene says of settings to which it has no answer; and for values that no control can have.
     pub fn with(scene: &'static Scene, values: Vec<f64>) -> Result<Self, Cause> {
-        if values.len() != scene.controls.len() {
+        let Some((_, earlier)) = values.split_at_checked(scene.controls.len()) else {
             return Err(format!("{} values for {} controls", values.len(), scene.controls.len()).into());
+        };
+        let is_press = |press: &[f64]| {
+            let button = scene.controls.get(press[0] as usize).map(|control| control.kind);
+            matches!(button, Some(Kind::Button(Some(_))))
+                && press.iter().all(|x| x.is_finite())
+                && press[1] >= 0.0
+        };
+        if earlier.len() % EARLIER != 0 || !earlier.chunks_exact(EARLIER).all(is_press) {
+            return Err("these are no presses of a button".into());
         }
         for (control, value) in scene.controls.iter().zip(&values) {
             let distance = control.nearest(*value).map(|nearest| (nearest - value).abs());
@@ -54,6 +65,29 @@ impl Player {
         }
     }
 
+    /// The scene with other values at a time, as [`with`](Self::with): what it [keeps](crate::Motion::kept) is the same
+    /// there, so that nothing leaps under the hand.
+    ///
+    /// # Errors
+    /// As for [`with`](Self::with).
+    pub fn continued(&self, values: Vec<f64>, time: f64) -> Result<Self, Cause> {
+        let player = Self::with(self.scene, values.clone())?;
+        let [before, after] = [self, &player].map(|own| own.motion.kept(time.min(own.run().duration)));
+        let mut turned = Vec::new();
+        for ((name, before), (_, after)) in before?.into_iter().zip(after?) {
+            let gap = (before - after + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+            let value = values[place_of(self.scene.controls, name)?];
+            if gap.abs() > 1e-5 {
+                turned.push((name, (1e5 * (value + gap).rem_euclid(TAU)).round() / 1e5)); // as a link gives it
+            }
+        }
+        if turned.is_empty() {
+            Ok(player)
+        } else {
+            Self::with(self.scene, changed(self.scene, values, &turned)?)
+        }
+    }
+
     /// The scene with some settings changed.
     ///
     /// # Errors
@@ -71,7 +105,7 @@ impl Player {
 
     /// The values of its controls, in their order.
     pub fn values(&self) -> &[f64] {
-        &self.values
+        &self.values[..self.scene.controls.len()]
     }
 
     /// How long it runs, and how fast.
@@ -135,7 +169,7 @@ impl Player {
     /// # Errors
     /// If the scene names a control that it does not have.
     pub fn drag(&self, grip: usize, to: Point) -> Result<Vec<f64>, Cause> {
-        changed(self.scene, self.values.clone(), &self.motion.drag(grip, to, &self.seen))
+        changed(self.scene, self.values().to_vec(), &self.motion.drag(grip, to, &self.seen))
     }
 }
 

@@ -86,6 +86,12 @@ pub trait Motion {
     /// who cannot see when settings change, so it should not change with every moment.
     fn words(&self, time: f64) -> String;
 
+    /// The angles at a time, rad, that are to be the same when a reader changes a setting then, each with the name of the
+    /// [`Kept`](crate::Kind::Kept) control by which the scene turns it.
+    fn kept(&self, _time: f64) -> Result<Vec<(&'static str, f64)>, Cause> {
+        Ok(Vec::new())
+    }
+
     /// What a reader has measured who has watched from a time to another: numbers that mean something to this scene.
     fn found(&self, _from: f64, _to: f64) -> Option<[f64; 3]> {
         None

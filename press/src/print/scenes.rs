@@ -14,6 +14,10 @@ use std::fmt::Write as _;
 /// What stands in links beside the settings, and ids that the panel or the still has: no control may have such a name.
 const TAKEN: [&str; 8] = ["t", "time", "title", "desc", "narrow", "azimuth", "elevation", "caption"];
 
+/// Of more controls than this only the first few are seen at once.
+const MOST_SEEN: usize = 5;
+const SEEN: usize = 3;
+
 /// Adds what is wrong with the scenes themselves.
 pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
     let mut names = BTreeSet::new();
@@ -36,8 +40,16 @@ pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
             if !is_name(name) || TAKEN.contains(&name) || !controls.insert(name) {
                 fault(format!("a control of the scene {} cannot have the name `{name}`", scene.name));
             }
-            if control.words.trim().is_empty() {
+            if control.words.trim().is_empty() && control.kind != Kind::Kept {
                 fault(format!("nothing says what the control `{name}` of the scene {} is", scene.name));
+            }
+            if let Some((other, between)) = control.when
+                && let Err(message) = check_setting(scene, other, between[0])
+            {
+                fault(format!(
+                    "the control `{name}` of the scene {} waits for something else: {message}",
+                    scene.name
+                ));
             }
             if let Err(message) = check_value(control, control.start) {
                 fault(format!("the scene {} starts with {message}", scene.name));
@@ -84,7 +96,8 @@ fn check_value(control: &Control, value: f64) -> Result<(), String> {
         Kind::LogSlider { from, to, .. } => (from, to, 0.0),
         Kind::Choice(choices) => (0.0, choices.len() as f64 - 1.0, 1.0),
         Kind::Switch => (0.0, 1.0, 1.0),
-        Kind::Button => (-1.0, f64::MAX, 0.0),
+        Kind::Button(_) => (-1.0, f64::MAX, 0.0),
+        Kind::Kept => (f64::MIN, f64::MAX, 0.0),
     };
     let steps = (value - from) / step;
     let is_step = step == 0.0 || (steps - steps.round()).abs() < 1e-6;
@@ -105,23 +118,49 @@ pub(crate) fn words(text: &str, offset: usize) -> Words<'_> {
         .collect()
 }
 
-/// What a reader can change and read beside the picture, and what is said and offered below it; `html` makes
-/// HTML of words.
-pub(crate) fn panel(scene: &live::Scene, mut html: impl FnMut(&str) -> String) -> String {
+/// Settings that the text talks about, between the question and the picture; `html` makes HTML of words.
+pub(crate) fn presets(scene: &live::Scene, mut html: impl FnMut(&str) -> String) -> String {
+    if scene.presets.is_empty() {
+        return String::new();
+    }
+    let mut out = "<p class=\"presets\">".to_owned();
+    for preset in scene.presets {
+        let settings = preset.settings.iter().map(|(name, value)| format!("{name}={value}"));
+        let settings = escaped(&settings.collect::<Vec<_>>().join("&"));
+        let words = html(preset.words);
+        let _ = write!(out, "<button type=\"button\" data-set=\"{settings}\">{words}</button> ");
+    }
+    out + "</p>\n"
+}
+
+/// What a reader can change and read beside the picture, and what is said below it, in the room of its longest words.
+/// Of many controls the first three, and the buttons behind them, are seen, and the others are folded.
+pub(crate) fn panel(scene: &live::Scene, room: &str, mut html: impl FnMut(&str) -> String) -> String {
     let id = format!("scene-{}", scene.name);
     let mut out = format!(
         "<div class=\"panel\">\n<div class=\"transport\"><button type=\"button\" class=\"play\">Play</button>\
          <button type=\"button\" class=\"step\">Step</button><button type=\"button\" class=\"reset\">Reset</button>\
+         <output class=\"clock\" for=\"{id}-time\"></output>\
          <input type=\"range\" class=\"time\" id=\"{id}-time\" min=\"0\" max=\"1\" step=\"any\" value=\"{}\" aria-label=\"time\">\
-         <output class=\"clock\" for=\"{id}-time\"></output></div>\n<div class=\"controls\">\n",
+         <select class=\"pace\" aria-label=\"pace\"><option value=\"0.25\">slowed 4 times</option><option value=\"0.5\">slowed 2 times</option>\
+         <option value=\"1\" selected>as it is</option><option value=\"2\">2 times as fast</option></select></div>\n<div class=\"controls\">\n",
         scene.still
     );
+    let seen = scene.controls.iter().filter(|control| control.kind != Kind::Kept);
+    let mut left = if seen.count() > MOST_SEEN { SEEN } else { usize::MAX };
+    let mut is_folded = false;
     for control in scene.controls {
+        let is_counted = !matches!(control.kind, Kind::Button(_) | Kind::Kept);
+        if is_counted && left == 0 && !is_folded {
+            out.push_str("<details class=\"more\"><summary>More controls</summary>\n<div>\n");
+            is_folded = true;
+        }
+        left -= usize::from(is_counted && left > 0);
         let words = html(control.words);
         out.push_str(&field(control, &id, &words, &mut html));
         out.push('\n');
     }
-    out.push_str("</div>\n");
+    out.push_str(if is_folded { "</div></details>\n</div>\n" } else { "</div>\n" });
     if let Some(degrees) = scene.view.map(|view| view.map(f64::to_degrees)) {
         out.push_str("<div class=\"view\" role=\"group\" aria-label=\"look from\">\n");
         for ((name, words, most), value) in
@@ -142,30 +181,23 @@ pub(crate) fn panel(scene: &live::Scene, mut html: impl FnMut(&str) -> String) -
         }
         out.push_str("</dl>\n");
     }
-    out.push_str("</div>\n<div class=\"panel answer\">\n<p class=\"says\" role=\"status\"></p>\n");
-    if !scene.presets.is_empty() {
-        out.push_str("<p class=\"presets\">");
-        for preset in scene.presets {
-            let settings = preset.settings.iter().map(|(name, value)| format!("{name}={value}"));
-            let settings = escaped(&settings.collect::<Vec<_>>().join("&"));
-            let words = html(preset.words);
-            let _ = write!(out, "<button type=\"button\" data-set=\"{settings}\">{words}</button> ");
-        }
-        out.push_str("</p>\n");
-    }
+    let room = escaped(room);
     out + &format!(
-        "<p class=\"share\"><a href=\"#{id}\">Copy the link to this setting</a> <span class=\"copied\" role=\"status\"></span></p>\n</div>\n"
+        "</div>\n<div class=\"panel answer\">\n<div class=\"words\" data-room=\"{room}\"><p class=\"says\" role=\"status\"></p></div>\n<p class=\"share\"><a href=\"#{id}\">Copy the link to this setting</a> <span class=\"copied\" role=\"status\"></span></p>\n</div>\n"
     )
 }
 
 /// A control with its words.
 fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str) -> String) -> String {
     let Control { name, start, kind, .. } = control;
+    let when = control
+        .when
+        .map_or_else(String::new, |(other, [from, to])| format!(" data-when=\"{other} {from} {to}\""));
     let id = format!("{scene}-{name}");
     let range = |[from, to, start]: [f64; 3], step: &str, log: &str| {
         let (unit, shown) = (escaped(control.unit()), control.shown());
         format!(
-            "<div class=\"control\"><label for=\"{id}\">{words}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" \
+            "<div class=\"control\"{when}><label for=\"{id}\">{words}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" \
              min=\"{from}\" max=\"{to}\" step=\"{step}\" value=\"{start}\" data-start=\"{start}\" data-unit=\"{unit}\"{log}>\
              <output for=\"{id}\">{shown}</output></div>"
         )
@@ -174,7 +206,7 @@ fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str
         &Kind::Slider { from, to, step, .. } => range([from, to, *start], &step.to_string(), ""),
         &Kind::LogSlider { from, to, .. } => range([from, to, *start].map(f64::log10), "any", " data-log"),
         Kind::Choice(choices) => {
-            let mut out = format!("<fieldset class=\"control\"><legend>{words}</legend>");
+            let mut out = format!("<fieldset class=\"control\"{when}><legend>{words}</legend>");
             for (place, choice) in choices.iter().enumerate() {
                 let checked = if place as f64 == *start { " checked data-start" } else { "" };
                 let choice = html(choice);
@@ -188,13 +220,16 @@ fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str
         Kind::Switch => {
             let checked = if *start == 1.0 { " checked data-start" } else { "" };
             format!(
-                "<div class=\"control\"><label><input type=\"checkbox\" id=\"{id}\" name=\"{name}\"{checked}> {words}</label></div>"
+                "<div class=\"control\"{when}><label><input type=\"checkbox\" id=\"{id}\" name=\"{name}\"{checked}> {words}</label></div>"
             )
         }
-        Kind::Button => {
+        Kind::Button(strengths) => {
+            let strengths =
+                strengths.map_or_else(String::new, |names| format!(" data-adds=\"{}\"", names.join(" ")));
             format!(
-                "<div class=\"control\"><button type=\"button\" class=\"press\" name=\"{name}\" data-start=\"{start}\">{words}</button></div>"
+                "<div class=\"control\"><button type=\"button\" class=\"press\" name=\"{name}\" data-start=\"{start}\"{strengths}>{words}</button></div>"
             )
         }
+        Kind::Kept => format!("<input type=\"hidden\" name=\"{name}\" value=\"{start}\">"),
     }
 }

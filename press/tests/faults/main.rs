@@ -54,7 +54,7 @@ fn scene() -> Scene {
         symbols: &[],
         start: |_| Err("it never starts".into()),
     };
-    Scene { page: "a.md", live: PLATE, svg: String::new() }
+    Scene { page: "a.md", live: PLATE, svg: String::new(), longest: String::new() }
 }
 
 /// The same with another control in a place.

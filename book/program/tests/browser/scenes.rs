@@ -100,6 +100,10 @@ impl Place {
         let mut shown = self.empty(browser, size);
         shown.prefer("prefers-reduced-motion", "reduce");
         self.wake(&mut shown, &format!("{}{hash}", self.address));
+        shown.get(&format!(
+            "{}.querySelectorAll('details').forEach((fold) => {{ fold.open = true; }})",
+            self.figure
+        ));
         shown.settle();
         shown
     }
@@ -244,15 +248,27 @@ impl Shown<'_> {
     }
 }
 
-/// The values of a scene's controls that a link sets.
+/// The values of a scene's controls that a link sets, and earlier presses behind them.
 fn set_by(scene: &Scene, link: &str) -> Vec<f64> {
     let settings = link.split_once('?').expect("settings").1;
     let named: Vec<(&str, &str)> = settings.split('&').filter_map(|part| part.split_once('=')).collect();
     let value = |control: &Control| {
-        let own = named.iter().find(|(name, _)| *name == control.name);
+        let own = named.iter().rfind(|(name, _)| *name == control.name);
         own.map_or(control.start, |(_, value)| value.parse().expect("a number"))
     };
-    scene.controls.iter().map(value).collect()
+    let mut values: Vec<f64> = scene.controls.iter().map(value).collect();
+    for (place, control) in scene.controls.iter().enumerate() {
+        for (_, press) in named.iter().filter(|(name, value)| *name == control.name && value.contains(',')) {
+            let mut all = press.split(',').map(|number| number.parse().expect("a number"));
+            values.extend([
+                place as f64,
+                all.next().unwrap(),
+                all.next().unwrap_or(0.0),
+                all.next().unwrap_or(0.0),
+            ]);
+        }
+    }
+    values
 }
 
 /// Whether two texts are the same but for the last digit of their numbers.
@@ -467,6 +483,20 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
         shown.set(&[], (run.duration * 300.0).round() / 1000.0);
         for (index, control) in scene.controls.iter().enumerate() {
             for (means, part) in in_turn(turn, index) {
+                if let Some((other, [from, _])) = control.when {
+                    let part =
+                        shown.part(&format!(".controls :is([name={0}], [data-name={0}])", control.name));
+                    let is_off = format!("{part}.disabled");
+                    let waits = set_by(scene, &format!("?{other}=-1"));
+                    let place = scene.controls.iter().position(|own| own.name == other).unwrap();
+                    let kind = scene.controls[place].kind;
+                    let off =
+                        if matches!(kind, Kind::Button(_)) { waits[place] } else { f64::from(from < 1.0) };
+                    shown.set(&[(other, off)], 0.0);
+                    assert_eq!(shown.get(&is_off), true, "{}: {} is of no use", scene.name, control.name);
+                    shown.set(&[(other, from)], (run.duration * 300.0).round() / 1000.0);
+                    assert_eq!(shown.get(&is_off), false, "{}: {} is of use", scene.name, control.name);
+                }
                 let before = shown.values();
                 let named = shown.part(&format!(".controls [name={}]", control.name));
                 let (element, key) = match control.kind {
@@ -475,7 +505,8 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                     }
                     Kind::Slider { .. } | Kind::LogSlider { .. } => (named, "ArrowRight"),
                     Kind::Switch => (named, " "),
-                    Kind::Button => (named, "Enter"),
+                    Kind::Button(_) => (named, "Enter"),
+                    Kind::Kept => continue,
                     Kind::Choice(choices) => {
                         let next = usize::from(means != Means::Keys);
                         let other = (before[index] as usize + next) % choices.len();
@@ -485,7 +516,7 @@ fn controls_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                     }
                 };
                 act(&mut shown, means, &element, part, key);
-                if control.kind == Kind::Button {
+                if matches!(control.kind, Kind::Button(_)) {
                     shown.wait_for_button("Pause");
                     shown.click(".play");
                 }
@@ -582,7 +613,7 @@ fn hands_turn_the_view_and_draw_the_grips() {
                 let from = on_screen(&mut shown, grip.x, grip.y);
                 if means == Means::Mouse {
                     shown.mouse("mouseMoved", from);
-                    assert_eq!(shown.text(&cursor), "grab", "{}", scene.name);
+                    assert_eq!(shown.text(&cursor), "move", "{}", scene.name);
                 }
                 // One way it may be at its end.
                 let moved = [[30.0, -20.0], [-60.0, 40.0]].into_iter().any(|[x, y]| {
@@ -631,7 +662,8 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
                     vec![(0.0, 0.0), (choices.len() as f64 - 1.0, choices.len() as f64 - 1.0)]
                 }
                 Kind::Switch => vec![(0.0, 0.0), (1.0, 1.0)],
-                Kind::Button => vec![(-1.0, -1.0), (0.0, 0.0), (-7.0, -1.0)],
+                Kind::Button(_) => vec![(-1.0, -1.0), (0.0, 0.0), (-7.0, -1.0)],
+                Kind::Kept => Vec::new(),
             };
             for (asked, given) in cases {
                 // At the beginning: later, an unstable motion shows how its rounding grew.
@@ -854,4 +886,228 @@ fn a_reader_who_asks_for_calm_sees_what_a_preset_is_about() {
     let end = shown.number(&format!("Number({time}.max)"));
     assert!((now / end - 0.5).abs() < 1e-9, "at {now} of {end} s it is nearly at rest");
     shown.agrees();
+}
+
+#[test]
+fn arrow_keys_step_the_time_of_a_scene_and_turn_no_page() {
+    let Some(mut browser) = open("arrows") else { return };
+    for place in scenes().into_iter().take(3) {
+        let pace = Player::new(place.scene).unwrap().run().pace;
+        let mut shown = place.still(&mut browser, WIDE, "");
+        let address = shown.text("location.pathname");
+        for selector in [".play", ".step", ".reset", ".presets button", ".more summary", ".share a"] {
+            let part = shown.part(selector);
+            if shown.get(&format!("{part} === null")) == true {
+                continue;
+            }
+            shown.set(&[], 0.5 * pace);
+            shown.get(&format!("{part}.focus()"));
+            for (key, way) in [("ArrowRight", 1.0), ("ArrowLeft", -1.0)] {
+                let before = shown.time();
+                shown.key(key);
+                shown.settle();
+                let off = shown.time() - before - 0.1 * way * pace;
+                assert!(off.abs() < 1e-9, "{}: {key} on {selector}", place.scene.name);
+            }
+        }
+        // A choice of the pace belongs to its list.
+        let list = shown.part(".pace");
+        shown.get(&format!("{list}.focus()"));
+        shown.key("ArrowLeft");
+        assert_eq!(shown.text("location.pathname"), address, "{}: the page was turned", place.scene.name);
+        shown.has_no_faults();
+    }
+}
+
+#[test]
+fn nothing_moves_on_the_page_whatever_a_scene_is_set_to() {
+    let Some(mut browser) = open("heights") else { return };
+    let mut moved = Vec::new();
+    for place in scenes() {
+        for size in [[360, 740], [1366, 768]] {
+            let mut shown = place.still(&mut browser, size, "");
+            let height = format!("Math.round({}.getBoundingClientRect().height)", place.figure);
+            let before = shown.number(&height);
+            let mut held = |shown: &mut Shown<'_>, what: &str| {
+                let after = shown.number(&height);
+                if after != before {
+                    moved.push(format!("{} at {size:?}, {what}: {before} and {after} px", place.scene.name));
+                }
+            };
+            for (index, preset) in place.scene.presets.iter().enumerate() {
+                shown.click(&format!(".presets button:nth-of-type({})", index + 1));
+                held(&mut shown, preset.words);
+            }
+            for control in place.scene.controls {
+                if let Kind::Slider { from, to, .. } | Kind::LogSlider { from, to, .. } = control.kind {
+                    for value in [from, 0.5 * (from + to), to] {
+                        shown.set(&[(control.name, value)], 0.0);
+                        held(&mut shown, control.name);
+                    }
+                }
+            }
+        }
+    }
+    assert!(moved.is_empty(), "{moved:#?}");
+}
+
+#[test]
+fn a_scene_says_how_fast_its_time_goes_and_can_be_slowed() {
+    let Some(mut browser) = open("pace") else { return };
+    let mut shown = drum().still(&mut browser, WIDE, "");
+    let list = shown.part(".pace");
+    let says = format!("{list}.selectedOptions[0].text");
+    assert_eq!(shown.text(&says), "slowed 6.7 times");
+    shown.set(&[], 0.0);
+    shown.get(&format!("{list}.value = '0.5'"));
+    assert_eq!(shown.text(&says), "slowed 13 times");
+    shown.click(".step");
+    assert!((shown.time() - 0.5 * 0.15 / 10.0).abs() < 1e-9);
+    shown.set(&[("motor", 1.0)], 0.0);
+    assert_eq!(shown.text(&says), "slowed 2 times");
+    assert_eq!(shown.text(&format!("{list}.options[3].text")), "2 times as fast");
+    // And so it plays.
+    let rate = |shown: &mut Shown<'_>, value: f64| {
+        shown.set(&[("motor", 1.0)], 0.0);
+        shown.get(&format!("{list}.value = '{value}'"));
+        shown.click(".play");
+        shown.get("new Promise((done) => setTimeout(done, 1500))");
+        shown.click(".play");
+        shown.time()
+    };
+    let [slow, fast] = [0.25, 2.0].map(|value| rate(&mut shown, value));
+    assert!(fast > 3.0 * slow && slow > 0.0, "{slow} and {fast} s");
+    shown.has_no_faults();
+}
+
+#[test]
+fn a_kick_adds_to_the_motion_as_it_is_and_a_slider_does_not_throw_the_body() {
+    let Some(mut browser) = open("adds") else { return };
+    for (name, button, controls) in [
+        ("rolling-wheel", "kick", [("push", 0.4), ("lean", 30.0)]),
+        ("laundromat", "kick", [("camera", 0.0), ("spin", 22.0)]),
+        ("space-station", "fire", [("thruster", 90.0), ("impulse", 2.0)]),
+    ] {
+        let place = scenes().into_iter().find(|place| place.scene.name == name).expect("the scene");
+        let mut shown = place.still(&mut browser, WIDE, "");
+        shown.set(&[&controls[..], &[(button, 0.5)]].concat(), 0.8);
+        let readings = format!(
+            "[...{}.querySelectorAll('.readings dd')].map((dd) => dd.innerHTML).join()",
+            place.figure
+        );
+        let (past, time) = (shown.text(&readings), shown.part(".time"));
+        let seek = |shown: &mut Shown<'_>, to: f64| {
+            shown.get(&format!("{time}.value = {to}; {time}.dispatchEvent(new Event('input'))"));
+            shown.settle();
+            shown.settle();
+        };
+        seek(&mut shown, 1.5);
+        shown.get(&format!("{}.querySelector('[name={button}]').click()", place.figure));
+        shown.wait_for_button("Pause");
+        shown.click(".play");
+        seek(&mut shown, 0.8);
+        assert_eq!(shown.text(&readings), past, "{name}: the past has changed");
+        seek(&mut shown, 2.5);
+        shown.agrees();
+        let (values, now) = (shown.values(), shown.text(&readings));
+        assert_eq!(values.len(), place.scene.controls.len() + 4, "{name}: {values:?}");
+        let once = Player::with(place.scene, values[..place.scene.controls.len()].to_vec()).unwrap();
+        let both = Player::with(place.scene, values.clone()).unwrap();
+        assert_ne!(
+            once.readings(2.5).unwrap(),
+            both.readings(2.5).unwrap(),
+            "{name}: the first is forgotten"
+        );
+        // Whoever is given the link has both.
+        let link = shown.text(&format!("{}.querySelector('.share a').hash", place.figure));
+        let mut other = place.still(&mut browser, WIDE, &link);
+        assert_eq!((other.values(), other.text(&readings)), (values, now), "{name}: {link}");
+        other.has_no_faults();
+    }
+    // The stripes of the drum, and of a wheel that nobody has kicked, stay where they are.
+    for (name, slider, settings) in
+        [("laundromat", "spin", &[][..]), ("rolling-wheel", "lean", &[("kick", -1.0)])]
+    {
+        let place = scenes().into_iter().find(|place| place.scene.name == name).expect("the scene");
+        let mut shown = place.still(&mut browser, WIDE, "");
+        shown.set(settings, 6.0);
+        let corners = format!(
+            "[...seen({}).querySelectorAll('path.f-face, circle')].slice(0, 4).map((node) => {{ \
+             const box = node.getBBox(); return [box.x, box.y]; }}).flat()",
+            place.figure
+        );
+        let places = |shown: &mut Shown<'_>| -> Vec<f64> {
+            shown.get(&corners).as_array().expect("places").iter().filter_map(Value::as_f64).collect()
+        };
+        let before = places(&mut shown);
+        let element = shown.part(&format!("[name={slider}]"));
+        shown.get(&format!("{element}.focus()"));
+        shown.key("ArrowRight");
+        shown.settle();
+        let after = places(&mut shown);
+        assert_eq!(before.len(), after.len(), "{name}");
+        let off = before.iter().zip(&after).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
+        assert!(!before.is_empty() && off < 6.0, "{name}: {before:?} and {after:?}");
+        shown.agrees();
+    }
+}
+
+#[test]
+fn the_answer_is_covered_until_a_reader_has_guessed_or_asks_for_it() {
+    let Some(mut browser) = open("cover") else { return };
+    let drum = drum();
+    let fresh = |shown: &mut Shown<'_>| {
+        shown.go("about:blank");
+        drum.wake(shown, &drum.address);
+        shown.settle();
+    };
+    let mut shown = drum.empty(&mut browser, WIDE);
+    shown.prefer("prefers-reduced-motion", "reduce");
+    let parts = [".says", ".readings dd", "[id*=-answer]"].map(|selector| shown.part(selector));
+    let seen = parts.map(|part| format!("getComputedStyle({part}).visibility === 'visible'"));
+    let is_seen = |shown: &mut Shown<'_>| [0, 1, 2].map(|k| shown.get(&seen[k]) == true);
+    let guess = "document.querySelector('main > ol.guess button')";
+    for act in [format!("{guess}.click()"), format!("{}.click()", shown.part(".cover"))] {
+        fresh(&mut shown);
+        assert_eq!(is_seen(&mut shown), [false; 3]);
+        shown.tell("Emulation.setEmulatedMedia", json!({ "media": "print" }));
+        assert!(is_seen(&mut shown)[2], "paper shows all");
+        shown.tell("Emulation.setEmulatedMedia", json!({ "media": "" }));
+        shown.get(&act);
+        shown.settle();
+        assert_eq!(is_seen(&mut shown), [true; 3], "{act}");
+        let is_shown = format!("getComputedStyle({}).display", shown.part(".cover"));
+        assert_eq!(shown.text(&is_shown), "none");
+    }
+    // A link names a setting that the text explains: whoever follows it sees all.
+    fresh(&mut shown);
+    shown.set(&[("spin", 5.0)], 0.0);
+    assert_eq!(is_seen(&mut shown), [true; 3]);
+    shown.tell("Emulation.setScriptExecutionDisabled", json!({ "value": true }));
+    shown.go(&drum.address);
+    shown.tell("Emulation.setScriptExecutionDisabled", json!({ "value": false }));
+    assert!(is_seen(&mut shown)[2], "without a script nothing is hidden");
+}
+
+#[test]
+fn presets_stand_above_the_picture_and_of_many_controls_a_few_are_seen_at_first() {
+    let Some(mut browser) = open("order") else { return };
+    for place in scenes() {
+        let mut shown = place.awake(&mut browser);
+        let top = |selector: &str| format!("{}.getBoundingClientRect().top", shown.part(selector));
+        let [question, presets, drawing] = [".question", ".presets", ".drawing"].map(top);
+        assert_eq!(
+            shown.get(&format!("{question} < {presets} && {presets} < {drawing}")),
+            true,
+            "{}",
+            place.scene.name
+        );
+        let rows = format!(
+            "[...{}.querySelectorAll('.controls .control')].filter((row) => row.checkVisibility()).length",
+            place.figure
+        );
+        let own = place.scene.controls.iter().filter(|control| control.kind != Kind::Kept).count();
+        let rows = shown.number(&rows) as usize;
+        assert!(if own > 5 { rows <= 4 } else { rows == own }, "{}: {rows} of {own}", place.scene.name);
+    }
 }

@@ -30,6 +30,16 @@ pub enum Marker {
     Into,
 }
 
+/// Marks what a hand can take hold of in a scene, and nothing else looks like it: a disc in a ring.
+pub fn grip(drawing: &mut Drawing, point: Point, hue: Hue) {
+    drawing.circle(point, GRIP, Role::Area(Fill::Page, hue));
+    drawing.circle(point, GRIP, Role::Line(Stroke::Outline, hue));
+    drawing.dot(point, 4.0, hue);
+}
+
+/// The radius of the ring of a [`grip`], px.
+pub const GRIP: f64 = 7.5;
+
 /// Marks a point.
 pub fn marker(drawing: &mut Drawing, point: Point, marker: Marker, hue: Hue) {
     let regular = |corners: u32, radius: f64, first: f64| -> Vec<Point> {

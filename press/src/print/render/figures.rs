@@ -42,11 +42,13 @@ impl Printer<'_, '_> {
             self.words_of(&scenes::words(words, offset), "scene")
         };
         let (id, question) = (label.id(), html(scene.live.question));
-        let panel = if drawn.is_still { String::new() } else { scenes::panel(&scene.live, html) };
+        let presets = if drawn.is_still { String::new() } else { scenes::presets(&scene.live, &mut html) };
+        let panel =
+            if drawn.is_still { String::new() } else { scenes::panel(&scene.live, &scene.longest, html) };
         let file = script(scene.chapter());
         let module = if drawn.is_still { String::new() } else { format!(" data-module=\"{file}\"") };
         Some(format!(
-            "<figure class=\"scene\" id=\"{id}\" data-scene=\"{place}\"{module} aria-labelledby=\"{id}-caption\">\n<p class=\"question\">{question}</p>\n\
+            "<figure class=\"scene\" id=\"{id}\" data-scene=\"{place}\"{module} aria-labelledby=\"{id}-caption\">\n<p class=\"question\">{question}</p>\n{presets}\
              <div class=\"drawing\">{}</div>\n{panel}\
              <figcaption id=\"{id}-caption\"><span class=\"number\">Scene {number}.</span> {caption}</figcaption>\n</figure>",
             scene.svg.trim(),
