@@ -134,7 +134,7 @@ use std::{env, fs};
 /// What a book tells the press about itself.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Book {
-    /// The package of its library: `pendulum`.
+    /// Its library, which is the package in the project's root, by the name that snippets use: `pendulum`.
     pub library: &'static str,
     /// The folders of its project in which comments of Rust files cite labels, that of the library's sources first.
     pub code: &'static [&'static str],
