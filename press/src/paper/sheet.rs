@@ -68,20 +68,21 @@ impl Sheet {
             match element.name.as_str() {
                 "p" => {
                     if let Some(answer) = inside.strip_prefix(ANSWER) {
-                        let _ = writeln!(kept, "<p><strong>{title}.</strong> {}</p>", answer.trim());
+                        let _ = writeln!(kept, "<p><strong>{title}</strong>\u{2002}{}</p>", answer.trim());
                     }
                 }
                 "h3" if element.get("id").is_some_and(|id| id.starts_with("sol-")) => {
                     let words = html::words(inside); // “Solution 4.1. Twice as hard”
                     title = html::escaped(words.split_once(' ').map_or(&*words, |(_, rest)| rest));
                 }
-                "h2" => {
-                    kept += &self.html[element.whole].replace("Solutions", "Answers");
-                }
+                "h2" => kept += &self.html[element.whole].replace("Solutions", "Answers"),
                 _ => {}
             }
         }
         self.html = kept;
+        for heading in &mut self.headings {
+            heading.words = heading.words.replace("Solutions", "Answers");
+        }
     }
 
     pub(super) fn class(&self) -> &'static str {
