@@ -1,4 +1,6 @@
-//! Rigid-body mechanics, checked equation by equation: the library behind the book *Things That Spin*.
+#![doc = include_str!("README.md")]
+//!
+//! # From chapter to module
 //!
 //! | chapter | module |
 //! |---|---|
@@ -17,17 +19,6 @@
 //! | Speed and accuracy | [`measure`], [`sweep`] |
 //! | Hard cases | all of them, where digits get lost |
 //!
-//! ```
-//! use mechanics::scenes::laundromat::{Machine, MachineParameters};
-//! // A washing machine with 2 kg of wet towel on one side, well above the 10 rad/s at which it would swing by itself.
-//! let machine = Machine::new(MachineParameters {
-//!     drum_mass: 28.0, load_mass: 2.0, load_radius: 0.25, // kg, kg, m
-//!     stiffness: 3000.0, damping: 90.0, spin: 30.0,       // N/m, kg/s, rad/s
-//! })?;
-//! assert_eq!(format!("{:.2} cm", 100.0 * machine.steady()?.radius()), "1.86 cm");
-//! # Ok::<(), mechanics::InvalidQuantity>(())
-//! ```
-//!
 //! Each module of [`scenes`] models one problem with the smallest state that it needs, in closed form where there is
 //! one. [`integrate`] holds the stepping methods and [`measure`] the one definition of error that tests, benchmarks and
 //! book share.
@@ -35,7 +26,7 @@
 //! Results are the same to the last bit from run to run, but not from processor to processor: sines and exponentials
 //! come from the platform, which may round them differently.
 //!
-//! SI units and radians throughout. Labels such as `eq:steady-radius` in comments are those of the book's equations.
+//! Labels such as `eq:steady-radius` in comments are those of the book's equations.
 
 #![warn(clippy::must_use_candidate, clippy::return_self_not_must_use)]
 

@@ -197,6 +197,23 @@ fn the_version_and_its_day_are_the_same_wherever_they_stand() {
         changes.lines().filter(|line| line.starts_with("## ") && !line.starts_with("## Unreleased"));
     let newest = released.map(|line| &line[3..]).next().unwrap();
     assert!(newest.starts_with(&format!("{version}, {day}")), "{newest}");
+    // The page tells people what the file tells programs.
+    let page = read("book/cite.md");
+    let [title, authors] = ["title:", "  - name:"].map(|key| after(&citation, key));
+    let (name, rest) = title.split_once(": ").unwrap();
+    let authors = format!("{{{authors}}}");
+    for (field, value) in
+        [("title", name), ("subtitle", rest), ("author", &authors), ("version", &version), ("date", &day)]
+    {
+        let line = format!("\n  {field:<8} = {{{value}}},\n");
+        assert!(page.contains(&line), "book/cite.md lacks {line}");
+    }
+    assert!(page.contains(&format!("*{title}*, version {version} ({day}).")), "book/cite.md, in words");
+    let licences = citation.split("license:\n").nth(1).unwrap().lines();
+    for licence in licences.map_while(|line| line.strip_prefix("  - ")) {
+        let words = licence.replace("CC-BY-", "CC BY ").replace("Apache-", "Apache ");
+        assert!(page.contains(&words), "book/cite.md does not name {words}");
+    }
 }
 
 /// Licences that ask for no more than their text and a name.

@@ -2,7 +2,7 @@
 
 use crate::assets::Rendered;
 use crate::mdbook::{self, For};
-use crate::paper::{self, Paper};
+use crate::paper::{self, Paper, Solutions};
 use crate::read::disk::from_disk;
 use crate::site::{check, page_metadata, publish};
 use crate::{new, serve};
@@ -43,6 +43,12 @@ enum Order {
         /// The handout with the solutions of the chapter
         #[arg(long)]
         solutions: bool,
+    },
+    /// The answers to the exercises of a chapter on a sheet, without the way there (needs Chromium)
+    Answers {
+        /// The chapter, by its folder or number, and the file to write
+        #[arg(value_name = "CHAPTER or FILE.pdf", num_args = 1..=2, required = true)]
+        what: Vec<String>,
     },
     /// The whole book for readers of EPUBs
     Epub {
@@ -100,9 +106,12 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<()> {
         Order::Figures { folder } => {
             say(&format!("{} figures in {}", drawn.write_all(&folder)?, folder.display()));
         }
-        Order::Pdf { what, solutions } => return pdf(root, what, solutions),
+        Order::Pdf { what, solutions } => {
+            return pdf(root, what, if solutions { Solutions::Whole } else { Solutions::None });
+        }
+        Order::Answers { what } => return pdf(root, what, Solutions::Answers),
         Order::Epub { file } => {
-            let paper = built_for_paper(root, None, true)?;
+            let paper = built_for_paper(root, None, Solutions::Whole)?;
             let target = target(root, file, || format!("{}.epub", paper.file_name()))?;
             paper.write_epub(&root.join(PAPER).join("html"), &target)?;
             say_size(&target)?;
@@ -155,7 +164,7 @@ fn build(root: &Path, folder: Option<&str>, with_paper: bool) -> Result<()> {
 
 /// Puts the book on paper and for readers of EPUBs into its site, and leads to both from the foot of every page.
 fn add_paper(root: &Path, browser: &Path, site: &Path) -> Result<()> {
-    let book = built_for_paper(root, None, true)?;
+    let book = built_for_paper(root, None, Solutions::Whole)?;
     let [pdf, epub] = ["pdf", "epub"].map(|kind| format!("{}.{kind}", book.file_name()));
     print(root, browser, &book, &site.join(&pdf))?;
     eprintln!("Writing the EPUB");
@@ -170,21 +179,30 @@ fn chapter_and_file(what: Vec<String>) -> Result<(Option<String>, Option<PathBuf
         let place = if word.ends_with(".pdf") { &mut file } else { &mut chapter };
         if let Some(first) = place.replace(word) {
             let second = place.as_deref().unwrap_or_default();
-            bail!("`cargo book pdf` takes `{first}` or `{second}`, not both");
+            bail!("it takes `{first}` or `{second}`, not both");
         }
     }
     Ok((chapter, file.map(PathBuf::from)))
 }
 
-fn pdf(root: &Path, what: Vec<String>, solutions: bool) -> Result<()> {
+fn pdf(root: &Path, what: Vec<String>, solutions: Solutions) -> Result<()> {
     let (chapter, file) = chapter_and_file(what)?;
     let (_, pages) = from_disk(root)?;
     let chapter = chapter.map(|asked| paper::chapter(&pages, &asked)).transpose()?;
+    ensure!(
+        solutions != Solutions::Answers || chapter.is_some(),
+        "`cargo book answers` asks for a chapter: `cargo book answers 1`"
+    );
     let browser = paper::browser()?;
+    // The whole book has its solutions always.
+    let solutions = if chapter.is_none() { Solutions::Whole } else { solutions };
     let paper = built_for_paper(root, chapter.as_deref(), solutions)?;
     let target = target(root, file, || match &chapter {
-        Some(chapter) if solutions => format!("{chapter}-with-solutions.pdf"),
-        Some(chapter) => format!("{chapter}.pdf"),
+        Some(chapter) => match solutions {
+            Solutions::None => format!("{chapter}.pdf"),
+            Solutions::Whole => format!("{chapter}-with-solutions.pdf"),
+            Solutions::Answers => format!("{chapter}-answers.pdf"),
+        },
         None => format!("{}.pdf", paper.file_name()),
     })?;
     print(root, &browser, &paper, &target)?;
@@ -205,10 +223,11 @@ fn print(root: &Path, browser: &Path, paper: &Paper, target: &Path) -> Result<()
         ["paper.html", "paper.pdf", "chromium"].map(|name| root.join(PAPER).join(name));
     // The first print says on which page everything stands, the second one prints it.
     let mut numbers = BTreeMap::new();
-    for (file, for_what) in
-        [(&*first, "to see on which page everything stands"), (target, "with the numbers of the pages")]
-    {
-        eprintln!("Chromium makes a PDF, {for_what}: the whole book takes it a minute or two");
+    for (file, for_what) in [
+        (&*first, "PDF 1 of 2, to see on which page everything stands"),
+        (target, "PDF 2 of 2, with the numbers of the pages"),
+    ] {
+        eprintln!("Chromium prints {} pages of the book: {for_what}", paper.length());
         fs::write(&page, paper.html("html/", &numbers))?;
         paper::print(browser, &page, file, &profile)?;
         numbers = paper::numbers(&fs::read(file)?);
@@ -222,9 +241,9 @@ fn print(root: &Path, browser: &Path, paper: &Paper, target: &Path) -> Result<()
 }
 
 /// The site is built once more for paper, with stills in place of live scenes; the one in target/book stays as it is.
-fn built_for_paper(root: &Path, chapter: Option<&str>, solutions: bool) -> Result<Paper> {
-    from_disk(root)?;
-    eprintln!("Printing the pages once more, for paper");
+fn built_for_paper(root: &Path, chapter: Option<&str>, solutions: Solutions) -> Result<Paper> {
+    let (_, pages) = from_disk(root)?;
+    eprintln!("Printing the {} pages, for paper", pages.len());
     mdbook::build(mdbook::this_program().as_deref(), root, Path::new(PAPER), For::Paper)?;
     Paper::read(root, &root.join(PAPER).join("html"), chapter, solutions)
 }
@@ -246,6 +265,8 @@ mod tests {
             ("pdf 3", "\n   1  pendulum             The pendulum\n   2  clock "),
             ("serve -p x", "invalid value 'x' for '--port <PORT>'"),
             ("figures", "<FOLDER>"),
+            ("answers", "<CHAPTER or FILE.pdf>"),
+            ("answers a.pdf", "asks for a chapter"),
             ("epub book.zip", "ends with .epub"),
         ] {
             let words: Vec<String> = wrong.split_whitespace().map(str::to_owned).collect();

@@ -27,6 +27,17 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
+/// What of the solutions goes onto paper.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Solutions {
+    /// Nothing of them.
+    None,
+    /// All of them.
+    Whole,
+    /// Their answers, and nothing but these.
+    Answers,
+}
+
 /// What stands for the number of a page that is not known yet; as long as such a number.
 const UNKNOWN: &str = "000";
 
@@ -73,11 +84,11 @@ pub fn chapter(pages: &[Page], asked: &str) -> Result<String> {
 }
 
 impl Paper {
-    /// The whole book, or one chapter of it with or without its solutions, from the site that was built from `root`.
+    /// The whole book, or one chapter of it with what is asked for of its solutions, from the site that was built from `root`.
     ///
     /// # Errors
     /// If a file cannot be read, or the site is not one of this book.
-    pub fn read(root: &Path, site: &Path, chapter: Option<&str>, solutions: bool) -> Result<Self> {
+    pub fn read(root: &Path, site: &Path, chapter: Option<&str>, solutions: Solutions) -> Result<Self> {
         let (_, mut pages) = disk::from_disk(root)?;
         let config = mdbook::settings(root)?;
         if solutions::are_hidden(&config)? {
@@ -93,8 +104,15 @@ impl Paper {
             pages.iter().zip(pieces).filter(|(page, _)| chapter.is_none_or(|chapter| name(page) == chapter));
         let mut sheets: Vec<Sheet> = asked
             .map(|(page, html)| Sheet::new(page, html))
-            .filter(|sheet| chapter.is_none() || solutions || sheet.kind != Kind::Solutions)
+            .filter(|sheet| match solutions {
+                Solutions::None => sheet.kind != Kind::Solutions,
+                Solutions::Whole => true,
+                Solutions::Answers => sheet.kind == Kind::Solutions,
+            })
             .collect();
+        if solutions == Solutions::Answers {
+            sheets.iter_mut().for_each(Sheet::keep_answers);
+        }
         if chapter.is_none() {
             // Below the pages that belong to no chapter at the end: what one looks up comes last.
             sheets.sort_by_key(|sheet| sheet.kind == Kind::Solutions);
@@ -121,7 +139,7 @@ impl Paper {
             Some(first) if !self.is_whole => format!("{} – {}", first.plain_title(), self.settings.title),
             _ => self.settings.title.clone(),
         };
-        let head = moved(&self.head, site);
+        let head = moved(&self.head, site, &["link", "script"]);
         let mut body =
             if self.is_whole { self.title_page() + &self.contents(numbers) } else { String::new() };
         let mut running = String::new();
@@ -139,7 +157,7 @@ impl Paper {
                     body,
                     "<section class=\"{}\">\n{}\n</section>",
                     sheet.class(),
-                    sheet.for_pdf(numbers)
+                    moved(&sheet.for_pdf(numbers), site, &["img"])
                 );
             }
             body += "</section>\n";
@@ -150,6 +168,12 @@ impl Paper {
              {HIGHLIGHT}</body>\n</html>\n",
             self.settings.language
         )
+    }
+
+    /// How many pages of the book it holds.
+    #[must_use]
+    pub fn length(&self) -> usize {
+        self.sheets.len()
     }
 
     /// The title of the book as the name of a file: `things-that-spin`.
@@ -201,10 +225,11 @@ impl Paper {
 
     fn title_page(&self) -> String {
         format!(
-            "<section class=\"title-page\">\n<p class=\"title\">{}</p>\n<p>{}</p>\n<p class=\"licence\">{}<br>\n{}</p>\n\
+            "<section class=\"title-page\">\n<p class=\"title\">{}</p>\n<p>{}</p>\n<p>{}</p>\n<p class=\"licence\">{}<br>\n{}</p>\n\
              </section>\n",
             self.settings.title,
             self.settings.description,
+            self.settings.authors,
             self.edition_in_words(),
             self.settings.licence,
         )
@@ -322,17 +347,17 @@ fn head(printed: &str, found: &[Element]) -> String {
     found.iter().filter(is_needed).map(|element| format!("{}\n", &printed[element.whole.clone()])).collect()
 }
 
-/// What stands in the head of a page of the site, for a page elsewhere.
-fn moved(head: &str, site: &str) -> String {
+/// A part of a page of the site, for a page elsewhere: where elements of these names load from.
+fn moved(html: &str, site: &str, names: &[&str]) -> String {
     let mut edits = Edits::default();
-    for element in html::named(head, &["link", "script"]) {
+    for element in html::named(html, names) {
         for key in ["href", "src"] {
             if let (Some(place), Some(target)) = (element.place(key), element.get(key)) {
                 edits.replace(place, format!("{key}=\"{site}{target}\""));
             }
         }
     }
-    edits.applied(head)
+    edits.applied(html)
 }
 
 /// Words as CSS writes them.

@@ -12,10 +12,9 @@ use std::{env, fs};
 /// tests, in which a check stands in the place of each number that a page prints, and `live.rs` with a function for
 /// each snippet with live numbers, of all chapters or of the one that `BOOK_CHAPTER` names.
 ///
-/// `folder` holds SUMMARY.md and its pages, `others` are pages of which the snippets are tested, too; both as seen from
-/// the package.
-pub fn write_snippets(folder: &str, others: &[&str]) -> ExitCode {
-    match written(folder, others) {
+/// `folder` holds SUMMARY.md and its pages, as seen from the package.
+pub fn write_snippets(folder: &str) -> ExitCode {
+    match written(folder) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {error}");
@@ -40,7 +39,7 @@ impl Page {
     }
 }
 
-fn written(folder: &str, others: &[&str]) -> Result<(), Box<dyn Error>> {
+fn written(folder: &str) -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     println!("cargo::rerun-if-env-changed=BOOK_CHAPTER");
     println!("cargo::rerun-if-env-changed=BOOK_ROOT"); // what is written names pages by their place
@@ -54,9 +53,7 @@ fn written(folder: &str, others: &[&str]) -> Result<(), Box<dyn Error>> {
         links.map(|(page, _)| Page::read(&folder.join(page), root)).collect::<Result<_, _>>()?;
     let chapter = env::var("BOOK_CHAPTER").ok();
     if chapter.is_none() {
-        let others = others.iter().map(|other| Page::read(&package.join(other).canonicalize()?, root));
-        let others: Vec<Page> = others.collect::<Result<_, _>>()?;
-        fs::write(out.join("tested.rs"), tested(others.iter().chain(&book), &out)?)?;
+        fs::write(out.join("tested.rs"), tested(&book, &out)?)?;
     }
     let own = |page: &Page| {
         let below = Path::new(&page.name).components().nth(1);
@@ -67,9 +64,9 @@ fn written(folder: &str, others: &[&str]) -> Result<(), Box<dyn Error>> {
 }
 
 /// A module for each page, with the page as its documentation.
-fn tested<'a>(pages: impl Iterator<Item = &'a Page>, out: &Path) -> Result<String, Box<dyn Error>> {
+fn tested(pages: &[Page], out: &Path) -> Result<String, Box<dyn Error>> {
     let mut modules = String::new();
-    for (n, page) in pages.enumerate() {
+    for (n, page) in pages.iter().enumerate() {
         let tested = expected_output::tested(&page.text, &page.name);
         let path = if tested == page.text { page.path.clone() } else { copy(out, &page.name, &tested)? };
         writeln!(modules, "#[doc = include_str!({path:?})]\nmod {} {{}}", pages::module(n, &page.name))?;

@@ -5,7 +5,8 @@ use super::sheet::Kind;
 use crate::html::{self, VOID, attribute, escaped, text};
 use anyhow::{Context as _, Result};
 use html5gum::{StartTag, Token};
-use std::collections::BTreeMap;
+use percent_encoding::percent_decode_str;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs::{self, File};
 use std::io::Write;
@@ -55,9 +56,10 @@ impl Paper {
         let mut items = String::new();
         let mut spine = String::new();
         let title = format!(
-            "<section class=\"title-page\">\n<h1>{}</h1>\n<p>{}</p>\n<p>{}</p>\n<p>{}</p>\n</section>\n",
+            "<section class=\"title-page\">\n<h1>{}</h1>\n<p>{}</p>\n<p>{}</p>\n<p>{}</p>\n<p>{}</p>\n</section>\n",
             self.settings.title,
             self.settings.description,
+            self.settings.authors,
             self.edition_in_words(),
             self.settings.licence,
         );
@@ -90,9 +92,28 @@ impl Paper {
                 "<item id=\"font-{family}\" href=\"fonts/{family}.woff2\" media-type=\"font/woff2\"/>"
             );
         }
+        for (n, (file, kind)) in self.pictures().into_iter().enumerate() {
+            let name = percent_decode_str(&file).decode_utf8_lossy();
+            let place = site.join(&*name);
+            let bytes = fs::read(&place).with_context(|| place.display().to_string())?;
+            add(&mut archive, &format!("book/{name}"), bytes)?;
+            let _ = writeln!(items, "<item id=\"picture-{n}\" href=\"{file}\" media-type=\"image/{kind}\"/>");
+        }
         add(&mut archive, "book/package.opf", self.package(&items, &spine))?;
         archive.finish()?;
         Ok(())
+    }
+
+    /// The pictures on its pages, each a file of the site, and what kind of image it is.
+    fn pictures(&self) -> BTreeSet<(String, String)> {
+        let images = self.sheets.iter().flat_map(|sheet| html::named(&sheet.html, &["img"]));
+        let files = images.filter_map(|image| image.get("src").map(str::to_owned));
+        let kind = |file: &str| match file.rsplit('.').next().unwrap_or_default().to_lowercase().as_str() {
+            "jpg" => "jpeg".to_owned(),
+            "svg" => "svg+xml".to_owned(),
+            other => other.to_owned(),
+        };
+        files.map(|file| (file.clone(), kind(&file))).collect()
     }
 
     /// A file of XHTML.

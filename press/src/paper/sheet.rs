@@ -3,6 +3,7 @@
 use super::page_number;
 use crate::book::Page;
 use crate::html::{self, Edits, Element};
+use crate::site::exercises::ANSWER;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
@@ -54,6 +55,33 @@ impl Sheet {
             is_leaf: page.part.is_some(),
             headings,
             html,
+        }
+    }
+
+    /// Leaves of each solution its number, its title and its answer.
+    pub(super) fn keep_answers(&mut self) {
+        let found = html::named(&self.html, &["h2", "h3", "p"]);
+        let mut kept = String::new();
+        let mut title = String::new();
+        for element in found {
+            let inside = &self.html[element.inside.clone()];
+            match element.name.as_str() {
+                "p" => {
+                    if let Some(answer) = inside.strip_prefix(ANSWER) {
+                        let _ = writeln!(kept, "<p><strong>{title}</strong>\u{2002}{}</p>", answer.trim());
+                    }
+                }
+                "h3" if element.get("id").is_some_and(|id| id.starts_with("sol-")) => {
+                    let words = html::words(inside); // “Solution 4.1. Twice as hard”
+                    title = html::escaped(words.split_once(' ').map_or(&*words, |(_, rest)| rest));
+                }
+                "h2" => kept += &self.html[element.whole].replace("Solutions", "Answers"),
+                _ => {}
+            }
+        }
+        self.html = kept;
+        for heading in &mut self.headings {
+            heading.words = heading.words.replace("Solutions", "Answers");
         }
     }
 

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// How an answer begins: the first paragraph of a solution.
-const ANSWER: &str = "<strong>Answer.</strong>";
+pub(crate) const ANSWER: &str = "<strong>Answer.</strong>";
 
 /// The solutions of a page by the names of their exercises: what stands below each heading.
 type Solutions<'a> = BTreeMap<String, &'a str>;

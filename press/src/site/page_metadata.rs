@@ -11,6 +11,8 @@ use std::{fs, io};
 pub(crate) struct SiteMetadata<'a> {
     /// The title of the book.
     pub(crate) book: &'a str,
+    /// Who wrote it; may be empty.
+    pub(crate) authors: &'a str,
     /// Version and commit; may be empty.
     pub(crate) edition: &'a str,
     /// The address of the site, with a slash at its end, if it is known.
@@ -45,6 +47,9 @@ pub(crate) fn with_metadata(html: &str, path: &str, site: &SiteMetadata<'_>) -> 
         let title =
             title.map_or_else(|| site.book.to_owned(), |title| html::words(&html[title.inside.clone()]));
         let mut head = format!("<meta name=\"description\" content=\"{}\">", escaped(words));
+        if !site.authors.is_empty() {
+            head += &format!("\n        <meta name=\"author\" content=\"{}\">", escaped(site.authors));
+        }
         let mut property = |name: &str, content: &str| {
             head += &format!("\n        <meta property=\"og:{name}\" content=\"{}\">", escaped(content));
         };
@@ -118,6 +123,7 @@ mod tests {
                         <footer>Tops<span class=\"edition\"></span></footer>";
     const SITE: SiteMetadata<'_> = SiteMetadata {
         book: "Tops",
+        authors: "A & B",
         edition: "1.0, abc",
         address: None,
         picture: Some("preview.png"),
@@ -129,6 +135,7 @@ mod tests {
         let description =
             "name=\"description\" content=\"A top &quot;stands&quot;, and a coin does &amp; falls.\">";
         let title = "og:title\" content=\"Tops &amp; coins\"";
+        let author = "<meta name=\"author\" content=\"A &amp; B\">";
         let image = "og:image\" content=\"https://example.org/t/preview.png\"";
         let canonical = "canonical\" href=\"https://example.org/t/tops/index.html\"";
         for address in [None, Some("https://example.org/t/")] {
@@ -136,6 +143,7 @@ mod tests {
             for (words, is_there) in [
                 (description, true),
                 (title, true),
+                (author, true),
                 ("<footer>Tops 1.0, abc</footer>", true),
                 (image, address.is_some()),
                 (canonical, address.is_some()),

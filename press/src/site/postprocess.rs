@@ -2,7 +2,7 @@
 
 use crate::assets::Rendered;
 use crate::fault::{self, Faults, Lines};
-use crate::html::escaped;
+use crate::html::{self, Edits, escaped};
 use crate::mdbook::For;
 use crate::print::code_links;
 use crate::site::licence::Licence;
@@ -113,6 +113,7 @@ fn complete_pages(
     }
     let metadata = SiteMetadata {
         book: &title,
+        authors: &context.config.book.authors.join(", "),
         edition: &edition(&context.root, package),
         address: known,
         picture: picture.is_some().then_some(PREVIEW),
@@ -127,7 +128,7 @@ fn complete_pages(
         if file.is_file() {
             let mut html = page_metadata::with_metadata(&fs::read_to_string(file)?, &page, &metadata);
             html = rustdoc::with_links(&html, &page, &doc);
-            html = trails::with_trail(&html, &page, &trails);
+            html = trails::with_trail(&with_plain_pictures(&html), &page, &trails);
             if !hidden.is_empty() {
                 html = solutions::unlinked(&html, &page, hidden);
             }
@@ -143,6 +144,18 @@ fn complete_pages(
     let language = context.config.book.language.as_deref().unwrap_or("en");
     fs::write(site.join("404.html"), not_found_page::page(&title, language, &address, context.book.iter()))?;
     Ok(pages)
+}
+
+/// The page with each picture once: mdBook hangs a box without a name on it, and a copy that the box enlarges.
+fn with_plain_pictures(html: &str) -> String {
+    let found = html::named(html, &["label", "img"]);
+    let mut edits = Edits::default();
+    for label in found.iter().filter(|element| element.is("label", "checkbox-label")) {
+        if let Some(picture) = found.iter().find(|element| element.name == "img" && label.holds(element)) {
+            edits.replace(label.whole.clone(), &html[picture.whole.clone()]);
+        }
+    }
+    edits.applied(html)
 }
 
 /// The figures and scenes of a chapter lie among its pages, so that mdBook has copied their programs and packages.

@@ -4,7 +4,7 @@ use crate::assets::Rendered;
 use crate::book::from_mdbook;
 use crate::mdbook::{self, For};
 use crate::read::snippets;
-use crate::site::package::cargo;
+use crate::site::package::{Package, cargo};
 use crate::site::wasm::{Module, Modules};
 use crate::site::{check, publish, solutions, theme};
 use crate::{Book as OfBook, fault};
@@ -104,8 +104,9 @@ fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = 
 /// Runs the snippets of all pages and those of the library, as documentation tests.
 fn test_snippets(root: &Path, book: &OfBook) -> Result<()> {
     eprintln!("Testing the snippets of all pages with `cargo test --doc`");
+    let library = Package::read(root).context("the project's root has no package")?;
     let run = cargo(root)
-        .args(["test", "--doc", "--package", book.library, "--package", book.snippets])
+        .args(["test", "--doc", "--package", &library.name, "--package", book.snippets])
         .stderr(Stdio::inherit())
         .output()
         .context("cargo cannot be run")?;

@@ -5,7 +5,7 @@ use super::driver::{self, Browser};
 use crate::{folder, root, site};
 use hayro_syntax::Pdf;
 use hayro_syntax::object::{self as pdf, Array, Dict, Name};
-use press::paper::{self, Paper};
+use press::paper::{self, Paper, Solutions};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -15,7 +15,7 @@ fn nothing_is_cut_off_on_a4() {
     let Some(mut browser) = Browser::open("paper") else {
         return;
     };
-    let paper = Paper::read(root(), site(), None, true).unwrap();
+    let paper = Paper::read(root(), site(), None, Solutions::Whole).unwrap();
     let file = folder("paper").join("paper.html");
     fs::write(&file, paper.html(&format!("file://{}/", site().display()), &BTreeMap::new())).unwrap();
     let mut page = browser.page(PAPER);
@@ -52,7 +52,7 @@ fn nothing_is_cut_off_on_a4() {
 
 #[test]
 fn a_book_for_paper_holds_every_page_and_its_solutions_last() {
-    let paper = Paper::read(root(), site(), None, false).unwrap();
+    let paper = Paper::read(root(), site(), None, Solutions::Whole).unwrap();
     let html = paper.html("", &BTreeMap::from([("sol-toss-harder".to_owned(), 417)]));
     let at = |words: &str| html.find(words).unwrap_or_else(|| panic!("no {words}"));
     let order = [
@@ -90,9 +90,19 @@ fn a_book_for_paper_holds_every_page_and_its_solutions_last() {
 }
 
 #[test]
+fn a_sheet_of_answers_has_one_for_each_exercise_and_no_program() {
+    let sheet = Paper::read(root(), site(), Some("air-drag"), Solutions::Answers).unwrap();
+    let html = sheet.html("", &BTreeMap::new());
+    let solutions = fs::read_to_string(root().join("book/air-drag/solutions.md")).unwrap();
+    let answers = html.split("<p><strong>").skip(1).filter(|answer| answer.starts_with("6."));
+    assert_eq!(answers.count(), solutions.matches("{#sol:").count());
+    assert!(html.contains(">Answers") && !html.contains("<pre") && !html.contains("Solution"));
+}
+
+#[test]
 fn an_epub_begins_with_its_type_and_every_page_of_it_is_xml() {
     let file = folder("epub").join("book.epub");
-    Paper::read(root(), site(), None, true).unwrap().write_epub(site(), &file).unwrap();
+    Paper::read(root(), site(), None, Solutions::Whole).unwrap().write_epub(site(), &file).unwrap();
     let bytes = fs::read(&file).unwrap();
     assert!(bytes.starts_with(b"PK\x03\x04") && &bytes[30..58] == b"mimetypeapplication/epub+zip");
     assert!((500_000..3_000_000).contains(&bytes.len()), "{}", bytes.len());
@@ -107,7 +117,7 @@ fn a_handout_is_a_pdf_with_outline_and_links_and_its_places_are_read() {
     let [page, file, profile] = ["page.html", "handout.pdf", "profile"].map(|name| folder.join(name));
     let site = format!("file://{}/", site().display());
     let mut pdfs = Vec::new();
-    for solutions in [false, true] {
+    for solutions in [Solutions::None, Solutions::Whole] {
         let handout = Paper::read(root(), crate::site(), Some("air-drag"), solutions).unwrap();
         fs::write(&page, handout.html(&site, &BTreeMap::new())).unwrap();
         paper::print(&browser, &page, &file, &profile).unwrap();

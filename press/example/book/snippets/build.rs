@@ -1,3 +1,3 @@
 fn main() -> std::process::ExitCode {
-    dialect::write_snippets("..", &[])
+    dialect::write_snippets("..")
 }

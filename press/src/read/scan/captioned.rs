@@ -7,7 +7,7 @@ use pulldown_cmark::{CowStr, Event, TagEnd};
 use std::ops::Range;
 
 impl<'a> Scan<'a, '_> {
-    /// A figure, whose caption is read like any text, or a table of the library.
+    /// A figure, whose caption is read like any text, a table of the library, or a picture.
     pub(super) fn image(&mut self, dest_url: &CowStr<'a>, range: &Range<usize>, next: usize) {
         let (mut alone, mut marks) = (false, "");
         if let Some(paragraph) = &self.surroundings.paragraph {
@@ -27,12 +27,16 @@ impl<'a> Scan<'a, '_> {
             self.place(range.start..range.end + marks.len(), Item::LibraryTable { name, caption });
             return;
         }
+        if is_picture(dest_url) {
+            self.picture(dest_url, range, next);
+            return;
+        }
         let label = label_syntax::label(dest_url, range.start, &mut self.report);
         let Some(label) = label.filter(|label| matches!(label.kind, LabelKind::Figure | LabelKind::Scene))
         else {
             self.fault(
                 range.start,
-                format!("the image `{dest_url}` is not a figure of the book (`fig:name`), nor a scene"),
+                format!("the image `{dest_url}` is not a figure of the book (`fig:name`), nor a scene, nor a picture beside the page (`photo.png`)"),
             );
             return;
         };
@@ -49,6 +53,21 @@ impl<'a> Scan<'a, '_> {
             _ => Item::Figure { label, caption },
         };
         self.place(range.start..range.end + marks.len(), item);
+    }
+
+    /// A picture, a file among the pages, which mdBook prints as it is.
+    fn picture(&mut self, file: &str, range: &Range<usize>, next: usize) {
+        let words = self.caption(next, "");
+        if words.is_empty() {
+            let message =
+                format!("the picture {file} has no words for those who cannot see it: `![words]({file})`");
+            self.fault(range.start, message);
+        } else if !words.iter().all(|(event, _)| matches!(event, Event::Text(_) | Event::SoftBreak)) {
+            self.fault(
+                range.start,
+                format!("the words of the picture {file} are read aloud: no formulas, no marks"),
+            );
+        }
     }
 
     /// The words of a figure, or of a table of the library, and the `marks` of notes behind it.
@@ -82,4 +101,11 @@ impl<'a> Scan<'a, '_> {
         self.surroundings.end_of_table = place.end;
         self.place(range.start..place.end, Item::Table { table, caption });
     }
+}
+
+/// Whether an image is a picture in a file of the book.
+fn is_picture(target: &str) -> bool {
+    let kinds = [".png", ".jpg", ".jpeg", ".webp", ".gif", ".svg"];
+    let target = target.to_ascii_lowercase();
+    !target.contains(':') && kinds.iter().any(|kind| target.ends_with(kind))
 }
