@@ -4,7 +4,9 @@ use crate::euler::Turning;
 use crate::free_rotation::{FreeSymmetricTop, FreeTop};
 use crate::quantity::InvalidQuantity;
 use crate::rolling::Rolling;
-use crate::scenes::{air_drag, ball, coin_toss, laundromat, rolling_wheel, space_station, spinning_coin, top};
+use crate::scenes::{
+    air_drag, ball, coin_toss, laundromat, rolling_wheel, space_station, spinning_coin, top,
+};
 use nalgebra::Vector3;
 
 /// A motion whose state at any time is known at once: in closed form, or from a part that has been integrated when it
