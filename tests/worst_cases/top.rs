@@ -277,3 +277,36 @@ fn upright(draw: &mut Draw<'_>) -> Option<Case> {
     let time = draw.signed(1e-3, 3.0);
     case(&top, &start, &motion, time)
 }
+
+/// What the documentation promises of the spin at which a top sleeps and of how fast it wakes, relative.
+const OF_SLEEP: f64 = 4e-16;
+
+#[test]
+fn a_sleeper_and_how_fast_it_wakes_keep_their_digits_up_to_the_threshold() {
+    keeps_its_promise("sleeper", 4000, &["sleeps", "wakes"], |draw| {
+        let (mass, gravity, arm) =
+            (draw.decades(1e-3, 1e3), draw.decades(1e-2, 1e2), draw.decades(1e-3, 1.0));
+        let transverse = mass * arm * arm * (1.0 + draw.decades(1e-2, 1e2));
+        let axial = (transverse - mass * arm * arm) * draw.between(0.01, 1.9);
+        let parameters = TopParameters { mass, arm, transverse, axial, gravity };
+        let top = Top::new(parameters).ok()?;
+        let spin = draw.beside(top.sleeping_spin());
+        let torque = long(mass) * gravity * arm;
+        let threshold = (torque * transverse).sqrt() * 2.0 / axial;
+        let a = long(axial) * spin / transverse;
+        let square = torque * 2.0 / transverse * 2.0 - a * a;
+        let found = top.growth_rate(spin).ok()?;
+        let off = |truth: Long, found: f64| ((truth - found) / truth).abs().rounded();
+        let (way, growth) = if square.rounded() > 0.0 {
+            ("wakes", off(square.sqrt() * 0.5, found))
+        } else {
+            ("sleeps", if found == 0.0 { 0.0 } else { f64::INFINITY })
+        };
+        let sleeping = off(threshold, top.sleeping_spin());
+        Some(Case {
+            ratio: worse(growth, sleeping) / OF_SLEEP,
+            way,
+            said: format!("{parameters:?} at {spin:?}: growth {growth:e}, threshold {sleeping:e}"),
+        })
+    });
+}
