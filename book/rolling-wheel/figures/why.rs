@@ -421,8 +421,8 @@ pub(crate) fn two_points(id: &str) -> Outcome {
     kit::dimension(&mut drawing, at(foot.x, centre.y), centre - at(6.0, 0.0), Heads::Both, Hue::Ink);
     drawing.label(at(0.6 * foot.x + 0.4 * centre.x, centre.y - 3.0), Side::Above, "$b$", Hue::Ink)?;
     drawing.label(
-        centre.towards(crossing, 0.6) + at(0.0, -6.0),
-        Side::AboveLeft,
+        centre.towards(crossing, 0.45) + at(2.0, 4.0),
+        Side::BelowRight,
         r"$b/\cos\theta$",
         Hue::Ink,
     )?;
