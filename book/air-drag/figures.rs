@@ -22,7 +22,8 @@ pub(crate) const FIGURES: &[Figure] = figures![
     wobble_turns,
     in_room::air_pull,
     in_room::axis_path,
-    map::fates
+    map::fates,
+    four_paths
 ];
 
 #[path = "figures/in_room.rs"]
@@ -365,5 +366,40 @@ pub(crate) fn wobble_turns(id: &str) -> Outcome {
     plot.label((1.05 * cos, 1.05 * sin), Side::Over, "arrives from here", Hue::Muted)?;
     let [before, here] = [38, 44].map(|index| plot.at(values[index]));
     head(&mut drawing, here, here - before, 1.0, Hue::Orange);
+    Ok(drawing)
+}
+
+/// Four bodies that come to rest, in the plane of their two rotations.
+pub(crate) fn four_paths(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 330.0, 340.0).titled(
+        "Four paths to rest",
+        "The rotation across against the spin, both from 0 to 1. Four curves lead from the corner at the top right to the origin: one bulges to the upper left and arrives from above, one is straight, one \
+         bulges to the lower right and arrives from the right, and one falls almost straight down first. Dots where half of the spin is gone.",
+    );
+    let spin = Axis::linear(0.0, 1.0, 0.5).minor(0.1).titled(r"spin $\omega_3/\omega_{3,0}$");
+    let across = Axis::linear(0.0, 1.0, 0.5).minor(0.1).titled(r"across, $\omega_\perp/\omega_{3,0}$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 36.0, 250.0, 250.0), spin, across)?;
+    plot.reference((0.5, 0.0), (0.5, 1.0), Stroke::Dotted);
+    for (name, clocks, place, side) in [
+        ("half", 0.5, (0.25, 0.5), Side::AboveLeft),
+        ("same", 1.0, (0.33, 0.33), Side::AboveLeft),
+        ("twice", 2.0, (0.66, 0.4356), Side::BelowRight),
+        ("twenty", 20.0, (0.93, 0.234), Side::BelowRight),
+    ] {
+        let moments = PrincipalMoments::symmetric(1.0, 1.0)?;
+        let drag = Drag { transverse: clocks, axial: 1.0 };
+        let omega_body = Vector3::new(1.0, 0.0, 1.0);
+        let top = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;
+        // When so much of the spin is left.
+        let at_left = |left: f64| {
+            let omega = top.at(-left.ln())?;
+            Ok::<_, InvalidQuantity>((omega.z, omega.xy().norm()))
+        };
+        let values =
+            linear_steps(1.0, 1e-4, 400).map(at_left).collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        plot.curve(name, values, Stroke::Curve, Hue::Orange);
+        plot.markers(&[at_left(0.5)?], Marker::Disc, Hue::Orange);
+        plot.label(place, side, &format!("{clocks}").replace("0.5", "½"), Hue::Ink)?;
+    }
     Ok(drawing)
 }

@@ -234,5 +234,7 @@ pub(crate) fn ball_swing(id: &str) -> Outcome {
     plot.curve("pushed", curve(pushed, back)?, Stroke::Outline, Hue::Ink);
     plot.markers(&[(back / round, 0.0)], Marker::Disc, Hue::Blue);
     plot.label((back / round, 0.1), Side::Above, "out", Hue::Ink)?;
+    plot.label((0.75, -6.45), Side::Over, "pushed down", Hue::Ink)?;
+    plot.label((2.8, -5.9), Side::Over, "from level", Hue::Ink)?;
     Ok(drawing)
 }

@@ -27,7 +27,9 @@ pub(crate) const FIGURES: &[Figure] = figures![
     wobble::mirrored_film,
     any_wheel::ledge,
     any_wheel::tip_of_shape,
-    any_wheel::ways_down
+    any_wheel::ways_down,
+    why::beyond,
+    why::two_points
 ];
 
 #[path = "figures/any_wheel.rs"]

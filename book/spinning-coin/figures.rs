@@ -29,7 +29,8 @@ pub(crate) const FIGURES: &[Figure] = figures![
     reasons::air_gap,
     circle_opens,
     ending::four_exponents,
-    ending::table_holds
+    ending::table_holds,
+    rim_lamp
 ];
 
 /// The disc of the text at a tilt.
@@ -403,5 +404,34 @@ pub(crate) fn circle_opens(id: &str) -> Outcome {
     plot.label((0.047, 1.35), Side::Over, "sinking", Hue::Muted)?;
     let arrow = [plot.at((0.06, 1.2)), plot.at((0.034, 1.2))];
     kit::dimension(plot.drawing(), arrow[0], arrow[1], Heads::End, Hue::Muted);
+    Ok(drawing)
+}
+
+/// The light of a lamp on the rim, from above, with the six places where the lamp stops.
+pub(crate) fn rim_lamp(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 320.0, 320.0).titled(
+        "The light of a lamp on the rim",
+        "Seen from above: a closed curve of six arches that bulge out to a circle. Between them are six cusps that point to the middle and lie on a smaller circle. The cusps are numbered in the order \
+         in which the lamp comes to them, once round: from 0 every second one is on the table, the others at the top of the coin.",
+    );
+    let coin = disc(0.75_f64.acos())?;
+    let mut plot = Plot::plane(&mut drawing, at(160.0, 160.0), 140.0, 1.1)?;
+    let lamp = |rounds: f64| {
+        let place = coin.attitude(rounds) * -Vector3::y();
+        (place.x, place.y)
+    };
+    for (name, radius) in
+        [("stops", coin.attitude(0.0).transform_vector(&Vector3::y()).xy().norm()), ("rim", 1.0)]
+    {
+        let circle = linear_steps(0.0, TAU, 180).map(|angle| (radius * angle.cos(), radius * angle.sin()));
+        plot.curve(name, circle, Stroke::Dotted, Hue::Muted);
+    }
+    plot.curve("light", linear_steps(0.0, 4.0, 720).map(lamp), Stroke::Curve, Hue::Ink);
+    for (stop, rounds) in linear_steps(0.0, 10.0 / 3.0, 5).enumerate() {
+        let (x, y) = lamp(rounds);
+        let (form, hue) = if stop % 2 == 0 { (Marker::Disc, Hue::Pink) } else { (Marker::Ring, Hue::Ink) };
+        plot.markers(&[(x, y)], form, hue);
+        plot.label((0.82 * x, 0.82 * y), Side::Over, &format!("${stop}$"), hue)?;
+    }
     Ok(drawing)
 }

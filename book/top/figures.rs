@@ -121,21 +121,21 @@ pub(crate) fn top_angles(id: &str) -> Outcome {
 pub(crate) fn top_well(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 390.0, 320.0).titled(
         "The well of the tilt",
-        "The energy of the tilt in millijoule against the tilt from 10 to 80 degrees: a well with steep walls and its bottom near 36 degrees. A level line at 34 millijoule cuts it at 30 and at \
+        "The energy of the tilt in millijoule against the tilt from 20 to 60 degrees: a well with its bottom near 36 degrees. A level line at 34 millijoule cuts it at 30 and at \
          42.3 degrees, marked by dots.",
     );
     let motion = let_go(0.0)?;
-    let tilt = Axis::linear(10.0, 80.0, 10.0).minor(5.0).titled(r"tilt $\theta$, degrees");
-    let energy = Axis::linear(30.0, 60.0, 10.0).minor(2.0).titled("$V$, mJ");
+    let tilt = Axis::linear(20.0, 60.0, 10.0).minor(2.0).titled(r"tilt $\theta$, degrees");
+    let energy = Axis::linear(32.0, 38.0, 1.0).titled("$V$, mJ");
     let mut plot = Plot::new(&mut drawing, Rect::new(42.0, 34.0, 325.0, 236.0), tilt, energy)?;
     let values =
-        linear_steps(10.0, 80.0, 400).map(|degrees| (degrees, 1e3 * motion.well(degrees.to_radians())));
+        linear_steps(20.0, 60.0, 400).map(|degrees| (degrees, 1e3 * motion.well(degrees.to_radians())));
     plot.curve("well", values, Stroke::Curve, Hue::Ink);
     let level = 1e3 * motion.well_energy();
     let [from, to] = motion.tilts().map(f64::to_degrees);
     plot.reference((from, level), (to, level), Stroke::Reference);
     plot.markers(&[(from, level), (to, level)], Marker::Disc, Hue::Ink);
-    plot.label((from, level), Side::AboveRight, "let go", Hue::Ink)?;
+    plot.label((from, level), Side::BelowLeft, "let go", Hue::Ink)?;
     plot.label((to, level), Side::BelowRight, "42.3°", Hue::Ink)?;
     Ok(drawing)
 }

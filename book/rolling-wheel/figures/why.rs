@@ -347,3 +347,89 @@ pub(crate) fn shrinking_track(id: &str) -> Outcome {
         Ok(drawing)
     })
 }
+
+/// A disc edge on, that stands on this contact and leans to the left by the angle to this place of its top.
+fn disc_edge_on(drawing: &mut Drawing, contact: Point, top: Point) {
+    let across = (top - contact).unit().quarter_turned() * 3.0;
+    let corners = vec![contact + across, contact - across, top - across, top + across];
+    drawing.polygon(corners.clone(), Fill::Face, Hue::Blue);
+    drawing.push(Role::Line(Stroke::Outline, Hue::Blue), Shape::Polygon(corners));
+}
+
+/// A disc whose centre is beyond the axis of its circle.
+pub(crate) fn beyond(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 340.0, 270.0).titled(
+        "A disc with its centre beyond the axis",
+        "A disc edge on leans by 60 degrees to the left. The dotted vertical axis crosses it just below its middle, between the centre, at the left of the axis, and the contact, far at the right of it.",
+    );
+    let lean = 60_f64.to_radians();
+    let steady = wheel(MomentFactors::DISK)?.steady(lean, -0.05)?;
+    // The page holds y to the right and z up.
+    let (foot, scale) = (at(165.0, 215.0), 150.0);
+    let second = axes(lean)[1];
+    let contact = foot + at(steady.contact_radius() * scale, 0.0);
+    let up = at(second.y, -second.z) * scale;
+    let centre = contact + up;
+    drawing.line(at(20.0, foot.y), at(320.0, foot.y), Stroke::Axis, Hue::Ink);
+    disc_edge_on(&mut drawing, contact, contact + up * 2.0);
+    drawing.line(foot, foot - at(0.0, 175.0), Stroke::Dotted, Hue::Ink);
+    drawing.label(foot - at(-4.0, 168.0), Side::Right, "axis of the circle", Hue::Muted)?;
+    drawing.dot(centre, 4.0, Hue::Ink);
+    drawing.label(centre + at(-4.0, 8.0), Side::BelowLeft, "centre", Hue::Ink)?;
+    drawing.dot(contact, 4.5, Hue::Pink);
+    drawing.label(contact - at(0.0, 8.0), Side::AboveRight, "contact", Hue::Pink)?;
+    kit::dimension(&mut drawing, foot + at(0.0, 14.0), contact + at(0.0, 14.0), Heads::Both, Hue::Ink);
+    drawing.label(
+        (foot + at(0.0, 18.0)).towards(contact + at(0.0, 18.0), 0.5),
+        Side::Below,
+        "$r$",
+        Hue::Ink,
+    )?;
+    Ok(drawing)
+}
+
+/// The two points of a wheel that are at rest, and the angular velocity along the line through both.
+pub(crate) fn two_points(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 340.0, 310.0).titled(
+        "Two points of a wheel that are at rest",
+        "A wheel edge on leans to the left. From its centre the axle leads down to the left, at right angles to the wheel, and meets the vertical axis at a dot. A dashed line joins this dot to the contact; \
+         on it the angular velocity points from the contact to the dot. The wheel's radius is a, the axle's length b over the cosine of the lean, the level distance from the axis to the centre b.",
+    );
+    let (lean, b) = (0.5, 1.1);
+    let steady = wheel(MomentFactors::DISK)?.steady(lean, b)?;
+    // The page holds y to the right and z up.
+    let (foot, scale) = (at(50.0, 262.0), 118.0);
+    let on_page = |way: Vector3<f64>| at(way.y, -way.z) * scale;
+    let [_, second, third] = axes(lean);
+    let contact = foot + at(steady.contact_radius() * scale, 0.0);
+    let centre = contact + on_page(second);
+    let crossing = centre + on_page(third * (b / lean.cos()));
+    let omega = steady.omega();
+    let along = on_page(second * omega.y + third * omega.z).unit();
+    drawing.line(at(24.0, foot.y), at(310.0, foot.y), Stroke::Axis, Hue::Ink);
+    drawing.line(foot, foot - at(0.0, 230.0), Stroke::Dotted, Hue::Ink);
+    disc_edge_on(&mut drawing, contact, contact + on_page(second * 2.0));
+    drawing.line(centre, crossing, Stroke::Curve, Hue::Ink);
+    drawing.line(contact + along * 110.0, crossing, Stroke::Reference, Hue::Muted);
+    kit::arrow(&mut drawing, contact, contact + along * 110.0, Hue::Orange);
+    drawing.label(
+        contact + along * 78.0 + at(0.0, -4.0),
+        Side::Above,
+        r"$\boldsymbol{\omega}$",
+        Hue::Orange,
+    )?;
+    kit::dimension(&mut drawing, at(foot.x, centre.y), centre - at(6.0, 0.0), Heads::Both, Hue::Ink);
+    drawing.label(at(0.6 * foot.x + 0.4 * centre.x, centre.y - 3.0), Side::Above, "$b$", Hue::Ink)?;
+    drawing.label(
+        centre.towards(crossing, 0.45) + at(2.0, 4.0),
+        Side::BelowRight,
+        r"$b/\cos\theta$",
+        Hue::Ink,
+    )?;
+    drawing.label(centre.towards(contact, 0.45) + at(7.0, 0.0), Side::Right, "$a$", Hue::Ink)?;
+    drawing.dot(centre, 3.5, Hue::Ink);
+    drawing.dot(crossing, 4.5, Hue::Ink);
+    drawing.dot(contact, 4.5, Hue::Pink);
+    drawing.label(contact + at(0.0, 8.0), Side::Below, "contact", Hue::Pink)?;
+    Ok(drawing)
+}
