@@ -134,7 +134,7 @@ impl Motion for Tossed {
             let to = from + share * long;
             let corners = vec![at(from, bar.top), at(to, bar.top), at(to, bar.bottom), at(from, bar.bottom)];
             if share > 0.0 {
-                drawing.polygon(corners, Fill::Side, hue);
+                drawing.polygon(corners, Fill::Solid, hue);
             }
             let below = at(bar.left + (place as f64 + 0.5) * long / 3.0, bar.bottom + 26.0);
             drawing.label_set(
