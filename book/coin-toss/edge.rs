@@ -45,6 +45,9 @@ const POINTS: u32 = 240;
 /// The sides on which it can land, from the top of the sphere to its foot.
 const SIDES: [(&str, Hue); 3] = [("heads", Hue::Blue), ("edge", Hue::Pink), ("tails", Hue::Muted)];
 
+/// A piece of the circle of the normal, and the side on which the coin lands there: its place among [`SIDES`].
+type Piece = (usize, Vec<Vector3<f64>>);
+
 struct Tossed {
     toss: Toss,
     moments: PrincipalMoments,
@@ -75,9 +78,9 @@ impl Tossed {
         usize::from(height < self.border) + usize::from(height < -self.border)
     }
 
-    /// The circle of the normal, in pieces, each with the side on which the coin lands there.
-    fn pieces(&self) -> Result<Vec<(usize, Vec<Vector3<f64>>)>, InvalidQuantity> {
-        let mut pieces: Vec<(usize, Vec<Vector3<f64>>)> = Vec::new();
+    /// The circle of the normal, in pieces.
+    fn pieces(&self) -> Result<Vec<Piece>, InvalidQuantity> {
+        let mut pieces: Vec<Piece> = Vec::new();
         for k in 0..=POINTS {
             let normal = self.normal(self.period * f64::from(k) / f64::from(POINTS))?;
             let side = self.side(normal.z);
@@ -134,7 +137,7 @@ impl Motion for Tossed {
             let to = from + share * long;
             let corners = vec![at(from, bar.top), at(to, bar.top), at(to, bar.bottom), at(from, bar.bottom)];
             if share > 0.0 {
-                drawing.polygon(corners, Fill::Side, hue);
+                drawing.polygon(corners, Fill::Solid, hue);
             }
             let below = at(bar.left + (place as f64 + 0.5) * long / 3.0, bar.bottom + 26.0);
             drawing.label_set(
