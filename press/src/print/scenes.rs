@@ -195,7 +195,7 @@ fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str
         .map_or_else(String::new, |(other, [from, to])| format!(" data-when=\"{other} {from} {to}\""));
     let id = format!("{scene}-{name}");
     let range = |[from, to, start]: [f64; 3], step: &str, log: &str| {
-        let (unit, shown) = (escaped(control.unit()), control.shown(*start));
+        let (unit, shown) = (escaped(control.unit()), control.shown(control.start));
         let lengths =
             [from, to].map(|end| control.shown(if log.is_empty() { end } else { 10_f64.powf(end) }));
         let room = lengths.iter().map(|end| end.chars().count()).max().unwrap_or_default();
