@@ -196,9 +196,10 @@ impl Settings<'_> {
             for (slot, strength) in press[1..].iter_mut().zip(strengths.unwrap_or_default()) {
                 *slot = self.of(strength)?;
             }
-            presses.push(press);
+            // Only a link can have it earlier than another. (To sort them all costs a page more bytes than this.)
+            let place = presses.iter().rposition(|own| own[0] <= time).map_or(0, |before| before + 1);
+            presses.insert(place, press);
         }
-        presses.sort_by(|one, other| one[0].total_cmp(&other[0]));
         Ok(presses)
     }
 }
