@@ -103,7 +103,7 @@ impl Rolled {
         for [time, push, _] in given.into_iter().filter(|kick| kick[1] != 0.0) {
             let Some(steady) = steady.filter(|_| is_known) else { break };
             let mut now = match wobbles.last() {
-                Some((from, wobble)) => wobble.at(time - from)?,
+                Some((from, wobble)) => wobble_at(wobble, time - from)?,
                 None => steady_at(&steady, turned, time),
             };
             now.omega_1 += push;
@@ -158,7 +158,7 @@ impl Rolled {
         // What a kick would do is shown before it is given.
         for k in 0..=120 {
             let Some(wobble) = rolled.wobble() else { break };
-            let state = wobble.at(wobble.period() * f64::from(k) / 120.0)?;
+            let state = wobble_at(wobble, wobble.period() * f64::from(k) / 120.0)?;
             rolled.widen(&state);
             let [low, high] = rolled.swung;
             rolled.swung = [low.min(state.lean()), high.max(state.lean())];
@@ -223,7 +223,7 @@ impl Rolled {
         match &self.course {
             Course::Wobbling(wobbles) if wobbles[0].0 <= time => {
                 let (from, wobble) = &wobbles[wobbles.partition_point(|(from, _)| *from <= time) - 1];
-                Ok(wobble.at(time - from)?)
+                wobble_at(wobble, time - from)
             }
             Course::Followed(states) => {
                 let last = states.len() - 1;
@@ -240,7 +240,14 @@ impl Rolled {
     }
 }
 
+/// A wobbling at a time, s. (Compiled once: each call would have a copy of it in the page's module.)
+#[inline(never)]
+fn wobble_at(wobble: &Wobble, time: f64) -> Result<Rolling, Cause> {
+    Ok(wobble.at(time)?)
+}
+
 /// The steady motion at a time, s, that begins with a heading and an angle of the roll.
+#[inline(never)]
 fn steady_at(steady: &SteadyRolling, [heading, roll]: [f64; 2], time: f64) -> Rolling {
     let state = steady.state();
     let heading = heading + steady.turn_rate() * time;
