@@ -244,7 +244,13 @@ impl Throw {
                 Hue::Green,
             )?;
             stage.dot(momentum, 3.5, Hue::Green)?;
-            stage.label(momentum * REACH, Side::Right, r"$\boldsymbol{L}$", Hue::Green)?;
+            stage.label_shifted(
+                momentum * REACH,
+                at(7.0, 0.0),
+                Side::Right,
+                r"$\boldsymbol{L}$",
+                Hue::Green,
+            )?;
         }
         let normal = self.attitude(moment.time)? * Vector3::z();
         stage.dot(normal, 5.5, if normal.z >= 0.0 { Hue::Blue } else { Hue::Muted })?;

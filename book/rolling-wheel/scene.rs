@@ -391,7 +391,7 @@ impl Motion for Rolled {
             )
         };
         let hole = self.slot();
-        let kicked = match &self.wobble {
+        let kicked = match self.wobble() {
             _ if self.loss > 0.0 => self.spiral(),
             Some(wobble) => {
                 let [low, high] = self.swung.map(degrees);

@@ -245,7 +245,7 @@ impl Nodding {
         }
         let mark = attitude * Vector3::new(0.0, 0.93, 0.08);
         stage.dot(mark, 4.5, Hue::Pink)?;
-        stage.label_shifted(mark, at(3.0, 0.0), Side::Right, "mark", Hue::Pink)?;
+        stage.label_shifted(mark, at(9.0, 0.0), Side::Right, "mark", Hue::Pink)?;
         if time < SHOWN && self.blows.first.impulse > 0.0 {
             let [foot, tip] = self.impulse_arrow();
             stage.named_vector(foot, tip, r"$\boldsymbol{P}$", Hue::Pink)?;

@@ -68,9 +68,9 @@ pub(super) struct Rolled {
     /// The heading and the angle of the roll with which it begins.
     pub(super) turned: [f64; 2],
     pub(super) steady: Option<SteadyRolling>,
-    /// The wobbling from the last kick on, or from one that may come at the beginning, if the lean swings; and the
-    /// leans between which it does.
-    pub(super) wobble: Option<Wobble>,
+    /// The wobbling from a kick that may come at the beginning, if there is none.
+    preview: Option<Wobble>,
+    /// The leans between which the wobbling swings.
     pub(super) swung: [f64; 2],
     pub(super) course: Course,
     pub(super) start: Rolling,
@@ -97,29 +97,22 @@ impl Rolled {
         let [heading, roll_angle] = turned;
         let rest = Rolling { tilt: FRAC_PI_2 - lean, heading, roll_angle, ..Rolling::UPRIGHT };
         let start = steady.map_or(rest, |steady| steady_at(&steady, turned, 0.0));
-        let wobbling = |state: Rolling, push: f64| {
-            let kicked = Rolling { omega_1: state.omega_1 + push, ..state };
-            wheel.wobble(kicked, &Taylor::new(1e-13).ok()?).ok()
-        };
-        // Each kick acts on the motion as it is then.
+        // Each kick acts on the motion as it is then. Without one, what one at the beginning would do is shown.
         let (mut wobbles, mut is_known) = (Vec::<(f64, Wobble)>::new(), loss == 0.0 && steady.is_some());
-        for &[time, push, _] in kicks.iter().filter(|kick| kick[1] != 0.0) {
+        let given = if kicks.is_empty() { vec![[0.0, push, 0.0]] } else { kicks.clone() };
+        for [time, push, _] in given.into_iter().filter(|kick| kick[1] != 0.0) {
             let Some(steady) = steady.filter(|_| is_known) else { break };
-            let now = match wobbles.last() {
-                Some((from, wobble)) => wobble.at(time - from)?,
+            let mut now = match wobbles.last() {
+                Some((from, wobble)) => wobble_at(wobble, time - from)?,
                 None => steady_at(&steady, turned, time),
             };
-            match wobbling(now, push) {
-                Some(wobble) => wobbles.push((time, wobble)),
-                None => is_known = false,
+            now.omega_1 += push;
+            match wheel.wobble(now, &Taylor::new(1e-13)?) {
+                Ok(wobble) => wobbles.push((time, wobble)),
+                Err(_) => is_known = kicks.is_empty(),
             }
         }
-        let last = match wobbles.last() {
-            Some((_, wobble)) => Some(wobble.clone()),
-            None if kicks.is_empty() && push != 0.0 && is_known => wobbling(start, push),
-            None => None,
-        };
-        let wobble = last.filter(|_| is_known);
+        let preview = if kicks.is_empty() { wobbles.pop().map(|(_, wobble)| wobble) } else { None };
         let course = match (is_known, wobbles.is_empty()) {
             (true, true) => Course::Steady,
             (true, false) => Course::Wobbling(wobbles),
@@ -139,7 +132,7 @@ impl Rolled {
             kicks: kicks.iter().map(|kick| on_step(kick[0])).collect(),
             turned,
             steady,
-            wobble,
+            preview,
             swung: [lean; 2],
             course,
             start,
@@ -164,13 +157,21 @@ impl Rolled {
         rolled.measure();
         // What a kick would do is shown before it is given.
         for k in 0..=120 {
-            let Some(wobble) = rolled.wobble.as_ref().filter(|_| loss == 0.0) else { break };
-            let state = wobble.at(wobble.period() * f64::from(k) / 120.0)?;
+            let Some(wobble) = rolled.wobble() else { break };
+            let state = wobble_at(wobble, wobble.period() * f64::from(k) / 120.0)?;
             rolled.widen(&state);
             let [low, high] = rolled.swung;
             rolled.swung = [low.min(state.lean()), high.max(state.lean())];
         }
         Ok(rolled)
+    }
+
+    /// The wobbling from the last kick on, or from one that may come at the beginning, if the lean swings.
+    pub(super) fn wobble(&self) -> Option<&Wobble> {
+        match &self.course {
+            Course::Wobbling(wobbles) => wobbles.last().map(|(_, wobble)| wobble),
+            _ => self.preview.as_ref(),
+        }
     }
 
     fn add(&mut self, time: f64, state: Rolling) {
@@ -222,7 +223,7 @@ impl Rolled {
         match &self.course {
             Course::Wobbling(wobbles) if wobbles[0].0 <= time => {
                 let (from, wobble) = &wobbles[wobbles.partition_point(|(from, _)| *from <= time) - 1];
-                Ok(wobble.at(time - from)?)
+                wobble_at(wobble, time - from)
             }
             Course::Followed(states) => {
                 let last = states.len() - 1;
@@ -239,7 +240,14 @@ impl Rolled {
     }
 }
 
+/// A wobbling at a time, s. (Compiled once: each call would have a copy of it in the page's module.)
+#[inline(never)]
+fn wobble_at(wobble: &Wobble, time: f64) -> Result<Rolling, Cause> {
+    Ok(wobble.at(time)?)
+}
+
 /// The steady motion at a time, s, that begins with a heading and an angle of the roll.
+#[inline(never)]
 fn steady_at(steady: &SteadyRolling, [heading, roll]: [f64; 2], time: f64) -> Rolling {
     let state = steady.state();
     let heading = heading + steady.turn_rate() * time;

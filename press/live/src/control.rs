@@ -120,17 +120,16 @@ impl Control {
         }
     }
 
-    /// The value of a slider when the page opens, with its unit, as HTML: as many digits as its step has, or three that
-    /// count.
-    pub fn shown(&self) -> String {
+    /// A value of a slider with its unit, as HTML: as many digits as its step has, or three that count.
+    pub fn shown(&self, value: f64) -> String {
         let digits = match self.kind {
             Kind::Slider { step, .. } => {
                 step.to_string().split_once('.').map_or(0, |(_, digits)| digits.len())
             }
-            Kind::LogSlider { .. } => (2.0 - self.start.log10().floor()).clamp(0.0, 15.0) as usize,
+            Kind::LogSlider { .. } => (2.0 - value.log10().floor()).clamp(0.0, 15.0) as usize,
             _ => 0,
         };
-        written(self.start, Form::Fixed(digits), self.unit())
+        written(value, Form::Fixed(digits), self.unit())
     }
 
     /// The nearest value that the control can have; none for what is no number.
@@ -197,9 +196,10 @@ impl Settings<'_> {
             for (slot, strength) in press[1..].iter_mut().zip(strengths.unwrap_or_default()) {
                 *slot = self.of(strength)?;
             }
-            presses.push(press);
+            // Only a link can have it earlier than another. (To sort them all costs a page more bytes than this.)
+            let place = presses.iter().rposition(|own| own[0] <= time).map_or(0, |before| before + 1);
+            presses.insert(place, press);
         }
-        presses.sort_by(|one, other| one[0].total_cmp(&other[0]));
         Ok(presses)
     }
 }

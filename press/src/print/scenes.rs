@@ -195,11 +195,14 @@ fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str
         .map_or_else(String::new, |(other, [from, to])| format!(" data-when=\"{other} {from} {to}\""));
     let id = format!("{scene}-{name}");
     let range = |[from, to, start]: [f64; 3], step: &str, log: &str| {
-        let (unit, shown) = (escaped(control.unit()), control.shown());
+        let (unit, shown) = (escaped(control.unit()), control.shown(control.start));
+        let lengths =
+            [from, to].map(|end| control.shown(if log.is_empty() { end } else { 10_f64.powf(end) }));
+        let room = lengths.iter().map(|end| end.chars().count()).max().unwrap_or_default();
         format!(
             "<div class=\"control\"{when}><label for=\"{id}\">{words}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" \
              min=\"{from}\" max=\"{to}\" step=\"{step}\" value=\"{start}\" data-start=\"{start}\" data-unit=\"{unit}\"{log}>\
-             <output for=\"{id}\">{shown}</output></div>"
+             <output for=\"{id}\" style=\"min-width: {room}ch\">{shown}</output></div>"
         )
     };
     match kind {

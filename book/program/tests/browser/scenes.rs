@@ -258,7 +258,9 @@ fn set_by(scene: &Scene, link: &str) -> Vec<f64> {
     };
     let mut values: Vec<f64> = scene.controls.iter().map(value).collect();
     for (place, control) in scene.controls.iter().enumerate() {
-        for (_, press) in named.iter().filter(|(name, value)| *name == control.name && value.contains(',')) {
+        let mut presses: Vec<_> = named.iter().filter(|(name, _)| *name == control.name).collect();
+        presses.pop(); // the last is the value
+        for (_, press) in presses {
             let mut all = press.split(',').map(|number| number.parse().expect("a number"));
             values.extend([
                 place as f64,
