@@ -5,7 +5,6 @@ use super::sheet::Kind;
 use crate::html::{self, VOID, attribute, escaped, text};
 use anyhow::{Context as _, Result};
 use html5gum::{StartTag, Token};
-use percent_encoding::percent_decode_str;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs::{self, File};
@@ -93,10 +92,9 @@ impl Paper {
             );
         }
         for (n, (file, kind)) in self.pictures().into_iter().enumerate() {
-            let name = percent_decode_str(&file).decode_utf8_lossy();
-            let place = site.join(&*name);
+            let place = site.join(&file);
             let bytes = fs::read(&place).with_context(|| place.display().to_string())?;
-            add(&mut archive, &format!("book/{name}"), bytes)?;
+            add(&mut archive, &format!("book/{file}"), bytes)?;
             let _ = writeln!(items, "<item id=\"picture-{n}\" href=\"{file}\" media-type=\"image/{kind}\"/>");
         }
         add(&mut archive, "book/package.opf", self.package(&items, &spine))?;
