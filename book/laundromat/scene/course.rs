@@ -313,7 +313,8 @@ impl Course {
                         (self.end, self.strikes) = (time, true);
                         return Ok(());
                     }
-                    if distance > self.widest.1 {
+                    // A swing that only comes nearer to its last size has no largest one but by rounding.
+                    if distance > self.widest.1 * (1.0 + 1e-6) {
                         self.widest = (time, distance);
                     }
                     self.swings.push((time, distance));

@@ -439,7 +439,7 @@ fn until_its_module_has_come_a_panel_is_seen_and_cannot_be_operated() {
     }
     let figure = &place.figure;
     let asleep = format!(
-        "[...{figure}.querySelectorAll('.panel :is(input, button, a)')].every((node) => node.closest('[inert]'))"
+        "[...{figure}.querySelectorAll('.panel :is(input, button:not(.cover), a)')].every((node) => node.closest('[inert]'))"
     );
     assert_eq!(shown.get(&asleep), true);
     shown.get("come()");
