@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use std::{env, fs, process, thread};
 
 /// How long anything may take before it counts as never: nothing is measured by it.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(180);
 
 /// The browser that also prints; `None` where there is none, which in CI is a failure.
 pub(crate) fn program() -> Option<PathBuf> {

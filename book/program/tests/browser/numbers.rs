@@ -31,10 +31,12 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
             for index in 0..snippet.live.len() {
                 let number = format!("{panel}.querySelectorAll('.number')[{index}]");
                 let range = format!("{number}.querySelector('input[type=range]')");
-                for (means, part) in in_turn(turn, index) {
+                for (means, _) in in_turn(turn, index) {
                     let [before, least] = ["value", "min"].map(|what| page.text(&format!("{range}.{what}")));
-                    // One that is 0 or 1 stays at 0 under a finger at a third of its way.
-                    let part = if before == least { part.max(0.8) } else { part };
+                    // Far from where it is: a whole number stays where it is under a finger near by.
+                    let is_low =
+                        page.get(&format!("2 * ({range}.value - {range}.min) < {range}.max - {range}.min"));
+                    let part = if is_low == true { 0.9 } else { 0.1 };
                     act(
                         &mut page,
                         means,
