@@ -131,10 +131,11 @@ pub(super) const CASES: &[Case] = &[
         &[
             "<figure class='scene' id='scene-plate' data-scene='0' data-module='live-a.md.js' aria-labelledby='scene-plate-caption'>\n\
              <p class='question'>Why <span class='tied'>⟨x⟩?</span></p>\n\
+             <p class='presets'><button type='button' data-set='spin=1&amp;drag=0.1'>a ball</button> </p>\n\
              <div class='drawing'><svg></svg></div>\n<div class='panel'>\n",
             "class='time' id='scene-plate-time' min='0' max='1' step='any' value='0.5'",
             "<label for='scene-plate-spin'>spin, ⟨x⟩</label><input type='range' id='scene-plate-spin' name='spin' min='-1' max='4' \
-             step='0.1' value='2' data-start='2' data-unit='rad/s'><output for='scene-plate-spin'>2.0~rad/s</output>",
+             step='0.1' value='2' data-start='2' data-unit='rad/s'><output for='scene-plate-spin' style='min-width: 10ch'>2.0~rad/s</output>",
             "id='scene-plate-drag' name='drag' min='-3' max='0' step='any' value='-2'",
             " data-log>",
             "<input type='radio' name='scene-plate-camera' value='0' data-name='camera' checked data-start> room",
@@ -143,7 +144,6 @@ pub(super) const CASES: &[Case] = &[
             "<button type='button' class='press' name='kick' data-start='-1'>Kick</button>",
             "name='azimuth' min='-180' max='180' step='any' value='-28.64788975654116'",
             "<div><dt>wobbles</dt><dd></dd></div>",
-            "<button type='button' data-set='spin=1&amp;drag=0.1'>a ball</button>",
             "<figcaption id='scene-plate-caption'><span class='number'>Scene 1.1.</span> A <em>plate</em>.</figcaption>\n</figure>",
             "<a href='#scene-plate' data-set='spin=3&amp;kick=0'>Set ⟨x⟩</a>.",
         ],
