@@ -67,6 +67,21 @@ impl System {
         self.rates[state.0] = terms.to_vec();
     }
 
+    /// The rates of a quaternion that turns with an angular velocity along the axes of the body.
+    pub(crate) fn turn(&mut self, [q0, q1, q2, q3]: [Term; 4], [w1, w2, w3]: [Term; 3]) {
+        let half = long(0.5);
+        let turned = [
+            [(-half, q1, w1), (-half, q2, w2), (-half, q3, w3)],
+            [(half, q0, w1), (half, q2, w3), (-half, q3, w2)],
+            [(half, q0, w2), (half, q3, w1), (-half, q1, w3)],
+            [(half, q0, w3), (half, q1, w2), (-half, q2, w1)],
+        ];
+        for (state, terms) in [q0, q1, q2, q3].into_iter().zip(turned) {
+            let terms = terms.map(|(factor, q, w)| (factor, self.product(q, w)));
+            self.rate(state, &terms);
+        }
+    }
+
     /// The states at `times`, which run away from zero in one direction, from `start` at zero.
     pub(crate) fn sample(&self, start: &[Long], times: &[Long]) -> Vec<Vec<Long>> {
         self.attempt(start, times).unwrap_or_else(|| panic!("the judge gave up before {times:?}"))

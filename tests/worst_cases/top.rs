@@ -29,17 +29,7 @@ impl Judge {
         system.rate(w1, &[(turn, w23), (weight, yz), (weight, wx)]);
         system.rate(w2, &[(-turn, w31), (-weight, xz), (weight, wy)]);
         system.rate(w3, &[]);
-        let half = long(0.5);
-        let turned = [
-            [(-half, q1, w1), (-half, q2, w2), (-half, q3, w3)],
-            [(half, q0, w1), (half, q2, w3), (-half, q3, w2)],
-            [(half, q0, w2), (half, q3, w1), (-half, q1, w3)],
-            [(half, q0, w3), (half, q1, w2), (-half, q2, w1)],
-        ];
-        for (state, terms) in [q0, q1, q2, q3].into_iter().zip(turned) {
-            let terms = terms.map(|(factor, q, w)| (factor, system.product(q, w)));
-            system.rate(state, &terms);
-        }
+        system.turn([q0, q1, q2, q3], [w1, w2, w3]);
         let (q, w) = (start.world_from_body, start.omega_body);
         // Of length one to 32 digits.
         let length = [q.w, q.i, q.j, q.k].map(|x| long(x) * x).into_iter().sum::<Long>().sqrt();

@@ -200,13 +200,8 @@ impl Polynomials for Slow {
 impl Polynomials for Fast {
     #[inline(always)]
     fn at<const ONE: bool>(&self, high: f64, low: f64) -> Values {
-        let (high, low) = if ONE && self.wraps != 0.0 { remainder(high, low, 2.0) } else { (high, low) };
-        let (whole, bits) = nearest(high);
-        let high = high - self.wraps * whole;
-        // After many periods the second part may carry half a period beyond its end, where |Z| + Z is another root.
-        let (carried, more_bits) = nearest(high + low);
-        let rest = (high - self.wraps * carried) + low;
-        let flip = if self.wraps == 0.0 { 0 } else { (bits ^ more_bits) << 63 };
+        let (high, low, flip) = within_half_period::<ONE>(self.wraps, high, low);
+        let rest = high + low;
         let w = self.stretch * rest.abs();
         let falling = exp(-w);
         let down = falling * falling;
@@ -226,6 +221,19 @@ impl Polynomials for Fast {
         let im = f64::from_bits(im.to_bits() ^ (rest.to_bits() & (1 << 63)));
         Values { jacobi, theta: [odd(&self.re), im], flip, drift: self.drift * rest }
     }
+}
+
+/// An argument in half periods, in two parts, without the whole ones, and the sign bit that these leave behind. `wraps`
+/// is 0 where nothing comes back, else 1; for `ONE` the argument may be of any size.
+#[inline(always)]
+pub(crate) fn within_half_period<const ONE: bool>(wraps: f64, high: f64, low: f64) -> (f64, f64, u64) {
+    let (high, low) = if ONE && wraps != 0.0 { remainder(high, low, 2.0) } else { (high, low) };
+    let (whole, bits) = nearest(high);
+    let high = high - wraps * whole;
+    // After many periods the second part may carry half a period beyond its end, where |Z| + Z is another root.
+    let (carried, more_bits) = nearest(high + low);
+    let flip = if wraps == 0.0 { 0 } else { (bits ^ more_bits) << 63 };
+    (high - wraps * carried, low, flip)
 }
 
 /// (−1)^j

@@ -4,8 +4,10 @@
 //! and one that vanishes at a cusp (`eq:top-thetas`). As for a free body the nome `q = e^{−πK'/K}` is used where `k² ≤
 //! ½`, else `q' = e^{−πK/K'}`. A number that is nearly zero keeps its digits: its direction is asked for at the start.
 
-use crate::elementary::{exp, exp_and_exp_m1, nearest, remainder, sin_cos_quarters};
-use crate::free_rotation::theta::{Cubic, Parts, alternating, cos_even, cos_odd, cubic, sin_odd};
+use crate::elementary::{exp, exp_and_exp_m1, sin_cos_quarters};
+use crate::free_rotation::theta::{
+    Cubic, Parts, alternating, cos_even, cos_odd, cubic, sin_odd, within_half_period,
+};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 /// The first of the three is `ϑ₁`, the others are `ϑ₂`.
@@ -176,11 +178,7 @@ impl Thetas for Slow {
 impl Thetas for Fast {
     #[inline(always)]
     fn at<const ONE: bool>(&self, high: f64, low: f64) -> Values {
-        let (high, low) = if ONE && self.wraps != 0.0 { remainder(high, low, 2.0) } else { (high, low) };
-        let (whole, bits) = nearest(high);
-        let high = high - self.wraps * whole;
-        let (carried, more_bits) = nearest(high + low);
-        let high = high - self.wraps * carried;
+        let (high, low, flip) = within_half_period::<ONE>(self.wraps, high, low);
         let rest = high + low;
         let sign = rest.to_bits() & (1 << 63);
         let signed = |value: f64| f64::from_bits(value.to_bits() ^ sign);
@@ -200,7 +198,6 @@ impl Thetas for Fast {
             let size = falling * over;
             [(near_zero + re.at(up, down)) * size, signed(im.at(up, down)) * size]
         });
-        let flip = if self.wraps == 0.0 { 0 } else { (bits ^ more_bits) << 63 };
         Values { thetas: [first, second, third], flip, rest }
     }
 

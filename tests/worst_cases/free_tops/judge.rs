@@ -59,17 +59,7 @@ impl Judge {
         for ((state, product), coupling) in [w1, w2, w3].into_iter().zip(products).zip(couplings) {
             system.rate(state, &[(coupling, product)]);
         }
-        let half = long(0.5);
-        let turned = [
-            [(-half, q1, w1), (-half, q2, w2), (-half, q3, w3)],
-            [(half, q0, w1), (half, q2, w3), (-half, q3, w2)],
-            [(half, q0, w2), (half, q3, w1), (-half, q1, w3)],
-            [(half, q0, w3), (half, q1, w2), (-half, q2, w1)],
-        ];
-        for (state, terms) in [q0, q1, q2, q3].into_iter().zip(turned) {
-            let terms = terms.map(|(factor, q, w)| (factor, system.product(q, w)));
-            system.rate(state, &terms);
-        }
+        system.turn([q0, q1, q2, q3], [w1, w2, w3]);
         let [x, y, z] = omega.map(long);
         let [zero, one] = [0.0, 1.0].map(long);
         Self { system, start: [x, y, z, one, zero, zero, zero], couplings }
