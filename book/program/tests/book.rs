@@ -292,7 +292,10 @@ fn the_search_finds_words_of_pages_and_is_small() {
     let index = script("searchindex").expect("the index");
     assert!(packed(&index) < 320 * 1024, "{} bytes of index", packed(&index)); // it grows with the text of the book
     assert!(index.contains("Dzhanibekov") && index.contains("ω₀²"), "words, names and letters");
-    assert!(!index.contains("use mechanics") && !index.contains("println!") && !index.contains("ω 0"), "no code, no formula in pieces");
+    assert!(
+        !index.contains("use mechanics") && !index.contains("println!") && !index.contains("ω 0"),
+        "no code, no formula in pieces"
+    );
     assert!(files(site(), ".rs").is_empty(), "the site holds no programs of figures and scenes");
 }
 
