@@ -9,7 +9,9 @@ use std::time::{Duration, Instant};
 use std::{env, fs, process, thread};
 
 /// How long anything may take before it counts as never: nothing is measured by it.
-const PATIENCE: Duration = Duration::from_secs(180);
+const PATIENCE: Duration = Duration::from_secs(60);
+/// How long a page may take to arrive: that of all pages weighs seven megabytes, and other browsers load beside it.
+const ARRIVAL: Duration = Duration::from_secs(180);
 
 /// The browser that also prints; `None` where there is none, which in CI is a failure.
 pub(crate) fn program() -> Option<PathBuf> {
@@ -150,7 +152,8 @@ impl Page<'_> {
     pub(crate) fn go(&mut self, address: &str) {
         let gone = self.tell("Page.navigate", json!({ "url": address }));
         assert!(gone["errorText"].is_null(), "{address}: {gone}");
-        self.wait(&format!("location.href === {} && document.readyState === 'complete'", json!(address)));
+        let has_come = format!("location.href === {} && document.readyState === 'complete'", json!(address));
+        self.wait_for(&has_come, ARRIVAL);
     }
 
     /// The value of an expression in the page; a promise is waited for.
@@ -176,9 +179,13 @@ impl Page<'_> {
 
     /// Waits until an expression is true.
     pub(crate) fn wait(&mut self, expression: &str) {
+        self.wait_for(expression, PATIENCE);
+    }
+
+    fn wait_for(&mut self, expression: &str, patience: Duration) {
         let begun = Instant::now();
         while self.get(&format!("Boolean({expression})")) != true {
-            assert!(begun.elapsed() < PATIENCE, "never: {expression}");
+            assert!(begun.elapsed() < patience, "never: {expression}");
             thread::sleep(Duration::from_millis(10));
         }
     }
