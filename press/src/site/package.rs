@@ -1,4 +1,4 @@
-//! What Cargo says of the package in the project's root: `cargo metadata` has read its manifest.
+//! What Cargo says of the project's packages: `cargo metadata` has read their manifests.
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ pub(crate) fn cargo(folder: &Path) -> Command {
     cargo
 }
 
-/// The package in the project's root.
+/// A package of the project.
 #[derive(Debug, Clone)]
 pub(crate) struct Package {
     /// Its name, as Cargo writes it.
@@ -37,16 +37,23 @@ impl Package {
     /// The package in `root`, if there is one that Cargo can read.
     pub(crate) fn read(root: &Path) -> Option<Self> {
         let manifest = fs::canonicalize(root.join("Cargo.toml")).ok()?;
+        Self::find(root, |package| package["manifest_path"].as_str().map(Path::new) == Some(&manifest))
+    }
+
+    /// The package whose library Rust calls `library`, in the workspace that `root` belongs to.
+    pub(crate) fn of_library(root: &Path, library: &str) -> Option<Self> {
+        let is_it = |target: &Value| target["kind"][0] == "lib" && target["name"] == library;
+        Self::find(root, |package| package["targets"].as_array().is_some_and(|all| all.iter().any(is_it)))
+    }
+
+    fn find(root: &Path, is_it: impl Fn(&Value) -> bool) -> Option<Self> {
         let answer = cargo(root)
-            .args(["metadata", "--no-deps", "--format-version", "1", "--manifest-path"])
-            .arg(&manifest)
+            .args(["metadata", "--no-deps", "--format-version", "1"])
             .stderr(Stdio::null())
             .output()
             .ok()?;
         let metadata: Value = serde_json::from_slice(&answer.stdout).ok()?;
-        let mut packages = metadata["packages"].as_array()?.iter();
-        let package =
-            packages.find(|package| package["manifest_path"].as_str().map(Path::new) == Some(&manifest))?;
+        let package = metadata["packages"].as_array()?.iter().find(|package| is_it(package))?;
         let library = package["targets"].as_array()?.iter().find(|target| target["kind"][0] == "lib");
         let text = |value: &Value| value.as_str().map(str::to_owned);
         Some(Self {

@@ -104,7 +104,8 @@ fn replace(items: &mut [BookItem], book: &str, texts: &mut impl Iterator<Item = 
 /// Runs the snippets of all pages and those of the library, as documentation tests.
 fn test_snippets(root: &Path, book: &OfBook) -> Result<()> {
     eprintln!("Testing the snippets of all pages with `cargo test --doc`");
-    let library = Package::read(root).context("the project's root has no package")?;
+    let library = Package::of_library(root, book.library)
+        .with_context(|| format!("no package of the project has a library called `{}`", book.library))?;
     let run = cargo(root)
         .args(["test", "--doc", "--package", &library.name, "--package", book.snippets])
         .stderr(Stdio::inherit())

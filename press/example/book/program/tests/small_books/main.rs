@@ -282,18 +282,25 @@ fn mdbook_test_runs_the_snippets_and_says_which_fails() {
         write(&folder.join(below).join("Cargo.toml"), &manifest);
         write(&folder.join(below).join("src/lib.rs"), "");
     }
-    for (sum, outcome) in [(4, "test result: ok. 1 passed"), (5, "snippets fail")] {
-        let snippet = format!("//! ```\n//! assert_eq!(2 + 2, {sum});\n//! ```\n");
-        write(&folder.join("src/lib.rs"), &snippet);
-        let run = Command::new(BOOK)
+    let test = || {
+        Command::new(BOOK)
             .arg("test")
             .current_dir(&folder)
             .env("MDBOOK_PREPROCESSOR__PRESS__COMMAND", BOOK)
             .stdin(Stdio::null())
             .output()
-            .unwrap();
+            .unwrap()
+    };
+    for (sum, outcome) in [(4, "test result: ok. 1 passed"), (5, "snippets fail")] {
+        let snippet = format!("//! ```\n//! assert_eq!(2 + 2, {sum});\n//! ```\n");
+        write(&folder.join("src/lib.rs"), &snippet);
+        let run = test();
         assert!(run.status.success() == (sum == 4) && said(&run).contains(outcome), "{}", said(&run));
     }
+    write(&folder.join("lib/Cargo.toml"), "[package]\nname = \"pendulum\"\n[lib]\nname = \"swing\"\n");
+    let run = test();
+    let told = "no package of the project has a library called `pendulum`";
+    assert!(!run.status.success() && said(&run).contains(told), "{}", said(&run));
 }
 
 #[test]
