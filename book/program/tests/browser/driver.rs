@@ -102,7 +102,7 @@ impl Browser {
         let attached = self.ask("", "Target.attachToTarget", attach).unwrap();
         let session = attached["sessionId"].as_str().unwrap().to_owned();
         self.events.clear();
-        let mut page = Page { browser: self, session };
+        let mut page = Page { browser: self, session, target: target["targetId"].clone() };
         for domain in ["Page", "Runtime", "Log", "Network", "Accessibility"] {
             page.tell(&format!("{domain}.enable"), json!({}));
         }
@@ -113,16 +113,29 @@ impl Browser {
 
 impl Drop for Browser {
     fn drop(&mut self) {
-        let _ = self.ask("", "Browser.close", json!({}));
+        if thread::panicking() {
+            let _ = self.child.kill();
+        } else {
+            let _ = self.ask("", "Browser.close", json!({}));
+        }
         let _ = self.child.wait();
         let _ = fs::remove_dir_all(&self.profile);
     }
 }
 
-/// A page in a browser.
+/// A page in a browser, which closes with it: a scene that nobody sees any more would go on moving.
 pub(crate) struct Page<'a> {
     browser: &'a mut Browser,
     session: String,
+    target: Value,
+}
+
+impl Drop for Page<'_> {
+    fn drop(&mut self) {
+        if !thread::panicking() {
+            let _ = self.browser.ask("", "Target.closeTarget", json!({ "targetId": self.target }));
+        }
+    }
 }
 
 impl Page<'_> {

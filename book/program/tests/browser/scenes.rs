@@ -28,7 +28,11 @@ const PHONE: [u32; 2] = [360, 800];
 /// Opens a page in so many tabs, which all stay open. A browser has six connections to a server.
 pub(crate) fn open_tabs(address: &str, count: usize) {
     if let Some(mut browser) = Browser::open("tabs") {
-        (0..count).for_each(|_| browser.page(WIDE).go(address));
+        for _ in 0..count {
+            let mut page = browser.page(WIDE);
+            page.go(address);
+            std::mem::forget(page); // its end would close it
+        }
     }
 }
 
@@ -334,10 +338,11 @@ fn act(page: &mut Page<'_>, means: Means, element: &str, part: f64, key: &str) {
 #[test]
 fn scenes_wake_and_move_and_nothing_else_does() {
     let Some(mut browser) = open("wake") else { return };
-    for place in scenes() {
+    for (turn, place) in scenes().into_iter().enumerate() {
         let name = place.scene.name;
         let file = place.address.replace(address(), &format!("file://{}/", site().display()));
-        for page_address in [&place.address, &file] {
+        // From a folder the first two, since all modules come alike.
+        for page_address in [&place.address, &file].into_iter().take(if turn < 2 { 2 } else { 1 }) {
             let is_file = page_address.starts_with("file:");
             let mut shown = place.empty(&mut browser, WIDE);
             place.wake(&mut shown, page_address);
@@ -453,7 +458,7 @@ fn until_its_module_has_come_a_panel_is_seen_and_cannot_be_operated() {
 #[test]
 fn the_still_is_the_first_picture_and_what_is_printed() {
     let Some(mut browser) = open("still") else { return };
-    for place in scenes() {
+    for (turn, place) in scenes().into_iter().enumerate() {
         let name = place.scene.name;
         for size in [WIDE, PHONE] {
             let mut shown = place.still(&mut browser, size, "");
@@ -466,9 +471,17 @@ fn the_still_is_the_first_picture_and_what_is_printed() {
             act(&mut shown, Means::Mouse, &play, 0.5, "");
             shown.wait_for_change();
             shown.get(&format!("addEventListener('beforeprint', () => (window.onPaper = {change}))"));
-            shown.tell("Page.printToPDF", json!({}));
-            shown.wait("typeof onPaper === 'string'");
+            // The first is printed; what a browser tells the others is the same.
+            if turn == 0 {
+                shown.tell("Page.printToPDF", json!({}));
+                shown.wait("typeof onPaper === 'string'");
+            } else {
+                shown.get("dispatchEvent(new Event('beforeprint'))");
+            }
             assert_eq!(shown.text("onPaper"), "", "{name}: paper has the still");
+            if turn > 0 {
+                shown.get("dispatchEvent(new Event('afterprint'))");
+            }
             shown.wait_for_change();
         }
     }
@@ -676,6 +689,7 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
                 assert_eq!(shown.values(), expected, "{}: {}={asked}", scene.name, control.name);
             }
         }
+        drop(shown);
         // A fresh page opens at the setting that another gave away, and at its scene.
         let first = &scene.controls[0];
         if let Kind::Slider { to: end, .. } | Kind::LogSlider { to: end, .. } = first.kind {
@@ -1022,6 +1036,7 @@ fn a_kick_adds_to_the_motion_as_it_is_and_a_slider_does_not_throw_the_body() {
         );
         // Whoever is given the link has both.
         let link = shown.text(&format!("{}.querySelector('.share a').hash", place.figure));
+        drop(shown);
         let mut other = place.still(&mut browser, WIDE, &link);
         assert_eq!((other.values(), other.text(&readings)), (values, now), "{name}: {link}");
         other.has_no_faults();
