@@ -1,16 +1,11 @@
 //! The small scene of the page "The middle axis": a bat that waits, and turns over.
 
-use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Flaw, Hue, Point, Rect, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
-};
+use live::prelude::*;
 use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::TAU;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
@@ -26,14 +21,14 @@ pub(crate) const SCENE: Scene = Scene {
     still: 0.74,
     controls: &[Control::log_slider("miss", r"the throw misses by $\epsilon$", [1e-4, 10.0], "°", 0.1)],
     presets: &[
-        Preset { words: "a clumsy throw", settings: &[("miss", 10.0)] },
-        Preset { words: "a good one", settings: &[("miss", 1.0)] },
-        Preset { words: "ten times as careful", settings: &[] },
-        Preset { words: "and a hundred times more", settings: &[("miss", 0.001)] },
+        preset("a clumsy throw", &[("miss", 10.0)]),
+        preset("a good one", &[("miss", 1.0)]),
+        preset("ten times as careful", &[]),
+        preset("and a hundred times more", &[("miss", 0.001)]),
     ],
     readings: &[
-        Reading { words: "turns before it turns over", form: Form::Fixed(2), unit: "" },
-        Reading { words: r"angle of axis 2 and $\boldsymbol{L}$", form: Form::Digits(3), unit: "°" },
+        reading("turns before it turns over", Form::Fixed(2), ""),
+        reading(r"angle of axis 2 and $\boldsymbol{L}$", Form::Digits(3), "°"),
     ],
     symbols: formulas![r"\boldsymbol{L}", r"\hat{\mathbf{1}}", r"\hat{\mathbf{2}}", r"\hat{\mathbf{3}}"],
     start: |settings| Ok(Box::new(Thrown::new(settings)?)),
@@ -67,7 +62,7 @@ impl Thrown {
         };
         let top = FreeTop::new(moments, start)?;
         let mut thrown = Self { top, period: top.period().ok_or("it never turns over")?, path: Vec::new() };
-        let times = (0..=POINTS).map(|k| thrown.period * f64::from(k) / f64::from(POINTS));
+        let times = linear_steps(0.0, thrown.period, POINTS);
         thrown.path = times.map(|time| thrown.momentum(time)).collect::<Result<_, _>>()?;
         Ok(thrown)
     }
@@ -94,10 +89,6 @@ pub(crate) fn draw_bat(stage: &mut Stage, along: Vector3<f64>, pink: Vector3<f64
     stage.solid(Solid::rod(along * -0.5, along * -1.87, 0.13)?, Hue::Blue)
 }
 
-fn camera(azimuth: f64, elevation: f64, centre: Point, scale: f64) -> Result<Camera, Flaw> {
-    Camera::new(View { target: [0.0; 3], azimuth, elevation, distance: 14.0, centre, scale })
-}
-
 impl Motion for Thrown {
     fn run(&self) -> Run {
         Run { duration: self.period, pace: PACE, repeats: false }
@@ -105,7 +96,9 @@ impl Motion for Thrown {
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let (room, now) = (moment.room, self.top.at(moment.time)?);
-        let mut stage = Stage::new(camera(2.02, 0.42, room.of(at(160.0, 150.0), at(190.0, 150.0)), 56.0)?);
+        let eye = moment.seen_from(2.02, 0.42);
+        let centre = room.of(at(160.0, 150.0), at(190.0, 150.0));
+        let mut stage = Stage::new(eye.camera([0.0; 3], 14.0, centre, 56.0)?);
         let [along, normal] = [Vector3::x(), Vector3::z()].map(|axis| now.world_from_body * axis);
         draw_bat(&mut stage, along, normal)?;
         stage.named_vector([0.0; 3], Vector3::y() * 2.9, r"$\boldsymbol{L}$", Hue::Green)?;
@@ -114,7 +107,9 @@ impl Motion for Thrown {
         stage.write(drawing);
 
         // On board.
-        let mut stage = Stage::new(camera(0.75, 0.4, room.of(at(470.0, 150.0), at(190.0, 400.0)), 100.0)?);
+        let eye = moment.seen_from(0.75, 0.4);
+        let centre = room.of(at(470.0, 150.0), at(190.0, 400.0));
+        let mut stage = Stage::new(eye.camera([0.0; 3], 14.0, centre, 100.0)?);
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
         let axes = [r"$\hat{\mathbf{1}}$", r"$\hat{\mathbf{2}}$", r"$\hat{\mathbf{3}}$"];
         for (axis, name) in [Vector3::x(), Vector3::y(), Vector3::z()].into_iter().zip(axes) {
@@ -130,8 +125,7 @@ impl Motion for Thrown {
         let x = Axis::linear(0.0, turns, if turns > 6.0 { 2.0 } else { 1.0 }).titled("turns");
         let y = Axis::linear(0.0, 180.0, 90.0).titled(r"angle of axis 2 and $\boldsymbol{L}$, degrees");
         let mut graph = Graph::new(drawing, frame, x, y)?;
-        let part = |k: usize| turns * k as f64 / f64::from(POINTS);
-        let angles = self.path.iter().enumerate().map(|(k, tip)| (part(k), from_axis_2(tip)));
+        let angles = linear_steps(0.0, turns, POINTS).zip(self.path.iter().map(from_axis_2));
         graph.curve(angles, Stroke::Curve, Hue::Green);
         graph.dot((Self::turns(moment.time), from_axis_2(&self.momentum(moment.time)?)), 5.0, Hue::Green);
         Ok(())
