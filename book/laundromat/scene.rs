@@ -10,6 +10,7 @@ mod drum;
 use course::{Course, Drive, State};
 use drum::Drum;
 use live::prelude::*;
+use mechanics::InvalidQuantity;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, SteadyMotion};
 use nalgebra::Complex;
 
@@ -74,7 +75,7 @@ const ACCELERATION: f64 = 2.5;
 const LASTS: f64 = 8.0;
 const WEAK_LASTS: f64 = 25.0;
 /// The drum's own moment of inertia, kg·m², which a weak motor feels.
-const DRUM_INERTIA: f64 = 0.5;
+pub(super) const DRUM_INERTIA: f64 = 0.5;
 /// The change of the shaft's velocity in a kick, m/s, along x.
 const KICK: Complex<f64> = Complex::new(0.4, 0.0);
 /// Where the tub strikes its housing: the largest distance of the shaft from O, in units of b.
@@ -93,6 +94,18 @@ const GAUSS: [(f64, f64); 6] = [
     (0.830_604_693_233_132_2, 0.180_380_786_524_069_3),
     (0.966_234_757_101_576, 0.085_662_246_189_585_17),
 ];
+
+/// The chapter's machine at rest, with so much damping in units of ω₀.
+pub(super) fn machine(damping: f64) -> Result<Machine, InvalidQuantity> {
+    Machine::new(MachineParameters {
+        drum_mass: 28.0,
+        load_mass: 2.0,
+        load_radius: 0.25,
+        stiffness: 3000.0,
+        damping: damping * 300.0,
+        spin: 0.0,
+    })
+}
 
 /// Points of a curve, (x, y).
 type Values = Vec<(f64, f64)>;
@@ -132,14 +145,7 @@ struct Washer {
 
 impl Washer {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let still = Machine::new(MachineParameters {
-            drum_mass: 28.0,
-            load_mass: 2.0,
-            load_radius: 0.25,
-            stiffness: 3000.0,
-            damping: settings.of("damping")? * 300.0,
-            spin: 0.0,
-        })?;
+        let still = machine(settings.of("damping")?)?;
         let [is_radial, on_drum] = [settings.choice("damper")? == 1, settings.choice("camera")? == 1];
         let drive = match settings.choice("motor")? {
             0 => Drive::KeepsItsSpin,

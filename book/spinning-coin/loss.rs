@@ -108,6 +108,14 @@ impl Ending {
     }
 }
 
+/// A disc of radius one that leans on a table, its contact at an azimuth, rad; and that contact.
+pub(crate) fn draw_leaning(stage: &mut Stage, tilt: f64, azimuth: f64) -> Result<Vector3<f64>, Flaw> {
+    let ((sin, cos), (y, x)) = (tilt.sin_cos(), azimuth.sin_cos());
+    stage.ground([-1.25, -1.25], [1.25, 1.25], 0.0, 0.25)?;
+    stage.solid(Solid::disc([0.0, 0.0, sin], [sin * x, sin * y, cos], 1.0, 0.03)?, Hue::Blue)?;
+    Ok(Vector3::new(cos * x, cos * y, 0.0))
+}
+
 impl Motion for Ending {
     fn run(&self) -> Run {
         Run { duration: FILM, pace: 1.0, repeats: false }
@@ -117,15 +125,11 @@ impl Motion for Ending {
         let (room, now) = (moment.room, self.at(moment.time));
         // Heights are magnified, the more the lower it stands, so that it can be seen to lean until the end.
         let shown = 0.3 * (now.tilt / self.sunk[0].tilt).powf(0.35);
-        let (sin, cos) = shown.sin_cos();
-        let [x, y] = [now.round.cos(), now.round.sin()];
-        let contact = Vector3::new(cos * x, cos * y, 0.0);
         let (centre, scale) = room.of((at(320.0, 130.0), 120.0), (at(190.0, 120.0), 100.0));
         let eye = moment.seen_from(-1.1, 0.3);
         let mut stage = Stage::new(eye.camera([0.0, 0.0, 0.3], 9.0, centre, scale)?);
-        stage.ground([-1.25, -1.25], [1.25, 1.25], 0.0, 0.25)?;
-        stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos)?, Stroke::Pale, Hue::Pink)?;
-        stage.solid(Solid::disc([0.0, 0.0, sin], [sin * x, sin * y, cos], 1.0, 0.03)?, Hue::Blue)?;
+        stage.curve(Curve::circle([0.0; 3], Vector3::z(), shown.cos())?, Stroke::Pale, Hue::Pink)?;
+        let contact = draw_leaning(&mut stage, shown, now.round)?;
         stage.dot_in_front(contact, 5.0, Hue::Pink)?;
         stage.named_vector(contact, contact + Vector3::z() * (0.7 * now.support), "$N$", Hue::Purple)?;
         stage.write(drawing);

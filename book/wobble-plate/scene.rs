@@ -224,7 +224,7 @@ impl Shaking {
         // Above the plate: what the end of the shaft draws in the room, the spin, and the angular momentum.
         let mut above = Stage::new(camera);
         let path = linear_steps(0.0, TAU, STEPS).map(|phase| {
-            let (lean, hop) = self.stands(&self.engine, phase);
+            let (lean, hop) = self.stands(&self.engine, phase % TAU);
             lean * (Vector3::z() * top) + hop
         });
         let path: Vec<Vector3<f64>> = path.collect();

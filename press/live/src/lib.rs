@@ -13,6 +13,7 @@ pub mod numbers;
 mod player;
 pub mod prelude;
 mod scene;
+mod small;
 pub mod snippet;
 mod written;
 
@@ -24,6 +25,7 @@ pub use formulas::formulas;
 pub use graph::{Graph, Plot, nearest, nice_step};
 pub use player::Player;
 pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene, preset, reading};
+pub use small::Small;
 pub use written::written;
 
 use std::error::Error;

@@ -1,9 +1,9 @@
 //! What a scene is.
 
-use crate::Cause;
 use crate::control::{Control, Settings};
+use crate::{Axis, Cause, Graph};
 use drawing::space::{Camera, View};
-use drawing::{Drawing, Flaw, Point, Room, Symbol};
+use drawing::{Drawing, Flaw, Point, Rect, Room, Symbol};
 
 /// A live scene: everything about it that does not move.
 #[derive(Debug, Clone, Copy)]
@@ -158,6 +158,21 @@ impl Moment {
     ) -> Result<Camera, Flaw> {
         let Self { azimuth, elevation, .. } = *self;
         Camera::new(View { target: target.into(), azimuth, elevation, distance, centre, scale })
+    }
+
+    /// A plot whose frame on a page and on a phone is given by its left edge, its top, its width and its height, px.
+    ///
+    /// # Errors
+    /// As for [`Graph::new`].
+    pub fn graph<'a>(
+        &self,
+        drawing: &'a mut Drawing,
+        frames: [[f64; 4]; 2],
+        x: Axis<'_>,
+        y: Axis<'_>,
+    ) -> Result<Graph<'a>, Cause> {
+        let [left, top, width, height] = self.room.of(frames[0], frames[1]);
+        Graph::new(drawing, Rect::new(left, top, width, height), x, y)
     }
 
     /// The same moment, seen from a fixed azimuth and elevation, rad.
