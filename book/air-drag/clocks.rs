@@ -10,8 +10,8 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "clocks",
     title: "Two clocks",
-    description: "At the left an arrow, the angular velocity of a long body, its part along the axis upwards and its part across the axis to the right; its tip has left \
-                  a curve that leans away from the upright. Beside it both parts against time on a logarithmic scale: two straight lines, that of the spin twice as steep.",
+    description: "At the left an arrow, the angular velocity of a long body, its part along the axis upwards and its part across the axis to the right; its tip has left a \
+                  curve that leans away from the upright. Beside it both parts against time on a logarithmic scale: two straight lines, that of the spin twice as steep.",
     question: "Equal drag on a body that spins and wobbles: both parts of its rotation fade. For which shapes does the arrow lean away from the axis?",
     size: [[640.0, 300.0], [380.0, 570.0]],
     view: None,
@@ -74,7 +74,8 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
                 let part = |parts: (f64, f64)| <[f64; 2]>::from(parts)[of];
                 graph.curve(all.iter().map(|(time, parts)| (*time, part(*parts))), Stroke::Curve, hue);
                 graph.dot((moment.time, part(now)), 5.0, hue);
-                graph.label((4.0, part(all[16].1)), Side::AboveRight, name, hue)?;
+                let side = [Side::BelowRight, Side::AboveRight][of];
+                graph.label((2.0, part(all[8].1)), side, name, hue)?;
             }
             Ok(())
         },

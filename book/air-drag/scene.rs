@@ -13,13 +13,11 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "air-drag",
     title: "A body slows down in air",
-    description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the \
-                  upright angular momentum L. Beside it a map of the ratio of the drags against the ratio \
-                  of the moments, parted by a sloping line, with a dot for the disc. Below the map the angular momentum as an arrow, \
-                  its part along the axis upwards: its tip follows a curve that comes to the origin \
-                  upright.",
-    question: "In the end a pencil turns end over end. Is this rotation faster than at the start, when it was only a \
-               slight wobble? And which dies first, the wobble or the spin?",
+    description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the upright angular momentum L. Beside it a map of the ratio of the \
+                  drags against the ratio of the moments, parted by a sloping line, with a dot for the disc. Below the map the angular momentum as an arrow, its part along \
+                  the axis upwards: its tip follows a curve that comes to the origin upright.",
+    question: "In the end a pencil turns end over end. Is this rotation faster than at the start, when it was only a slight wobble? And which dies first, the wobble or the \
+               spin?",
     size: [[640.0, 470.0], [360.0, 520.0]],
     view: Some([-1.25, 0.3]),
     still: 10.0,
@@ -50,13 +48,9 @@ pub(crate) const SCENE: Scene = Scene {
         reading(r"turns of $\boldsymbol\omega$ about the axis, on board", Form::Fixed(1), ""),
         reading("energy lost, less what the air took", Form::Power(1), ""),
     ],
-    symbols: formulas![
-        r"\boldsymbol{L}",
-        r"\hat{\mathbf{3}}",
-        r"\boldsymbol{\omega}",
-        r"I_3/I_1",
-        r"C_1/C_3"
-    ],
+    symbols: formulas! {
+        r"\boldsymbol{L}", r"\hat{\mathbf{3}}", r"\boldsymbol{\omega}", r"I_3/I_1", r"C_1/C_3"
+    },
     start: |settings| Ok(Box::new(Slowing::new(settings)?)),
 };
 

@@ -12,10 +12,9 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "ball",
     title: "A ball slides and rolls",
-    description: "A ball on a cloth, with its path, an arrow of its velocity and one of its slip. Below, two speeds against time, that of the centre \
-                  and that at which its spin would roll: two straight lines that meet, and are one from there on.",
-    question: "The ball is hit in the middle. How much of its speed is left when it rolls? Does that depend on the cloth? \
-               Can you make it come back?",
+    description: "A ball on a cloth, with its path, an arrow of its velocity and one of its slip. Below, two speeds against time, that of the centre and that at which its \
+                  spin would roll: two straight lines that meet, and are one from there on.",
+    question: "The ball is hit in the middle. How much of its speed is left when it rolls? Does that depend on the cloth? Can you make it come back?",
     size: [[640.0, 440.0], [380.0, 600.0]],
     view: Some([-1.1, 0.62]),
     still: 0.3,
@@ -270,7 +269,7 @@ impl Rolls {
         }
     }
 
-    fn draw_graph(&self, moment: &Moment, frame: Rect, drawing: &mut Drawing) -> Result<(), Cause> {
+    fn draw_graph(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let all: Vec<_> = self.path.iter().map(|(time, state)| (*time, self.curves(state))).collect();
         let values = all.iter().flat_map(|(_, curves)| curves.iter().map(|curve| curve.0));
         let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), v| (low.min(v), high.max(v)));
@@ -282,7 +281,8 @@ impl Rolls {
             Place::Hole(..) => "height of the centre, cm",
         };
         let time = Axis::linear(0.0, self.duration, nice_step(self.duration / 3.0)).titled("time, s");
-        let mut graph = Graph::new(drawing, frame, time, Axis::linear(low, high, step).titled(title))?;
+        let frames = [[440.0, 120.0, 180.0, 190.0], [60.0, 400.0, 300.0, 140.0]];
+        let mut graph = moment.graph(drawing, frames, time, Axis::linear(low, high, step).titled(title))?;
         let now = self.place.at(moment.time)?;
         for (index, (value, name, hue)) in self.curves(&now).into_iter().enumerate() {
             let curve = all.iter().map(|(time, curves)| (*time, curves[index].0));
@@ -336,9 +336,7 @@ impl Motion for Rolls {
         self.draw_room(moment, &mut stage)?;
         self.draw_ball(moment, &mut stage)?;
         stage.write(drawing);
-        let frame =
-            moment.room.of(Rect::new(440.0, 120.0, 180.0, 190.0), Rect::new(60.0, 400.0, 300.0, 140.0));
-        self.draw_graph(moment, frame, drawing)
+        self.draw_graph(moment, drawing)
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {

@@ -11,8 +11,9 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "edge",
     title: "A thick coin, and on which side it lands",
-    description: "At the left a thick coin in the air. Beside it a sphere with a cap for heads at the top, one for tails below, and a belt for the edge between them. The normal of the coin \
-                  runs on a circle through both poles, blue in the cap of heads, pink in the belt and grey in the cap of tails. A bar below has three equal pieces, one for each side.",
+    description: "At the left a thick coin in the air. Beside it a sphere with a cap for heads at the top, one for tails below, and a belt for the edge between them. The \
+                  normal of the coin runs on a circle through both poles, blue in the cap of heads, pink in the belt and grey in the cap of tails. A bar below has three \
+                  equal pieces, one for each side.",
     question: "How thick must a coin be to decide fairly among three? And does it stay fair if the thumb twists it a little?",
     size: [[640.0, 370.0], [380.0, 580.0]],
     view: None,
@@ -33,7 +34,12 @@ pub(crate) const SCENE: Scene = Scene {
         reading("tails", Form::Fixed(3), ""),
     ],
     symbols: formulas![],
-    start: |settings| Ok(Box::new(Tossed::new(settings)?)),
+    start: |settings| {
+        let of = Tossed::new(settings)?;
+        let run = Run { duration: 4.0 * of.period, pace: 1.0, repeats: true };
+        let readings = |of: &Tossed, _| Ok(of.shares.to_vec());
+        Ok(Box::new(Small { words: of.words(), of, run, readings, draw: Tossed::draw }))
+    },
 };
 
 /// How fast it tumbles, rad/s, in slow motion; how many points its circle has.
@@ -66,10 +72,6 @@ impl Tossed {
         Ok(Self { toss, moments, shares: [same, edge, other], border: edge_at_random(coin)?, period })
     }
 
-    fn normal(&self, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
-        self.toss.normal(time)
-    }
-
     /// The side that would be up: that of a normal of this height.
     fn side(&self, height: f64) -> usize {
         usize::from(height < self.border) + usize::from(height < -self.border)
@@ -79,7 +81,7 @@ impl Tossed {
     fn pieces(&self) -> Result<Vec<Piece>, InvalidQuantity> {
         let mut pieces: Vec<Piece> = Vec::new();
         for time in linear_steps(0.0, self.period, POINTS) {
-            let normal = self.normal(time)?;
+            let normal = self.toss.normal(time)?;
             let side = self.side(normal.z);
             if let Some((_, piece)) = pieces.last_mut() {
                 piece.push(normal);
@@ -90,16 +92,10 @@ impl Tossed {
         }
         Ok(pieces)
     }
-}
-
-impl Motion for Tossed {
-    fn run(&self) -> Run {
-        Run { duration: 4.0 * self.period, pace: 1.0, repeats: true }
-    }
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let room = moment.room;
-        let (eye, normal) = (moment.seen_from(-1.1, 0.3), self.normal(moment.time)?);
+        let (eye, normal) = (moment.seen_from(-1.1, 0.3), self.toss.normal(moment.time)?);
         let hue = |side: usize| SIDES[side].1;
         let centre = room.of(at(160.0, 148.0), at(190.0, 130.0));
         let mut stage = Stage::new(eye.camera([0.0; 3], 9.0, centre, 84.0)?);
@@ -143,11 +139,7 @@ impl Motion for Tossed {
         Ok(())
     }
 
-    fn readings(&self, _time: f64) -> Result<Vec<f64>, Cause> {
-        Ok(self.shares.to_vec())
-    }
-
-    fn words(&self, _time: f64) -> String {
+    fn words(&self) -> String {
         let [heads, edge, tails] = self.shares;
         let any =
             format!("In any attitude, as likely as every other, its edge would have {:.3}.", self.border);

@@ -18,15 +18,11 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "coin-toss",
     title: "A tossed coin and the path of its normal",
-    description: "At the left a coin in the air, seen from straight above: tails is up, the normal \
-                  3 of heads points away to the right, as does the angular momentum L. Beside it a \
-                  sphere with its equator: the tip of the normal goes round L on a circle through \
-                  the pole, of which the part above the equator is blue and the part below grey. Below, \
-                  the height of the normal through one precession, which dips below zero in the middle, \
-                  and a curve of the probability of the same face against the angle theta L between the normal \
-                  and L, with a dot for this toss.",
-    question: "A thumb tumbles the coin 38 times a second. How fast must it twist the coin as well, if heads, \
-               and nothing but heads, is to be seen from above?",
+    description: "At the left a coin in the air, seen from straight above: tails is up, the normal 3 of heads points away to the right, as does the angular momentum L. \
+                  Beside it a sphere with its equator: the tip of the normal goes round L on a circle through the pole, of which the part above the equator is blue and the \
+                  part below grey. Below, the height of the normal through one precession, which dips below zero in the middle, and a curve of the probability of the same \
+                  face against the angle theta L between the normal and L, with a dot for this toss.",
+    question: "A thumb tumbles the coin 38 times a second. How fast must it twist the coin as well, if heads, and nothing but heads, is to be seen from above?",
     size: [[640.0, 520.0], [380.0, 872.0]],
     view: Some([-0.55, 0.42]),
     still: 0.0366,
@@ -262,11 +258,10 @@ impl Throw {
 
     /// The height of the normal through a precession, and at which parts of it coins were caught.
     fn draw_heights(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frame =
-            moment.room.of(Rect::new(48.0, 364.0, 320.0, 104.0), Rect::new(48.0, 562.0, 310.0, 100.0));
+        let frames = [[48.0, 364.0, 320.0, 104.0], [48.0, 562.0, 310.0, 100.0]];
+        let x = Axis::linear(0.0, 1.0, 0.25).titled("part of a precession");
         let y = Axis::linear(-1.0, 1.0, 1.0).titled(r"height of the normal, $n_z$");
-        let mut graph =
-            Graph::new(drawing, frame, Axis::linear(0.0, 1.0, 0.25).titled("part of a precession"), y)?;
+        let mut graph = moment.graph(drawing, frames, x, y)?;
         let made = self.made(moment.time);
         self.tosses.draw(&mut graph, made);
         graph.level(0.0, Stroke::Reference, Hue::Ink);
@@ -289,7 +284,7 @@ impl Throw {
             drawing.label_set(place, Side::Above, 3.0, 13.0, "its middle", Role::Text(Hue::Green))?;
         }
         if made > 0 {
-            let above = at(frame.right, frame.top - 16.0);
+            let above = moment.room.of(at(368.0, 348.0), at(358.0, 546.0));
             drawing.note(above, Side::Left, "bars: the catches", Hue::Muted)?;
         }
         Ok(())

@@ -18,12 +18,10 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "laundromat",
     title: "A drum with its load, from above",
-    description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and \
-                  in it a drum with a heavy mat on one side. The shaft stands to one side of the fixed point O. Beside it three \
-                  plots: the force on the floor against the spin, the angle from the shaft to the load against the spin, and \
-                  the distance of the shaft from O against time.",
-    question: "A flash shows the fast drum just when its centre is farthest to the right. Where is the load: on the \
-               right, on the left, or a quarter turn ahead?",
+    description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and in it a drum with a heavy mat on one side. The shaft \
+                  stands to one side of the fixed point O. Beside it three plots: the force on the floor against the spin, the angle from the shaft to the load against the \
+                  spin, and the distance of the shaft from O against time.",
+    question: "A flash shows the fast drum just when its centre is farthest to the right. Where is the load: on the right, on the left, or a quarter turn ahead?",
     size: [[640.0, 440.0], [380.0, 864.0]],
     view: Some([-FRAC_PI_2, 1.0]),
     still: 0.62,

@@ -52,9 +52,10 @@ fn thrown(omega_body: Vector3<f64>) -> Turning {
     Turning { world_from_body: UnitQuaternion::identity(), omega_body }
 }
 
-/// The angle of the angular momentum from axis 1, degrees.
-fn wobble(momentum: &Vector3<f64>) -> f64 {
-    momentum.yz().norm().atan2(momentum.x).to_degrees()
+/// The direction of the angular momentum on board, and its angle from axis 1, degrees.
+fn aim(book: &PrincipalMoments, omega: &Vector3<f64>) -> (Vector3<f64>, f64) {
+    let aim = book.angular_momentum(omega).normalize();
+    (aim, aim.yz().norm().atan2(aim.x).to_degrees())
 }
 
 fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
@@ -62,8 +63,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
     let step = settings.of("step")?;
     let times: Vec<f64> = (0..=(LASTS / step) as u32).map(|n| step * f64::from(n)).collect();
     let exact = FreeTop::new(book, thrown(throw))?.sample(&times)?;
-    let mut runs: Vec<(Look, Vec<Vector3<f64>>)> =
-        vec![(Look::EXACT, exact.iter().map(|state| state.omega_body).collect())];
+    let mut runs: Vec<_> = vec![(Look::EXACT, exact.iter().map(|state| state.omega_body).collect())];
     for (look, next) in METHODS {
         let mut path = vec![throw];
         while path.len() < times.len() && path[path.len() - 1].norm() < 3.0 {
@@ -71,30 +71,27 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
         }
         runs.push((look, path));
     }
-    let energy = move |omega: &Vector3<f64>| book.kinetic_energy(omega) / book.kinetic_energy(&throw);
-    let tripled = runs[1].1.iter().position(|omega| energy(omega) > 3.0);
-    let after =
-        tripled.map_or("does not triple".into(), |n| format!("has tripled after {:.0} s", step * n as f64));
-    // The energy, of that of the throw, and the direction of the angular momentum on board.
-    let now = |omega: &Vector3<f64>| (energy(omega), book.angular_momentum(omega).normalize());
-    let runs: Vec<(Look, Vec<(f64, Vector3<f64>)>)> =
-        runs.iter().map(|(look, path)| (*look, path.iter().map(now).collect())).collect();
+    let first = book.kinetic_energy(&throw);
+    let tripled = runs[1].1.iter().position(|omega| book.kinetic_energy(omega) > 3.0 * first);
+    let after = tripled.map_or("does not triple".into(), |n| format!("has tripled after {:.0} s", times[n]));
     let [truth, rk4, turns] = [0, 2, 3].map(|run: usize| {
-        let last = runs[run].1.iter().skip(((LASTS - 30.0) / step) as usize);
-        last.map(|now| wobble(&now.1)).fold(0.0, f64::max)
+        let last = runs[run].1.iter().skip(times.partition_point(|time| *time < LASTS - 30.0));
+        last.map(|omega| aim(&book, omega).1).fold(0.0, f64::max)
     });
     Ok(Box::new(Small {
-        of: (step, runs),
+        of: (book, step, runs),
         run: Run { duration: LASTS, pace: 8.0, repeats: false },
         words: format!(
-            "By Euler’s method the energy {after}. In the last half minute the axis swings out to \
-             {truth:.1}° in truth, to {rk4:.1}° by RK4 and to {turns:.1}° by turns."
+            "By Euler’s method the energy {after}. In the last half minute the axis swings out to {truth:.1}° in truth, \
+             to {rk4:.1}° by RK4 and to {turns:.1}° by turns."
         ),
-        readings: |(step, runs), time| {
+        readings: |(book, step, runs), time| {
+            let energy =
+                |omega: &Vector3<f64>| book.kinetic_energy(omega) / book.kinetic_energy(&runs[0].1[0]);
             let now = runs.iter().map(|(_, path)| path.get((time / step) as usize));
-            Ok(now.map(|now| now.map_or(f64::NAN, |now| now.0)).collect())
+            Ok(now.map(|omega| omega.map_or(f64::NAN, energy)).collect())
         },
-        draw: |(step, runs), moment, drawing| {
+        draw: |(book, step, runs), moment, drawing| {
             for (place, (look, path)) in runs.iter().enumerate() {
                 let (column, row) = moment.room.of((place, 0), (place % 2, place / 2));
                 let (left, apart) = moment.room.of((84.0, 158.0), (95.0, 190.0));
@@ -106,10 +103,10 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
                 let reached = ((moment.time / step) as usize + 1).min(path.len());
                 let trail = &path[reached.saturating_sub((30.0 / step) as usize)..reached];
                 if trail.len() > 1 {
-                    let trail = trail.iter().step_by(1 + trail.len() / 150).map(|now| now.1);
+                    let trail = trail.iter().step_by(1 + trail.len() / 150).map(|omega| aim(book, omega).0);
                     stage.curve(Curve::smooth(trail)?, look.stroke, look.hue)?;
                 }
-                stage.dot_in_front(path[reached - 1].1, 4.0, look.hue)?;
+                stage.dot_in_front(aim(book, &path[reached - 1]).0, 4.0, look.hue)?;
                 stage.write(drawing);
                 drawing.label(centre + at(0.0, 78.0), Side::Over, look.name, look.hue)?;
             }
@@ -119,7 +116,8 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             let mut graph = moment.graph(drawing, frames, time, angle)?;
             for (look, path) in runs {
                 let thinned = path.iter().enumerate().step_by(1 + path.len() / 400);
-                graph.curve(thinned.map(|(n, now)| (step * n as f64, wobble(&now.1))), look.stroke, look.hue);
+                let wobble = thinned.map(|(n, omega)| (step * n as f64, aim(book, omega).1));
+                graph.curve(wobble, look.stroke, look.hue);
             }
             graph.upright(moment.time, Stroke::Outline, Hue::Muted);
             Ok(())

@@ -11,13 +11,11 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "pinned-hoop",
     title: "A hoop, pinned at its rim",
-    description: "A hoop that is pinned at A, with the upright angular momentum. Beside it a sphere in the axes of the \
-                  hoop with the path of the momentum on it, a pendulum, and the plane of the hoop at the moment of \
-                  the snap, with A a degree from the place at a quarter of the circle. Below, a plot against that \
-                  degree, with a dot that climbs as time goes on.",
-    question: "The pin catches the hoop a degree from the place where the rim is fastest, and makes a door of \
-               it. What becomes of this door? And what changes if the pin is ten times more accurate: 89°, \
-               89.9°, 89.99°?",
+    description: "A hoop that is pinned at A, with the upright angular momentum. Beside it a sphere in the axes of the hoop with the path of the momentum on it, a pendulum, \
+                  and the plane of the hoop at the moment of the snap, with A a degree from the place at a quarter of the circle. Below, a plot against that degree, with a \
+                  dot that climbs as time goes on.",
+    question: "The pin catches the hoop a degree from the place where the rim is fastest, and makes a door of it. What becomes of this door? And what changes if the pin is \
+               ten times more accurate: 89°, 89.9°, 89.99°?",
     size: [[640.0, 505.0], [360.0, 640.0]],
     view: Some([-0.9, 0.3]),
     still: 15.0,
@@ -37,25 +35,15 @@ pub(crate) const SCENE: Scene = Scene {
     ],
     readings: &[
         reading(r"times $\omega_1$ has reversed", Form::Fixed(0), ""),
-        reading(r"angle between tangent $\hat{\mathbf 1}$ and $\boldsymbol L_A$", Form::Fixed(1), "°"),
+        reading(r"angle between tangent $\hat{\mathbf{1}}$ and $\boldsymbol{L}_A$", Form::Fixed(1), "°"),
         reading("energy that the snap took", Form::Fixed(1), "%"),
         reading(r"drift of the energy $T$", Form::Power(1), ""),
-        reading(r"drift of $\boldsymbol L_A$ in the room", Form::Power(1), ""),
+        reading(r"drift of $\boldsymbol{L}_A$ in the room", Form::Power(1), ""),
     ],
-    symbols: formulas![
-        r"90° - \theta",
-        r"\boldsymbol{L}_A",
-        r"\hat{\mathbf{1}}",
-        r"\boldsymbol{\omega}",
-        r"A",
-        r"\hat{\mathbf 1}",
-        r"\hat{\mathbf 3}",
-        r"-\hat{\mathbf 2}",
-        r"\boldsymbol L_A",
-        r"2\chi",
-        r"\theta",
-        r"\boldsymbol{\omega}_0"
-    ],
+    symbols: formulas! {
+        r"90° - \theta", r"\boldsymbol{L}_A", r"\hat{\mathbf{1}}", r"\boldsymbol{\omega}", r"A",
+        r"\hat{\mathbf{3}}", r"-\hat{\mathbf{2}}", r"2\chi", r"\theta", r"\boldsymbol{\omega}_0"
+    },
     start: |settings| Ok(Box::new(Pinned::new(settings)?)),
 };
 
@@ -247,17 +235,18 @@ impl Pinned {
         if self.path.iter().any(|direction| (direction - self.path[0]).norm() > 1e-3) {
             stage.curve(Curve::smooth(self.path.iter().copied())?, Stroke::Curve, Hue::Green)?;
         }
-        for (direction, name) in [(Vector3::x(), r"$\hat{\mathbf 1}$"), (Vector3::z(), r"$\hat{\mathbf 3}$")]
+        for (direction, name) in
+            [(Vector3::x(), r"$\hat{\mathbf{1}}$"), (Vector3::z(), r"$\hat{\mathbf{3}}$")]
         {
             stage.named_vector(direction, direction * room.of(1.3, 1.35), name, Hue::Ink)?;
         }
         stage.dot(-Vector3::y(), 2.5, Hue::Ink)?;
-        let name = r"$-\hat{\mathbf 2}$";
+        let name = r"$-\hat{\mathbf{2}}$";
         stage.label_shifted(-Vector3::y(), at(0.0, 2.0), Side::BelowRight, name, Hue::Ink)?;
         let mut drawing = Drawing::new("", 0.0, 0.0);
         stage.write(&mut drawing);
         let below = room.of(at(498.0, 262.0), at(292.0, 440.0));
-        drawing.label(below, Side::Over, r"$\boldsymbol L_A$ in the body", Hue::Green)?;
+        drawing.label(below, Side::Over, r"$\boldsymbol{L}_A$ in the body", Hue::Green)?;
         Ok(drawing.items().to_vec())
     }
 

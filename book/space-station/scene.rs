@@ -21,12 +21,10 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "space-station",
     title: "A station nods after a blow",
-    description: "A wheel with hub and spokes, a moment after a blow on its rim. Its axis 3 goes round the angular momentum L on a circle; the \
-                  angular velocity omega goes round on the other side. Beside it the crew’s sky: star trails curl round omega, away from \
-                  the cross where axis 3 points; a ring marks the star that stood there. Below, two waves against time: how far the axis and \
-                  omega are to one side, through four turns.",
-    question: "The blow tips the station, and the circled star leaves the cross. After how many seconds is it back? \
-               And when must a thruster fire to keep it there?",
+    description: "A wheel with hub and spokes, a moment after a blow on its rim. Its axis 3 goes round the angular momentum L on a circle; the angular velocity omega goes \
+                  round on the other side. Beside it the crew’s sky: star trails curl round omega, away from the cross where axis 3 points; a ring marks the star that stood \
+                  there. Below, two waves against time: how far the axis and omega are to one side, through four turns.",
+    question: "The blow tips the station, and the circled star leaves the cross. After how many seconds is it back? And when must a thruster fire to keep it there?",
     size: [[640.0, 440.0], [380.0, 600.0]],
     view: Some([0.75, 0.40]),
     still: 1.7,

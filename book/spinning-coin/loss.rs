@@ -11,8 +11,8 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "disk-end",
     title: "The end of Euler's disk",
-    description: "A disc leans on a table, with its heights magnified and an arrow for the force of the table on its lowest point. Below, this force in weights against the tilt: by the law of \
-                  slow sinking, dashed, it goes down to zero where the law demands a fall with g; by the motion it dips to 0.73 there and rises again.",
+    description: "A disc leans on a table, with its heights magnified and an arrow for the force of the table on its lowest point. Below, this force in weights against the \
+                  tilt: by the law of slow sinking, dashed, it goes down to zero where the law demands a fall with g; by the motion it dips to 0.73 there and rises again.",
     question: "By the law of its loss the disc falls away from the table in the end. Does it?",
     size: [[640.0, 450.0], [380.0, 470.0]],
     view: None,
@@ -29,7 +29,22 @@ pub(crate) const SCENE: Scene = Scene {
         reading("time since the film began", Form::Digits(4), "s"),
     ],
     symbols: formulas![r"N", r"g"],
-    start: |settings| Ok(Box::new(Ending::new(settings)?)),
+    start: |settings| {
+        let of = Ending::new(settings)?;
+        let least = of.sunk.iter().map(|there| there.support).fold(f64::INFINITY, f64::min);
+        let words = format!(
+            "By its law the table would let go at a tilt of {}, {} before the end. The disc leans on the table with \
+             {least:.2} of its weight at least, and then it creeps.",
+            small(of.falls),
+            seconds(of.left),
+        );
+        let run = Run { duration: FILM, pace: 1.0, repeats: false };
+        let readings = |of: &Ending, time| {
+            let now = of.at(time);
+            Ok(vec![now.support, now.tilt, now.time])
+        };
+        Ok(Box::new(Small { of, run, words, readings, draw: Ending::draw }))
+    },
 };
 
 const TOY: DiskParameters =
@@ -103,24 +118,6 @@ impl Ending {
         }
     }
 
-    fn least(&self) -> f64 {
-        self.sunk.iter().map(|there| there.support).fold(f64::INFINITY, f64::min)
-    }
-}
-
-/// A disc of radius one that leans on a table, its contact at an azimuth, rad; and that contact.
-pub(crate) fn draw_leaning(stage: &mut Stage, tilt: f64, azimuth: f64) -> Result<Vector3<f64>, Flaw> {
-    let ((sin, cos), (y, x)) = (tilt.sin_cos(), azimuth.sin_cos());
-    stage.ground([-1.25, -1.25], [1.25, 1.25], 0.0, 0.25)?;
-    stage.solid(Solid::disc([0.0, 0.0, sin], [sin * x, sin * y, cos], 1.0, 0.03)?, Hue::Blue)?;
-    Ok(Vector3::new(cos * x, cos * y, 0.0))
-}
-
-impl Motion for Ending {
-    fn run(&self) -> Run {
-        Run { duration: FILM, pace: 1.0, repeats: false }
-    }
-
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let (room, now) = (moment.room, self.at(moment.time));
         // Heights are magnified, the more the lower it stands, so that it can be seen to lean until the end.
@@ -137,17 +134,13 @@ impl Motion for Ending {
         let place = at(8.0, room.of(236.0, 250.0));
         drawing.note(place, Side::Right, &text, Hue::Muted)?;
 
-        let frame = room.of(Rect::new(130.0, 276.0, 380.0, 116.0), Rect::new(48.0, 296.0, 310.0, 116.0));
+        let frames = [[130.0, 276.0, 380.0, 116.0], [48.0, 296.0, 310.0, 116.0]];
         let x = Axis::log(0.3, 10.0, 1).titled("tilt, 1 where the law falls with $g$");
         let y = Axis::linear(0.0, 2.0, 0.5).titled("support, in weights");
-        let mut graph = Graph::new(drawing, frame, x, y)?;
+        let mut graph = moment.graph(drawing, frames, x, y)?;
         // The fall that slow sinking asks for goes like the tilt to the power 1 − 2/s (eq:sinking-fall).
-        let law = log_steps(1.0, 10.0, 60);
-        graph.curve(
-            law.map(|part| (part, 1.0 - part.powf(-2.0 * self.power - 1.0))),
-            Stroke::DashedCurve,
-            Hue::Ink,
-        );
+        let law = log_steps(1.0, 10.0, 60).map(|part| (part, 1.0 - part.powf(-2.0 * self.power - 1.0)));
+        graph.curve(law, Stroke::DashedCurve, Hue::Ink);
         graph.level(1.0, Stroke::Reference, Hue::Muted);
         let point = |there: &Sunk| (there.tilt / self.falls, there.support);
         graph.curve(self.sunk.iter().map(point), Stroke::Curve, Hue::Purple);
@@ -155,19 +148,12 @@ impl Motion for Ending {
         graph.label((1.3, 0.3), Side::Right, "the law", Hue::Ink)?;
         Ok(())
     }
+}
 
-    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
-        let now = self.at(time);
-        Ok(vec![now.support, now.tilt, now.time])
-    }
-
-    fn words(&self, _time: f64) -> String {
-        format!(
-            "By its law the table would let go at a tilt of {}, {} before the end. The disc leans on the table with \
-             {:.2} of its weight at least, and then it creeps.",
-            small(self.falls),
-            seconds(self.left),
-            self.least()
-        )
-    }
+/// A disc of radius one that leans on a table, its contact at an azimuth, rad; and that contact.
+pub(crate) fn draw_leaning(stage: &mut Stage, tilt: f64, azimuth: f64) -> Result<Vector3<f64>, Flaw> {
+    let ((sin, cos), (y, x)) = (tilt.sin_cos(), azimuth.sin_cos());
+    stage.ground([-1.25, -1.25], [1.25, 1.25], 0.0, 0.25)?;
+    stage.solid(Solid::disc([0.0, 0.0, sin], [sin * x, sin * y, cos], 1.0, 0.03)?, Hue::Blue)?;
+    Ok(Vector3::new(cos * x, cos * y, 0.0))
 }

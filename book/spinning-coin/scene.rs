@@ -10,13 +10,11 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "spinning-coin",
     title: "A spinning coin with ink on its rim",
-    description: "A coin with a head on its face leans on a table. Its lowest point has run most of the \
-                  way round a circle on the table, and ink marks that way on the table and the same length \
-                  on the rim. Beside it the circle and the rim are rolled out side by side, each with its ink. \
-                  Below, against the tilt, the rates of contact and head.",
-    question: "The contact has run once round its circle and is back: how does the head stand now, upright, \
-               turned with the contact, or against it? And as the coin goes down, ever faster: does its \
-               contact reach the speed of sound?",
+    description: "A coin with a head on its face leans on a table. Its lowest point has run most of the way round a circle on the table, and ink marks that way on the table \
+                  and the same length on the rim. Beside it the circle and the rim are rolled out side by side, each with its ink. Below, against the tilt, the rates of \
+                  contact and head.",
+    question: "The contact has run once round its circle and is back: how does the head stand now, upright, turned with the contact, or against it? And as the coin goes \
+               down, ever faster: does its contact reach the speed of sound?",
     size: [[660.0, 440.0], [380.0, 664.0]],
     view: Some([-FRAC_PI_2, 0.8]),
     still: 5.6,
@@ -48,16 +46,9 @@ pub(crate) const SCENE: Scene = Scene {
         reading("real time left", Form::Digits(3), "s"),
         reading("slip: ink on table less on rim", Form::Power(1), "radii"),
     ],
-    symbols: formulas![
-        r"p = 2",
-        r"p = 5/4",
-        r"p = 1",
-        r"p = 1/2",
-        r"\alpha",
-        r"2\pi a\cos\alpha",
-        r"2\pi a",
-        r"\omega_z"
-    ],
+    symbols: formulas! {
+        r"p = 2", r"p = 5/4", r"p = 1", r"p = 1/2", r"\alpha", r"2\pi a\cos\alpha", r"2\pi a", r"\omega_z"
+    },
     start: |settings| Ok(Box::new(Spinning::new(settings)?)),
 };
 

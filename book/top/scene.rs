@@ -8,10 +8,9 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "top",
     title: "A top is let go",
-    description: "A top leans on its point. Its tip has left a track behind it; the angular momentum points along the axis. \
-                  Beside it a well: the energy of the tilt against the tilt, with a marble in it.",
-    question: "A fast top leans and is let go, without a push. What does its tip draw? And what if you push it on, or back? Then take its \
-               spin away, bit by bit.",
+    description: "A top leans on its point. Its tip has left a track behind it; the angular momentum points along the axis. Beside it a well: the energy of the tilt against \
+                  the tilt, with a marble in it.",
+    question: "A fast top leans and is let go, without a push. What does its tip draw? And what if you push it on, or back? Then take its spin away, bit by bit.",
     size: [[640.0, 420.0], [360.0, 560.0]],
     view: Some([-1.2, 0.45]),
     still: 0.85,

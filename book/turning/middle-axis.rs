@@ -11,11 +11,11 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "middle-axis",
     title: "A bat waits, and turns over",
-    description: "At the left a bat in the air with one side pink, an orange arrow for its angular velocity and a green one for its angular momentum. Beside it a sphere with the three axes of the bat; \
-                  the tip of the angular momentum runs on it from beside axis 2 to beside its opposite end and back. Below, the angle between axis 2 and the momentum against the turns: \
-                  it stays near zero for a turn, rises to 180 degrees, stays there for twice as long, and falls back.",
-    question: "A bat is thrown to turn about its middle axis, and the throw misses the axis a little. How small must the miss be, \
-               if the bat is not to turn over within two turns?",
+    description: "At the left a bat in the air with one side pink, an orange arrow for its angular velocity and a green one for its angular momentum. Beside it a sphere \
+                  with the three axes of the bat; the tip of the angular momentum runs on it from beside axis 2 to beside its opposite end and back. Below, the angle \
+                  between axis 2 and the momentum against the turns: it stays near zero for a turn, rises to 180 degrees, stays there for twice as long, and falls back.",
+    question: "A bat is thrown to turn about its middle axis, and the throw misses the axis a little. How small must the miss be, if the bat is not to turn over within two \
+               turns?",
     size: [[640.0, 420.0], [380.0, 660.0]],
     view: None,
     still: 0.74,

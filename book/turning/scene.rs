@@ -10,13 +10,10 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "turning",
     title: "A wobbling plate",
-    description: "A flat round plate in the air above a floor, leaning, with a stripe painted from \
-                  its middle to its rim. The angular momentum L points straight up; the axis of the \
-                  plate and the angular velocity omega lean away from it on opposite sides, each on \
-                  a circle. Beside it the plane of the three arrows. Below, the swings of the axis to the right \
-                  and to the left against time, with a line at each passage of the stripe.",
-    question: "While the plate turns once, how often does its axis swing to the right and back? And when it \
-               has grown into a long can?",
+    description: "A flat round plate in the air above a floor, leaning, with a stripe painted from its middle to its rim. The angular momentum L points straight up; the \
+                  axis of the plate and the angular velocity omega lean away from it on opposite sides, each on a circle. Beside it the plane of the three arrows. Below, \
+                  the swings of the axis to the right and to the left against time, with a line at each passage of the stripe.",
+    question: "While the plate turns once, how often does its axis swing to the right and back? And when it has grown into a long can?",
     size: [[640.0, 480.0], [380.0, 716.0]],
     view: Some([-1.35, 0.36]),
     still: 0.0,
@@ -46,14 +43,10 @@ pub(crate) const SCENE: Scene = Scene {
         reading(r"drift of $\boldsymbol{L}$", Form::Power(1), ""),
         reading(r"drift of the energy $T$", Form::Power(1), ""),
     ],
-    symbols: formulas![
-        r"\boldsymbol{L}",
-        r"\boldsymbol{\omega}",
-        r"\hat{\mathbf{3}}",
-        r"\boldsymbol{L}/I_1",
-        r"-\sigma\,\hat{\mathbf{3}}",
-        r"\omega_1"
-    ],
+    symbols: formulas! {
+        r"\boldsymbol{L}", r"\boldsymbol{\omega}", r"\hat{\mathbf{3}}", r"\boldsymbol{L}/I_1",
+        r"-\sigma\,\hat{\mathbf{3}}", r"\omega_1"
+    },
     start: |settings| Ok(Box::new(Throw::new(settings)?)),
 };
 

@@ -27,7 +27,7 @@ const SAYS: &[(&str, Settings, &str)] = &[
     ("edge", &[("thickness", 0.02), ("twist", 1.5)], "never gets down to the belt"),
     ("knob", &[], "By this way it comes to 9.7"),
     ("knob", &[("first", 6.0), ("turn", -1.0)], "By this way it comes to 36.5"),
-    ("knob", &[("torque", 8.0)], "37.4\u{a0}rad/s only"),
+    ("knob", &[("torque", 8.0)], "37.3\u{a0}rad/s only"),
     ("laundromat", &[("spin", 0.0)], "stands still"),
     ("laundromat", &[("damping", 0.0)], "no steady motion"),
     ("laundromat", &[("damping", 0.0), ("damper", 1.0)], "strikes its housing"),
