@@ -20,9 +20,9 @@ pub(crate) const SCENE: Scene = Scene {
     still: 90.0,
     controls: &[Control::log_slider("step", "length of a step", [0.05, 3.0], "s", 0.1)],
     presets: &[
-        preset("the ten lines of the text", &[]),
+        preset("steps of a tenth of a second", &[]),
         preset("half as long", &[("step", 0.05)]),
-        preset("two a swing wide", &[("step", 2.0)]),
+        preset("steps of two seconds", &[("step", 2.0)]),
     ],
     readings: &[
         reading("energy, of that of the throw: closed form", Form::Fixed(4), ""),

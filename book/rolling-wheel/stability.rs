@@ -1,4 +1,4 @@
-//! The small scene of the page "Which wheels stay up": a disc is let go almost flat, and its contact runs round.
+//! The small scene of the page "Which circles last, and how a disc falls": a disc is let go almost flat.
 
 use super::loss::draw_leaning;
 use live::prelude::*;
