@@ -4,16 +4,24 @@
 mod air_drag;
 #[path = "ball/scene.rs"]
 mod ball;
+#[path = "air-drag/clocks.rs"]
+mod clocks;
 #[path = "coin-toss/scene.rs"]
 mod coin_toss;
 #[path = "coin-toss/edge.rs"]
 mod edge;
+#[path = "laundromat/motor.rs"]
+mod knob;
 #[path = "laundromat/scene.rs"]
 mod laundromat;
 #[path = "spinning-coin/loss.rs"]
 mod loss;
+#[path = "methods/scene.rs"]
+mod methods;
 #[path = "turning/middle-axis.rs"]
 pub(crate) mod middle_axis;
+#[path = "rolling-wheel/stability.rs"]
+mod near_flat;
 #[path = "pinned-hoop/scene.rs"]
 mod pinned_hoop;
 #[path = "rolling-wheel/scene.rs"]
@@ -34,6 +42,7 @@ use live::Scene;
 /// All live scenes, each with where it stands: the folder of the chapter that it opens, or a page of one.
 pub const SCENES: &[(&str, &Scene)] = &[
     ("laundromat", &laundromat::SCENE),
+    ("laundromat/motor", &knob::SCENE),
     ("turning", &turning::SCENE),
     ("turning/middle-axis", &middle_axis::SCENE),
     ("wobble-plate", &wobble_plate::SCENE),
@@ -41,12 +50,15 @@ pub const SCENES: &[(&str, &Scene)] = &[
     ("coin-toss/edge", &edge::SCENE),
     ("space-station", &space_station::SCENE),
     ("air-drag", &air_drag::SCENE),
+    ("air-drag/index", &clocks::SCENE),
     ("pinned-hoop", &pinned_hoop::SCENE),
     ("top", &top::SCENE),
     ("rolling-wheel", &rolling_wheel::SCENE),
+    ("rolling-wheel/stability", &near_flat::SCENE),
     ("spinning-coin", &spinning_coin::SCENE),
     ("spinning-coin/loss", &loss::SCENE),
     ("ball", &ball::SCENE),
+    ("methods", &methods::SCENE),
 ];
 
 /// The scene of this name, if there is one: `coin-toss`.

@@ -1,31 +1,23 @@
 //! The scene of the chapter "Frisbee and pencil": a body slows down, and its place on a map decides how it ends.
 
-use drawing::kit::arrow;
-use drawing::space::{Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
-    point_at, value_at,
-};
+use live::prelude::*;
 use mechanics::attitude::angle_between;
 use mechanics::euler::Turning;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Dop853;
 use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, DraggedTopParameters};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{LN_10, TAU};
+use std::f64::consts::LN_10;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "air-drag",
     title: "A body slows down in air",
-    description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the \
-                  upright angular momentum L. Beside it a map of the ratio of the drags against the ratio \
-                  of the moments, parted by a sloping line, with a dot for the disc. Below the map the angular momentum as an arrow, \
-                  its part along the axis upwards: its tip follows a curve that comes to the origin \
-                  upright.",
-    question: "In the end a pencil turns end over end. Is this rotation faster than at the start, when it was only a \
-               slight wobble? And which dies first, the wobble or the spin?",
+    description: "A flat disc in the air above a floor, leaning; the path of its axis winds in towards the upright angular momentum L. Beside it a map of the ratio of the \
+                  drags against the ratio of the moments, parted by a sloping line, with a dot for the disc. Below the map the angular momentum as an arrow, its part along \
+                  the axis upwards: its tip follows a curve that comes to the origin upright.",
+    question: "In the end a pencil turns end over end. Is this rotation faster than at the start, when it was only a slight wobble? And which dies first, the wobble or the \
+               spin?",
     size: [[640.0, 470.0], [360.0, 520.0]],
     view: Some([-1.25, 0.3]),
     still: 10.0,
@@ -41,35 +33,24 @@ pub(crate) const SCENE: Scene = Scene {
         ),
     ],
     presets: &[
-        Preset { words: "a disc, equal drags", settings: &[] },
-        Preset { words: "a Frisbee", settings: &[("ratio", 2.0), ("drag", 10.0)] },
-        Preset { words: "a rough rim", settings: &[("ratio", 2.0), ("drag", 0.1)] },
-        Preset { words: "neither flat nor long", settings: &[("ratio", 1.0)] },
-        Preset { words: "a pencil", settings: &[("ratio", 0.0024), ("drag", 81.0), ("lean", 6.0)] },
-        Preset {
-            words: "a straw through it",
-            settings: &[("ratio", 0.002), ("drag", 810.0), ("lean", 20.0)],
-        },
+        preset("a disc, equal drags", &[]),
+        preset("a Frisbee", &[("ratio", 2.0), ("drag", 10.0)]),
+        preset("a rough rim", &[("ratio", 2.0), ("drag", 0.1)]),
+        preset("neither flat nor long", &[("ratio", 1.0)]),
+        preset("a pencil", &[("ratio", 0.0024), ("drag", 81.0), ("lean", 6.0)]),
+        preset("a straw through it", &[("ratio", 0.002), ("drag", 810.0), ("lean", 20.0)]),
     ],
     readings: &[
-        Reading { words: "spin that is left", form: Form::Fixed(1), unit: "%" },
-        Reading { words: r"lean of the axis from $\boldsymbol{L}$", form: Form::Fixed(1), unit: "°" },
-        Reading { words: r"rate at which the wobble decays, $C_1/I_1$", form: Form::Fixed(3), unit: "/s" },
-        Reading { words: r"rate at which the spin decays, $C_3/I_3$", form: Form::Fixed(3), unit: "/s" },
-        Reading {
-            words: r"turns of $\boldsymbol\omega$ about the axis, on board",
-            form: Form::Fixed(1),
-            unit: "",
-        },
-        Reading { words: "energy lost, less what the air took", form: Form::Power(1), unit: "" },
+        reading("spin that is left", Form::Fixed(1), "%"),
+        reading(r"lean of the axis from $\boldsymbol{L}$", Form::Fixed(1), "°"),
+        reading(r"rate at which the wobble decays, $C_1/I_1$", Form::Fixed(3), "/s"),
+        reading(r"rate at which the spin decays, $C_3/I_3$", Form::Fixed(3), "/s"),
+        reading(r"turns of $\boldsymbol\omega$ about the axis, on board", Form::Fixed(1), ""),
+        reading("energy lost, less what the air took", Form::Power(1), ""),
     ],
-    symbols: formulas![
-        r"\boldsymbol{L}",
-        r"\hat{\mathbf{3}}",
-        r"\boldsymbol{\omega}",
-        r"I_3/I_1",
-        r"C_1/C_3"
-    ],
+    symbols: formulas! {
+        r"\boldsymbol{L}", r"\hat{\mathbf{3}}", r"\boldsymbol{\omega}", r"I_3/I_1", r"C_1/C_3"
+    },
     start: |settings| Ok(Box::new(Slowing::new(settings)?)),
 };
 
@@ -184,21 +165,13 @@ impl Slowing {
         let now = self.state(moment.time)?;
         let axis = now.axis_3_world();
         let distance = 9.0;
-        let camera = moment.camera(View {
-            target: [0.0, 0.0, 0.0],
-            azimuth: 0.0,
-            elevation: 0.0,
-            distance,
-            centre: moment.room.of(at(170.0, 238.0), at(180.0, 172.0)),
-            scale: moment.room.of(100.0, 82.0),
-        })?;
-        let mut stage = Stage::new(camera);
+        let (centre, scale) = moment.room.of((at(170.0, 238.0), 100.0), (at(180.0, 172.0), 82.0));
+        let mut stage = Stage::new(moment.camera([0.0; 3], distance, centre, scale)?);
         stage.ground([-1.2, -1.2], [1.2, 1.2], -1.5, 0.4)?;
         let (solid, radius, high) = self.body(axis)?;
         stage.solid(solid, Hue::Blue)?;
         // A mark on the face that is seen; a long body spins too fast for one.
-        let eye = Vector3::new(moment.azimuth.cos(), moment.azimuth.sin(), moment.elevation.tan());
-        let above = distance * moment.elevation.cos() * eye.dot(&axis);
+        let above = distance * Vector3::from(moment.towards_eye()).dot(&axis);
         let face = 0.5 * high.copysign(above);
         if self.ratio > 0.7 && above.abs() > 0.5 * high {
             let corner = |angle: f64, reach: f64| {
@@ -222,9 +195,8 @@ impl Slowing {
         stage.vector([0.0; 3], axis * TIP, Hue::Ink)?;
         stage.vector([0.0; 3], spin * 1.3, Hue::Orange)?;
         // Names stand away from L, and only where the arrows can be told apart.
-        let to_the_right = Vector3::new(-moment.azimuth.sin(), moment.azimuth.cos(), 0.0);
         let side = |arrow: &Vector3<f64>| {
-            if (arrow - momentum).dot(&to_the_right) > 0.0 { Side::Right } else { Side::Left }
+            if moment.rightward(arrow - momentum) > 0.0 { Side::Right } else { Side::Left }
         };
         if angle_between(&axis, &momentum) > 0.12 {
             stage.label(axis * TIP, side(&axis), r"$\hat{\mathbf{3}}$", Hue::Ink)?;
@@ -238,7 +210,7 @@ impl Slowing {
 
     /// The map of fates, with the lines of equal spin that is left.
     fn draw_map(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
-        let mut map = Graph::new(drawing, map_frame(room), MAP.0, MAP.1)?;
+        let mut map = map(room).on(drawing)?;
         let [from, to] = RATIOS;
         // Where C₁/I₁ is so many times C₃/I₃.
         let line = |times: f64| [(from, times / from), (to, times / to)];
@@ -260,12 +232,8 @@ impl Slowing {
                 at_end(&mut map, (to, 80.0), "left")?;
             }
         }
-        map.label(
-            (room.of(0.021, 0.008), 900.0),
-            Side::Right,
-            room.of("wobble dies first", "wobble dies"),
-            Hue::Blue,
-        )?;
+        let (ratio, words) = room.of((0.021, "wobble dies first"), (0.008, "wobble dies"));
+        map.label((ratio, 900.0), Side::Right, words, Hue::Blue)?;
         map.label((0.0025, 0.3), Side::Right, room.of("spin dies first", "spin dies"), Hue::Orange)?;
         map.grip((self.ratio, self.drag_ratio()), Hue::Pink);
         Ok(())
@@ -277,16 +245,13 @@ impl Slowing {
 
     /// The angular momentum as the body has it.
     fn draw_parts(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let mut graph = Graph::new(drawing, parts_frame(moment.room), PARTS.0, PARTS.1)?;
-        let curve = |from: f64, to: f64| {
-            (0..=120)
-                .map(|n| self.parts(from + (to - from) * f64::from(n) / 120.0))
-                .collect::<Result<Vec<_>, _>>()
-        };
+        let mut graph = parts(moment.room).on(drawing)?;
+        let curve =
+            |to: f64| linear_steps(0.0, to, 120).map(|time| self.parts(time)).collect::<Result<Vec<_>, _>>();
         let start: Vec<(f64, f64)> = (0..=45).map(|n| (2.0 * f64::from(n)).to_radians().sin_cos()).collect();
         graph.curve(start, Stroke::Outline, Hue::Muted);
-        graph.curve(curve(0.0, 60.0)?, Stroke::Orbit, Hue::Green);
-        graph.curve(curve(0.0, moment.time)?, Stroke::Curve, Hue::Green);
+        graph.curve(curve(60.0)?, Stroke::Orbit, Hue::Green);
+        graph.curve(curve(moment.time)?, Stroke::Curve, Hue::Green);
         if let Some(time) = self.settled() {
             let parts = self.parts(time)?;
             graph.curve([parts, (1.0, parts.1)], Stroke::Dotted, Hue::Muted);
@@ -297,7 +262,7 @@ impl Slowing {
         }
         let [from, to] = [graph.at((0.0, 0.0)), graph.at(self.parts(moment.time)?)];
         if (to - from).length() > 1.0 {
-            arrow(graph.drawing(), from, to, Hue::Green);
+            kit::arrow(graph.drawing(), from, to, Hue::Green);
         }
         graph.grip(self.parts(0.0)?, Hue::Pink);
         Ok(())
@@ -311,21 +276,18 @@ fn at_end(map: &mut Graph<'_>, value: (f64, f64), text: &str) -> Result<(), Caus
     Ok(())
 }
 
-const MAP: (Axis<'_>, Axis<'_>) = (
-    Axis::log(RATIOS[0], RATIOS[1], 1).titled(r"$I_3/I_1$"),
-    Axis::log(DRAGS[0], DRAGS[1], 1).titled(r"$C_1/C_3$"),
-);
-const PARTS: (Axis<'_>, Axis<'_>) = (
-    Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ across"),
-    Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ along the axis"),
-);
-
-fn map_frame(room: Room) -> Rect {
-    room.of(Rect::new(390.0, 34.0, 180.0, 150.0), Rect::new(44.0, 340.0, 98.0, 126.0))
+/// The map of fates.
+fn map(room: Room) -> Plot<'static> {
+    let frame = room.of(Rect::new(390.0, 34.0, 180.0, 150.0), Rect::new(44.0, 340.0, 98.0, 126.0));
+    let y = Axis::log(DRAGS[0], DRAGS[1], 1).titled(r"$C_1/C_3$");
+    Plot { frame, x: Axis::log(RATIOS[0], RATIOS[1], 1).titled(r"$I_3/I_1$"), y }
 }
 
-fn parts_frame(room: Room) -> Rect {
-    room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(206.0, 364.0, 102.0, 102.0))
+/// The plane of the angular momentum as the body has it.
+fn parts(room: Room) -> Plot<'static> {
+    let frame = room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(206.0, 364.0, 102.0, 102.0));
+    let x = Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ across");
+    Plot { frame, x, y: Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ along the axis") }
 }
 
 /// What has been added up of a quantity by each moment, by Simpson's rule over pairs of steps.
@@ -406,18 +368,15 @@ impl Motion for Slowing {
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {
         let (sin, cos) = self.lean.to_radians().sin_cos();
-        vec![
-            point_at(map_frame(moment.room), &MAP.0, &MAP.1, (self.ratio, self.drag_ratio())),
-            point_at(parts_frame(moment.room), &PARTS.0, &PARTS.1, (sin, cos)),
-        ]
+        vec![map(moment.room).point((self.ratio, self.drag_ratio())), parts(moment.room).point((sin, cos))]
     }
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
         if grip == 0 {
-            let (ratio, drag) = value_at(map_frame(moment.room), &MAP.0, &MAP.1, to);
+            let (ratio, drag) = map(moment.room).value(to);
             return vec![("ratio", ratio), ("drag", drag)];
         }
-        let (across, along) = value_at(parts_frame(moment.room), &PARTS.0, &PARTS.1, to);
+        let (across, along) = parts(moment.room).value(to);
         vec![("lean", across.max(0.0).atan2(along.max(0.0)).to_degrees())]
     }
 }

@@ -1,27 +1,20 @@
 //! The scene of the chapter "The ball": a cloth, a turning table, a hole.
 
-use drawing::kit::Heads;
-use drawing::space::{Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
-};
+use live::prelude::*;
 use mechanics::InvalidQuantity;
 use mechanics::scenes::ball::{
     Ball, BallParameters, BallState, Cloth, ClothParameters, Hole, HoleParameters, HoleRoll, HoleStart, Shot,
     ShotStart, Turntable, TurntableParameters, TurntableRoll, TurntableStart,
 };
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "ball",
     title: "A ball slides and rolls",
-    description: "A ball on a cloth, with its path, an arrow of its velocity and one of its slip. Below, two speeds against time, that of the centre \
-                  and that at which its spin would roll: two straight lines that meet, and are one from there on.",
-    question: "The ball is hit in the middle. How much of its speed is left when it rolls? Does that depend on the cloth? \
-               Can you make it come back?",
+    description: "A ball on a cloth, with its path, an arrow of its velocity and one of its slip. Below, two speeds against time, that of the centre and that at which its \
+                  spin would roll: two straight lines that meet, and are one from there on.",
+    question: "The ball is hit in the middle. How much of its speed is left when it rolls? Does that depend on the cloth? Can you make it come back?",
     size: [[640.0, 440.0], [380.0, 600.0]],
     view: Some([-1.1, 0.62]),
     still: 0.3,
@@ -43,22 +36,19 @@ pub(crate) const SCENE: Scene = Scene {
             .when("place", [2.0, 2.0]),
     ],
     presets: &[
-        Preset { words: "hit in the middle", settings: &[("place", 0.0), ("roll", 0.0), ("side", 0.0)] },
-        Preset { words: "it comes back", settings: &[("place", 0.0), ("speed", 2.0), ("roll", -9.0)] },
-        Preset {
-            words: "a massé",
-            settings: &[("place", 0.0), ("speed", 3.0), ("roll", -4.0), ("side", 3.0)],
-        },
-        Preset { words: "on a table", settings: &[("place", 1.0), ("speed", 0.5), ("slope", 0.0)] },
-        Preset { words: "on a tilted table", settings: &[("place", 1.0), ("speed", 0.2), ("slope", 2.0)] },
-        Preset { words: "in and out of a hole", settings: &[("place", 2.0), ("speed", 1.0), ("drop", 0.3)] },
+        preset("hit in the middle", &[("place", 0.0), ("roll", 0.0), ("side", 0.0)]),
+        preset("it comes back", &[("place", 0.0), ("speed", 2.0), ("roll", -9.0)]),
+        preset("a massé", &[("place", 0.0), ("speed", 3.0), ("roll", -4.0), ("side", 3.0)]),
+        preset("on a table", &[("place", 1.0), ("speed", 0.5), ("slope", 0.0)]),
+        preset("on a tilted table", &[("place", 1.0), ("speed", 0.2), ("slope", 2.0)]),
+        preset("in and out of a hole", &[("place", 2.0), ("speed", 1.0), ("drop", 0.3)]),
     ],
     readings: &[
-        Reading { words: r"speed of the centre, $v$", form: Form::Fixed(3), unit: "m/s" },
-        Reading { words: r"at which its spin would roll, $w$", form: Form::Fixed(3), unit: "m/s" },
-        Reading { words: r"slip, $u$", form: Form::Fixed(3), unit: "m/s" },
-        Reading { words: "spin about the normal", form: Form::Fixed(1), unit: "rad/s" },
-        Reading { words: "change of what is kept", form: Form::Power(1), unit: "" },
+        reading(r"speed of the centre, $v$", Form::Fixed(3), "m/s"),
+        reading(r"at which its spin would roll, $w$", Form::Fixed(3), "m/s"),
+        reading(r"slip, $u$", Form::Fixed(3), "m/s"),
+        reading("spin about the normal", Form::Fixed(1), "rad/s"),
+        reading("change of what is kept", Form::Power(1), ""),
     ],
     symbols: formulas![r"\boldsymbol{v}", r"\boldsymbol{u}", r"\boldsymbol{\omega}", "v", "w"],
     start: |settings| Ok(Box::new(Rolls::new(settings)?)),
@@ -138,12 +128,8 @@ impl Rolls {
                 (Place::Hole(roll, rate), floor(&roll)?.map_or(end, |floor| floor.min(end)))
             }
         };
-        let path = (0..=STEPS)
-            .map(|step| {
-                let time = duration * f64::from(step) / f64::from(STEPS);
-                Ok((time, place.at(time)?))
-            })
-            .collect::<Result<Vec<_>, InvalidQuantity>>()?;
+        let path = linear_steps(0.0, duration, STEPS).map(|time| Ok((time, place.at(time)?)));
+        let path = path.collect::<Result<Vec<_>, InvalidQuantity>>()?;
         let (scale, middle) = if which == 2 {
             (1.0 / HOLE[0], Vector3::z() * (-0.5 * HOLE[1]))
         } else {
@@ -283,19 +269,20 @@ impl Rolls {
         }
     }
 
-    fn draw_graph(&self, moment: &Moment, frame: Rect, drawing: &mut Drawing) -> Result<(), Cause> {
+    fn draw_graph(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let all: Vec<_> = self.path.iter().map(|(time, state)| (*time, self.curves(state))).collect();
         let values = all.iter().flat_map(|(_, curves)| curves.iter().map(|curve| curve.0));
         let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), v| (low.min(v), high.max(v)));
-        let step = nice((high - low) / 3.0);
+        let step = nice_step((high - low) / 3.0);
         let (low, high) = ((low / step).floor() * step, (high / step).ceil().max(1.0) * step);
         let title = match &self.place {
             Place::Cloth(_) => "speeds along the slip, m/s",
             Place::Table(..) => "place of the centre, m",
             Place::Hole(..) => "height of the centre, cm",
         };
-        let time = Axis::linear(0.0, self.duration, nice(self.duration / 3.0)).titled("time, s");
-        let mut graph = Graph::new(drawing, frame, time, Axis::linear(low, high, step).titled(title))?;
+        let time = Axis::linear(0.0, self.duration, nice_step(self.duration / 3.0)).titled("time, s");
+        let frames = [[440.0, 120.0, 180.0, 190.0], [60.0, 400.0, 300.0, 140.0]];
+        let mut graph = moment.graph(drawing, frames, time, Axis::linear(low, high, step).titled(title))?;
         let now = self.place.at(moment.time)?;
         for (index, (value, name, hue)) in self.curves(&now).into_iter().enumerate() {
             let curve = all.iter().map(|(time, curves)| (*time, curves[index].0));
@@ -338,36 +325,18 @@ fn floor(roll: &HoleRoll) -> Result<Option<f64>, InvalidQuantity> {
     Ok(Some(above))
 }
 
-/// One, two or five times a power of ten, near a number.
-fn nice(size: f64) -> f64 {
-    let power = 10_f64.powf(size.max(1e-9).log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0];
-    steps.into_iter().map(|step| step * power).find(|step| *step >= size).unwrap_or(size)
-}
-
 impl Motion for Rolls {
     fn run(&self) -> Run {
         Run { duration: self.duration, pace: (self.duration / 6.0).clamp(0.05, 1.0), repeats: true }
     }
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let view = View {
-            target: [0.0; 3],
-            azimuth: 0.0,
-            elevation: 0.0,
-            distance: 9.0,
-            centre: moment.room.of(at(200.0, 215.0), at(190.0, 175.0)),
-            scale: moment.room.of(112.0, 100.0),
-        };
-        let mut stage = Stage::new(moment.camera(view)?);
+        let (centre, scale) = moment.room.of((at(200.0, 215.0), 112.0), (at(190.0, 175.0), 100.0));
+        let mut stage = Stage::new(moment.camera([0.0; 3], 9.0, centre, scale)?);
         self.draw_room(moment, &mut stage)?;
         self.draw_ball(moment, &mut stage)?;
         stage.write(drawing);
-        let frame = match moment.room {
-            Room::Wide => Rect::new(440.0, 120.0, 180.0, 190.0),
-            Room::Narrow => Rect::new(60.0, 400.0, 300.0, 140.0),
-        };
-        self.draw_graph(moment, frame, drawing)
+        self.draw_graph(moment, drawing)
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {

@@ -1,21 +1,19 @@
 //! The small scene of the page "A coin with an edge": two caps, the belt between them, and where the normal goes.
 
 use super::coin_toss::draw_coin;
-use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Flaw, Hue, Point, Rect, Role, Side, Stroke, at};
-use live::{Cause, Control, Form, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas};
+use live::prelude::*;
 use mechanics::InvalidQuantity;
 use mechanics::inertia::{Cylinder, PrincipalMoments};
 use mechanics::scenes::coin_toss::{Landings, Toss, TossParameters, edge_at_random};
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "edge",
     title: "A thick coin, and on which side it lands",
-    description: "At the left a thick coin in the air. Beside it a sphere with a cap for heads at the top, one for tails below, and a belt for the edge between them. The normal of the coin \
-                  runs on a circle through both poles, blue in the cap of heads, pink in the belt and grey in the cap of tails. A bar below has three equal pieces, one for each side.",
+    description: "At the left a thick coin in the air. Beside it a sphere with a cap for heads at the top, one for tails below, and a belt for the edge between them. The \
+                  normal of the coin runs on a circle through both poles, blue in the cap of heads, pink in the belt and grey in the cap of tails. A bar below has three \
+                  equal pieces, one for each side.",
     question: "How thick must a coin be to decide fairly among three? And does it stay fair if the thumb twists it a little?",
     size: [[640.0, 370.0], [380.0, 580.0]],
     view: None,
@@ -25,18 +23,23 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("twist", r"twist to tumble, $\omega_3/\omega_1$", [0.0, 1.5, 0.01], "", 0.0),
     ],
     presets: &[
-        Preset { words: "a nickel", settings: &[("thickness", 0.092)] },
-        Preset { words: "the nickel, twisted", settings: &[("thickness", 0.092), ("twist", 0.55)] },
-        Preset { words: "a third of the tumble", settings: &[("thickness", 0.577)] },
-        Preset { words: "a third of the sphere", settings: &[("thickness", 0.354)] },
+        preset("a nickel", &[("thickness", 0.092)]),
+        preset("the nickel, twisted", &[("thickness", 0.092), ("twist", 0.55)]),
+        preset("a third of the tumble", &[("thickness", 0.577)]),
+        preset("a third of the sphere", &[("thickness", 0.354)]),
     ],
     readings: &[
-        Reading { words: "heads, which was up", form: Form::Fixed(3), unit: "" },
-        Reading { words: "edge", form: Form::Fixed(3), unit: "" },
-        Reading { words: "tails", form: Form::Fixed(3), unit: "" },
+        reading("heads, which was up", Form::Fixed(3), ""),
+        reading("edge", Form::Fixed(3), ""),
+        reading("tails", Form::Fixed(3), ""),
     ],
     symbols: formulas![],
-    start: |settings| Ok(Box::new(Tossed::new(settings)?)),
+    start: |settings| {
+        let of = Tossed::new(settings)?;
+        let run = Run { duration: 4.0 * of.period, pace: 1.0, repeats: true };
+        let readings = |of: &Tossed, _| Ok(of.shares.to_vec());
+        Ok(Box::new(Small { words: of.words(), of, run, readings, draw: Tossed::draw }))
+    },
 };
 
 /// How fast it tumbles, rad/s, in slow motion; how many points its circle has.
@@ -69,10 +72,6 @@ impl Tossed {
         Ok(Self { toss, moments, shares: [same, edge, other], border: edge_at_random(coin)?, period })
     }
 
-    fn normal(&self, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
-        self.toss.normal(time)
-    }
-
     /// The side that would be up: that of a normal of this height.
     fn side(&self, height: f64) -> usize {
         usize::from(height < self.border) + usize::from(height < -self.border)
@@ -81,8 +80,8 @@ impl Tossed {
     /// The circle of the normal, in pieces.
     fn pieces(&self) -> Result<Vec<Piece>, InvalidQuantity> {
         let mut pieces: Vec<Piece> = Vec::new();
-        for k in 0..=POINTS {
-            let normal = self.normal(self.period * f64::from(k) / f64::from(POINTS))?;
+        for time in linear_steps(0.0, self.period, POINTS) {
+            let normal = self.toss.normal(time)?;
             let side = self.side(normal.z);
             if let Some((_, piece)) = pieces.last_mut() {
                 piece.push(normal);
@@ -93,30 +92,20 @@ impl Tossed {
         }
         Ok(pieces)
     }
-}
-
-fn camera(centre: Point, scale: f64) -> Result<Camera, Flaw> {
-    Camera::new(View { target: [0.0; 3], azimuth: -1.1, elevation: 0.3, distance: 9.0, centre, scale })
-}
-
-impl Motion for Tossed {
-    fn run(&self) -> Run {
-        Run { duration: 4.0 * self.period, pace: 1.0, repeats: true }
-    }
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let room = moment.room;
-        let eye = camera(room.of(at(160.0, 148.0), at(190.0, 130.0)), 84.0)?;
-        let (sin, cos) = 0.3_f64.sin_cos();
-        let towards_eye = Vector3::new(cos * f64::cos(-1.1), cos * f64::sin(-1.1), sin);
-        let normal = self.normal(moment.time)?;
+        let (eye, normal) = (moment.seen_from(-1.1, 0.3), self.toss.normal(moment.time)?);
         let hue = |side: usize| SIDES[side].1;
-        let mut stage = Stage::new(eye);
-        draw_coin(&self.moments, &mut stage, &self.toss.at(moment.time)?.world_from_body, &towards_eye)?;
+        let centre = room.of(at(160.0, 148.0), at(190.0, 130.0));
+        let mut stage = Stage::new(eye.camera([0.0; 3], 9.0, centre, 84.0)?);
+        let attitude = self.toss.at(moment.time)?.world_from_body;
+        draw_coin(&self.moments, &mut stage, &attitude, &eye.towards_eye().into())?;
         stage.vector([0.0; 3], normal * 1.5, Hue::Ink)?;
         stage.write(drawing);
 
-        let mut stage = Stage::new(camera(room.of(at(450.0, 148.0), at(190.0, 360.0)), 106.0)?);
+        let centre = room.of(at(450.0, 148.0), at(190.0, 360.0));
+        let mut stage = Stage::new(eye.camera([0.0; 3], 9.0, centre, 106.0)?);
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
         let width = (1.0 - self.border * self.border).sqrt();
         for height in [self.border, -self.border] {
@@ -140,14 +129,8 @@ impl Motion for Tossed {
                 drawing.polygon(corners, Fill::Solid, hue);
             }
             let below = at(bar.left + (place as f64 + 0.5) * long / 3.0, bar.bottom + 26.0);
-            drawing.label_set(
-                below,
-                Side::Over,
-                0.0,
-                14.0,
-                &format!("{name} {share:.3}"),
-                Role::Text(hue),
-            )?;
+            let words = format!("{name} {share:.3}");
+            drawing.label_set(below, Side::Over, 0.0, 14.0, &words, Role::Text(hue))?;
             from = to;
         }
         for third in [1.0, 2.0].map(|k| at(bar.left + k * long / 3.0, bar.top - 5.0)) {
@@ -156,11 +139,7 @@ impl Motion for Tossed {
         Ok(())
     }
 
-    fn readings(&self, _time: f64) -> Result<Vec<f64>, Cause> {
-        Ok(self.shares.to_vec())
-    }
-
-    fn words(&self, _time: f64) -> String {
+    fn words(&self) -> String {
         let [heads, edge, tails] = self.shares;
         let any =
             format!("In any attitude, as likely as every other, its edge would have {:.3}.", self.border);

@@ -1,17 +1,11 @@
 //! The scene of the chapter "The coin toss": a coin in slow motion beside the path of its normal on a sphere.
 
 pub(super) use coin::draw_coin;
-use drawing::space::{Camera, Curve, Solid, Stage, View};
-use drawing::{Drawing, Fill, Flaw, Hue, Point, Rect, Role, Shape, Side, Stroke, at, kit, kit::Heads};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
-    point_at, value_at,
-};
+use live::prelude::*;
 use mechanics::InvalidQuantity;
 use mechanics::inertia::PrincipalMoments;
 use mechanics::scenes::coin_toss::{Flight, FlightParameters, Toss, TossParameters};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::LazyLock;
 use tosses::{TOSSES, Tosses};
 
@@ -24,15 +18,11 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "coin-toss",
     title: "A tossed coin and the path of its normal",
-    description: "At the left a coin in the air, seen from straight above: tails is up, the normal \
-                  3 of heads points away to the right, as does the angular momentum L. Beside it a \
-                  sphere with its equator: the tip of the normal goes round L on a circle through \
-                  the pole, of which the part above the equator is blue and the part below grey. Below, \
-                  the height of the normal through one precession, which dips below zero in the middle, \
-                  and a curve of the probability of the same face against the angle theta L between the normal \
-                  and L, with a dot for this toss.",
-    question: "A thumb tumbles the coin 38 times a second. How fast must it twist the coin as well, if heads, \
-               and nothing but heads, is to be seen from above?",
+    description: "At the left a coin in the air, seen from straight above: tails is up, the normal 3 of heads points away to the right, as does the angular momentum L. \
+                  Beside it a sphere with its equator: the tip of the normal goes round L on a circle through the pole, of which the part above the equator is blue and the \
+                  part below grey. Below, the height of the normal through one precession, which dips below zero in the middle, and a curve of the probability of the same \
+                  face against the angle theta L between the normal and L, with a dot for this toss.",
+    question: "A thumb tumbles the coin 38 times a second. How fast must it twist the coin as well, if heads, and nothing but heads, is to be seen from above?",
     size: [[640.0, 520.0], [380.0, 872.0]],
     view: Some([-0.55, 0.42]),
     still: 0.0366,
@@ -46,20 +36,20 @@ pub(crate) const SCENE: Scene = Scene {
         Control::choice("camera", "the coin is seen", &["from straight above", "from the side"]),
     ],
     presets: &[
-        Preset { words: "no twist", settings: &[("twist", 0.0)] },
-        Preset { words: "a quarter", settings: &[] },
-        Preset { words: "the threshold", settings: &[("twist", 120.0)] },
-        Preset { words: "never tails", settings: &[("twist", 144.0)] },
-        Preset { words: "the mean tosser", settings: &[("twist", 19.0)] },
-        Preset { words: "a thick puck", settings: &[("ratio", 1.0), ("twist", 144.0)] },
+        preset("no twist", &[("twist", 0.0)]),
+        preset("a quarter", &[]),
+        preset("the threshold", &[("twist", 120.0)]),
+        preset("never tails", &[("twist", 144.0)]),
+        preset("the mean tosser", &[("twist", 19.0)]),
+        preset("a thick puck", &[("ratio", 1.0), ("twist", 144.0)]),
     ],
     readings: &[
-        Reading { words: r"height of the normal, $n_z$", form: Form::Fixed(3), unit: "" },
-        Reading { words: "precessions", form: Form::Fixed(2), unit: "" },
-        Reading { words: r"part of the circle above, $p$", form: Form::Fixed(4), unit: "" },
-        Reading { words: "tosses", form: Form::Fixed(0), unit: "" },
-        Reading { words: "part of them heads", form: Form::Fixed(4), unit: "" },
-        Reading { words: r"drift of $\boldsymbol{L}$", form: Form::Power(1), unit: "" },
+        reading(r"height of the normal, $n_z$", Form::Fixed(3), ""),
+        reading("precessions", Form::Fixed(2), ""),
+        reading(r"part of the circle above, $p$", Form::Fixed(4), ""),
+        reading("tosses", Form::Fixed(0), ""),
+        reading("part of them heads", Form::Fixed(4), ""),
+        reading(r"drift of $\boldsymbol{L}$", Form::Power(1), ""),
     ],
     symbols: formulas![r"\boldsymbol{L}", r"\hat{\mathbf{3}}", r"n_z", r"\theta_L", r"p"],
     start: |settings| Ok(Box::new(Throw::new(settings)?)),
@@ -169,7 +159,7 @@ impl Throw {
                 return Ok(Vec::new());
             }
             let points = 6 + (64.0 * (to - from) / period) as u32;
-            (0..=points).map(|k| toss.normal(from + (to - from) * f64::from(k) / f64::from(points))).collect()
+            linear_steps(from, to, points).map(|time| toss.normal(time)).collect()
         };
         Ok([path(-edge, edge)?, path(edge, period - edge)?])
     }
@@ -198,21 +188,10 @@ impl Throw {
     fn draw_flight(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let attitude = self.attitude(moment.time)?;
         let normal = attitude * Vector3::z();
-        let mut view = View {
-            target: [0.0; 3],
-            azimuth: moment.azimuth,
-            elevation: moment.elevation,
-            distance: 9.0,
-            centre: moment.room.of(at(212.0, 158.0), at(225.0, 148.0)),
-            scale: moment.room.of(84.0, 76.0),
-        };
-        if self.from_above {
-            (view.azimuth, view.elevation) = (-FRAC_PI_2, FRAC_PI_2);
-        }
-        let (sin, cos) = view.elevation.sin_cos();
-        let towards_eye = Vector3::new(cos * view.azimuth.cos(), cos * view.azimuth.sin(), sin);
-        let mut stage = Stage::new(Camera::new(view)?);
-        draw_coin(&self.moments, &mut stage, &attitude, &towards_eye)?;
+        let moment = &if self.from_above { moment.seen_from(-FRAC_PI_2, FRAC_PI_2) } else { *moment };
+        let (centre, scale) = moment.room.of((at(212.0, 158.0), 84.0), (at(225.0, 148.0), 76.0));
+        let mut stage = Stage::new(moment.camera([0.0; 3], 9.0, centre, scale)?);
+        draw_coin(&self.moments, &mut stage, &attitude, &moment.towards_eye().into())?;
         self.draw_path(&mut stage, 1.4, Stroke::Outline)?;
         if self.toss.is_some() {
             stage.named_vector([0.0; 3], self.momentum() * 1.65, r"$\boldsymbol{L}$", Hue::Green)?;
@@ -237,20 +216,10 @@ impl Throw {
         stage.label([0.0, 0.0, 1.0], Side::AboveLeft, "start, flat", Hue::Muted)?; // L goes up to its right
         if self.toss.is_some() {
             let momentum = self.momentum();
-            stage.arrow(
-                Curve::segment(momentum, momentum * REACH)?,
-                Stroke::Vector,
-                Heads::End,
-                Hue::Green,
-            )?;
+            let tip = momentum * REACH;
+            stage.vector(momentum, tip, Hue::Green)?;
             stage.dot(momentum, 3.5, Hue::Green)?;
-            stage.label_shifted(
-                momentum * REACH,
-                at(7.0, 0.0),
-                Side::Right,
-                r"$\boldsymbol{L}$",
-                Hue::Green,
-            )?;
+            stage.label_shifted(tip, at(7.0, 0.0), Side::Right, r"$\boldsymbol{L}$", Hue::Green)?;
         }
         let normal = self.attitude(moment.time)? * Vector3::z();
         stage.dot(normal, 5.5, if normal.z >= 0.0 { Hue::Blue } else { Hue::Muted })?;
@@ -284,17 +253,15 @@ impl Throw {
             drawing.push(Role::Line(Stroke::Pale, hue), shape);
         }
         let below = at(x, hand + 24.0);
-        drawing.label_set(below, Side::Over, 0.0, 13.0, "full speed", Role::Text(Hue::Ink))?;
-        Ok(())
+        Ok(drawing.note(below, Side::Over, "full speed", Hue::Ink)?)
     }
 
     /// The height of the normal through a precession, and at which parts of it coins were caught.
     fn draw_heights(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frame =
-            moment.room.of(Rect::new(48.0, 364.0, 320.0, 104.0), Rect::new(48.0, 562.0, 310.0, 100.0));
+        let frames = [[48.0, 364.0, 320.0, 104.0], [48.0, 562.0, 310.0, 100.0]];
+        let x = Axis::linear(0.0, 1.0, 0.25).titled("part of a precession");
         let y = Axis::linear(-1.0, 1.0, 1.0).titled(r"height of the normal, $n_z$");
-        let mut graph =
-            Graph::new(drawing, frame, Axis::linear(0.0, 1.0, 0.25).titled("part of a precession"), y)?;
+        let mut graph = moment.graph(drawing, frames, x, y)?;
         let made = self.made(moment.time);
         self.tosses.draw(&mut graph, made);
         graph.level(0.0, Stroke::Reference, Hue::Ink);
@@ -305,8 +272,7 @@ impl Throw {
         for (from, to, hue) in
             [(0.0, edge, Hue::Blue), (edge, 1.0 - edge, Hue::Muted), (1.0 - edge, 1.0, Hue::Blue)]
         {
-            let parts = (0..=32).map(|k| from + (to - from) * f64::from(k) / 32.0);
-            let wave = parts.map(|part| Ok((part, self.height(part * period)?)));
+            let wave = linear_steps(from, to, 32).map(|part| Ok((part, self.height(part * period)?)));
             graph.curve(wave.collect::<Result<Vec<_>, InvalidQuantity>>()?, Stroke::Curve, hue);
         }
         let (part, is_heads) = self.caught(moment.time)?;
@@ -318,16 +284,15 @@ impl Throw {
             drawing.label_set(place, Side::Above, 3.0, 13.0, "its middle", Role::Text(Hue::Green))?;
         }
         if made > 0 {
-            let above = at(frame.right, frame.top - 16.0);
-            drawing.label_set(above, Side::Left, 0.0, 13.0, "bars: the catches", Role::Text(Hue::Muted))?;
+            let above = moment.room.of(at(368.0, 348.0), at(358.0, 546.0));
+            drawing.note(above, Side::Left, "bars: the catches", Hue::Muted)?;
         }
         Ok(())
     }
 
     /// The probability of the same face against `θ_L`, and what the tosses gave.
     fn draw_probability(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (frame, x, y) = probability(moment.room);
-        let mut graph = Graph::new(drawing, frame, x, y)?;
+        let mut graph = probability(moment.room).on(drawing)?;
         graph.area([(0.0, 0.5), (45.0, 0.5), (45.0, 1.0), (0.0, 1.0)], Fill::Ground, Hue::Blue);
         graph.answer(|graph| {
             graph.curve(PROBABILITIES.iter().copied(), Stroke::Curve, Hue::Blue);
@@ -362,21 +327,15 @@ const REACH: f64 = 1.4;
 
 /// The eye that looks at the sphere.
 fn sphere(moment: &Moment) -> Result<Camera, Flaw> {
-    moment.camera(View {
-        target: [0.0; 3],
-        azimuth: 0.0,
-        elevation: 0.0,
-        distance: 9.0,
-        centre: moment.room.of(at(490.0, 160.0), at(190.0, 412.0)),
-        scale: moment.room.of(112.0, 92.0),
-    })
+    let (centre, scale) = moment.room.of((at(490.0, 160.0), 112.0), (at(190.0, 412.0), 92.0));
+    moment.camera([0.0; 3], 9.0, centre, scale)
 }
 
 /// The plot of probabilities: its frame on the page, `θ_L` to the right and p upwards.
-fn probability(room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
+fn probability(room: Room) -> Plot<'static> {
+    let frame = room.of(Rect::new(444.0, 364.0, 170.0, 104.0), Rect::new(60.0, 744.0, 220.0, 84.0));
     let x = Axis::linear(0.0, 90.0, 45.0).titled(r"$\theta_L$, degrees");
-    let y = Axis::linear(0.5, 1.0, 0.25).titled(r"heads, $p$");
-    (room.of(Rect::new(444.0, 364.0, 170.0, 104.0), Rect::new(60.0, 744.0, 220.0, 84.0)), x, y)
+    Plot { frame, x, y: Axis::linear(0.5, 1.0, 0.25).titled(r"heads, $p$") }
 }
 
 impl Motion for Throw {
@@ -470,8 +429,7 @@ impl Motion for Throw {
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {
-        let (frame, x, y) = probability(moment.room);
-        let mut grips = vec![point_at(frame, &x, &y, (self.angle().to_degrees(), self.probability()))];
+        let mut grips = vec![probability(moment.room).point((self.angle().to_degrees(), self.probability()))];
         let tip = sphere(moment).and_then(|camera| camera.on_page(self.momentum() * REACH));
         grips.extend(tip.ok());
         grips
@@ -479,24 +437,18 @@ impl Motion for Throw {
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
         if grip == 0 {
-            let (frame, x, y) = probability(moment.room);
-            return self.turned_to(value_at(frame, &x, &y, to).0.to_radians());
+            return self.turned_to(probability(moment.room).value(to).0.to_radians());
         }
         // The angle at which the tip of the momentum comes nearest to the hand.
         let Ok(camera) = sphere(moment) else { return Vec::new() };
-        let distance = |angle: f64| {
-            let (sin, cos) = angle.sin_cos();
-            let tip = camera.on_page(Vector3::new(sin, 0.0, cos) * REACH);
-            tip.map_or(f64::INFINITY, |tip| (tip - to).length())
-        };
-        let nearest = |from: f64, to: f64| {
-            let angles = (0..=90).map(|k| from + (to - from) * f64::from(k) / 90.0);
-            angles.min_by(|one, other| distance(*one).total_cmp(&distance(*other))).unwrap_or(from)
-        };
-        if distance(self.angle()) < 0.5 {
-            return self.turned_to(self.angle());
+        let tip = |angle: f64| Ok(camera.on_page(Vector3::new(angle.sin(), 0.0, angle.cos()) * REACH)?);
+        let angle = self.angle();
+        if tip(angle).is_ok_and(|tip| (tip - to).length() < 0.5) {
+            return self.turned_to(angle);
         }
-        let (coarse, step) = (nearest(0.0, FRAC_PI_2), FRAC_PI_2 / 90.0);
-        self.turned_to(nearest((coarse - step).max(0.0), (coarse + step).min(FRAC_PI_2)))
+        let step = FRAC_PI_2 / 90.0;
+        let coarse = nearest(linear_steps(0.0, FRAC_PI_2, 90), to, tip).unwrap_or(0.0);
+        let fine = linear_steps((coarse - step).max(0.0), (coarse + step).min(FRAC_PI_2), 90);
+        self.turned_to(nearest(fine, to, tip).unwrap_or(coarse))
     }
 }

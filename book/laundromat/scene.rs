@@ -8,27 +8,20 @@ mod course;
 mod drum;
 
 use course::{Course, Drive, State};
-use drawing::kit::{self, Marker};
-use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
 use drum::Drum;
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
-    point_at, value_at,
-};
+use live::prelude::*;
+use mechanics::InvalidQuantity;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, SteadyMotion};
 use nalgebra::Complex;
-use std::f64::consts::{FRAC_PI_2, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "laundromat",
     title: "A drum with its load, from above",
-    description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and \
-                  in it a drum with a heavy mat on one side. The shaft stands to one side of the fixed point O. Beside it three \
-                  plots: the force on the floor against the spin, the angle from the shaft to the load against the spin, and \
-                  the distance of the shaft from O against time.",
-    question: "A flash shows the fast drum just when its centre is farthest to the right. Where is the load: on the \
-               right, on the left, or a quarter turn ahead?",
+    description: "Seen from above at a slant: a tub between four posts, held by a spring and a damper at each, and in it a drum with a heavy mat on one side. The shaft \
+                  stands to one side of the fixed point O. Beside it three plots: the force on the floor against the spin, the angle from the shaft to the load against the \
+                  spin, and the distance of the shaft from O against time.",
+    question: "A flash shows the fast drum just when its centre is farthest to the right. Where is the load: on the right, on the left, or a quarter turn ahead?",
     size: [[640.0, 440.0], [380.0, 864.0]],
     view: Some([-FRAC_PI_2, 1.0]),
     still: 0.62,
@@ -45,38 +38,29 @@ pub(crate) const SCENE: Scene = Scene {
         Control::kept("phase"),
     ],
     presets: &[
-        Preset { words: "slow", settings: &[("spin", 5.0)] },
-        Preset { words: "resonance", settings: &[("spin", 10.0)] },
-        Preset { words: "quietest", settings: &[("spin", 24.9)] },
-        Preset { words: "from rest to full spin", settings: &[("spin", 32.0), ("motor", 1.0)] },
-        Preset {
-            words: "a kick, seen on the drum",
-            settings: &[("spin", 22.0), ("damping", 0.2), ("camera", 1.0), ("kick", 0.5)],
-        },
-        Preset {
-            words: "a kick with the other damper",
-            settings: &[("spin", 22.0), ("damper", 1.0), ("kick", 0.5)],
-        },
-        Preset {
-            words: "a whirl: friction on board",
-            settings: &[("spin", 40.0), ("damping", 0.2), ("board", 0.15), ("kick", 0.5)],
-        },
-        Preset {
-            words: "a weak motor, caught",
-            settings: &[("spin", 40.0), ("damping", 0.15), ("motor", 2.0), ("torque", 4.5)],
-        },
-        Preset {
-            words: "and through",
-            settings: &[("spin", 40.0), ("damping", 0.15), ("motor", 2.0), ("torque", 6.0)],
-        },
+        preset("slow", &[("spin", 5.0)]),
+        preset("resonance", &[("spin", 10.0)]),
+        preset("quietest", &[("spin", 24.9)]),
+        preset("from rest to full spin", &[("spin", 32.0), ("motor", 1.0)]),
+        preset(
+            "a kick, seen on the drum",
+            &[("spin", 22.0), ("damping", 0.2), ("camera", 1.0), ("kick", 0.5)],
+        ),
+        preset("a kick with the other damper", &[("spin", 22.0), ("damper", 1.0), ("kick", 0.5)]),
+        preset(
+            "a whirl: friction on board",
+            &[("spin", 40.0), ("damping", 0.2), ("board", 0.15), ("kick", 0.5)],
+        ),
+        preset("a weak motor, caught", &[("spin", 40.0), ("damping", 0.15), ("motor", 2.0), ("torque", 4.5)]),
+        preset("and through", &[("spin", 40.0), ("damping", 0.15), ("motor", 2.0), ("torque", 6.0)]),
     ],
     readings: &[
-        Reading { words: "turns a minute", form: Form::Fixed(0), unit: "" },
-        Reading { words: "lead of the load", form: Form::Fixed(0), unit: "°" },
-        Reading { words: "shaft from $O$", form: Form::Fixed(1), unit: "mm" },
-        Reading { words: "centre of mass from $O$", form: Form::Fixed(1), unit: "mm" },
-        Reading { words: "force on the floor", form: Form::Fixed(0), unit: "N" },
-        Reading { words: "drift of the momentum balance", form: Form::Power(1), unit: "N·s" },
+        reading("turns a minute", Form::Fixed(0), ""),
+        reading("lead of the load", Form::Fixed(0), "°"),
+        reading("shaft from $O$", Form::Fixed(1), "mm"),
+        reading("centre of mass from $O$", Form::Fixed(1), "mm"),
+        reading("force on the floor", Form::Fixed(0), "N"),
+        reading("drift of the momentum balance", Form::Power(1), "N·s"),
     ],
     symbols: formulas![r"\Omega", r"\phi_0", r"O", r"F", r"\omega_0", r"\boldsymbol{F}"],
     start: |settings| Ok(Box::new(Washer::new(settings)?)),
@@ -89,7 +73,7 @@ const ACCELERATION: f64 = 2.5;
 const LASTS: f64 = 8.0;
 const WEAK_LASTS: f64 = 25.0;
 /// The drum's own moment of inertia, kg·m², which a weak motor feels.
-const DRUM_INERTIA: f64 = 0.5;
+pub(super) const DRUM_INERTIA: f64 = 0.5;
 /// The change of the shaft's velocity in a kick, m/s, along x.
 const KICK: Complex<f64> = Complex::new(0.4, 0.0);
 /// Where the tub strikes its housing: the largest distance of the shaft from O, in units of b.
@@ -108,6 +92,18 @@ const GAUSS: [(f64, f64); 6] = [
     (0.830_604_693_233_132_2, 0.180_380_786_524_069_3),
     (0.966_234_757_101_576, 0.085_662_246_189_585_17),
 ];
+
+/// The chapter's machine at rest, with so much damping in units of ω₀.
+pub(super) fn machine(damping: f64) -> Result<Machine, InvalidQuantity> {
+    Machine::new(MachineParameters {
+        drum_mass: 28.0,
+        load_mass: 2.0,
+        load_radius: 0.25,
+        stiffness: 3000.0,
+        damping: damping * 300.0,
+        spin: 0.0,
+    })
+}
 
 /// Points of a curve, (x, y).
 type Values = Vec<(f64, f64)>;
@@ -145,32 +141,9 @@ struct Washer {
     words: String,
 }
 
-/// Where the plots of force, lead and swing stand.
-fn frames(room: Room) -> [Rect; 3] {
-    room.of(
-        [
-            Rect::new(438.0, 40.0, 188.0, 112.0),
-            Rect::new(438.0, 186.0, 188.0, 58.0),
-            Rect::new(438.0, 326.0, 188.0, 66.0),
-        ],
-        [
-            Rect::new(52.0, 466.0, 312.0, 110.0),
-            Rect::new(52.0, 612.0, 312.0, 56.0),
-            Rect::new(52.0, 750.0, 312.0, 66.0),
-        ],
-    )
-}
-
 impl Washer {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let still = Machine::new(MachineParameters {
-            drum_mass: 28.0,
-            load_mass: 2.0,
-            load_radius: 0.25,
-            stiffness: 3000.0,
-            damping: settings.of("damping")? * 300.0,
-            spin: 0.0,
-        })?;
+        let still = machine(settings.of("damping")?)?;
         let [is_radial, on_drum] = [settings.choice("damper")? == 1, settings.choice("camera")? == 1];
         let drive = match settings.choice("motor")? {
             0 => Drive::KeepsItsSpin,
@@ -195,7 +168,14 @@ impl Washer {
         Ok(Self { course, on_drum, forces, leads, quietest, steady, words })
     }
 
-    fn swing_axes(&self) -> [Axis<'static>; 2] {
+    /// The plots of force, lead and swing.
+    fn plots(&self, room: Room) -> [Plot<'static>; 3] {
+        let [force, lead, swing] = room
+            .of(
+                [[438.0, 40.0, 188.0, 112.0], [438.0, 186.0, 188.0, 58.0], [438.0, 326.0, 188.0, 66.0]],
+                [[52.0, 466.0, 312.0, 110.0], [52.0, 612.0, 312.0, 56.0], [52.0, 750.0, 312.0, 66.0]],
+            )
+            .map(|[left, top, width, height]| Rect::new(left, top, width, height));
         let end = self.course.end;
         let most = 100.0 * self.course.widest.1.max(0.02) * 1.25;
         let step = match most {
@@ -203,9 +183,12 @@ impl Washer {
             5.0.. => 5.0,
             _ => 2.0,
         };
+        let time = Axis::linear(0.0, end, if end > 12.0 { 5.0 } else { 2.0 }).titled("time, s");
+        let shaft = Axis::linear(0.0, most, step).titled(r"shaft from $O$, cm");
         [
-            Axis::linear(0.0, end, if end > 12.0 { 5.0 } else { 2.0 }).titled("time, s"),
-            Axis::linear(0.0, most, step).titled(r"shaft from $O$, cm"),
+            Plot { frame: force, x: SPIN_AXIS.unlabelled().titled(""), y: FORCE_AXIS },
+            Plot { frame: lead, x: SPIN_AXIS, y: LEAD_AXIS },
+            Plot { frame: swing, x: time, y: shaft },
         ]
     }
 
@@ -249,10 +232,9 @@ impl Washer {
 
     /// The plots: force and lead over the spin, and the swing over the time.
     fn draw_plots(&self, moment: &Moment, state: &State, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (course, [force, lead, swing]) = (&self.course, frames(moment.room));
+        let (course, [force, lead, swing]) = (&self.course, self.plots(moment.room));
         let natural = course.machine.natural_frequency();
-        let spin = SPIN_AXIS.unlabelled().titled("");
-        let mut plot = Graph::new(drawing, force, spin, FORCE_AXIS)?;
+        let mut plot = force.on(drawing)?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
         plot.label((natural, 350.0), Side::Left, r"$\omega_0$", Hue::Muted)?;
         plot.label((28.0, 380.0), Side::Right, "rigid bearings", Hue::Muted)?;
@@ -273,7 +255,7 @@ impl Washer {
         }
         plot.grip(self.handle(), if course.driven.is_some() { Hue::Orange } else { Hue::Purple });
 
-        let mut plot = Graph::new(drawing, lead, SPIN_AXIS, LEAD_AXIS)?;
+        let mut plot = lead.on(drawing)?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
         plot.answer(|plot| {
             plot.curve(self.leads.iter().copied(), Stroke::Curve, Hue::Blue);
@@ -281,8 +263,7 @@ impl Washer {
         })?;
         plot.dot((state.spin, state.lead().to_degrees()), 4.5, Hue::Blue);
 
-        let [x, y] = self.swing_axes();
-        let mut plot = Graph::new(drawing, swing, x, y)?;
+        let mut plot = swing.on(drawing)?;
         let swings = course.swings.iter().step_by(1 + course.swings.len() / 800);
         plot.curve(swings.map(|(t, r)| (*t, 100.0 * r)), Stroke::Outline, Hue::Blue);
         for &kick in course.kicks.iter().filter(|kick| **kick < course.end) {
@@ -310,24 +291,24 @@ impl Motion for Washer {
 
     /// The spin on the plot of forces, and the kick on that of swings.
     fn grips(&self, moment: &Moment) -> Vec<Point> {
-        let ([force, _, swing], [x, y]) = (frames(moment.room), self.swing_axes());
-        let mut grips = vec![point_at(force, &SPIN_AXIS, &FORCE_AXIS, self.handle())];
+        let [force, _, swing] = self.plots(moment.room);
+        let mut grips = vec![force.point(self.handle())];
         let last = self.course.kicks.last().filter(|kick| **kick < self.course.end);
-        grips.extend(last.map(|&kick| point_at(swing, &x, &y, (kick, 0.0))));
+        grips.extend(last.map(|&kick| swing.point((kick, 0.0))));
         grips
     }
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
-        let ([force, _, swing], [x, y]) = (frames(moment.room), self.swing_axes());
+        let [force, _, swing] = self.plots(moment.room);
         match self.grips(moment).get(grip) {
             Some(from) if (to.x - from.x).abs() >= 0.25 => (),
             _ => return Vec::new(), // a touch
         }
         if grip == 0 {
-            return vec![("spin", value_at(force, &SPIN_AXIS, &FORCE_AXIS, to).0)];
+            return vec![("spin", force.value(to).0)];
         }
         let before = self.course.kicks.iter().rev().nth(1).copied().unwrap_or(0.0);
-        vec![("kick", value_at(swing, &x, &y, to).0.min(self.course.end - 0.1).max(before))]
+        vec![("kick", swing.value(to).0.min(self.course.end - 0.1).max(before))]
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {

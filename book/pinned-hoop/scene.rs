@@ -1,30 +1,21 @@
 //! The scene of the chapter "The pinned hoop": a hoop is caught by a point of its rim, and waits before it turns over.
 
-use drawing::kit;
-use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Item, Point, Rect, Role, Side, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
-    point_at, value_at,
-};
+use live::prelude::*;
 use mechanics::attitude::angle_between;
 use mechanics::free_rotation::FreeTop;
 use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use nalgebra::{UnitQuaternion, Vector3};
 use std::cell::OnceCell;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "pinned-hoop",
     title: "A hoop, pinned at its rim",
-    description: "A hoop that is pinned at A, with the upright angular momentum. Beside it a sphere in the axes of the \
-                  hoop with the path of the momentum on it, a pendulum, and the plane of the hoop at the moment of \
-                  the snap, with A a degree from the place at a quarter of the circle. Below, a plot against that \
-                  degree, with a dot that climbs as time goes on.",
-    question: "The pin catches the hoop a degree from the place where the rim is fastest, and makes a door of \
-               it. What becomes of this door? And what changes if the pin is ten times more accurate: 89°, \
-               89.9°, 89.99°?",
+    description: "A hoop that is pinned at A, with the upright angular momentum. Beside it a sphere in the axes of the hoop with the path of the momentum on it, a pendulum, \
+                  and the plane of the hoop at the moment of the snap, with A a degree from the place at a quarter of the circle. Below, a plot against that degree, with a \
+                  dot that climbs as time goes on.",
+    question: "The pin catches the hoop a degree from the place where the rim is fastest, and makes a door of it. What becomes of this door? And what changes if the pin is \
+               ten times more accurate: 89°, 89.9°, 89.99°?",
     size: [[640.0, 505.0], [360.0, 640.0]],
     view: Some([-0.9, 0.3]),
     still: 15.0,
@@ -34,39 +25,25 @@ pub(crate) const SCENE: Scene = Scene {
         Control::choice("shape", "what is pinned", &["a hoop", "a disc", "a ball"]),
     ],
     presets: &[
-        Preset { words: "30°", settings: &[("gap", 60.0)] },
-        Preset { words: "60°", settings: &[("gap", 30.0)] },
-        Preset { words: "80°", settings: &[("gap", 10.0)] },
-        Preset { words: "89°", settings: &[("gap", 1.0)] },
-        Preset { words: "89.9°", settings: &[("gap", 0.1)] },
-        Preset { words: "89.99°", settings: &[("gap", 0.01)] },
-        Preset { words: "a ball at 60°", settings: &[("gap", 30.0), ("shape", 2.0)] },
+        preset("30°", &[("gap", 60.0)]),
+        preset("60°", &[("gap", 30.0)]),
+        preset("80°", &[("gap", 10.0)]),
+        preset("89°", &[("gap", 1.0)]),
+        preset("89.9°", &[("gap", 0.1)]),
+        preset("89.99°", &[("gap", 0.01)]),
+        preset("a ball at 60°", &[("gap", 30.0), ("shape", 2.0)]),
     ],
     readings: &[
-        Reading { words: r"times $\omega_1$ has reversed", form: Form::Fixed(0), unit: "" },
-        Reading {
-            words: r"angle between tangent $\hat{\mathbf 1}$ and $\boldsymbol L_A$",
-            form: Form::Fixed(1),
-            unit: "°",
-        },
-        Reading { words: "energy that the snap took", form: Form::Fixed(1), unit: "%" },
-        Reading { words: r"drift of the energy $T$", form: Form::Power(1), unit: "" },
-        Reading { words: r"drift of $\boldsymbol L_A$ in the room", form: Form::Power(1), unit: "" },
+        reading(r"times $\omega_1$ has reversed", Form::Fixed(0), ""),
+        reading(r"angle between tangent $\hat{\mathbf{1}}$ and $\boldsymbol{L}_A$", Form::Fixed(1), "°"),
+        reading("energy that the snap took", Form::Fixed(1), "%"),
+        reading(r"drift of the energy $T$", Form::Power(1), ""),
+        reading(r"drift of $\boldsymbol{L}_A$ in the room", Form::Power(1), ""),
     ],
-    symbols: formulas![
-        r"90° - \theta",
-        r"\boldsymbol{L}_A",
-        r"\hat{\mathbf{1}}",
-        r"\boldsymbol{\omega}",
-        r"A",
-        r"\hat{\mathbf 1}",
-        r"\hat{\mathbf 3}",
-        r"-\hat{\mathbf 2}",
-        r"\boldsymbol L_A",
-        r"2\chi",
-        r"\theta",
-        r"\boldsymbol{\omega}_0"
-    ],
+    symbols: formulas! {
+        r"90° - \theta", r"\boldsymbol{L}_A", r"\hat{\mathbf{1}}", r"\boldsymbol{\omega}", r"A",
+        r"\hat{\mathbf{3}}", r"-\hat{\mathbf{2}}", r"2\chi", r"\theta", r"\boldsymbol{\omega}_0"
+    },
     start: |settings| Ok(Box::new(Pinned::new(settings)?)),
 };
 
@@ -166,28 +143,21 @@ fn plane(room: Room) -> (Point, f64) {
 }
 
 /// How long it waits, against how far the pin is from a right angle.
-fn plot(room: Room, shape: Shape) -> (Rect, Axis<'static>, Axis<'static>) {
+fn plot(room: Room, shape: Shape) -> Plot<'static> {
     let frame = room.of(Rect::new(412.0, 325.0, 200.0, 130.0), Rect::new(42.0, 500.0, 290.0, 92.0));
-    let gap = Axis::log(GAPS[0], 100.0, 2).titled(r"$90° - \theta$, degrees");
+    let x = Axis::log(GAPS[0], 100.0, 2).titled(r"$90° - \theta$, degrees");
     let most = if shape == Shape::Disk { 90.0 } else { 60.0 };
-    (frame, gap, Axis::linear(0.0, most, 0.5 * most).titled("wait, s"))
+    Plot { frame, x, y: Axis::linear(0.0, most, 0.5 * most).titled("wait, s") }
 }
 
 impl Pinned {
     /// The body in the room, with the pin in the origin.
     fn draw_body(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let camera = moment.camera(View {
-            target: [0.0; 3],
-            azimuth: 0.0,
-            elevation: 0.0,
-            distance: 12.0,
-            centre: moment.room.of(at(175.0, 165.0), at(180.0, 155.0)),
-            scale: moment.room.of(78.0, 70.0),
-        })?;
+        let (centre, scale) = moment.room.of((at(175.0, 165.0), 78.0), (at(180.0, 155.0), 70.0));
+        let mut stage = Stage::new(moment.camera([0.0; 3], 12.0, centre, scale)?);
         let now = self.top.at(moment.time)?;
         let room = self.upright * now.world_from_body;
         let (centre, normal) = (room * self.body.centre(), room * Vector3::z());
-        let mut stage = Stage::new(camera);
         let solid = match self.shape {
             Shape::Hoop => Solid::ring(centre, normal, 1.0, 0.87, 0.12)?,
             Shape::Disk => Solid::disc(centre, normal, 1.0, 0.06)?,
@@ -195,28 +165,26 @@ impl Pinned {
         };
         stage.solid(solid, Hue::Blue)?;
         let begin = (moment.time - TRAIL).max(0.0);
-        let times = (0..=40).map(|n| begin + (moment.time - begin) * f64::from(n) / 40.0);
-        let path = times
-            .map(|time| Ok((self.upright * (self.top.at(time)?.world_from_body * self.body.centre())).into()))
-            .collect::<Result<Vec<[f64; 3]>, Cause>>()?;
+        let path = linear_steps(begin, moment.time, 40)
+            .map(|time| Ok(self.upright * (self.top.at(time)?.world_from_body * self.body.centre())))
+            .collect::<Result<Vec<Vector3<f64>>, Cause>>()?;
         if moment.time > 0.0 && self.gap < GAPS[1] {
             stage.curve(Curve::smooth(path)?.hiding(Hiding::Pale), Stroke::Curve, Hue::Blue)?;
         }
         stage.dot_in_front(centre, 3.0, Hue::Blue)?;
         let omega = room * now.omega_body;
         let rate = self.body.omega_after().norm();
-        let right = Vector3::new(-moment.azimuth.sin(), moment.azimuth.cos(), 0.0);
         let side =
-            |tip: &Vector3<f64>, least: f64| if tip.dot(&right) > least { Side::Right } else { Side::Left };
+            |tip: Vector3<f64>, least| if moment.rightward(tip) > least { Side::Right } else { Side::Left };
         let (tangent, omega) = (room * Vector3::x() * 1.45, omega * (1.1 / rate));
         let arrows = [
             (Vector3::z() * 1.8, Side::Above, r"$\boldsymbol{L}_A$", Hue::Green),
-            (tangent, side(&tangent, 0.25), r"$\hat{\mathbf{1}}$", Hue::Ink),
-            (omega, side(&omega, -0.25), r"$\boldsymbol{\omega}$", Hue::Orange),
+            (tangent, side(tangent, 0.25), r"$\hat{\mathbf{1}}$", Hue::Ink),
+            (omega, side(omega, -0.25), r"$\boldsymbol{\omega}$", Hue::Orange),
         ];
         for (tip, side, name, hue) in arrows {
             let arrow = Curve::segment([0.0; 3], tip)?.hiding(Hiding::Ignored);
-            stage.arrow(arrow, Stroke::Vector, kit::Heads::End, hue)?;
+            stage.arrow(arrow, Stroke::Vector, Heads::End, hue)?;
             stage.label(tip, side, name, hue)?;
         }
         stage.dot_in_front([0.0; 3], 5.0, Hue::Pink)?;
@@ -229,9 +197,9 @@ impl Pinned {
     fn draw_sphere(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let cell = moment.room.of(&self.sphere[0], &self.sphere[1]);
         if cell.get().is_none() {
-            let _ = cell.set(self.still_sphere(moment.room)?);
+            let _ = cell.set(self.still_sphere(moment)?);
         }
-        let mut over = Self::sphere_alone(moment.room)?;
+        let mut over = Self::sphere_alone(moment)?;
         let omega = self.top.at(moment.time)?.omega_body;
         let direction = self.body.moments_about_pin().angular_momentum(&omega).normalize();
         over.dot(direction, moment.room.of(5.0, 4.5), Hue::Green)?;
@@ -244,54 +212,41 @@ impl Pinned {
         Ok(())
     }
 
-    fn sphere_alone(room: Room) -> Result<Stage, Cause> {
-        let mut stage = Stage::new(Camera::new(View {
-            target: [0.0; 3],
-            azimuth: -1.0,
-            elevation: 0.3,
-            distance: 8.0,
-            centre: room.of(at(498.0, 140.0), at(292.0, 372.0)),
-            scale: room.of(88.0, 42.0),
-        })?);
+    fn sphere_alone(moment: &Moment) -> Result<Stage, Cause> {
+        let (centre, scale) = moment.room.of((at(498.0, 140.0), 88.0), (at(292.0, 372.0), 42.0));
+        let mut stage = Stage::new(moment.seen_from(-1.0, 0.3).camera([0.0; 3], 8.0, centre, scale)?);
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
         Ok(stage)
     }
 
-    fn still_sphere(&self, room: Room) -> Result<Vec<Item>, Cause> {
-        let mut stage = Self::sphere_alone(room)?;
+    fn still_sphere(&self, moment: &Moment) -> Result<Vec<Item>, Cause> {
+        let (mut stage, room) = (Self::sphere_alone(moment)?, moment.room);
         if self.is_flat() {
             // The separatrix: L² = 2T I₁, two great circles through axis 1.
             let [i1, i2, i3] = self.body.moments_about_pin().to_array();
             let slope = (i3 * (i1 - i2) / (i2 * (i3 - i1))).sqrt();
             let across = (1.0 + slope * slope).sqrt().recip();
             for slope in [slope, -slope] {
-                let point = |n: u32| {
-                    let (sin, cos) = (TAU * f64::from(n) / 120.0).sin_cos();
-                    [cos, across * sin, slope * across * sin]
-                };
-                let border = Curve::smooth((0..=120).map(point))?.hiding(Hiding::Omitted);
+                let point = |angle: f64| [angle.cos(), across * angle.sin(), slope * across * angle.sin()];
+                let border = Curve::smooth(linear_steps(0.0, TAU, 120).map(point))?.hiding(Hiding::Omitted);
                 stage.curve(border, Stroke::Border, Hue::Ink)?;
             }
         }
         if self.path.iter().any(|direction| (direction - self.path[0]).norm() > 1e-3) {
             stage.curve(Curve::smooth(self.path.iter().copied())?, Stroke::Curve, Hue::Green)?;
         }
-        for (direction, name) in [(Vector3::x(), r"$\hat{\mathbf 1}$"), (Vector3::z(), r"$\hat{\mathbf 3}$")]
+        for (direction, name) in
+            [(Vector3::x(), r"$\hat{\mathbf{1}}$"), (Vector3::z(), r"$\hat{\mathbf{3}}$")]
         {
             stage.named_vector(direction, direction * room.of(1.3, 1.35), name, Hue::Ink)?;
         }
         stage.dot(-Vector3::y(), 2.5, Hue::Ink)?;
-        stage.label_shifted(
-            -Vector3::y(),
-            at(0.0, 2.0),
-            Side::BelowRight,
-            r"$-\hat{\mathbf 2}$",
-            Hue::Ink,
-        )?;
+        let name = r"$-\hat{\mathbf{2}}$";
+        stage.label_shifted(-Vector3::y(), at(0.0, 2.0), Side::BelowRight, name, Hue::Ink)?;
         let mut drawing = Drawing::new("", 0.0, 0.0);
         stage.write(&mut drawing);
         let below = room.of(at(498.0, 262.0), at(292.0, 440.0));
-        drawing.label(below, Side::Over, r"$\boldsymbol L_A$ in the body", Hue::Green)?;
+        drawing.label(below, Side::Over, r"$\boldsymbol{L}_A$ in the body", Hue::Green)?;
         Ok(drawing.items().to_vec())
     }
 
@@ -315,7 +270,7 @@ impl Pinned {
         }
         drawing.line(middle, place(now), Stroke::Vector, Hue::Ink);
         if now > 0.3 {
-            kit::angle(drawing, middle, 0.45 * length, FRAC_PI_2, -now, kit::Heads::End, Hue::Ink);
+            kit::angle(drawing, middle, 0.45 * length, FRAC_PI_2, -now, Heads::End, Hue::Ink);
         }
         drawing.dot(middle, 3.0, Hue::Ink);
         drawing.disc(place(now), moment.room.of(8.0, 7.0), Hue::Orange);
@@ -330,19 +285,15 @@ impl Pinned {
         let theta = self.theta().to_radians();
         drawing.disc(centre, radius, Hue::Blue);
         if self.shape == Shape::Hoop {
-            drawing.circle(centre, radius - 6.0, Role::Area(drawing::Fill::Page, Hue::Blue));
+            drawing.circle(centre, radius - 6.0, Role::Area(Fill::Page, Hue::Blue));
             drawing.circle(centre, radius - 6.0, Role::Line(Stroke::Outline, Hue::Blue));
         }
-        drawing.line(
-            centre - at(0.0, radius + 6.0),
-            centre + at(0.0, radius + 6.0),
-            Stroke::Reference,
-            Hue::Muted,
-        );
+        let up = at(0.0, radius + 6.0);
+        drawing.line(centre - up, centre + up, Stroke::Reference, Hue::Muted);
         let pin = self.pin(room);
         drawing.line(centre, pin, Stroke::Outline, Hue::Muted);
         if theta > 0.3 {
-            kit::angle(drawing, centre, 0.4 * radius, FRAC_PI_2, -theta, kit::Heads::End, Hue::Ink);
+            kit::angle(drawing, centre, 0.4 * radius, FRAC_PI_2, -theta, Heads::End, Hue::Ink);
             let middle = centre + Point::polar(0.4 * radius, FRAC_PI_2 - 0.5 * theta);
             drawing.label_set(middle, Side::AboveRight, 1.0, 13.0, r"$\theta$", Role::PlainText(Hue::Ink))?;
         }
@@ -371,8 +322,7 @@ impl Pinned {
 
     /// How long it has waited; and once it has turned over, how long it would have waited elsewhere.
     fn draw_waits(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (frame, x, y) = plot(moment.room, self.shape);
-        let mut graph = Graph::new(drawing, frame, x, y)?;
+        let mut graph = plot(moment.room, self.shape).on(drawing)?;
         if !self.is_flat() {
             graph.label((0.1, 30.0), Side::Over, "it never turns over", Hue::Muted)?;
             return Ok(());
@@ -382,8 +332,7 @@ impl Pinned {
             for (gap, name) in [(10.0, "80°"), (1.0, "89°"), (0.1, "89.9°"), (0.01, "89.99°")] {
                 let place = (gap, wait(self.shape, gap)?.unwrap_or_default());
                 graph.dot(place, 3.0, Hue::Blue);
-                let place = graph.at(place);
-                let blue = Role::Text(Hue::Blue);
+                let (place, blue) = (graph.at(place), Role::Text(Hue::Blue));
                 graph.drawing().label_set(place, Side::AboveRight, 8.0, 13.0, name, blue)?;
             }
         }
@@ -500,10 +449,9 @@ impl Motion for Pinned {
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {
-        let (frame, x, y) = plot(moment.room, self.shape);
         let mut grips = vec![self.pin(moment.room)];
         if self.is_flat() && self.gap > 0.0 {
-            grips.push(point_at(frame, &x, &y, self.on_plot(moment.time)));
+            grips.push(plot(moment.room, self.shape).point(self.on_plot(moment.time)));
         }
         grips
     }
@@ -517,8 +465,7 @@ impl Motion for Pinned {
             let aside = to - plane(moment.room).0;
             (-aside.y).atan2(aside.x.abs()).to_degrees().max(BY_HAND)
         } else {
-            let (frame, x, y) = plot(moment.room, self.shape);
-            value_at(frame, &x, &y, to).0
+            plot(moment.room, self.shape).value(to).0
         };
         vec![("gap", gap), ("exact", 0.0)]
     }

@@ -1,30 +1,22 @@
 //! The scene of the chapter "The rolling wheel": a wheel on its circle is kicked.
 
-use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Room, Side, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, formulas, point_at,
-    value_at,
-};
+use live::prelude::*;
 use mechanics::rolling::{MomentFactors, Rolling};
 use nalgebra::{Complex, Vector3};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use rolled::{Course, GRAVITY, MASS, RADIUS, Rolled, WEIGHTS, is_flat};
 
 #[path = "scene/rolled.rs"]
 mod rolled;
-use rolled::{Course, GRAVITY, MASS, RADIUS, Rolled, WEIGHTS, is_flat};
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "rolling-wheel",
     title: "A wheel on its circle, kicked",
-    description: "A disc leans inward and rolls round on a table. Its contact leaves a track \
-                  beside the circle on which it would roll undisturbed. Beside it a map of circles and \
-                  leans, with a shaded tongue of unstable ones and a dot for this one, and the potential \
-                  of the lean, in which a marble rolls below the level of the energy.",
-    question: "A disc rolls round a small circle and is nudged. Is it safer nearly upright, or leaning well \
-               over? Choose a place on the map and kick it. And why do the circles shrink when something \
-               slows the disc?",
+    description: "A disc leans inward and rolls round on a table. Its contact leaves a track beside the circle on which it would roll undisturbed. Beside it a map of \
+                  circles and leans, with a shaded tongue of unstable ones and a dot for this one, and the potential of the lean, in which a marble rolls below the level of \
+                  the energy.",
+    question: "A disc rolls round a small circle and is nudged. Is it safer nearly upright, or leaning well over? Choose a place on the map and kick it. And why do the \
+               circles shrink when something slows the disc?",
     size: [[660.0, 440.0], [380.0, 550.0]],
     view: Some([-1.3, 0.6]),
     still: 2.35,
@@ -41,30 +33,24 @@ pub(crate) const SCENE: Scene = Scene {
         Control::kept("roll"),
     ],
     presets: &[
-        Preset { words: "inside the tongue", settings: &[("lean", 12.0), ("circle", 0.8), ("push", 0.1)] },
-        Preset { words: "above its tip", settings: &[("lean", 26.0), ("circle", 0.8), ("push", 0.1)] },
-        Preset {
-            words: "the same, a strong kick",
-            settings: &[("lean", 26.0), ("circle", 0.8), ("push", 1.0)],
-        },
-        Preset { words: "a wide circle", settings: &[("lean", 10.0), ("circle", 4.0), ("push", 0.3)] },
-        Preset {
-            words: "slowing down: the spiral",
-            settings: &[("lean", 9.0), ("circle", 4.0), ("push", 0.0), ("loss", 0.1)],
-        },
-        Preset {
-            words: "weights on the axle",
-            settings: &[("wheel", 2.0), ("reach", 1.87), ("lean", 22.0), ("circle", 4.0), ("push", 0.1)],
-        },
-        Preset { words: "beyond the axis", settings: &[("lean", 60.0), ("circle", -0.05), ("push", 0.5)] },
+        preset("inside the tongue", &[("lean", 12.0), ("circle", 0.8), ("push", 0.1)]),
+        preset("above its tip", &[("lean", 26.0), ("circle", 0.8), ("push", 0.1)]),
+        preset("the same, a strong kick", &[("lean", 26.0), ("circle", 0.8), ("push", 1.0)]),
+        preset("a wide circle", &[("lean", 10.0), ("circle", 4.0), ("push", 0.3)]),
+        preset("slowing down: the spiral", &[("lean", 9.0), ("circle", 4.0), ("push", 0.0), ("loss", 0.1)]),
+        preset(
+            "weights on the axle",
+            &[("wheel", 2.0), ("reach", 1.87), ("lean", 22.0), ("circle", 4.0), ("push", 0.1)],
+        ),
+        preset("beyond the axis", &[("lean", 60.0), ("circle", -0.05), ("push", 0.5)]),
     ],
     readings: &[
-        Reading { words: r"lean $\theta$", form: Form::Fixed(1), unit: "°" },
-        Reading { words: "times round the circle", form: Form::Fixed(2), unit: "" },
-        Reading { words: "wobbles since the kick", form: Form::Fixed(2), unit: "" },
-        Reading { words: "friction it needs now", form: Form::Fixed(2), unit: "" },
-        Reading { words: r"change of the energy, $E/E_0 - 1$", form: Form::Power(1), unit: "" },
-        Reading { words: r"change of Chaplygin's $A$ and $B$", form: Form::Power(1), unit: "" },
+        reading(r"lean $\theta$", Form::Fixed(1), "°"),
+        reading("times round the circle", Form::Fixed(2), ""),
+        reading("wobbles since the kick", Form::Fixed(2), ""),
+        reading("friction it needs now", Form::Fixed(2), ""),
+        reading(r"change of the energy, $E/E_0 - 1$", Form::Power(1), ""),
+        reading(r"change of Chaplygin's $A$ and $B$", Form::Power(1), ""),
     ],
     symbols: formulas![r"b/a", r"\theta", r"\boldsymbol{L}", r"\boldsymbol{\tau}", r"V", r"mga", r"E"],
     start: |settings| Ok(Box::new(Rolled::new(settings)?)),
@@ -80,25 +66,15 @@ const LONGEST: f64 = 2.5;
 const HALF: f64 = 0.045;
 
 /// Where the parts of the picture stand.
-struct Layout {
-    stage: Rect,
-    map: Rect,
-    well: Rect,
+fn stage(room: Room) -> Rect {
+    room.of(Rect::new(4.0, 4.0, 396.0, 432.0), Rect::new(4.0, 4.0, 372.0, 300.0))
 }
 
-impl Layout {
-    fn of(room: Room) -> Self {
-        Self {
-            stage: room.of(Rect::new(4.0, 4.0, 396.0, 432.0), Rect::new(4.0, 4.0, 372.0, 300.0)),
-            map: room.of(Rect::new(448.0, 36.0, 200.0, 150.0), Rect::new(42.0, 350.0, 132.0, 150.0)),
-            well: room.of(Rect::new(448.0, 252.0, 200.0, 140.0), Rect::new(236.0, 350.0, 132.0, 150.0)),
-        }
-    }
+fn map(room: Room) -> Plot<'static> {
+    let frame = room.of(Rect::new(448.0, 36.0, 200.0, 150.0), Rect::new(42.0, 350.0, 132.0, 150.0));
+    let x = Axis::linear(-0.5, 4.0, 1.0).titled(r"circle $b/a$");
+    Plot { frame, x, y: Axis::linear(0.0, 60.0, 20.0).titled(r"lean $\theta$, °") }
 }
-
-/// The axes of the map.
-const CIRCLES: Axis<'_> = Axis::linear(-0.5, 4.0, 1.0).titled(r"circle $b/a$");
-const LEANS: Axis<'_> = Axis::linear(0.0, 60.0, 20.0).titled(r"lean $\theta$, °");
 
 impl Rolled {
     /// b/a and the lean, degrees, of a state: where it stands on the map. For a wheel that does not turn b is infinite.
@@ -107,7 +83,7 @@ impl Rolled {
     }
 
     fn draw_stage(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frame = Layout::of(moment.room).stage;
+        let frame = stage(moment.room);
         let follows = self.reach > MOST_REACH;
         let contact = now.contact(RADIUS) / RADIUS;
         let (middle, reach) = if follows { (contact, 0.5 * MOST_REACH) } else { (self.middle, self.reach) };
@@ -115,17 +91,10 @@ impl Rolled {
         let distance = 12.0 + 2.0 * reach;
         let high = 2.0 * reach * 0.6_f64.sin() + 2.0;
         let target = Vector3::new(middle.re, middle.im, 0.55);
-        let camera = moment.camera(View {
-            target: target.into(),
-            azimuth: 0.0,
-            elevation: 0.0,
-            distance,
-            centre: frame.centre() + at(0.0, 0.02 * frame.height()),
-            scale: (0.4 * frame.width() / reach).min(0.86 * frame.height() / high),
-        })?;
-        let (sin, cos) = moment.elevation.sin_cos();
-        let (sin_azimuth, cos_azimuth) = moment.azimuth.sin_cos();
-        let eye = target + Vector3::new(cos * cos_azimuth, cos * sin_azimuth, sin) * distance;
+        let scale = (0.4 * frame.width() / reach).min(0.86 * frame.height() / high);
+        let centre = frame.centre() + at(0.0, 0.02 * frame.height());
+        let camera = moment.camera(target, distance, centre, scale)?;
+        let eye = target + Vector3::from(moment.towards_eye()) * distance;
 
         // The track lies on the table, and the wheel stands on both.
         let mut table = Stage::new(camera);
@@ -198,7 +167,7 @@ impl Rolled {
         if self.which == 0 {
             stage.solid(Solid::disc(centre, third, 1.0, 2.0 * HALF)?, Hue::Blue)?;
             for quarter in [0.0, PI] {
-                let arc = (0..=24).map(|k| on_face(0.82, quarter + FRAC_PI_2 * f64::from(k) / 24.0));
+                let arc = linear_steps(quarter, quarter + FRAC_PI_2, 24).map(|angle| on_face(0.82, angle));
                 stage.patch([face].into_iter().chain(arc), Fill::Side, Hue::Blue)?;
             }
             let ring = Curve::circle(face, third, 0.82)?;
@@ -233,13 +202,8 @@ impl Rolled {
             if self.loss == 0.0 {
                 let torque = (-second).cross(&in_room(self.wheel.contact_force(now))) / (MASS * GRAVITY);
                 if torque.norm() > 0.02 {
-                    named(
-                        stage,
-                        frame,
-                        [tip, tip + (torque * 3.0).cap_magnitude(0.5 * LONGEST)],
-                        r"$\boldsymbol{\tau}$",
-                        Hue::Purple,
-                    )?;
+                    let end = tip + (torque * 3.0).cap_magnitude(0.5 * LONGEST);
+                    named(stage, frame, [tip, end], r"$\boldsymbol{\tau}$", Hue::Purple)?;
                 }
             }
         }
@@ -248,8 +212,7 @@ impl Rolled {
 
     /// The map of circles and leans, with the tongue, this motion's way and where it is now.
     fn draw_map(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frame = Layout::of(moment.room).map;
-        let mut map = Graph::new(drawing, frame, CIRCLES, LEANS)?;
+        let mut map = map(moment.room).on(drawing)?;
         map.answer(|map| {
             let below = [(0.0, 0.0)].into_iter().chain(self.tongue.iter().copied()).chain([(4.0, 0.0)]);
             map.area(below, Fill::Face, Hue::Orange);
@@ -409,22 +372,19 @@ impl Motion for Rolled {
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {
-        let Layout { map, well, .. } = Layout::of(moment.room);
-        let (leans, heights) = self.well_axes();
+        let well = self.well(moment.room);
         vec![
-            point_at(map, &CIRCLES, &LEANS, (self.circle, self.lean.to_degrees())),
-            point_at(well, &leans, &heights, (leans.scale.to, self.energy_of_rate(self.push))),
+            map(moment.room).point((self.circle, self.lean.to_degrees())),
+            well.point((well.x.scale.to, self.energy_of_rate(self.push))),
         ]
     }
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
-        let Layout { map, well, .. } = Layout::of(moment.room);
         if grip == 0 {
-            let (circle, lean) = value_at(map, &CIRCLES, &LEANS, to);
+            let (circle, lean) = map(moment.room).value(to);
             return vec![("circle", circle), ("lean", lean)];
         }
-        let (leans, heights) = self.well_axes();
-        let (_, energy) = value_at(well, &leans, &heights, to);
+        let (_, energy) = self.well(moment.room).value(to);
         let push = (energy.max(0.0) / self.energy_of_rate(1.0)).sqrt();
         vec![("push", if self.push < 0.0 { -push } else { push })]
     }
@@ -474,8 +434,8 @@ impl Rolled {
         -transverse * lean.sin() / (1.0 + axial)
     }
 
-    /// The axes of the well: leans, degrees, and heights over the potential of the steady motion, in mga.
-    fn well_axes(&self) -> (Axis<'static>, Axis<'static>) {
+    /// The well: leans, degrees, and heights over the potential of the steady motion, in mga.
+    fn well(&self, room: Room) -> Plot<'static> {
         let [low, high] = self.swings.map(f64::to_degrees);
         let (before, after) = ((0.4 * (high - low)).max(8.0), (0.6 * (high - low)).max(12.0));
         let step = match high - low + before + after {
@@ -490,13 +450,15 @@ impl Rolled {
         let [low, high] = [(level - 1.3 * self.liveliest).min(-0.25 * depth), level + 0.8 * depth];
         let step = nice_step((high - low) / 3.0);
         let [low, high] = [(low / step).floor() * step, (high / step).ceil() * step];
-        (leans, Axis::linear(low, high, step).titled(r"potential $V$, in $mga$"))
+        let y = Axis::linear(low, high, step).titled(r"potential $V$, in $mga$");
+        let frame = room.of(Rect::new(448.0, 252.0, 200.0, 140.0), Rect::new(236.0, 350.0, 132.0, 150.0));
+        Plot { frame, x: leans, y }
     }
 
     /// The potential of the lean as it is now, the level of the energy, and the lean that rolls in it.
     fn draw_well(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frame = Layout::of(moment.room).well;
-        let (leans, heights) = self.well_axes();
+        let plot = self.well(moment.room);
+        let leans = plot.x.scale;
         let unit = MASS * GRAVITY * RADIUS;
         let constants = self.wheel.constants(now);
         // Heights are counted so that the energy stays at one level, whatever is lost.
@@ -505,20 +467,17 @@ impl Rolled {
         let level = if is_kicked { kick } else { 0.0 };
         let zero = self.wheel.energy(now) / unit - level;
         let height = |lean: f64| self.wheel.potential(&constants, FRAC_PI_2 - lean) / unit - zero;
-        let values = (0..=90).map(|k| {
-            let degrees = leans.scale.value(f64::from(k) / 90.0);
-            (degrees, height(degrees.to_radians().clamp(-1.57, 1.57)))
-        });
-        let values: Vec<(f64, f64)> = values.collect();
-        let mut well = Graph::new(drawing, frame, leans, heights)?;
+        let values = linear_steps(leans.from, leans.to, 90)
+            .map(|degrees| (degrees, height(degrees.to_radians().clamp(-1.57, 1.57))));
+        let mut well = plot.on(drawing)?;
         well.level(kick, Stroke::Reference, Hue::Muted);
         well.curve(values, Stroke::Curve, Hue::Blue);
         let here = (now.lean().to_degrees(), height(now.lean()));
         well.curve([here, (here.0, level)], Stroke::Outline, Hue::Muted);
         well.dot(here, 5.0, Hue::Blue);
-        let end = well.at((leans.scale.to, kick));
+        let end = well.at((leans.to, kick));
         well.drawing().label(end, Side::BelowLeft, r"$E$", Hue::Muted)?;
-        well.grip((leans.scale.to, kick), Hue::Ink);
+        well.grip((leans.to, kick), Hue::Ink);
         Ok(())
     }
 }
@@ -526,10 +485,4 @@ impl Rolled {
 /// An angle, rad, as it is written.
 fn degrees(angle: f64) -> String {
     format!("{:.1}°", angle.to_degrees()).replace('-', "−")
-}
-
-/// The next larger step of 1, 2 or 5 times a power of ten.
-fn nice_step(least: f64) -> f64 {
-    let power = 10_f64.powf(least.log10().floor());
-    [1.0, 2.0, 5.0].map(|times| times * power).into_iter().find(|&step| step >= least).unwrap_or(10.0 * power)
 }

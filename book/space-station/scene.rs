@@ -1,21 +1,14 @@
 //! The scene of the chapter "The struck space station": a blow, what three observers count, and later blows.
 
-use drawing::kit;
-use drawing::space::{Camera, Curve, Stage, View};
-use drawing::{Drawing, Hue, Point, Rect, Role, Side, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Press, Reading, Room, Run, Scene, Settings,
-    formulas, value_at,
-};
+use live::prelude::*;
 use mechanics::euler::Turning;
 use mechanics::inertia::Body;
 use mechanics::scenes::space_station::{Blow, LaterBlow};
 use nalgebra::{UnitQuaternion, Vector3};
 use sky::{directions, draw_sky};
-use std::f64::consts::TAU;
 use std::sync::LazyLock;
 use struck::{Blows, MASS, RADIUS, SPIN, STILL, Struck};
-use wheel::{HUB, Wheel, eye_direction};
+use wheel::{HUB, Wheel};
 
 #[path = "scene/sky.rs"]
 mod sky;
@@ -28,12 +21,10 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "space-station",
     title: "A station nods after a blow",
-    description: "A wheel with hub and spokes, a moment after a blow on its rim. Its axis 3 goes round the angular momentum L on a circle; the \
-                  angular velocity omega goes round on the other side. Beside it the crew’s sky: star trails curl round omega, away from \
-                  the cross where axis 3 points; a ring marks the star that stood there. Below, two waves against time: how far the axis and \
-                  omega are to one side, through four turns.",
-    question: "The blow tips the station, and the circled star leaves the cross. After how many seconds is it back? \
-               And when must a thruster fire to keep it there?",
+    description: "A wheel with hub and spokes, a moment after a blow on its rim. Its axis 3 goes round the angular momentum L on a circle; the angular velocity omega goes \
+                  round on the other side. Beside it the crew’s sky: star trails curl round omega, away from the cross where axis 3 points; a ring marks the star that stood \
+                  there. Below, two waves against time: how far the axis and omega are to one side, through four turns.",
+    question: "The blow tips the station, and the circled star leaves the cross. After how many seconds is it back? And when must a thruster fire to keep it there?",
     size: [[640.0, 440.0], [380.0, 600.0]],
     view: Some([0.75, 0.40]),
     still: 1.7,
@@ -46,18 +37,18 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("thrust", "its impulse", [-10.0, 10.0, 0.1], "MN·s", -1.8),
     ],
     presets: &[
-        Preset { words: "twice as hard", settings: &[("impulse", 3.6)] },
-        Preset { words: "a push on the hub", settings: &[("place", 0.0)] },
-        Preset { words: "fire where it struck, after 13.96 s", settings: &[("fire", 13.963)] },
-        Preset { words: "fire after one nod, at 176.5°", settings: &[("fire", 6.846), ("thruster", 176.5)] },
+        preset("twice as hard", &[("impulse", 3.6)]),
+        preset("a push on the hub", &[("place", 0.0)]),
+        preset("fire where it struck, after 13.96 s", &[("fire", 13.963)]),
+        preset("fire after one nod, at 176.5°", &[("fire", 6.846), ("thruster", 176.5)]),
     ],
     readings: &[
-        Reading { words: "nods, counted in the room", form: Form::Fixed(2), unit: "" },
-        Reading { words: "turns of the mark in the room", form: Form::Fixed(2), unit: "" },
-        Reading { words: r"turns of $\boldsymbol\omega$, counted on board", form: Form::Fixed(2), unit: "" },
-        Reading { words: "drift of the centre", form: Form::Fixed(2), unit: "m/s" },
-        Reading { words: r"change of $L$ since the last blow", form: Form::Power(1), unit: "" },
-        Reading { words: r"change of $T$ since the last blow", form: Form::Power(1), unit: "" },
+        reading("nods, counted in the room", Form::Fixed(2), ""),
+        reading("turns of the mark in the room", Form::Fixed(2), ""),
+        reading(r"turns of $\boldsymbol\omega$, counted on board", Form::Fixed(2), ""),
+        reading("drift of the centre", Form::Fixed(2), "m/s"),
+        reading(r"change of $L$ since the last blow", Form::Power(1), ""),
+        reading(r"change of $T$ since the last blow", Form::Power(1), ""),
     ],
     symbols: formulas![r"\hat{\mathbf{3}}", r"\boldsymbol{L}", r"\boldsymbol{\omega}", r"\boldsymbol{P}"],
     start: |settings| Ok(Box::new(Nodding::new(settings)?)),
@@ -95,44 +86,23 @@ enum Grip {
     Fire,
 }
 
-struct Layout {
-    view: View,
-    /// The part of the page for the station.
-    panel: Rect,
-    sky: Point,
-    radius: f64,
-    graph: Rect,
+/// What the eye looks at, and from how far.
+const TARGET: Vector3<f64> = Vector3::new(0.0, 0.0, 0.45);
+const DISTANCE: f64 = 9.0;
+
+fn camera(moment: &Moment) -> Result<Camera, Flaw> {
+    let (centre, scale) = moment.room.of((at(190.0, 220.0), 114.0), (at(190.0, 160.0), 94.0));
+    moment.camera(TARGET, DISTANCE, centre, scale)
 }
 
-impl Layout {
-    fn of(room: Room) -> Self {
-        let view = View {
-            target: [0.0, 0.0, 0.45],
-            azimuth: 0.0,
-            elevation: 0.0,
-            distance: 9.0,
-            centre: room.of(at(190.0, 220.0), at(190.0, 160.0)),
-            scale: room.of(114.0, 94.0),
-        };
-        Self {
-            view,
-            panel: room.of(Rect::new(0.0, 0.0, 376.0, 440.0), Rect::new(0.0, 0.0, 380.0, 330.0)),
-            sky: room.of(at(508.0, 126.0), at(86.0, 462.0)),
-            radius: room.of(98.0, 80.0),
-            graph: room.of(Rect::new(396.0, 262.0, 232.0, 130.0), Rect::new(188.0, 372.0, 182.0, 180.0)),
-        }
-    }
-}
-
-const TIME_AXIS: Axis<'_> = Axis::linear(0.0, DURATION, 10.0).titled("time, s");
-const NARROW_TIME_AXIS: Axis<'_> = Axis::linear(0.0, DURATION, 20.0).titled("time, s");
 /// Two waves one above the other, and their middles.
-const WAVES_AXIS: Axis<'_> = Axis::linear(1.0, 7.4, 10.0);
-const MIDDLES: [f64; 2] = [5.2, 2.1];
-
-fn time_axis(room: Room) -> Axis<'static> {
-    room.of(TIME_AXIS, NARROW_TIME_AXIS)
+fn waves(room: Room) -> Plot<'static> {
+    let frame = room.of(Rect::new(396.0, 262.0, 232.0, 130.0), Rect::new(188.0, 372.0, 182.0, 180.0));
+    let x = Axis::linear(0.0, DURATION, room.of(10.0, 20.0)).titled("time, s");
+    Plot { frame, x, y: Axis::linear(1.0, 7.4, 10.0) }
 }
+
+const MIDDLES: [f64; 2] = [5.2, 2.1];
 
 impl Nodding {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
@@ -153,8 +123,7 @@ impl Nodding {
         let station = Struck::new(&blows)?;
         let on_board = settings.choice("camera")? == 1;
         let (mut waves, mut scales) = ([Vec::new(), Vec::new()], [1.0; 2]);
-        for step in 0..=STEPS {
-            let time = DURATION * f64::from(step) / f64::from(STEPS);
+        for time in linear_steps(0.0, DURATION, STEPS) {
             for (wave, aside) in waves.iter_mut().zip(station.aside(time)?) {
                 wave.push((time, aside));
             }
@@ -184,16 +153,17 @@ impl Nodding {
         Vector3::new(-azimuth.sin() * 0.93, azimuth.cos() * 0.93, 0.08)
     }
 
-    fn draw_station(&self, moment: &Moment, layout: &Layout, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (camera, now) = (moment.camera(layout.view)?, self.station.at(moment.time)?);
+    fn draw_station(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (camera, now) = (camera(moment)?, self.station.at(moment.time)?);
+        let panel = moment.room.of(Rect::new(0.0, 0.0, 376.0, 440.0), Rect::new(0.0, 0.0, 380.0, 330.0));
         let seen = self.seen(&now);
         let attitude = seen * now.world_from_body;
-        let sight = eye_direction(moment, layout.view);
+        let sight = (TARGET + Vector3::from(moment.towards_eye()) * DISTANCE).normalize();
         // Most stars are behind the reader.
         let ahead = seen.inverse() * -sight;
         for star in BACKGROUND.iter().filter(|star| star.dot(&ahead) > AHEAD) {
             if let Ok(place) = camera.on_page(seen * star * 40.0)
-                && layout.panel.grown(-4.0).contains(place)
+                && panel.grown(-4.0).contains(place)
             {
                 drawing.dot(place, 0.8, Hue::Muted);
             }
@@ -271,8 +241,8 @@ impl Nodding {
         Ok(())
     }
 
-    fn draw_waves(&self, layout: &Layout, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let mut graph = Graph::new(drawing, layout.graph, time_axis(moment.room), WAVES_AXIS)?;
+    fn draw_waves(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut graph = waves(moment.room).on(drawing)?;
         let names = [
             r"in the room, $\hat{\mathbf{3}}$ about $\boldsymbol{L}$",
             r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$",
@@ -294,22 +264,19 @@ impl Nodding {
             for blow in self.blows.between.iter().chain([&self.blows.second]) {
                 graph.upright(blow.time, Stroke::Reference, Hue::Pink);
             }
-            kit::grip(drawing, self.fire_place(layout, moment.room), Hue::Pink);
+            kit::grip(drawing, self.fire_place(moment.room), Hue::Pink);
         }
         Ok(())
     }
 
     /// Where the time of the second blow stands in the graph.
-    fn fire_place(&self, layout: &Layout, room: Room) -> Point {
-        let axis = time_axis(room);
-        let part = axis.scale.part(self.blows.second.time);
-        at(layout.graph.left + part * layout.graph.width(), layout.graph.bottom)
+    fn fire_place(&self, room: Room) -> Point {
+        waves(room).point((self.blows.second.time, 1.0))
     }
 
     /// What can be held in the picture of a moment, and where.
     fn held(&self, moment: &Moment) -> Result<Vec<(Grip, Point)>, Cause> {
-        let layout = Layout::of(moment.room);
-        let camera = moment.camera(layout.view)?;
+        let camera = camera(moment)?;
         let mut held = Vec::new();
         if moment.time < SHOWN && self.blows.first.impulse > 0.0 {
             let [foot, tip] = self.impulse_arrow();
@@ -319,7 +286,7 @@ impl Nodding {
         let thruster = self.thruster_place(&camera, moment.time, self.blows.second.azimuth)?;
         held.push((Grip::Thruster, thruster));
         if self.blows.is_fired {
-            held.push((Grip::Fire, self.fire_place(&layout, moment.room)));
+            held.push((Grip::Fire, self.fire_place(moment.room)));
         }
         Ok(held)
     }
@@ -332,36 +299,28 @@ impl Nodding {
     }
 
     fn dragged(&self, grip: usize, to: Point, moment: &Moment) -> Result<Vec<(&'static str, f64)>, Cause> {
-        let layout = Layout::of(moment.room);
-        let camera = moment.camera(layout.view)?;
+        let camera = camera(moment)?;
         let Some((grip, place)) = self.held(moment)?.get(grip).copied() else { return Ok(Vec::new()) };
         if (place - to).length() < 1e-6 {
             return Ok(Vec::new()); // a touch
         }
-        let nearest = |values: &mut dyn Iterator<Item = f64>, place: &dyn Fn(f64) -> Result<Point, Cause>| {
-            let places = values.filter_map(|value| Some((value, (place(value).ok()? - to).length())));
-            places.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(value, _)| value)
-        };
         let [foot, _] = self.impulse_arrow();
         let found = match grip {
             Grip::Impulse => {
                 let tip = |impulse| Ok(camera.on_page(foot + Vector3::z() * (0.1 + ARROW * impulse))?);
-                nearest(&mut (1..=100).map(|tenth| 0.1 * f64::from(tenth)), &tip)
-                    .map(|value| ("impulse", value))
+                nearest(linear_steps(0.1, 10.0, 99), to, tip).map(|value| ("impulse", value))
             }
             Grip::Place => {
                 let foot = |metres| Ok(camera.on_page([0.0, metres / RADIUS * 0.93, 0.08])?);
-                nearest(&mut (0..=50).map(f64::from), &foot).map(|value| ("place", value))
+                nearest(linear_steps(0.0, 50.0, 50), to, foot).map(|value| ("place", value))
             }
             Grip::Thruster => {
                 let place = |degrees: f64| self.thruster_place(&camera, moment.time, degrees.to_radians());
-                nearest(&mut (0..720).map(|half| 0.5 * f64::from(half)), &place)
-                    .map(|value| ("thruster", value))
+                nearest(linear_steps(0.0, 359.5, 719), to, place).map(|value| ("thruster", value))
             }
             Grip::Fire => {
-                let (time, _) = value_at(layout.graph, &time_axis(moment.room), &WAVES_AXIS, to);
                 let before = self.blows.between.last().map_or(0.0, |blow| blow.time);
-                Some(("fire", time.clamp(before, DURATION)))
+                Some(("fire", waves(moment.room).value(to).0.clamp(before, DURATION)))
             }
         };
         Ok(found.into_iter().collect())
@@ -374,10 +333,10 @@ impl Motion for Nodding {
     }
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let layout = Layout::of(moment.room);
-        self.draw_waves(&layout, moment, drawing)?;
-        self.draw_station(moment, &layout, drawing)?;
-        draw_sky(&self.station, (layout.sky, layout.radius), moment.time, drawing)
+        self.draw_waves(moment, drawing)?;
+        self.draw_station(moment, drawing)?;
+        let sky = moment.room.of((at(508.0, 126.0), 98.0), (at(86.0, 462.0), 80.0));
+        draw_sky(&self.station, sky, moment.time, drawing)
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {

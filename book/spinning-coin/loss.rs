@@ -1,11 +1,7 @@
 //! The small scene of the page "How Euler's disk ends": its last rounds, by a clock that slows down with it.
 
 use super::spinning_coin::{seconds, small};
-use drawing::space::{Camera, Curve, Solid, Stage, View};
-use drawing::{Drawing, Hue, Rect, Role, Side, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
-};
+use live::prelude::*;
 use mechanics::integrate::Dop853;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::spinning_coin::{BrakedDisk, Loss, SpinDown, SpinningCoin};
@@ -15,25 +11,40 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "disk-end",
     title: "The end of Euler's disk",
-    description: "A disc leans on a table, with its heights magnified and an arrow for the force of the table on its lowest point. Below, this force in weights against the tilt: by the law of \
-                  slow sinking, dashed, it goes down to zero where the law demands a fall with g; by the motion it dips to 0.73 there and rises again.",
+    description: "A disc leans on a table, with its heights magnified and an arrow for the force of the table on its lowest point. Below, this force in weights against the \
+                  tilt: by the law of slow sinking, dashed, it goes down to zero where the law demands a fall with g; by the motion it dips to 0.73 there and rises again.",
     question: "By the law of its loss the disc falls away from the table in the end. Does it?",
     size: [[640.0, 450.0], [380.0, 470.0]],
     view: None,
     still: 6.0,
     controls: &[Control::slider("power", r"loss like $\sin^{-p}\alpha$, $p$", [0.5, 2.0, 0.05], "", 2.0)],
     presets: &[
-        Preset { words: "Moffatt's film", settings: &[] },
-        Preset { words: "a thin layer", settings: &[("power", 1.25)] },
-        Preset { words: "rolling friction", settings: &[("power", 0.5)] },
+        preset("Moffatt's film", &[]),
+        preset("a thin layer", &[("power", 1.25)]),
+        preset("rolling friction", &[("power", 0.5)]),
     ],
     readings: &[
-        Reading { words: "support, in weights", form: Form::Fixed(2), unit: "" },
-        Reading { words: r"tilt $\alpha$", form: Form::Digits(3), unit: "rad" },
-        Reading { words: "time since the film began", form: Form::Digits(4), unit: "s" },
+        reading("support, in weights", Form::Fixed(2), ""),
+        reading(r"tilt $\alpha$", Form::Digits(3), "rad"),
+        reading("time since the film began", Form::Digits(4), "s"),
     ],
     symbols: formulas![r"N", r"g"],
-    start: |settings| Ok(Box::new(Ending::new(settings)?)),
+    start: |settings| {
+        let of = Ending::new(settings)?;
+        let least = of.sunk.iter().map(|there| there.support).fold(f64::INFINITY, f64::min);
+        let words = format!(
+            "By its law the table would let go at a tilt of {}, {} before the end. The disc leans on the table with \
+             {least:.2} of its weight at least, and then it creeps.",
+            small(of.falls),
+            seconds(of.left),
+        );
+        let run = Run { duration: FILM, pace: 1.0, repeats: false };
+        let readings = |of: &Ending, time| {
+            let now = of.at(time);
+            Ok(vec![now.support, now.tilt, now.time])
+        };
+        Ok(Box::new(Small { of, run, words, readings, draw: Ending::draw }))
+    },
 };
 
 const TOY: DiskParameters =
@@ -76,8 +87,7 @@ impl Ending {
         let above = 400_f64.powf(1.0 / (2.0 * power + 1.0)).max(8.0);
         let begin = SpinningCoin::new(TOY, above * falls)?;
         let omega_1 = begin.tilt() / ((power + 1.0) * law.time_left(begin.tilt())?);
-        let part = |k: u32| TILTS[0] * (TILTS[1] / TILTS[0]).powf(f64::from(k) / f64::from(STEPS));
-        let tilts: Vec<f64> = (0..=STEPS).map(|k| falls * part(k)).collect();
+        let tilts: Vec<f64> = log_steps(falls * TILTS[0], falls * TILTS[1], STEPS).collect();
         let disk = BrakedDisk::new(TOY, loss)?;
         let solver = Dop853::with_tolerances(1e-8, 1e-11)?;
         let reached = disk.sink(Rolling { omega_1, ..begin.state() }, &tilts, &solver)?;
@@ -108,48 +118,29 @@ impl Ending {
         }
     }
 
-    fn least(&self) -> f64 {
-        self.sunk.iter().map(|there| there.support).fold(f64::INFINITY, f64::min)
-    }
-}
-
-impl Motion for Ending {
-    fn run(&self) -> Run {
-        Run { duration: FILM, pace: 1.0, repeats: false }
-    }
-
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let (room, now) = (moment.room, self.at(moment.time));
         // Heights are magnified, the more the lower it stands, so that it can be seen to lean until the end.
         let shown = 0.3 * (now.tilt / self.sunk[0].tilt).powf(0.35);
-        let (sin, cos) = shown.sin_cos();
-        let [x, y] = [now.round.cos(), now.round.sin()];
-        let contact = Vector3::new(cos * x, cos * y, 0.0);
         let (centre, scale) = room.of((at(320.0, 130.0), 120.0), (at(190.0, 120.0), 100.0));
-        let view =
-            View { target: [0.0, 0.0, 0.3], azimuth: -1.1, elevation: 0.3, distance: 9.0, centre, scale };
-        let mut stage = Stage::new(Camera::new(view)?);
-        stage.ground([-1.25, -1.25], [1.25, 1.25], 0.0, 0.25)?;
-        stage.curve(Curve::circle([0.0; 3], Vector3::z(), cos)?, Stroke::Pale, Hue::Pink)?;
-        stage.solid(Solid::disc([0.0, 0.0, sin], [sin * x, sin * y, cos], 1.0, 0.03)?, Hue::Blue)?;
+        let eye = moment.seen_from(-1.1, 0.3);
+        let mut stage = Stage::new(eye.camera([0.0, 0.0, 0.3], 9.0, centre, scale)?);
+        stage.curve(Curve::circle([0.0; 3], Vector3::z(), shown.cos())?, Stroke::Pale, Hue::Pink)?;
+        let contact = draw_leaning(&mut stage, shown, now.round)?;
         stage.dot_in_front(contact, 5.0, Hue::Pink)?;
         stage.named_vector(contact, contact + Vector3::z() * (0.7 * now.support), "$N$", Hue::Purple)?;
         stage.write(drawing);
         let text = format!("heights magnified {:.0} times", shown / now.tilt);
         let place = at(8.0, room.of(236.0, 250.0));
-        drawing.label_set(place, Side::Right, 0.0, 13.0, &text, Role::Text(Hue::Muted))?;
+        drawing.note(place, Side::Right, &text, Hue::Muted)?;
 
-        let frame = room.of(Rect::new(130.0, 276.0, 380.0, 116.0), Rect::new(48.0, 296.0, 310.0, 116.0));
+        let frames = [[130.0, 276.0, 380.0, 116.0], [48.0, 296.0, 310.0, 116.0]];
         let x = Axis::log(0.3, 10.0, 1).titled("tilt, 1 where the law falls with $g$");
         let y = Axis::linear(0.0, 2.0, 0.5).titled("support, in weights");
-        let mut graph = Graph::new(drawing, frame, x, y)?;
+        let mut graph = moment.graph(drawing, frames, x, y)?;
         // The fall that slow sinking asks for goes like the tilt to the power 1 − 2/s (eq:sinking-fall).
-        let law = (0..=60).map(|k| 10_f64.powf(f64::from(k) / 60.0));
-        graph.curve(
-            law.map(|part| (part, 1.0 - part.powf(-2.0 * self.power - 1.0))),
-            Stroke::DashedCurve,
-            Hue::Ink,
-        );
+        let law = log_steps(1.0, 10.0, 60).map(|part| (part, 1.0 - part.powf(-2.0 * self.power - 1.0)));
+        graph.curve(law, Stroke::DashedCurve, Hue::Ink);
         graph.level(1.0, Stroke::Reference, Hue::Muted);
         let point = |there: &Sunk| (there.tilt / self.falls, there.support);
         graph.curve(self.sunk.iter().map(point), Stroke::Curve, Hue::Purple);
@@ -157,19 +148,12 @@ impl Motion for Ending {
         graph.label((1.3, 0.3), Side::Right, "the law", Hue::Ink)?;
         Ok(())
     }
+}
 
-    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
-        let now = self.at(time);
-        Ok(vec![now.support, now.tilt, now.time])
-    }
-
-    fn words(&self, _time: f64) -> String {
-        format!(
-            "By its law the table would let go at a tilt of {}, {} before the end. The disc leans on the table with \
-             {:.2} of its weight at least, and then it creeps.",
-            small(self.falls),
-            seconds(self.left),
-            self.least()
-        )
-    }
+/// A disc of radius one that leans on a table, its contact at an azimuth, rad; and that contact.
+pub(crate) fn draw_leaning(stage: &mut Stage, tilt: f64, azimuth: f64) -> Result<Vector3<f64>, Flaw> {
+    let ((sin, cos), (y, x)) = (tilt.sin_cos(), azimuth.sin_cos());
+    stage.ground([-1.25, -1.25], [1.25, 1.25], 0.0, 0.25)?;
+    stage.solid(Solid::disc([0.0, 0.0, sin], [sin * x, sin * y, cos], 1.0, 0.03)?, Hue::Blue)?;
+    Ok(Vector3::new(cos * x, cos * y, 0.0))
 }

@@ -1,29 +1,20 @@
 //! The scene of the chapter "The spinning coin": ink on its rim, and how near it comes to sound.
 
-use drawing::kit;
-use drawing::space::{Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Room, Side, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
-    point_at, value_at,
-};
+use live::prelude::*;
 use mechanics::InvalidQuantity;
 use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_PI_2, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "spinning-coin",
     title: "A spinning coin with ink on its rim",
-    description: "A coin with a head on its face leans on a table. Its lowest point has run most of the \
-                  way round a circle on the table, and ink marks that way on the table and the same length \
-                  on the rim. Beside it the circle and the rim are rolled out side by side, each with its ink. \
-                  Below, against the tilt, the rates of contact and head.",
-    question: "The contact has run once round its circle and is back: how does the head stand now, upright, \
-               turned with the contact, or against it? And as the coin goes down, ever faster: does its \
-               contact reach the speed of sound?",
+    description: "A coin with a head on its face leans on a table. Its lowest point has run most of the way round a circle on the table, and ink marks that way on the table \
+                  and the same length on the rim. Beside it the circle and the rim are rolled out side by side, each with its ink. Below, against the tilt, the rates of \
+                  contact and head.",
+    question: "The contact has run once round its circle and is back: how does the head stand now, upright, turned with the contact, or against it? And as the coin goes \
+               down, ever faster: does its contact reach the speed of sound?",
     size: [[660.0, 440.0], [380.0, 664.0]],
     view: Some([-FRAC_PI_2, 0.8]),
     still: 5.6,
@@ -37,34 +28,27 @@ pub(crate) const SCENE: Scene = Scene {
         Control::choice("coin", "what spins", &["disc", "hoop"]),
     ],
     presets: &[
-        Preset { words: "45°", settings: &[("tilt", 0.785)] },
-        Preset { words: "nearly upright", settings: &[("tilt", 1.5)] },
-        Preset { words: "nearly flat", settings: &[("tilt", 0.05)] },
-        Preset { words: "sinking on a film of air", settings: &[("tilt", 0.1), ("loss", 1.0)] },
-        Preset { words: "sinking by rolling friction", settings: &[("tilt", 0.1), ("loss", 4.0)] },
+        preset("45°", &[("tilt", 0.785)]),
+        preset("nearly upright", &[("tilt", 1.5)]),
+        preset("nearly flat", &[("tilt", 0.05)]),
+        preset("sinking on a film of air", &[("tilt", 0.1), ("loss", 1.0)]),
+        preset("sinking by rolling friction", &[("tilt", 0.1), ("loss", 4.0)]),
     ],
     readings: &[
-        Reading { words: r"tilt $\alpha$", form: Form::Digits(3), unit: "rad" },
-        Reading { words: r"rate of the contact, $\Omega$", form: Form::Digits(3), unit: "rad/s" },
-        Reading { words: "rate of the head", form: Form::Digits(3), unit: "rad/s" },
-        Reading { words: "whir", form: Form::Fixed(1), unit: "Hz" },
-        Reading { words: "contact, in speeds of sound", form: Form::Digits(2), unit: "" },
-        Reading { words: "rounds so far", form: Form::Fixed(2), unit: "" },
-        Reading { words: "head turned so far", form: Form::Fixed(1), unit: "°" },
-        Reading { words: "real time gone", form: Form::Digits(3), unit: "s" },
-        Reading { words: "real time left", form: Form::Digits(3), unit: "s" },
-        Reading { words: "slip: ink on table less on rim", form: Form::Power(1), unit: "radii" },
+        reading(r"tilt $\alpha$", Form::Digits(3), "rad"),
+        reading(r"rate of the contact, $\Omega$", Form::Digits(3), "rad/s"),
+        reading("rate of the head", Form::Digits(3), "rad/s"),
+        reading("whir", Form::Fixed(1), "Hz"),
+        reading("contact, in speeds of sound", Form::Digits(2), ""),
+        reading("rounds so far", Form::Fixed(2), ""),
+        reading("head turned so far", Form::Fixed(1), "°"),
+        reading("real time gone", Form::Digits(3), "s"),
+        reading("real time left", Form::Digits(3), "s"),
+        reading("slip: ink on table less on rim", Form::Power(1), "radii"),
     ],
-    symbols: formulas![
-        r"p = 2",
-        r"p = 5/4",
-        r"p = 1",
-        r"p = 1/2",
-        r"\alpha",
-        r"2\pi a\cos\alpha",
-        r"2\pi a",
-        r"\omega_z"
-    ],
+    symbols: formulas! {
+        r"p = 2", r"p = 5/4", r"p = 1", r"p = 1/2", r"\alpha", r"2\pi a\cos\alpha", r"2\pi a", r"\omega_z"
+    },
     start: |settings| Ok(Box::new(Spinning::new(settings)?)),
 };
 
@@ -189,42 +173,26 @@ fn lowest(attitude: &UnitQuaternion<f64>) -> Vector3<f64> {
 }
 
 /// Where the parts of the picture stand.
-struct Layout {
-    stage: Rect,
-    lengths: Rect,
-    rates: Rect,
+fn stage(room: Room) -> Rect {
+    room.of(Rect::new(4.0, 4.0, 400.0, 432.0), Rect::new(4.0, 4.0, 372.0, 290.0))
 }
 
-impl Layout {
-    fn of(room: Room) -> Self {
-        Self {
-            stage: room.of(Rect::new(4.0, 4.0, 400.0, 432.0), Rect::new(4.0, 4.0, 372.0, 290.0)),
-            lengths: room.of(Rect::new(430.0, 30.0, 216.0, 130.0), Rect::new(20.0, 322.0, 340.0, 130.0)),
-            rates: room.of(Rect::new(474.0, 214.0, 172.0, 174.0), Rect::new(64.0, 490.0, 296.0, 124.0)),
-        }
-    }
+fn lengths(room: Room) -> Rect {
+    room.of(Rect::new(430.0, 30.0, 216.0, 130.0), Rect::new(20.0, 322.0, 340.0, 130.0))
 }
 
-/// The axes of the rates.
-const TILTS: Axis<'_> = Axis::log(1e-7, 1.6, 2).titled(r"tilt $\alpha$, rad");
-const RATES: Axis<'_> = Axis::log(1e-4, 1e5, 3).titled("rate, rad/s");
+fn rates(room: Room) -> Plot<'static> {
+    let frame = room.of(Rect::new(474.0, 214.0, 172.0, 174.0), Rect::new(64.0, 490.0, 296.0, 124.0));
+    let x = Axis::log(1e-7, 1.6, 2).titled(r"tilt $\alpha$, rad");
+    Plot { frame, x, y: Axis::log(1e-4, 1e5, 3).titled("rate, rad/s") }
+}
 
 impl Spinning {
     fn draw_stage(&self, moment: &Moment, now: &Now, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frame = Layout::of(moment.room).stage;
+        let frame = stage(moment.room);
         let target = Vector3::new(0.0, 0.0, 0.4);
-        let distance = 9.0;
-        let camera = moment.camera(View {
-            target: target.into(),
-            azimuth: 0.0,
-            elevation: 0.0,
-            distance,
-            centre: frame.centre(),
-            scale: moment.room.of(132.0, 108.0),
-        })?;
-        let (sin, cos) = moment.elevation.sin_cos();
-        let (sin_azimuth, cos_azimuth) = moment.azimuth.sin_cos();
-        let eye = target + Vector3::new(cos * cos_azimuth, cos * sin_azimuth, sin) * distance;
+        let camera = moment.camera(target, 9.0, frame.centre(), moment.room.of(132.0, 108.0))?;
+        let eye = target + Vector3::from(moment.towards_eye()) * 9.0;
 
         let (sin, cos) = now.coin.tilt().sin_cos();
         let centre = Vector3::new(0.0, 0.0, sin);
@@ -257,8 +225,7 @@ impl Spinning {
         };
         let ink = |from: f64, to: f64| {
             let count = (90.0 * (to - from).min(1.0)).ceil().max(2.0) as u32;
-            let places = (0..=count).map(|k| touch(from + (to - from) * f64::from(k) / f64::from(count)));
-            places.unzip::<_, _, Vec<_>, Vec<_>>()
+            linear_steps(from, to, count).map(touch).unzip::<_, _, Vec<_>, Vec<_>>()
         };
         let is_long =
             |points: &[Vector3<f64>]| points.windows(2).all(|pair| (pair[1] - pair[0]).norm() > 1e-7);
@@ -279,8 +246,7 @@ impl Spinning {
             Some(_) => "seen by a lamp that flashes once a round".into(),
         };
         let place = at(frame.left + 8.0, frame.bottom - 12.0);
-        drawing.label_set(place, Side::Right, 0.0, 13.0, &how, Role::Text(Hue::Muted))?;
-        Ok(())
+        Ok(drawing.note(place, Side::Right, &how, Hue::Muted)?)
     }
 
     /// From the coin as it stands to how it is shown: on the way down it is turned by what the head has turned.
@@ -290,7 +256,7 @@ impl Spinning {
 
     /// The circle on the table and the rim, both unrolled, with the ink on them; and the angle of the head.
     fn draw_lengths(&self, moment: &Moment, now: &Now, drawing: &mut Drawing) -> Result<(), Cause> {
-        let Rect { left, top, right, .. } = Layout::of(moment.room).lengths;
+        let Rect { left, top, right, .. } = lengths(moment.room);
         let cos = now.coin.tilt().cos();
         let inked = if self.down.is_some() { 1.0 } else { now.rounds.fract() };
         let long = right - left;
@@ -310,7 +276,7 @@ impl Spinning {
             for x in [at(left, y), end] {
                 drawing.line(x, x + at(0.0, 14.0), Stroke::Outline, Hue::Ink);
             }
-            drawing.label_set(at(left, y - 4.0), Side::AboveRight, 0.0, 13.0, name, Role::Text(Hue::Ink))?;
+            drawing.note(at(left, y - 4.0), Side::AboveRight, name, Hue::Ink)?;
         }
         let y = rows[1].0;
         bar(drawing, cos, 1.0, y, Fill::Side, Hue::Blue);
@@ -321,7 +287,7 @@ impl Spinning {
             "left over: next to nothing".into()
         };
         let under = at(left + long, y + 18.0);
-        drawing.label_set(under, Side::BelowLeft, 0.0, 13.0, &text, Role::Text(Hue::Blue))?;
+        drawing.note(under, Side::BelowLeft, &text, Hue::Blue)?;
         // The head's dial: then, now, and what a round adds.
         let dial = at(left + 26.0, y + 52.0);
         let radius = 24.0;
@@ -330,7 +296,8 @@ impl Spinning {
         let wedge = TAU * (1.0 - cos);
         if wedge > 1e-3 {
             let begun = now.head - if self.down.is_some() { wedge } else { now.rounds.fract() * wedge };
-            let arc = (0..=40).map(|k| dial + Point::polar(radius, up + begun + wedge * f64::from(k) / 40.0));
+            let angles = linear_steps(up + begun, up + begun + wedge, 40);
+            let arc = angles.map(|angle| dial + Point::polar(radius, angle));
             drawing.polygon([dial].into_iter().chain(arc).collect(), Fill::Face, Hue::Blue);
         }
         kit::arrow(drawing, dial, dial + Point::polar(radius, up + now.head), Hue::Blue);
@@ -341,8 +308,7 @@ impl Spinning {
 
     /// The rates against the tilt, the speed of sound, and where each law ends.
     fn draw_rates(&self, moment: &Moment, now: &Now, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frame = Layout::of(moment.room).rates;
-        let mut graph = Graph::new(drawing, frame, TILTS, RATES)?;
+        let mut graph = rates(moment.room).on(drawing)?;
         type Rate = fn(&SpinningCoin) -> f64;
         let rates: [(Rate, Hue); 3] = [
             (SpinningCoin::vertical_rate, Hue::Orange),
@@ -352,8 +318,7 @@ impl Spinning {
         graph.level(SOUND / RADIUS, Stroke::Reference, Hue::Muted);
         graph.upright(now.coin.tilt(), Stroke::Dotted, Hue::Muted);
         for (of, hue) in rates {
-            let tilts = (0..=60).map(|k| 10_f64.powf(-7.0 + 7.19 * f64::from(k) / 60.0));
-            let values: Vec<(f64, f64)> = tilts
+            let values: Vec<(f64, f64)> = log_steps(1e-7, 10_f64.powf(0.19), 60)
                 .map(|tilt| Ok((tilt, of(&SpinningCoin::new(self.parameters, tilt)?))))
                 .collect::<Result<_, InvalidQuantity>>()?;
             graph.curve(values, Stroke::Curve, hue);
@@ -494,13 +459,11 @@ impl Motion for Spinning {
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {
-        let Layout { rates, .. } = Layout::of(moment.room);
-        vec![point_at(rates, &TILTS, &RATES, (self.start.tilt(), self.start.turn_rate()))]
+        vec![rates(moment.room).point((self.start.tilt(), self.start.turn_rate()))]
     }
 
     fn drag(&self, _grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
-        let Layout { rates, .. } = Layout::of(moment.room);
-        vec![("tilt", value_at(rates, &TILTS, &RATES, to).0)]
+        vec![("tilt", rates(moment.room).value(to).0)]
     }
 }
 

@@ -1,11 +1,6 @@
 //! The scene of the chapter "The top under gravity": a top is let go, pushed on or pushed back.
 
-use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Hue, Point, Rect, Role, Room, Side, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
-    point_at, value_at,
-};
+use live::prelude::*;
 use mechanics::scenes::top::{Release, Top, TopMotion, TopParameters, Track};
 use nalgebra::Vector3;
 
@@ -13,10 +8,9 @@ pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "top",
     title: "A top is let go",
-    description: "A top leans on its point. Its tip has left a track behind it; the angular momentum points along the axis. \
-                  Beside it a well: the energy of the tilt against the tilt, with a marble in it.",
-    question: "A fast top leans and is let go, without a push. What does its tip draw? And what if you push it on, or back? Then take its \
-               spin away, bit by bit.",
+    description: "A top leans on its point. Its tip has left a track behind it; the angular momentum points along the axis. Beside it a well: the energy of the tilt against \
+                  the tilt, with a marble in it.",
+    question: "A fast top leans and is let go, without a push. What does its tip draw? And what if you push it on, or back? Then take its spin away, bit by bit.",
     size: [[640.0, 420.0], [360.0, 560.0]],
     view: Some([-1.2, 0.45]),
     still: 0.85,
@@ -26,24 +20,21 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("push", r"push at the start, $\dot\varphi$", [-15.0, 15.0, 0.1], "rad/s", 0.0),
     ],
     presets: &[
-        Preset { words: "let go", settings: &[] },
-        Preset { words: "pushed on", settings: &[("push", 3.0)] },
-        Preset { words: "pushed back", settings: &[("push", -3.0)] },
-        Preset { words: "pushed just right", settings: &[("push", 6.1)] },
-        Preset { words: "five times slower", settings: &[("spin", 30.0)] },
-        Preset { words: "nearly upright, asleep", settings: &[("spin", 130.0), ("tilt", 1.0)] },
-        Preset { words: "nearly upright, awake", settings: &[("spin", 100.0), ("tilt", 1.0)] },
-        Preset {
-            words: "a pendulum without spin",
-            settings: &[("spin", 0.0), ("tilt", 120.0), ("push", 6.0)],
-        },
+        preset("let go", &[]),
+        preset("pushed on", &[("push", 3.0)]),
+        preset("pushed back", &[("push", -3.0)]),
+        preset("pushed just right", &[("push", 6.1)]),
+        preset("five times slower", &[("spin", 30.0)]),
+        preset("nearly upright, asleep", &[("spin", 130.0), ("tilt", 1.0)]),
+        preset("nearly upright, awake", &[("spin", 100.0), ("tilt", 1.0)]),
+        preset("a pendulum without spin", &[("spin", 0.0), ("tilt", 120.0), ("push", 6.0)]),
     ],
     readings: &[
-        Reading { words: r"tilt $\theta$", form: Form::Fixed(1), unit: "°" },
-        Reading { words: "round the vertical", form: Form::Fixed(1), unit: "°" },
-        Reading { words: "nods", form: Form::Fixed(2), unit: "" },
-        Reading { words: r"change of the energy, $E/E_0 - 1$", form: Form::Power(1), unit: "" },
-        Reading { words: r"change of $L_z$, in $L$", form: Form::Power(1), unit: "" },
+        reading(r"tilt $\theta$", Form::Fixed(1), "°"),
+        reading("round the vertical", Form::Fixed(1), "°"),
+        reading("nods", Form::Fixed(2), ""),
+        reading(r"change of the energy, $E/E_0 - 1$", Form::Power(1), ""),
+        reading(r"change of $L_z$, in $L$", Form::Power(1), ""),
     ],
     symbols: formulas![r"\boldsymbol{L}", r"\theta"],
     start: |settings| Ok(Box::new(Spun::new(settings)?)),
@@ -100,25 +91,19 @@ impl Spun {
     }
 
     /// Where the well is drawn, and its axes.
-    fn plot(&self, room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
+    fn plot(&self, room: Room) -> Plot<'static> {
         let frame = room.of(Rect::new(440.0, 120.0, 180.0, 190.0), Rect::new(44.0, 384.0, 296.0, 124.0));
         let widest = if self.motion.tilts()[1] < 1.4 { 90.0 } else { 180.0 };
-        let tilt = Axis::linear(0.0, widest, 0.5 * widest).titled(r"tilt $\theta$, degrees");
-        (frame, tilt, Axis::linear(0.0, 3.0, 1.0).titled("energy of the tilt"))
+        let x = Axis::linear(0.0, widest, 0.5 * widest).titled(r"tilt $\theta$, degrees");
+        Plot { frame, x, y: Axis::linear(0.0, 3.0, 1.0).titled("energy of the tilt") }
     }
 
     fn draw_top(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let camera: Camera = moment.camera(View {
-            target: [0.0, 0.0, if self.motion.tilts()[1] < 1.7 { 0.55 } else { 0.0 }],
-            azimuth: 0.0,
-            elevation: 0.0,
-            distance: 10.0,
-            centre: moment.room.of(at(200.0, 215.0), at(180.0, 165.0)),
-            scale: moment.room.of(112.0, 96.0),
-        })?;
+        let (centre, scale) = moment.room.of((at(200.0, 215.0), 112.0), (at(180.0, 165.0), 96.0));
+        let height = if self.motion.tilts()[1] < 1.7 { 0.55 } else { 0.0 };
         let now = self.motion.at(moment.time)?;
         let axis = now.axis_3_world();
-        let mut stage = Stage::new(camera);
+        let mut stage = Stage::new(moment.camera([0.0, 0.0, height], 10.0, centre, scale)?);
         if self.motion.tilts()[1] < 1.4 {
             stage.ground([-1.2, -1.2], [1.2, 1.2], 0.0, 0.4)?;
         }
@@ -137,9 +122,8 @@ impl Spun {
         let mark = now.world_from_body * Vector3::new(0.36, 0.0, 0.69);
         stage.dot(mark, 4.0, Hue::Pink)?;
         let begin = (moment.time - TRAIL).max(0.0);
-        let track = (0..=PIECES)
-            .map(|n| self.tip(begin + (moment.time - begin) * f64::from(n) / f64::from(PIECES)))
-            .collect::<Result<Vec<_>, Cause>>()?;
+        let track = linear_steps(begin, moment.time, PIECES).map(|time| self.tip(time));
+        let track = track.collect::<Result<Vec<_>, Cause>>()?;
         let is_long = track.iter().any(|tip| (tip - track[0]).norm() > 1e-2);
         if moment.time > 0.02 && is_long {
             stage.curve(Curve::smooth(track)?.hiding(Hiding::Pale), Stroke::Curve, Hue::Ink)?;
@@ -148,9 +132,8 @@ impl Spun {
         if self.spin > 0.0 {
             let tip = momentum.normalize() * 1.6;
             let arrow = Curve::segment([0.0; 3], tip)?.hiding(Hiding::Ignored);
-            stage.arrow(arrow, Stroke::Vector, drawing::kit::Heads::End, Hue::Green)?;
-            let right = Vector3::new(-moment.azimuth.sin(), moment.azimuth.cos(), 0.0);
-            let side = if tip.dot(&right) < 0.0 { Side::Left } else { Side::Right };
+            stage.arrow(arrow, Stroke::Vector, Heads::End, Hue::Green)?;
+            let side = if moment.rightward(tip) < 0.0 { Side::Left } else { Side::Right };
             stage.label(tip, side, r"$\boldsymbol{L}$", Hue::Green)?;
         }
         stage.dot_in_front([0.0; 3], 3.5, Hue::Pink)?;
@@ -159,11 +142,10 @@ impl Spun {
     }
 
     fn draw_well(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (frame, tilt, energy) = self.plot(moment.room);
-        let widest = if self.motion.tilts()[1] < 1.4 { 90.0 } else { 180.0 };
-        let mut graph = Graph::new(drawing, frame, tilt, energy)?;
+        let plot = self.plot(moment.room);
+        let mut graph = plot.on(drawing)?;
         let height = |degrees: f64| (self.motion.well(degrees.to_radians()) - self.least) / self.depth;
-        let values = (0..=360).map(|n| widest * f64::from(n) / 360.0);
+        let values = linear_steps(0.0, plot.x.scale.to, 360);
         let values: Vec<(f64, f64)> = values.map(|degrees| (degrees, height(degrees))).collect();
         // Each stretch of it that is in the frame.
         for stretch in values.split(|value| !(value.1.is_finite() && value.1 < 3.0)) {
@@ -175,10 +157,8 @@ impl Spun {
         graph.level(level, Stroke::Reference, Hue::Muted);
         graph.dot((self.tilt_at(moment.time)?, level), 6.0, Hue::Blue);
         graph.grip((self.tilt, level), Hue::Ink);
-        let above = at(frame.left + 0.5 * frame.width(), frame.top - 12.0);
-        let words = "the well of the tilt";
-        graph.drawing().label_set(above, Side::Over, 0.0, 13.0, words, Role::Text(Hue::Muted))?;
-        Ok(())
+        let above = at(plot.frame.centre().x, plot.frame.top - 12.0);
+        Ok(drawing.note(above, Side::Over, "the well of the tilt", Hue::Muted)?)
     }
 
     fn level(&self) -> f64 {
@@ -257,12 +237,10 @@ impl Motion for Spun {
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {
-        let (frame, tilt, energy) = self.plot(moment.room);
-        vec![point_at(frame, &tilt, &energy, (self.tilt, self.level()))]
+        vec![self.plot(moment.room).point((self.tilt, self.level()))]
     }
 
     fn drag(&self, _grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
-        let (frame, tilt, energy) = self.plot(moment.room);
-        vec![("tilt", value_at(frame, &tilt, &energy, to).0)]
+        vec![("tilt", self.plot(moment.room).value(to).0)]
     }
 }

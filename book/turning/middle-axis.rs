@@ -1,42 +1,37 @@
 //! The small scene of the page "The middle axis": a bat that waits, and turns over.
 
-use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Flaw, Hue, Point, Rect, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
-};
+use live::prelude::*;
 use mechanics::InvalidQuantity;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::TAU;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "middle-axis",
     title: "A bat waits, and turns over",
-    description: "At the left a bat in the air with one side pink, an orange arrow for its angular velocity and a green one for its angular momentum. Beside it a sphere with the three axes of the bat; \
-                  the tip of the angular momentum runs on it from beside axis 2 to beside its opposite end and back. Below, the angle between axis 2 and the momentum against the turns: \
-                  it stays near zero for a turn, rises to 180 degrees, stays there for twice as long, and falls back.",
-    question: "A bat is thrown to turn about its middle axis, and the throw misses the axis a little. How small must the miss be, \
-               if the bat is not to turn over within two turns?",
+    description: "At the left a bat in the air with one side pink, an orange arrow for its angular velocity and a green one for its angular momentum. Beside it a sphere \
+                  with the three axes of the bat; the tip of the angular momentum runs on it from beside axis 2 to beside its opposite end and back. Below, the angle \
+                  between axis 2 and the momentum against the turns: it stays near zero for a turn, rises to 180 degrees, stays there for twice as long, and falls back.",
+    question: "A bat is thrown to turn about its middle axis, and the throw misses the axis a little. How small must the miss be, if the bat is not to turn over within two \
+               turns?",
     size: [[640.0, 420.0], [380.0, 660.0]],
     view: None,
     still: 0.74,
     controls: &[Control::log_slider("miss", r"the throw misses by $\epsilon$", [1e-4, 10.0], "°", 0.1)],
     presets: &[
-        Preset { words: "a clumsy throw", settings: &[("miss", 10.0)] },
-        Preset { words: "a good one", settings: &[("miss", 1.0)] },
-        Preset { words: "ten times as careful", settings: &[] },
-        Preset { words: "and a hundred times more", settings: &[("miss", 0.001)] },
+        preset("a clumsy throw", &[("miss", 10.0)]),
+        preset("a good one", &[("miss", 1.0)]),
+        preset("ten times as careful", &[]),
+        preset("and a hundred times more", &[("miss", 0.001)]),
     ],
     readings: &[
-        Reading { words: "turns before it turns over", form: Form::Fixed(2), unit: "" },
-        Reading { words: r"angle of axis 2 and $\boldsymbol{L}$", form: Form::Digits(3), unit: "°" },
+        reading("turns before it turns over", Form::Fixed(2), ""),
+        reading(r"angle of axis 2 and $\boldsymbol{L}$", Form::Digits(3), "°"),
     ],
     symbols: formulas![r"\boldsymbol{L}", r"\hat{\mathbf{1}}", r"\hat{\mathbf{2}}", r"\hat{\mathbf{3}}"],
-    start: |settings| Ok(Box::new(Thrown::new(settings)?)),
+    start,
 };
 
 /// The bat of the page: about its handle, across it in the plane of the blade, and across the blade, kg·m².
@@ -48,37 +43,9 @@ const PACE: f64 = 0.2;
 /// How often its path on board is computed.
 const POINTS: u32 = 300;
 
-struct Thrown {
-    top: FreeTop,
-    period: f64,
-    /// The direction of the angular momentum on board, from the throw until the bat is as it was.
-    path: Vec<Vector3<f64>>,
-}
-
-impl Thrown {
-    fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let [i1, i2, i3] = BAT;
-        let moments = PrincipalMoments::new(i1, i2, i3)?;
-        let (sin, cos) = settings.of("miss")?.to_radians().sin_cos();
-        let momentum_body = Vector3::new(sin, cos, 0.0); // off towards axis 1
-        let start = Turning {
-            world_from_body: UnitQuaternion::from_scaled_axis(Vector3::z() * sin.atan2(cos)), // L along y
-            omega_body: moments.angular_velocity(&(i2 * SPIN * momentum_body)),
-        };
-        let top = FreeTop::new(moments, start)?;
-        let mut thrown = Self { top, period: top.period().ok_or("it never turns over")?, path: Vec::new() };
-        let times = (0..=POINTS).map(|k| thrown.period * f64::from(k) / f64::from(POINTS));
-        thrown.path = times.map(|time| thrown.momentum(time)).collect::<Result<_, _>>()?;
-        Ok(thrown)
-    }
-
-    fn momentum(&self, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
-        Ok(self.top.moments().angular_momentum(&self.top.at(time)?.omega_body).normalize())
-    }
-
-    fn turns(time: f64) -> f64 {
-        SPIN * time / TAU
-    }
+/// The direction of the angular momentum on board.
+fn momentum(top: &FreeTop, time: f64) -> Result<Vector3<f64>, InvalidQuantity> {
+    Ok(top.moments().angular_momentum(&top.at(time)?.omega_body).normalize())
 }
 
 /// The angle between axis 2 and a direction on board, degrees.
@@ -94,60 +61,64 @@ pub(crate) fn draw_bat(stage: &mut Stage, along: Vector3<f64>, pink: Vector3<f64
     stage.solid(Solid::rod(along * -0.5, along * -1.87, 0.13)?, Hue::Blue)
 }
 
-fn camera(azimuth: f64, elevation: f64, centre: Point, scale: f64) -> Result<Camera, Flaw> {
-    Camera::new(View { target: [0.0; 3], azimuth, elevation, distance: 14.0, centre, scale })
-}
-
-impl Motion for Thrown {
-    fn run(&self) -> Run {
-        Run { duration: self.period, pace: PACE, repeats: false }
-    }
-
-    fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (room, now) = (moment.room, self.top.at(moment.time)?);
-        let mut stage = Stage::new(camera(2.02, 0.42, room.of(at(160.0, 150.0), at(190.0, 150.0)), 56.0)?);
-        let [along, normal] = [Vector3::x(), Vector3::z()].map(|axis| now.world_from_body * axis);
-        draw_bat(&mut stage, along, normal)?;
-        stage.named_vector([0.0; 3], Vector3::y() * 2.9, r"$\boldsymbol{L}$", Hue::Green)?;
-        let omega = now.omega_world() * (1.7 / SPIN);
-        stage.vector([0.0; 3], omega, Hue::Orange)?;
-        stage.write(drawing);
-
-        // On board.
-        let mut stage = Stage::new(camera(0.75, 0.4, room.of(at(470.0, 150.0), at(190.0, 400.0)), 100.0)?);
-        stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
-        let axes = [r"$\hat{\mathbf{1}}$", r"$\hat{\mathbf{2}}$", r"$\hat{\mathbf{3}}$"];
-        for (axis, name) in [Vector3::x(), Vector3::y(), Vector3::z()].into_iter().zip(axes) {
-            stage.named_vector(axis, axis * 1.35, name, Hue::Ink)?;
-        }
-        let way = Curve::smooth(self.path.iter().copied())?.hiding(Hiding::Pale);
-        stage.curve(way, Stroke::Curve, Hue::Green)?;
-        stage.dot_in_front(self.momentum(moment.time)?, 5.0, Hue::Green)?;
-        stage.write(drawing);
-
-        let frame = room.of(Rect::new(48.0, 328.0, 560.0, 50.0), Rect::new(48.0, 568.0, 310.0, 50.0));
-        let turns = Self::turns(self.period);
-        let x = Axis::linear(0.0, turns, if turns > 6.0 { 2.0 } else { 1.0 }).titled("turns");
-        let y = Axis::linear(0.0, 180.0, 90.0).titled(r"angle of axis 2 and $\boldsymbol{L}$, degrees");
-        let mut graph = Graph::new(drawing, frame, x, y)?;
-        let part = |k: usize| turns * k as f64 / f64::from(POINTS);
-        let angles = self.path.iter().enumerate().map(|(k, tip)| (part(k), from_axis_2(tip)));
-        graph.curve(angles, Stroke::Curve, Hue::Green);
-        graph.dot((Self::turns(moment.time), from_axis_2(&self.momentum(moment.time)?)), 5.0, Hue::Green);
-        Ok(())
-    }
-
-    fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
-        Ok(vec![Self::turns(0.25 * self.period), from_axis_2(&self.momentum(time)?)])
-    }
-
-    fn words(&self, _time: f64) -> String {
-        let [_, growth, _] = self.top.moments().growth_squared();
-        let gain = 10_f64.ln() / (TAU * growth.sqrt());
-        format!(
+fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
+    let [i1, i2, i3] = BAT;
+    let moments = PrincipalMoments::new(i1, i2, i3)?;
+    let (sin, cos) = settings.of("miss")?.to_radians().sin_cos();
+    let momentum_body = Vector3::new(sin, cos, 0.0); // off towards axis 1
+    let start = Turning {
+        world_from_body: UnitQuaternion::from_scaled_axis(Vector3::z() * sin.atan2(cos)), // L along y
+        omega_body: moments.angular_velocity(&(i2 * SPIN * momentum_body)),
+    };
+    let top = FreeTop::new(moments, start)?;
+    let period = top.period().ok_or("it never turns over")?;
+    // From the throw until the bat is as it was.
+    let path = linear_steps(0.0, period, POINTS).map(|time| momentum(&top, time));
+    let path = path.collect::<Result<Vec<_>, _>>()?;
+    let [turns, gain] = [SPIN * period, 10_f64.ln() / moments.growth_squared()[1].sqrt()].map(|x| x / TAU);
+    Ok(Box::new(Small {
+        of: (top, path, turns),
+        run: Run { duration: period, pace: PACE, repeats: false },
+        words: format!(
             "It turns over after {:.2} turns, and back after twice as many more. A throw that is ten times as \
              careful gains {gain:.2} turns.",
-            Self::turns(0.25 * self.period)
-        )
-    }
+            0.25 * turns
+        ),
+        readings: |(top, _, turns), time| Ok(vec![0.25 * turns, from_axis_2(&momentum(top, time)?)]),
+        draw: |(top, path, turns), moment, drawing| {
+            let (room, now) = (moment.room, top.at(moment.time)?);
+            let eye = moment.seen_from(2.02, 0.42);
+            let centre = room.of(at(160.0, 150.0), at(190.0, 150.0));
+            let mut stage = Stage::new(eye.camera([0.0; 3], 14.0, centre, 56.0)?);
+            let [along, normal] = [Vector3::x(), Vector3::z()].map(|axis| now.world_from_body * axis);
+            draw_bat(&mut stage, along, normal)?;
+            stage.named_vector([0.0; 3], Vector3::y() * 2.9, r"$\boldsymbol{L}$", Hue::Green)?;
+            let omega = now.omega_world() * (1.7 / SPIN);
+            stage.vector([0.0; 3], omega, Hue::Orange)?;
+            stage.write(drawing);
+
+            // On board.
+            let eye = moment.seen_from(0.75, 0.4);
+            let centre = room.of(at(470.0, 150.0), at(190.0, 400.0));
+            let mut stage = Stage::new(eye.camera([0.0; 3], 14.0, centre, 100.0)?);
+            stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
+            let axes = [r"$\hat{\mathbf{1}}$", r"$\hat{\mathbf{2}}$", r"$\hat{\mathbf{3}}$"];
+            for (axis, name) in [Vector3::x(), Vector3::y(), Vector3::z()].into_iter().zip(axes) {
+                stage.named_vector(axis, axis * 1.35, name, Hue::Ink)?;
+            }
+            let way = Curve::smooth(path.iter().copied())?.hiding(Hiding::Pale);
+            stage.curve(way, Stroke::Curve, Hue::Green)?;
+            stage.dot_in_front(momentum(top, moment.time)?, 5.0, Hue::Green)?;
+            stage.write(drawing);
+
+            let frames = [[48.0, 328.0, 560.0, 50.0], [48.0, 568.0, 310.0, 50.0]];
+            let x = Axis::linear(0.0, *turns, if *turns > 6.0 { 2.0 } else { 1.0 }).titled("turns");
+            let y = Axis::linear(0.0, 180.0, 90.0).titled(r"angle of axis 2 and $\boldsymbol{L}$, degrees");
+            let mut graph = moment.graph(drawing, frames, x, y)?;
+            let angles = linear_steps(0.0, *turns, POINTS).zip(path.iter().map(from_axis_2));
+            graph.curve(angles, Stroke::Curve, Hue::Green);
+            graph.dot((SPIN * moment.time / TAU, from_axis_2(&momentum(top, moment.time)?)), 5.0, Hue::Green);
+            Ok(())
+        },
+    }))
 }

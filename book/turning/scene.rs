@@ -1,28 +1,19 @@
 //! The scene of the chapter "How a body turns": a plate is thrown, and its wobbles are counted.
 
-use drawing::space::{Curve, Finish, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Flaw, Hue, Point, Rect, Role, Room, Side, Stroke, at, kit, kit::Heads};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
-    point_at, value_at,
-};
+use live::prelude::*;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::PrincipalMoments;
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "turning",
     title: "A wobbling plate",
-    description: "A flat round plate in the air above a floor, leaning, with a stripe painted from \
-                  its middle to its rim. The angular momentum L points straight up; the axis of the \
-                  plate and the angular velocity omega lean away from it on opposite sides, each on \
-                  a circle. Beside it the plane of the three arrows. Below, the swings of the axis to the right \
-                  and to the left against time, with a line at each passage of the stripe.",
-    question: "While the plate turns once, how often does its axis swing to the right and back? And when it \
-               has grown into a long can?",
+    description: "A flat round plate in the air above a floor, leaning, with a stripe painted from its middle to its rim. The angular momentum L points straight up; the \
+                  axis of the plate and the angular velocity omega lean away from it on opposite sides, each on a circle. Beside it the plane of the three arrows. Below, \
+                  the swings of the axis to the right and to the left against time, with a line at each passage of the stripe.",
+    question: "While the plate turns once, how often does its axis swing to the right and back? And when it has grown into a long can?",
     size: [[640.0, 480.0], [380.0, 716.0]],
     view: Some([-1.35, 0.36]),
     still: 0.0,
@@ -35,31 +26,27 @@ pub(crate) const SCENE: Scene = Scene {
         Control::switch("cones", "rolling cones", false),
     ],
     presets: &[
-        Preset { words: "a careless throw", settings: &[] },
-        Preset { words: "a careful one", settings: &[("across", 1.0)] },
-        Preset { words: "a wild one", settings: &[("across", 12.0)] },
-        Preset { words: "its cones", settings: &[("cones", 1.0)] },
-        Preset { words: "a ball", settings: &[("ratio", 1.0), ("shape", 1.0)] },
-        Preset { words: "a can like a ball", settings: &[("ratio", 1.0)] },
-        Preset { words: "a pencil", settings: &[("ratio", 0.02), ("across", 3.0)] },
+        preset("a careless throw", &[]),
+        preset("a careful one", &[("across", 1.0)]),
+        preset("a wild one", &[("across", 12.0)]),
+        preset("its cones", &[("cones", 1.0)]),
+        preset("a ball", &[("ratio", 1.0), ("shape", 1.0)]),
+        preset("a can like a ball", &[("ratio", 1.0)]),
+        preset("a pencil", &[("ratio", 0.02), ("across", 3.0)]),
     ],
     readings: &[
-        Reading { words: "wobbles", form: Form::Fixed(2), unit: "" },
-        Reading { words: "turns about its axis", form: Form::Fixed(2), unit: "" },
-        Reading { words: r"wobbles a turn, $\Lambda/\omega_3$", form: Form::Fixed(2), unit: "" },
-        Reading { words: r"angle of axis and $\boldsymbol{L}$", form: Form::Fixed(1), unit: "°" },
-        Reading { words: r"angle of axis and $\boldsymbol{\omega}$", form: Form::Fixed(1), unit: "°" },
-        Reading { words: r"drift of $\boldsymbol{L}$", form: Form::Power(1), unit: "" },
-        Reading { words: r"drift of the energy $T$", form: Form::Power(1), unit: "" },
+        reading("wobbles", Form::Fixed(2), ""),
+        reading("turns about its axis", Form::Fixed(2), ""),
+        reading(r"wobbles a turn, $\Lambda/\omega_3$", Form::Fixed(2), ""),
+        reading(r"angle of axis and $\boldsymbol{L}$", Form::Fixed(1), "°"),
+        reading(r"angle of axis and $\boldsymbol{\omega}$", Form::Fixed(1), "°"),
+        reading(r"drift of $\boldsymbol{L}$", Form::Power(1), ""),
+        reading(r"drift of the energy $T$", Form::Power(1), ""),
     ],
-    symbols: formulas![
-        r"\boldsymbol{L}",
-        r"\boldsymbol{\omega}",
-        r"\hat{\mathbf{3}}",
-        r"\boldsymbol{L}/I_1",
-        r"-\sigma\,\hat{\mathbf{3}}",
-        r"\omega_1"
-    ],
+    symbols: formulas! {
+        r"\boldsymbol{L}", r"\boldsymbol{\omega}", r"\hat{\mathbf{3}}", r"\boldsymbol{L}/I_1",
+        r"-\sigma\,\hat{\mathbf{3}}", r"\omega_1"
+    },
     start: |settings| Ok(Box::new(Throw::new(settings)?)),
 };
 
@@ -132,10 +119,8 @@ impl Throw {
         let (sin, cos) = angle.sin_cos();
         let place = |[out, up]: [f64; 2]| Vector3::new(-cos * out, -sin * out, up);
         if self.is_round {
-            (0..=24)
-                .map(|k| (f64::from(k) / 24.0 * PI).sin_cos())
-                .map(|(s, c)| place([radius * s, half * c]))
-                .collect()
+            let angles = linear_steps(0.0, PI, 24).map(f64::sin_cos);
+            angles.map(|(s, c)| place([radius * s, half * c])).collect()
         } else {
             [[0.0, half], [radius, half], [radius, -half], [0.0, -half]].map(place).to_vec()
         }
@@ -202,15 +187,8 @@ impl Throw {
     /// The body and its arrows in the room or as it sees them.
     fn draw_room(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let now = self.top.at(moment.time)?;
-        let camera = moment.camera(View {
-            target: [0.0, 0.0, 0.35],
-            azimuth: 0.0,
-            elevation: 0.0,
-            distance: 8.0,
-            centre: moment.room.of(at(205.0, 182.0), at(190.0, 174.0)),
-            scale: moment.room.of(97.0, 88.0),
-        })?;
-        let mut stage = Stage::new(camera);
+        let (centre, scale) = moment.room.of((at(205.0, 182.0), 97.0), (at(190.0, 174.0), 88.0));
+        let mut stage = Stage::new(moment.camera([0.0, 0.0, 0.35], 8.0, centre, scale)?);
         if !self.on_board {
             stage.ground([-1.2, -0.9], [1.2, 0.9], -1.1, 0.3)?;
         }
@@ -253,8 +231,8 @@ impl Throw {
     /// The plane of the three arrows, which goes along with the body: ω and L/I₁, whose length is Λ.
     fn draw_plane(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
         let [across, spin] = self.rates();
-        let (frame, x, y) = plane(room);
-        let mut graph = Graph::new(drawing, frame, x, y)?;
+        let plane = plane(room);
+        let mut graph = plane.on(drawing)?;
         let [origin, omega, momentum] =
             [(0.0, 0.0), (across, spin), (across, self.ratio * spin)].map(|values| graph.at(values));
         let drawing = graph.drawing();
@@ -268,7 +246,7 @@ impl Throw {
         // Names to the right of the tips, those of near tips moved apart, and none on the axis below.
         let gap = momentum.y - omega.y;
         let apart = 0.5 * (26.0 - gap.abs()).max(0.0) * if gap > 0.0 { 1.0 } else { -1.0 };
-        let above_axis = (12.0 - (frame.bottom - momentum.y.max(omega.y) - apart.abs())).max(0.0);
+        let above_axis = (12.0 - (plane.frame.bottom - momentum.y.max(omega.y) - apart.abs())).max(0.0);
         for (tip, aside, text, hue) in [
             (momentum, apart, r"$\boldsymbol{L}/I_1$", Hue::Green),
             (omega, -apart, r"$\boldsymbol{\omega}$", Hue::Orange),
@@ -277,12 +255,8 @@ impl Throw {
             drawing.label_set(beside, Side::Right, 11.0, 14.0, text, Role::Text(hue))?;
         }
         if gap.abs() > 56.0 {
-            drawing.label(
-                momentum.towards(omega, 0.5),
-                Side::Right,
-                r"$-\sigma\,\hat{\mathbf{3}}$",
-                Hue::Ink,
-            )?;
+            let middle = momentum.towards(omega, 0.5);
+            drawing.label(middle, Side::Right, r"$-\sigma\,\hat{\mathbf{3}}$", Hue::Ink)?;
         }
         Ok(())
     }
@@ -306,7 +280,7 @@ impl Throw {
         let aside = |time: f64| Ok::<_, Cause>(self.top.axis_world(time)?.x / lean.max(1e-12));
         if lean > 1e-9 {
             let count = (POINTS * (window * self.top.precession_rate() / TAU).max(1.0)).ceil();
-            let values = (0..=count as u32).map(|k| from + window * f64::from(k) / count);
+            let values = linear_steps(from, from + window, count as u32);
             let values = values.map(|time| Ok((time, aside(time)?))).collect::<Result<Vec<_>, Cause>>()?;
             graph.curve(values, Stroke::Curve, Hue::Ink);
         } else {
@@ -314,37 +288,22 @@ impl Throw {
         }
         let now = if lean > 1e-9 { aside(moment.time)? } else { 0.0 };
         graph.dot((moment.time, now), 4.5, Hue::Ink);
-        let drawing = graph.drawing();
         let above = frame.top - 14.0;
-        let swing = at(frame.left, above);
-        drawing.label_set(
-            swing,
-            Side::Right,
-            0.0,
-            13.0,
-            "the axis swings right and left: wobbles",
-            Role::Text(Hue::Ink),
-        )?;
+        let swings = "the axis swings right and left: wobbles";
+        drawing.note(at(frame.left, above), Side::Right, swings, Hue::Ink)?;
         if is_turning {
-            let turns = at(frame.right, above);
-            drawing.label_set(
-                turns,
-                Side::Left,
-                0.0,
-                13.0,
-                moment.room.of("a line for each turn about the axis", "turns"),
-                Role::Text(Hue::Pink),
-            )?;
+            let turns = moment.room.of("a line for each turn about the axis", "turns");
+            drawing.note(at(frame.right, above), Side::Left, turns, Hue::Pink)?;
         }
         Ok(())
     }
 }
 
 /// The plane of the arrows: its frame on the page, spin about a diameter to the right and about the axis upwards.
-fn plane(room: Room) -> (Rect, Axis<'static>, Axis<'static>) {
+fn plane(room: Room) -> Plot<'static> {
+    let frame = room.of(Rect::new(450.0, 40.0, 130.0, 260.0), Rect::new(130.0, 366.0, 90.0, 180.0));
     let x = Axis::linear(0.0, MOST, 5.0).titled(r"$\omega_1$, rad/s");
-    let y = Axis::linear(0.0, 2.0 * MOST, 10.0).titled(r"along $\hat{\mathbf{3}}$, rad/s");
-    (room.of(Rect::new(450.0, 40.0, 130.0, 260.0), Rect::new(130.0, 366.0, 90.0, 180.0)), x, y)
+    Plot { frame, x, y: Axis::linear(0.0, 2.0 * MOST, 10.0).titled(r"along $\hat{\mathbf{3}}$, rad/s") }
 }
 
 impl Motion for Throw {
@@ -444,13 +403,11 @@ impl Motion for Throw {
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {
         let [across, spin] = self.rates();
-        let (frame, x, y) = plane(moment.room);
-        [spin, self.ratio * spin].map(|along| point_at(frame, &x, &y, (across, along))).to_vec()
+        [spin, self.ratio * spin].map(|along| plane(moment.room).point((across, along))).to_vec()
     }
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
-        let (frame, x, y) = plane(moment.room);
-        let (across, along) = value_at(frame, &x, &y, to);
+        let (across, along) = plane(moment.room).value(to);
         match grip {
             0 => vec![("across", across), ("spin", along)],
             _ if self.rates()[1] > 0.0 => vec![("ratio", along / self.rates()[1])],

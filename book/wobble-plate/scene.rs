@@ -5,26 +5,19 @@ mod answer;
 #[path = "scene/painter.rs"]
 mod painter;
 
-use drawing::kit::{self, Heads};
-use drawing::space::{Curve, Stage, View};
-use drawing::{Drawing, Fill, Hue, Point, Rect, Role, Side, Stroke, at};
-use live::{
-    Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Room, Run, Scene, Settings, formulas,
-};
+use live::prelude::*;
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::{UnitQuaternion, Vector3};
 use painter::Painter;
-use std::f64::consts::TAU;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
     name: "wobble-plate",
     title: "An engine with a wobble plate, on soft springs",
-    description: "A tilted round plate on an upright shaft. Four rods with pistons hang under it, and the frame below them stands on springs; \
-                  it leans a little, and the end of the shaft draws a circle. Beside it a view along the shaft, with the angular momentum of the \
-                  plate and that of the pistons. Below, the torque on the frame against the mass of the pistons.",
-    question: "How many pistons does it take until the frame stands still, and how heavy must they be? \
-               Then change the speed, and then the tilt: does it stay still?",
+    description: "A tilted round plate on an upright shaft. Four rods with pistons hang under it, and the frame below them stands on springs; it leans a little, and the end \
+                  of the shaft draws a circle. Beside it a view along the shaft, with the angular momentum of the plate and that of the pistons. Below, the torque on the \
+                  frame against the mass of the pistons.",
+    question: "How many pistons does it take until the frame stands still, and how heavy must they be? Then change the speed, and then the tilt: does it stay still?",
     size: [[640.0, 440.0], [380.0, 560.0]],
     view: Some([-1.15, 0.24]),
     still: 0.006,
@@ -37,20 +30,20 @@ pub(crate) const SCENE: Scene = Scene {
         Control::choice("camera", "seen", &["in the room", "from the turning shaft"]),
     ],
     presets: &[
-        Preset { words: "no pistons", settings: &[("mass", 0.0)] },
-        Preset { words: "two, at the balancing mass", settings: &[("pistons", 2.0), ("mass", 1.676)] },
-        Preset { words: "three, balanced", settings: &[("pistons", 3.0), ("mass", 1.676)] },
-        Preset { words: "twice too heavy", settings: &[("mass", 3.352)] },
-        Preset { words: "the plate that needs none", settings: &[("mass", 0.0), ("thickness", 17.32)] },
+        preset("no pistons", &[("mass", 0.0)]),
+        preset("two, at the balancing mass", &[("pistons", 2.0), ("mass", 1.676)]),
+        preset("three, balanced", &[("pistons", 3.0), ("mass", 1.676)]),
+        preset("twice too heavy", &[("mass", 3.352)]),
+        preset("the plate that needs none", &[("mass", 0.0), ("thickness", 17.32)]),
     ],
     readings: &[
-        Reading { words: "turns of the shaft", form: Form::Fixed(2), unit: "" },
-        Reading { words: "torque on the frame", form: Form::Fixed(2), unit: "N·m" },
-        Reading { words: "without pistons", form: Form::Fixed(2), unit: "N·m" },
-        Reading { words: "lean of the frame", form: Form::Fixed(2), unit: "°" },
-        Reading { words: "force along the shaft", form: Form::Fixed(1), unit: "N" },
-        Reading { words: r"energy of the pistons, $T_\text{p}$", form: Form::Fixed(2), unit: "J" },
-        Reading { words: "its change since the start", form: Form::Digits(2), unit: "J" },
+        reading("turns of the shaft", Form::Fixed(2), ""),
+        reading("torque on the frame", Form::Fixed(2), "N·m"),
+        reading("without pistons", Form::Fixed(2), "N·m"),
+        reading("lean of the frame", Form::Fixed(2), "°"),
+        reading("force along the shaft", Form::Fixed(1), "N"),
+        reading(r"energy of the pistons, $T_\text{p}$", Form::Fixed(2), "J"),
+        reading("its change since the start", Form::Digits(2), "J"),
     ],
     symbols: formulas![r"\boldsymbol{\omega}", r"\boldsymbol{L}"],
     start: |settings| Ok(Box::new(Shaking::new(settings)?)),
@@ -97,36 +90,12 @@ struct Shaking {
     torques: Vec<(f64, [f64; 2])>,
 }
 
-/// Where the parts of the picture stand.
-struct Layout {
-    view: View,
-    ring: Point,
-    radius: f64,
-    graph: Rect,
+/// Where the torque is plotted.
+fn torques(room: Room) -> Plot<'static> {
+    let frame = room.of(Rect::new(414.0, 286.0, 206.0, 98.0), Rect::new(218.0, 396.0, 148.0, 118.0));
+    let y = Axis::linear(0.0, 50.0, 20.0).titled("torque on the frame, N·m");
+    Plot { frame, x: Axis::linear(0.0, 3.4, 1.0).titled("all pistons, kg"), y }
 }
-
-impl Layout {
-    /// For a frame that hangs lower by so many radii, under a thick plate: it is seen from farther away.
-    fn of(room: Room, drop: f64) -> Self {
-        let view = View {
-            target: [0.0, 0.0, -0.5 - 0.2 * drop],
-            azimuth: 0.0,
-            elevation: 0.0,
-            distance: 12.0,
-            centre: room.of(at(172.0, 217.0), at(190.0, 182.0)),
-            scale: room.of(81.0, 70.0) / (1.0 + 0.36 * drop),
-        };
-        Self {
-            view,
-            ring: room.of(at(500.0, 134.0), at(86.0, 466.0)),
-            radius: room.of(92.0, 70.0),
-            graph: room.of(Rect::new(414.0, 286.0, 206.0, 98.0), Rect::new(218.0, 396.0, 148.0, 118.0)),
-        }
-    }
-}
-
-const MASS_AXIS: Axis<'_> = Axis::linear(0.0, 3.4, 1.0).titled("all pistons, kg");
-const TORQUE_AXIS: Axis<'_> = Axis::linear(0.0, 50.0, 20.0).titled("torque on the frame, N·m");
 
 fn plate(tilt: f64, thickness: f64) -> Result<Plate, Cause> {
     let parameters = PlateParameters { mass: PLATE_MASS, radius: RADIUS, thickness, tilt };
@@ -168,12 +137,10 @@ impl Shaking {
         let thickness = 0.01 * settings.of("thickness")?;
         let plate = plate(tilt, thickness)?;
         let engine = engine(plate, count, mass)?;
-        let phases = || (0..=STEPS).map(|step| TAU * f64::from(step) / f64::from(STEPS));
         let across = |phase: f64| engine.angular_momentum(phase, 1.0).xy().push(0.0);
-        let momenta = phases().map(across).collect();
+        let momenta = linear_steps(0.0, TAU, STEPS).map(across).collect();
         let mut torques = Vec::new();
-        for step in 0..=68 {
-            let mass = 0.05 * f64::from(step);
+        for mass in linear_steps(0.0, 3.4, 68) {
             torques.push((mass, torque_range(&self::engine(plate, count, mass)?, spin)));
         }
         let three = Pistons::new(PistonParameters { count: 3, mass: 0.0, distance: DISTANCE, rod: ROD })?;
@@ -214,16 +181,28 @@ impl Shaking {
         Ok(self.seen(phase) * (lean * end + hop))
     }
 
+    /// Where the high end of the plate, at a tilt in degrees, is in the picture of a moment.
+    fn rim(&self, degrees: f64, moment: &Moment) -> Result<Point, Cause> {
+        let end = self.high_end(degrees.to_radians(), self.phase(moment.time))?;
+        Ok(self.camera(moment)?.0.on_page(end)?)
+    }
+
+    /// The camera, where its eye is, and its scale: a frame that hangs lower, under a thick plate, is seen from farther away.
+    fn camera(&self, moment: &Moment) -> Result<(Camera, Vector3<f64>, f64), Cause> {
+        let (drop, (centre, scale)) =
+            (self.drop(), moment.room.of((at(172.0, 217.0), 81.0), (at(190.0, 182.0), 70.0)));
+        let (target, scale) = (Vector3::z() * (-0.5 - 0.2 * drop), scale / (1.0 + 0.36 * drop));
+        let eye = target + Vector3::from(moment.towards_eye()) * 12.0;
+        Ok((moment.camera(target, 12.0, centre, scale)?, eye, scale))
+    }
+
     /// The engine on its springs, part by part from back to front: the plane of the plate parts the upper shaft from
     /// what hangs below, the top of the frame parts that from the frame.
-    fn draw_engine(&self, moment: &Moment, view: View, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (camera, phase) = (moment.camera(view)?, self.phase(moment.time));
+    fn draw_engine(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let ((camera, eye, scale), phase) = (self.camera(moment)?, self.phase(moment.time));
         let (seen, (lean, hop)) = (self.seen(phase), self.stands(&self.engine, phase));
         let place = |x: f64, y: f64, z: f64| seen * (lean * Vector3::new(x, y, z) + hop);
         let way = |x: f64, y: f64, z: f64| seen * (lean * Vector3::new(x, y, z));
-        let ((sin_eye, cos_eye), (sin, cos)) = (moment.elevation.sin_cos(), moment.azimuth.sin_cos());
-        let eye =
-            Vector3::from(view.target) + Vector3::new(cos * cos_eye, sin * cos_eye, sin_eye) * view.distance;
         let (axis, (sin, cos)) = (way(0.0, 0.0, 1.0), self.engine.plate().tilt().sin_cos());
         let normal = way(-sin * phase.cos(), -sin * phase.sin(), cos);
         let half = (0.5 * self.thickness / RADIUS).max(0.5 * THINNEST);
@@ -243,8 +222,8 @@ impl Shaking {
         }
         // Above the plate: what the end of the shaft draws in the room, the spin, and the angular momentum.
         let mut above = Stage::new(camera);
-        let path = (0..=STEPS).map(|step| {
-            let (lean, hop) = self.stands(&self.engine, TAU * f64::from(step % STEPS) / f64::from(STEPS));
+        let path = linear_steps(0.0, TAU, STEPS).map(|phase| {
+            let (lean, hop) = self.stands(&self.engine, phase % TAU);
             lean * (Vector3::z() * top) + hop
         });
         let path: Vec<Vector3<f64>> = path.collect();
@@ -263,7 +242,7 @@ impl Shaking {
         above.label(momentum * (top + 0.6), Side::Above, r"$\boldsymbol{L}$", Hue::Green)?;
         let along = |from: f64, to: f64| [place(0.0, 0.0, from), place(0.0, 0.0, to)];
         let plate = [-half, half].map(|along| normal * along).map(|step| place(0.0, 0.0, 0.0) + step);
-        let mut painter = Painter { camera, eye, scale: view.scale, drawing: &mut *drawing };
+        let mut painter = Painter { camera, eye, scale, drawing: &mut *drawing };
         if over_frame {
             painter.cylinder(along(frame - 0.07, frame + 0.07), 0.95, Hue::Muted)?;
         }
@@ -295,8 +274,7 @@ impl Shaking {
             painter.cylinder(along(frame - 0.07, frame + 0.07), 0.95, Hue::Muted)?;
         }
 
-        let grip = camera.on_page(self.high_end(self.engine.plate().tilt(), phase)?)?;
-        kit::grip(drawing, grip, Hue::Blue);
+        kit::grip(drawing, self.rim(self.engine.plate().tilt().to_degrees(), moment)?, Hue::Blue);
         Ok(())
     }
 
@@ -332,8 +310,8 @@ impl Shaking {
     }
 
     /// The angular momenta across the shaft, seen along it.
-    fn draw_momenta(&self, layout: &Layout, phase: f64, drawing: &mut Drawing) -> Result<(), Cause> {
-        let Layout { ring, radius, .. } = *layout;
+    fn draw_momenta(&self, room: Room, phase: f64, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (ring, radius) = room.of((at(500.0, 134.0), 92.0), (at(86.0, 466.0), 70.0));
         let seen = self.seen(phase);
         let pistons = self.engine.piston_momentum(phase, 1.0);
         let sum = self.engine.angular_momentum(phase, 1.0).xy().push(0.0);
@@ -345,14 +323,7 @@ impl Shaking {
             let momentum = seen * momentum * scale;
             ring + at(momentum.x, -momentum.y)
         };
-        drawing.label_set(
-            ring - at(0.0, radius + 10.0),
-            Side::Above,
-            4.0,
-            13.0,
-            "momentum across the shaft",
-            Role::Text(Hue::Ink),
-        )?;
+        drawing.note(ring - at(0.0, radius + 14.0), Side::Above, "momentum across the shaft", Hue::Ink)?;
         drawing.circle(ring, radius, Role::Line(Stroke::Grid, Hue::Ink));
         for n in 1..=self.count() {
             let place = seen * self.engine.contact(n, phase);
@@ -382,14 +353,7 @@ impl Shaking {
             let turned = way.unit().quarter_turned();
             let side = if word == "pistons" && plate.dot(&pistons) > 0.0 { turned * -1.0 } else { turned };
             let beside = side * (11.0 + side.x.abs() * if word == "plate" { 13.0 } else { 20.0 });
-            drawing.label_set(
-                ring.towards(end, 0.7) + beside,
-                Side::Over,
-                0.0,
-                13.0,
-                word,
-                Role::Text(Hue::Green),
-            )?;
+            drawing.note(ring.towards(end, 0.7) + beside, Side::Over, word, Hue::Green)?;
         }
         drawing.dot(of_both, 4.5, Hue::Green);
         if longest > 0.0 {
@@ -398,14 +362,14 @@ impl Shaking {
             let outwards = if (of_both - ring).length() < 0.55 * radius { 1.0 } else { -1.0 };
             let side = if self.count() < 3 { (of_both - ring).unit() * outwards } else { side };
             let place = of_both + side * (12.0 + side.x.abs() * 8.0);
-            drawing.label_set(place, Side::Over, 0.0, 13.0, "sum", Role::Text(Hue::Green))?;
+            drawing.note(place, Side::Over, "sum", Hue::Green)?;
         }
         Ok(())
     }
 
     /// The torque on the frame against the mass of the pistons.
-    fn draw_torque(&self, layout: &Layout, phase: f64, drawing: &mut Drawing) -> Result<(), Cause> {
-        let mut graph = Graph::new(drawing, layout.graph, MASS_AXIS, TORQUE_AXIS)?;
+    fn draw_torque(&self, room: Room, phase: f64, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut graph = torques(room).on(drawing)?;
         let least = self.torques.iter().map(|&(mass, [least, _])| (mass, least));
         let most = self.torques.iter().map(|&(mass, [_, most])| (mass, most));
         graph.answer(|graph| {
@@ -427,16 +391,14 @@ impl Shaking {
             let above = graph.at((0.0, alone)) - at(-2.0, 9.0);
             graph.drawing().label(above, Side::Right, "no pistons", Hue::Muted)?;
         }
-        kit::grip(drawing, self.mass_grip(layout, phase), Hue::Purple);
+        kit::grip(drawing, self.mass_grip(room, phase), Hue::Purple);
         Ok(())
     }
 
     /// Where the torque on the frame stands in the graph, or the place above it that the graph still shows.
-    fn mass_grip(&self, layout: &Layout, phase: f64) -> Point {
-        let Rect { left, top, right, bottom } = layout.graph;
-        let torque = self.engine.frame_torque(phase, self.spin).norm();
-        let part = (torque / TORQUE_AXIS.scale.to).min(1.0);
-        at(left + self.mass / MASS_AXIS.scale.to * (right - left), bottom - part * (bottom - top))
+    fn mass_grip(&self, room: Room, phase: f64) -> Point {
+        let (plot, torque) = (torques(room), self.engine.frame_torque(phase, self.spin).norm());
+        plot.point((self.mass, torque.min(plot.y.scale.to)))
     }
 
     fn phase(&self, time: f64) -> f64 {
@@ -453,10 +415,10 @@ impl Motion for Shaking {
     }
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (layout, phase) = (Layout::of(moment.room, self.drop()), self.phase(moment.time));
-        self.draw_engine(moment, layout.view, drawing)?;
-        self.draw_momenta(&layout, phase, drawing)?;
-        self.draw_torque(&layout, phase, drawing)
+        let phase = self.phase(moment.time);
+        self.draw_engine(moment, drawing)?;
+        self.draw_momenta(moment.room, phase, drawing)?;
+        self.draw_torque(moment.room, phase, drawing)
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
@@ -478,29 +440,15 @@ impl Motion for Shaking {
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {
-        let (layout, phase) = (Layout::of(moment.room, self.drop()), self.phase(moment.time));
-        let tilt = self.engine.plate().tilt();
-        let rim = || -> Result<Point, Cause> {
-            Ok(moment.camera(layout.view)?.on_page(self.high_end(tilt, phase)?)?)
-        };
-        std::iter::once(self.mass_grip(&layout, phase)).chain(rim().ok()).collect()
+        let rim = self.rim(self.engine.plate().tilt().to_degrees(), moment);
+        [self.mass_grip(moment.room, self.phase(moment.time))].into_iter().chain(rim.ok()).collect()
     }
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
-        let layout = Layout::of(moment.room, self.drop());
         if grip == 0 {
-            return vec![("mass", live::value_at(layout.graph, &MASS_AXIS, &TORQUE_AXIS, to).0)];
+            return vec![("mass", torques(moment.room).value(to).0)];
         }
-        let phase = self.phase(moment.time);
-        let distance = |degrees: f64| -> Result<f64, Cause> {
-            let end = self.high_end(degrees.to_radians(), phase)?;
-            Ok((moment.camera(layout.view)?.on_page(end)? - to).length())
-        };
-        let tilts = (0..=90).map(|half| 0.5 * f64::from(half));
-        let nearest = tilts.filter_map(|tilt| Some((tilt, distance(tilt).ok()?)));
-        nearest
-            .min_by(|one, other| one.1.total_cmp(&other.1))
-            .map(|(tilt, _)| vec![("tilt", tilt)])
-            .unwrap_or_default()
+        let tilt = nearest(linear_steps(0.0, 45.0, 90), to, |tilt| self.rim(tilt, moment));
+        tilt.map(|tilt| vec![("tilt", tilt)]).unwrap_or_default()
     }
 }

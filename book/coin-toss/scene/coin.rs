@@ -1,7 +1,6 @@
 //! A coin with its faces.
 
-use drawing::space::{Curve, Hiding, Solid, Stage};
-use drawing::{Flaw, Hue, Stroke};
+use live::prelude::*;
 use mechanics::inertia::PrincipalMoments;
 use nalgebra::{UnitQuaternion, Vector3};
 

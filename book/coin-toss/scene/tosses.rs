@@ -1,7 +1,6 @@
 //! Many tosses that differ by as much as a hand is unsure.
 
-use drawing::{Fill, Hue};
-use live::Graph;
+use live::prelude::*;
 use mechanics::InvalidQuantity;
 
 /// How many tosses are made, how many of them at once, and how long the others take, s of the reader.

@@ -1,13 +1,12 @@
 //! How the shaft moves: parts between the moments at which the drum stops speeding up or the machine is kicked.
 
 use super::{ACCELERATION, DRUM_INERTIA, GAUSS, KICK, LARGEST_SWING, LASTS, WEAK_LASTS, steady};
-use live::Cause;
+use live::prelude::*;
 use mechanics::integrate::{Dop853, rk4_step};
 use mechanics::scenes::laundromat::{
     DrivenMachine, DrivenState, Machine, Motor, Ramp, Rotor, RotorMotion, Shaft, Transient,
 };
 use nalgebra::Complex;
-use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// The machine at a time: its shaft, the azimuth of the load and the spin of the drum.
 pub(super) struct State {
@@ -118,7 +117,7 @@ impl Part {
             let length = span[1] - span[0];
             let fastest = (spin + acceleration * length).max(machine.natural_frequency());
             let steps = (length * fastest / 0.1).ceil().max(1.0);
-            let times: Vec<f64> = (0..=steps as u32).map(|n| length * f64::from(n) / steps).collect();
+            let times: Vec<f64> = linear_steps(0.0, length, steps as u32).collect();
             let rates = |t: f64, state: &[f64; 4]| stepped_rates(&rotor, is_radial, acceleration, t, state);
             let solver = Dop853::with_tolerances(1e-8, 1e-9)?;
             let (states, _) = solver.sample(rates, 0.0, start.to_array(), &times)?;
@@ -138,7 +137,7 @@ impl Part {
         let length = span[1] - span[0];
         let fastest = driven.motor().idle_spin.max(1.0) + 10.0;
         let steps = (length * fastest / 0.1).ceil().max(1.0);
-        let times: Vec<f64> = (0..=steps as u32).map(|n| length * f64::from(n) / steps).collect();
+        let times: Vec<f64> = linear_steps(0.0, length, steps as u32).collect();
         let Shaft { position, velocity } = turned(&before.shaft, before.load().conj());
         let [x, y, of_x, of_y, spin] = DrivenState { position, velocity, spin: before.spin }.to_array();
         let start = [x, y, of_x, of_y, spin, before.azimuth];

@@ -1,12 +1,9 @@
 //! The picture: the drum with its load in a tub, between posts on a floor.
 
 use super::course::{Course, State};
-use drawing::kit::{self, Marker};
-use drawing::space::{Camera, View};
-use drawing::{Drawing, Fill, Hue, Point, Side, Stroke, at};
-use live::{Cause, Moment};
+use live::prelude::*;
 use nalgebra::Complex;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+use std::f64::consts::FRAC_PI_4;
 
 /// The unit of length is the radius of the drum. In it, the place of the load, and the length of a metre of swing: five
 /// times that of a metre of the drum.
@@ -46,17 +43,10 @@ impl<'a> Drum<'a> {
     ) -> Result<Self, Cause> {
         let posts = (TUB + 0.4 + course.widest.1 * METRE).max(2.5);
         let eye = moment.azimuth + if on_drum { state.azimuth } else { 0.0 };
-        let view = View {
-            target: [0.0; 3],
-            azimuth: eye,
-            elevation: moment.elevation,
-            distance: 14.0,
-            centre: moment.room.of(at(196.0, 216.0), at(190.0, 204.0)),
-            scale: moment.room.of(186.0, 178.0) / posts,
-        };
+        let (centre, scale) = moment.room.of((at(196.0, 216.0), 186.0), (at(190.0, 204.0), 178.0));
         // Never from below the floor.
-        let seen = Moment { azimuth: eye, elevation: moment.elevation.max(0.2), ..*moment };
-        let camera = seen.camera(view)?;
+        let seen = moment.seen_from(eye, moment.elevation.max(0.2));
+        let camera = seen.camera([0.0; 3], 14.0, centre, scale / posts)?;
         let shaft = state.shaft.position * METRE;
         Ok(Self { course, time: moment.time, state, on_drum, camera, eye, posts, shaft })
     }
@@ -227,12 +217,8 @@ impl<'a> Drum<'a> {
         if force.norm() > 0.05 {
             let tip = self.land(force, RIM);
             kit::arrow(drawing, origin, tip, Hue::Purple);
-            drawing.label(
-                tip + (tip - origin).unit() * 12.0,
-                Side::Over,
-                r"$\boldsymbol{F}$",
-                Hue::Purple,
-            )?;
+            let beyond = tip + (tip - origin).unit() * 12.0;
+            drawing.label(beyond, Side::Over, r"$\boldsymbol{F}$", Hue::Purple)?;
         }
         let mass = self.shaft + self.state.load() * (self.course.machine.offset() * METRE);
         kit::marker(drawing, self.land(mass, RIM), Marker::Mass, Hue::Ink);

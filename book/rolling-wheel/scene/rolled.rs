@@ -1,12 +1,11 @@
 //! How the wheel of the scene rolls.
 
-use live::{Cause, Press, Settings};
+use live::prelude::*;
 use mechanics::InvalidQuantity;
 use mechanics::integrate::{Failure, Taylor, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel, Wobble};
 use nalgebra::Complex;
-use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The wheel: a disc, a hoop, or a hoop with weights, of this mass, kg, and radius, m, on Earth.
 pub(super) const MASS: f64 = 1.0;

@@ -1,10 +1,8 @@
 //! The crew's sky: what a camera at the hub sees.
 
 use super::struck::Struck;
-use drawing::{Drawing, Hue, Point, Role, Side, Stroke, at, kit};
-use live::Cause;
+use live::prelude::*;
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
 use std::sync::LazyLock;
 
 /// How long the shutter of the camera at the hub is open, s, and half its field of view, rad.
@@ -81,14 +79,8 @@ pub(super) fn draw_sky(
         let rim = sky + way * radius;
         kit::arrow(drawing, rim - way * 15.0, rim, Hue::Orange);
         let beside = rim - way * 15.0 + way.quarter_turned() * 13.0;
-        drawing.label_set(
-            beside,
-            Side::Over,
-            0.0,
-            14.0,
-            r"$\boldsymbol{\omega}$",
-            Role::Text(Hue::Orange),
-        )?;
+        let (name, role) = (r"$\boldsymbol{\omega}$", Role::Text(Hue::Orange));
+        drawing.label_set(beside, Side::Over, 0.0, 14.0, name, role)?;
     }
     if reach > 16.0 {
         let outwards = (pole - sky).unit();

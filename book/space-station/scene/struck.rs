@@ -1,12 +1,11 @@
 //! The station as it turns: before a blow, after it, and after later ones.
 
-use live::Cause;
+use live::prelude::*;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
 use mechanics::inertia::Body;
 use mechanics::scenes::space_station::{Blow, LaterBlow, Station, StationParameters, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::TAU;
 
 /// The chapter's ring: mass, kg, radius, m, spin, rad/s.
 pub(super) const MASS: f64 = 4e5;

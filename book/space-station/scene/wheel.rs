@@ -1,21 +1,12 @@
 //! The station as a wheel: rim, hub and spokes, with what is hidden of them.
 
-use drawing::space::{Camera, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Stroke};
-use live::{Cause, Moment};
+use live::prelude::*;
 use nalgebra::{UnitQuaternion, Vector3};
-use std::f64::consts::TAU;
 
 /// In radii: inner radius and half the height of the rim, radius of the hub.
 const INNER: f64 = 0.86;
 const HALF_HEIGHT: f64 = 0.08;
 pub(super) const HUB: f64 = 0.15;
-
-/// The direction from the target to the eye.
-pub(super) fn eye_direction(moment: &Moment, view: View) -> Vector3<f64> {
-    let ((sin, cos), (up, across)) = (moment.azimuth.sin_cos(), moment.elevation.sin_cos());
-    (Vector3::new(cos * across, sin * across, up) * view.distance + Vector3::from(view.target)).normalize()
-}
 
 /// The station as it is seen.
 pub(super) struct Wheel {

@@ -2,14 +2,18 @@
 
 mod air_drag;
 mod ball;
+mod clocks;
 mod coin_toss;
 mod disk_end;
 mod edge;
 mod every;
 mod grips;
 mod hand;
+mod knob;
 mod laundromat;
+mod methods;
 mod middle_axis;
+mod near_flat;
 mod pinned_hoop;
 mod rolling_wheel;
 mod space_station;

@@ -1,10 +1,7 @@
 //! Round solids, painted one over the other.
 
-use drawing::space::Camera;
-use drawing::{Drawing, Fill, Hue, Point, Role, Shape, Stroke};
-use live::Cause;
+use live::prelude::*;
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
 
 /// A painter of round solids, one over the other: each is its far end, its side and the end that faces the eye.
 pub(super) struct Painter<'a> {

@@ -212,6 +212,11 @@ impl Drawing {
         self.label_set(point, side, GAP, SIZE, text, Role::PlainText(hue))
     }
 
+    /// A label of 13 px at a point, with a rim in the colour of the page: beside a plot, or where a caption would stand.
+    pub fn note(&mut self, point: Point, side: Side, text: &str, hue: Hue) -> Result<(), Flaw> {
+        self.label_set(point, side, 0.0, 13.0, text, Role::Text(hue))
+    }
+
     /// A label with its distance from the point, px, its type size, px, and its role.
     pub fn label_set(
         &mut self,

@@ -5,16 +5,12 @@
 
 mod axis;
 mod canvas;
-mod look;
 mod plot;
 mod room;
-mod sample;
 
-pub use drawing::{Axis, Drawing, Room};
-pub use look::Look;
+pub use drawing::{Axis, Drawing, Look, Room, linear_steps, log_steps};
 pub use plot::Plot;
 pub use room::in_both;
-pub use sample::{linear_steps, log_steps};
 
 use drawing::Flaw;
 use std::collections::BTreeMap;

@@ -125,12 +125,51 @@ impl<'a> Graph<'a> {
     }
 }
 
-/// Where a pair of values lies in a plot with this frame and these axes, px: where its grip is.
-pub fn point_at(frame: Rect, x: &Axis<'_>, y: &Axis<'_>, value: (f64, f64)) -> Point {
-    Axes::new(frame, x.scale, y.scale).point(value)
+/// Where a plot stands in a drawing, px, and its axes: what is drawn there, and what can be held.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plot<'a> {
+    /// Its rectangle.
+    pub frame: Rect,
+    /// The axis to the right.
+    pub x: Axis<'a>,
+    /// The axis upwards.
+    pub y: Axis<'a>,
 }
 
-/// The pair of values that lies at a point of a plot with this frame and these axes: what a drawn grip means.
-pub fn value_at(frame: Rect, x: &Axis<'_>, y: &Axis<'_>, point: Point) -> (f64, f64) {
-    Axes::new(frame, x.scale, y.scale).values(point)
+impl Plot<'_> {
+    /// Draws its axes.
+    ///
+    /// # Errors
+    /// As for [`Graph::new`].
+    pub fn on<'b>(&self, drawing: &'b mut Drawing) -> Result<Graph<'b>, Cause> {
+        Graph::new(drawing, self.frame, self.x, self.y)
+    }
+
+    /// Where a pair of values lies, px: where its grip is.
+    pub fn point(&self, value: (f64, f64)) -> Point {
+        Axes::new(self.frame, self.x.scale, self.y.scale).point(value)
+    }
+
+    /// The pair of values that lies at a point: what a drawn grip means.
+    pub fn value(&self, point: Point) -> (f64, f64) {
+        Axes::new(self.frame, self.x.scale, self.y.scale).values(point)
+    }
+}
+
+/// A step for an axis that has to be about so long: the next 1, 2 or 5 times a power of ten.
+pub fn nice_step(least: f64) -> f64 {
+    let power = 10_f64.powf(least.max(1e-9).log10().floor());
+    [1.0, 2.0, 5.0].map(|times| times * power).into_iter().find(|&step| step >= least).unwrap_or(10.0 * power)
+}
+
+/// Of some values of a control, the one whose place in the picture is nearest to a hand: what a drawn grip means that
+/// lies in no plot. A value without a place is passed over.
+pub fn nearest(
+    values: impl IntoIterator<Item = f64>,
+    hand: Point,
+    place: impl Fn(f64) -> Result<Point, Cause>,
+) -> Option<f64> {
+    let distances =
+        values.into_iter().filter_map(|value| Some((value, (place(value).ok()? - hand).length())));
+    distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(value, _)| value)
 }

@@ -11,7 +11,9 @@ pub mod limit;
 pub mod module;
 pub mod numbers;
 mod player;
+pub mod prelude;
 mod scene;
+mod small;
 pub mod snippet;
 mod written;
 
@@ -20,9 +22,10 @@ pub use approx;
 pub use control::{Control, Kind, Press, Settings};
 pub use drawing::{Axis, Room};
 pub use formulas::formulas;
-pub use graph::{Graph, point_at, value_at};
+pub use graph::{Graph, Plot, nearest, nice_step};
 pub use player::Player;
-pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene};
+pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene, preset, reading};
+pub use small::Small;
 pub use written::written;
 
 use std::error::Error;

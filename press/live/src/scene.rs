@@ -1,9 +1,9 @@
 //! What a scene is.
 
-use crate::Cause;
 use crate::control::{Control, Settings};
+use crate::{Axis, Cause, Graph};
 use drawing::space::{Camera, View};
-use drawing::{Drawing, Flaw, Point, Room, Symbol};
+use drawing::{Drawing, Flaw, Point, Rect, Room, Symbol};
 
 /// A live scene: everything about it that does not move.
 #[derive(Debug, Clone, Copy)]
@@ -45,6 +45,11 @@ pub struct Preset {
     pub settings: &'static [(&'static str, f64)],
 }
 
+/// A row of [`Scene::presets`]: the words on its button, and names of controls with their values.
+pub const fn preset(words: &'static str, settings: &'static [(&'static str, f64)]) -> Preset {
+    Preset { words, settings }
+}
+
 /// A number that is shown and goes with the motion.
 #[derive(Debug, Clone, Copy)]
 pub struct Reading {
@@ -54,6 +59,11 @@ pub struct Reading {
     pub form: Form,
     /// Its unit, as printed; empty for pure numbers.
     pub unit: &'static str,
+}
+
+/// A row of [`Scene::readings`]: what it is, how it is written, and its unit.
+pub const fn reading(words: &'static str, form: Form, unit: &'static str) -> Reading {
+    Reading { words, form, unit }
 }
 
 /// How a number is written.
@@ -137,8 +147,49 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// A camera where the reader has put it: azimuth and elevation of the view are replaced.
-    pub fn camera(&self, view: View) -> Result<Camera, Flaw> {
-        Camera::new(View { azimuth: self.azimuth, elevation: self.elevation, ..view })
+    /// A camera where the reader has put it: it looks at a target in the world from a distance, both in units of the
+    /// world; the target lands in `centre`, and a unit there is `scale` px long. See [`View`].
+    pub fn camera(
+        &self,
+        target: impl Into<[f64; 3]>,
+        distance: f64,
+        centre: Point,
+        scale: f64,
+    ) -> Result<Camera, Flaw> {
+        let Self { azimuth, elevation, .. } = *self;
+        Camera::new(View { target: target.into(), azimuth, elevation, distance, centre, scale })
+    }
+
+    /// A plot whose frame on a page and on a phone is given by its left edge, its top, its width and its height, px.
+    ///
+    /// # Errors
+    /// As for [`Graph::new`].
+    pub fn graph<'a>(
+        &self,
+        drawing: &'a mut Drawing,
+        frames: [[f64; 4]; 2],
+        x: Axis<'_>,
+        y: Axis<'_>,
+    ) -> Result<Graph<'a>, Cause> {
+        let [left, top, width, height] = self.room.of(frames[0], frames[1]);
+        Graph::new(drawing, Rect::new(left, top, width, height), x, y)
+    }
+
+    /// The same moment, seen from a fixed azimuth and elevation, rad.
+    #[must_use]
+    pub fn seen_from(&self, azimuth: f64, elevation: f64) -> Self {
+        Self { azimuth, elevation, ..*self }
+    }
+
+    /// The direction from the target to the eye, of length 1.
+    pub fn towards_eye(&self) -> [f64; 3] {
+        let ((sin, cos), (up, across)) = (self.azimuth.sin_cos(), self.elevation.sin_cos());
+        [cos * across, sin * across, up]
+    }
+
+    /// How far a direction points to the right on the page.
+    pub fn rightward(&self, direction: impl Into<[f64; 3]>) -> f64 {
+        let ((sin, cos), [x, y, _]) = (self.azimuth.sin_cos(), direction.into());
+        y * cos - x * sin
     }
 }

@@ -1,9 +1,7 @@
 //! The scene of the chapter "The pendulum": a mass that can be pulled aside.
 
-use drawing::{Drawing, Hue, Point, Side, Stroke, at};
-use live::{Cause, Control, Form, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas};
+use live::prelude::*;
 use pendulum::Pendulum;
-use std::f64::consts::FRAC_PI_2;
 
 pub const SCENE: Scene = Scene {
     file: file!(),
@@ -16,13 +14,10 @@ pub const SCENE: Scene = Scene {
     still: 0.0,
     controls: &[Control::slider("amplitude", r"amplitude $\theta_0$", [1.0, 179.0, 1.0], "°", 60.0)],
     presets: &[
-        Preset { words: "narrow", settings: &[("amplitude", 10.0)] },
-        Preset { words: "nearly to the top", settings: &[("amplitude", 175.0)] },
+        preset("narrow", &[("amplitude", 10.0)]),
+        preset("nearly to the top", &[("amplitude", 175.0)]),
     ],
-    readings: &[
-        Reading { words: "period", form: Form::Fixed(2), unit: "s" },
-        Reading { words: r"angle $\theta$", form: Form::Fixed(0), unit: "°" },
-    ],
+    readings: &[reading("period", Form::Fixed(2), "s"), reading(r"angle $\theta$", Form::Fixed(0), "°")],
     symbols: formulas!["l"],
     start: |settings| Ok(Box::new(Swing::new(settings)?)),
 };

@@ -1,7 +1,7 @@
 //! How methods look: one hue, marker and stroke for each, on every page.
 
-use drawing::kit::Marker;
-use drawing::{Hue, Stroke};
+use crate::kit::Marker;
+use crate::role::{Hue, Stroke};
 
 /// How a method is drawn, wherever it is: its name beside a curve, its hue, its marker, and its stroke where it
 /// has no markers.
@@ -18,8 +18,7 @@ use drawing::{Hue, Stroke};
 /// None of these hues stands for a quantity.
 ///
 /// ```
-/// # use drawing::{Hue, kit::Marker};
-/// # use figures::Look;
+/// # use drawing::{Hue, Look, kit::Marker};
 /// assert_eq!((Look::RK4.name, Look::RK4.hue, Look::RK4.marker), ("RK4", Hue::Teal, Marker::Disc));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
