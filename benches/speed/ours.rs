@@ -11,6 +11,7 @@ use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::EulersDisk;
+use mechanics::scenes::top::{Top, TopParameters};
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
 use std::hint::black_box;
@@ -42,6 +43,7 @@ pub(crate) fn entries() -> Result<Vec<Entry>, Cause> {
     body(&mut entries, problems::toss(), COIN, problems::flat_rates, RK4_TOP);
     body(&mut entries, problems::station(), RING, problems::flat_rates, RK4_TOP);
     drag(&mut entries);
+    top(&mut entries);
     match problems::NAMES.iter().find(|name| entries.iter().all(|entry| entry.problem != **name)) {
         Some(missing) => Err(format!("nothing solves the problem `{missing}`").into()),
         None => Ok(entries),
@@ -166,11 +168,13 @@ fn free_top(
         fill(&top, &problem.times, samples)?;
         Ok(None)
     };
-    let state = |turning: &Turning| {
-        let [w, i, j, k, w1, w2, w3] = turning.to_array();
-        [w1, w2, w3, w, i, j, k]
-    };
-    Entry::new(problem, CLOSED, setting.to_owned(), solve, state)
+    Entry::new(problem, CLOSED, setting.to_owned(), solve, turning_state)
+}
+
+/// The state of a problem from the library's.
+fn turning_state(turning: &Turning) -> [f64; 7] {
+    let [w, i, j, k, w1, w2, w3] = turning.to_array();
+    [w1, w2, w3, w, i, j, k]
 }
 
 /// A free body, by its closed form, and stepped.
@@ -237,6 +241,18 @@ fn drag(entries: &mut Vec<Entry>) {
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, |omega| (*omega).into()));
     steppers(entries, &problem, problems::drag_rates, RK4_TOP);
+}
+
+fn top(entries: &mut Vec<Entry>) {
+    let problem = Rc::new(problems::top());
+    // Half a metre of arm under twice a unit of gravity.
+    let parameters = TopParameters { mass: 1.0, arm: 0.5, transverse: 1.0, axial: 0.5, gravity: 2.0 };
+    let solve = move |problem: &Problem<7>, samples: &mut Vec<Turning>| {
+        *samples = Top::new(black_box(parameters))?.motion(&turning(problem))?.sample(&problem.times)?;
+        Ok(None)
+    };
+    entries.push(Entry::new(&problem, CLOSED, String::new(), solve, turning_state));
+    steppers(entries, &problem, problems::top_rates, RK4_TOP);
 }
 
 /// A disc in units of its mass, its radius and gravity.
