@@ -6,13 +6,17 @@ use crate::long::{Long, PI, long, off_angle};
 use crate::search::{Case, Draw, keeps_its_promise, worse};
 use crate::top::{WAYS, made, upright, way};
 use mechanics::euler::Turning;
-use mechanics::scenes::top::{Top, TopMotion, TopParameters};
+use mechanics::scenes::top::{Top, TopParameters};
 use std::f64::consts;
 
 /// What the documentation promises of the tilts, of the nod and of the steady rates, relative.
 const OF_TILTS: f64 = 4e-15;
 const OF_NODS: f64 = 4e-16;
 const OF_STEADY: f64 = 4e-15;
+/// What 32 digits leave of a difference, of its parts.
+const DIGITS: f64 = 1e-32;
+/// The square of a tilt that counts as none.
+const NONE: f64 = 1e-60;
 
 /// The nodding in `s = tan² ½θ`, whose rate obeys `ṡ² = ¼(1 + s)P(s)` with `P = 4s(e + fs) − (B + As)²(1 + s)`. In units of I₁ the
 /// momentum about the vertical is ½(A + B), that about the axis ½(A − B), and twice the energy of the motion across the axis
@@ -23,6 +27,7 @@ struct Nodding {
     energies: [Long; 2], // f, e
     start: Long,         // s
     speed: Long,         // P at the start
+    lost: f64,           // how many times as large the parts of B and e are
 }
 
 /// Where it turns: s at the least tilt, 1/s at the greatest, and what P is between them, `(s − s₁)(s₂ − s)(G/s₂ + N s₂)` over s₂.
@@ -44,18 +49,23 @@ impl Nodding {
         let beta = l(top.mass) * top.arm * top.gravity * 2.0 / top.transverse;
         let across = l(w.x) * w.x + l(w.y) * w.y;
         let opened = long(2.0) / above; // 1 + s
+        let (difference, energy) = (momentum - a * below, across - beta * below);
+        let turning = ((cos * w.y).abs() + (sin * w.x).abs()) * 2.0 / length;
+        let lost = |parts: Long, rest: Long| if rest == long(0.0) { 0.0 } else { (parts / rest).abs().rounded() };
         Self {
-            momenta: [momentum + a * above, momentum - a * below],
-            energies: [across + beta * above, across - beta * below],
+            momenta: [momentum + a * above, difference],
+            energies: [across + beta * above, energy],
             start: below / above,
             speed: rise * rise * opened * opened * opened,
+            lost: lost(turning + (a * below).abs(), difference) + lost(across + beta * below, energy),
         }
     }
 
     /// The same in 1/s: upside down.
     fn turned(self) -> Self {
-        let Self { momenta: [a, b], energies: [f, e], start, speed } = self;
-        Self { momenta: [b, a], energies: [e, f], start: long(1.0) / start, speed: speed / (start * start * start) }
+        let Self { momenta: [a, b], energies: [f, e], start, speed, lost } = self;
+        let speed = speed / (start * start * start);
+        Self { momenta: [b, a], energies: [e, f], start: long(1.0) / start, speed, lost }
     }
 
     /// The coefficients of P, that of s⁰ first.
@@ -78,18 +88,18 @@ impl Nodding {
         value.rounded() >= 0.0
     }
 
-    /// The last s to which it comes from the start, down (with ½) or up (with 2): zero or infinity if none is the last.
-    fn edge(&self, mut factor: f64) -> Long {
+    /// The last s to which it comes from the start, down with a factor below one or up: zero or infinity if none is the last.
+    fn edge(&self, factor: f64) -> Long {
         let mut inside = self.start;
         let mut outside = loop {
-            let next = self.start * factor;
+            let next = inside * factor;
             if !self.comes_to(next) {
                 break next;
             }
-            if !(1e-120..1e120).contains(&factor) {
+            if !(NONE..1.0 / NONE).contains(&next.rounded()) {
                 return long(if factor < 1.0 { 0.0 } else { f64::INFINITY });
             }
-            (inside, factor) = (next, factor * factor);
+            inside = next;
         };
         loop {
             let gap = (outside - inside).abs().rounded();
@@ -114,8 +124,8 @@ impl Nodding {
             let root = (c2 * c2 - c1 * c3 * 4.0).sqrt();
             (none, if c2 > none { c3 * -2.0 / (root + c2) } else { (root - c2) / (c1 * 2.0) })
         } else {
-            let most = self.edge(2.0);
-            (self.edge(0.5), if most.rounded().is_finite() { long(1.0) / most } else { none })
+            let most = self.edge(256.0);
+            (self.edge(1.0 / 256.0), if most.rounded().is_finite() { long(1.0) / most } else { none })
         };
         let factors =
             [if over > none { -(c3 / over) } else { c2 }, if least > none { -(c0 / least) } else { c1 }];
@@ -123,27 +133,25 @@ impl Nodding {
     }
 
     /// The tangents of half the least and half the greatest tilt, as opposite and adjacent side, and the nod's period, if
-    /// there is one.
-    fn judged(&self) -> ([(Long, Long); 2], Option<Long>) {
+    /// there is one, with how many times as large the parts of its square are.
+    fn judged(&self) -> ([(Long, Long); 2], Option<(Long, f64)>) {
         let (none, one) = (long(0.0), long(1.0));
         let is_low = self.start > one; // or infinite, where it hangs
         let upright = if is_low { self.turned() } else { *self };
-        let [_, c1, c2, _] = upright.coefficients();
-        let (ends, [h, gap]) = if upright.start == none && c1 == none {
-            // At rest at a pole, where it oscillates if it can stay.
-            ([none; 2], [-c2; 2])
+        let [_, c1, c2, c3] = upright.coefficients();
+        let (sides, [h, gap]) = if c1 == none && (upright.start == none || c2 == none) {
+            // At rest, at a pole or without weight; it oscillates if it would come back.
+            ([(upright.start.sqrt(), one); 2], [-c2; 2])
         } else {
             let Turns { ends: [least, over], factors: [g, n] } = upright.turns();
-            ([least, over], [(g + n * over) * (one + least), (g * least + n) * (one + over)])
-        };
-        let sides = if upright.start == none && c1 == none {
-            [(none, one); 2]
-        } else {
-            [(ends[0].sqrt(), one), (one, ends[1].sqrt())]
+            let factors = [(g + n * over) * (one + least), (g * least + n) * (one + over)];
+            ([(least.sqrt(), one), (one, over.sqrt())], factors)
         };
         let sides = if is_low { [sides[1], sides[0]].map(|(sin, cos)| (cos, sin)) } else { sides };
         // β(u₃ − u₁) and β(u₃ − u₂), times four.
-        let nod = (h > none && gap > none).then(|| PI * 4.0 / mean(h.sqrt(), gap.sqrt()));
+        let parts = upright.energies[0] * 4.0 - c3;
+        let nod = (h > none && gap > none)
+            .then(|| (PI * 4.0 / mean(h.sqrt(), gap.sqrt()), (parts / h).rounded()));
         (sides, nod)
     }
 }
@@ -156,41 +164,56 @@ fn mean(mut a: Long, mut b: Long) -> Long {
     a
 }
 
-fn case(top: &TopParameters, start: &Turning, motion: &TopMotion) -> Option<Case> {
+/// By how much the tilts and the nod are off, of what is promised, the way the top goes, and what there is to say.
+fn judge(draw: &mut Draw<'_>) -> Option<([f64; 2], &'static str, String)> {
+    let (top, start, motion) = if draw.below(20) == 0 { upright(draw)? } else { made(draw)? };
+    let (top, start) = (&top, &start);
     // In a unit in which rates are about one.
     let beta = 2.0 * top.mass * top.arm * top.gravity / top.transverse;
     let largest = start.omega_body.norm().max(beta.sqrt());
     let rate = if largest > 0.0 { 2_f64.powi(largest.log2() as i32) } else { 1.0 };
     let unit = TopParameters { gravity: top.gravity / rate / rate, ..*top };
     let scaled = Turning { omega_body: start.omega_body / rate, ..*start };
-    let (sides, nod) = Nodding::new(&unit, &scaled).judged();
+    let nodding = Nodding::new(&unit, &scaled);
+    let (sides, nod) = nodding.judged();
     let tilts = motion.tilts();
-    let [least, most] = [0, 1].map(|n| off_angle(sides[n], 0.5 * tilts[n]));
-    let period = match (nod, motion.nod_period()) {
-        (Some(nod), Some(found)) => nod.off(found * rate),
-        (None, None) => 0.0,
-        _ => f64::INFINITY,
+    let [least, most] = [0, 1].map(|n| {
+        let (sin, cos) = sides[n];
+        let is_none = tilts[n] * tilts[n] < NONE && (sin * sin).rounded() < NONE * (cos * cos).rounded();
+        if is_none { 0.0 } else { off_angle(sides[n], 0.5 * tilts[n]) }
+    });
+    let (period, lost) = match (nod, motion.nod_period()) {
+        (Some((nod, lost)), Some(found)) => (nod.off(found * rate), lost),
+        (None, None) => (0.0, 0.0),
+        _ => (f64::INFINITY, 0.0),
     };
     let mut way = way(top, start);
     if way == "fast" && motion.nod_period().is_none() {
         way = "on the separatrix";
     }
-    Some(Case {
-        ratio: worse(worse(least, most) / OF_TILTS, period / OF_NODS),
-        way,
-        said: format!(
-            "{top:?} {:?}: tilts {tilts:?} {least:e} {most:e}, nod {:?} {period:e}",
-            start.to_array(),
-            motion.nod_period(),
-        ),
-    })
+    let said = format!(
+        "{top:?} {:?}: tilts {tilts:?} {least:e} {most:e}, nod {:?} {period:e}, lost {:e} {lost:e}",
+        start.to_array(),
+        motion.nod_period(),
+        nodding.lost,
+    );
+    let ratios = [worse(least, most) / (OF_TILTS + DIGITS * nodding.lost), period / (OF_NODS + DIGITS * lost)];
+    Some((ratios, way, said))
 }
 
 #[test]
-fn the_tilts_of_any_top_and_its_nod_have_all_their_digits() {
-    keeps_its_promise("nods", 6000, &WAYS, |draw| {
-        let (top, start, motion) = if draw.below(20) == 0 { upright(draw)? } else { made(draw)? };
-        case(&top, &start, &motion)
+fn the_tilts_between_which_any_top_nods_have_all_their_digits() {
+    keeps_its_promise("tilts", 6000, &WAYS, |draw| {
+        let ([ratio, _], way, said) = judge(draw)?;
+        Some(Case { ratio, way, said })
+    });
+}
+
+#[test]
+fn how_long_any_top_nods_has_all_its_digits() {
+    keeps_its_promise("nod", 6000, &WAYS, |draw| {
+        let ([_, ratio], way, said) = judge(draw)?;
+        Some(Case { ratio, way, said })
     });
 }
 
