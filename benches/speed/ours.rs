@@ -35,13 +35,13 @@ pub(crate) fn entries() -> Result<Vec<Entry>, Cause> {
     let mut entries = Vec::new();
     washer(&mut entries);
     ramp(&mut entries);
-    for (problem, steps) in [(problems::hoop(), RK4_HOOP), (problems::separatrix(), RK4_HOOP)] {
+    for (problem, steps) in [(problems::hoop(), RK4_HARD), (problems::separatrix(), RK4_HARD)] {
         body(&mut entries, problem, HOOP, problems::hoop_rates, steps);
     }
     disk(&mut entries);
     rest(&mut entries);
-    body(&mut entries, problems::toss(), COIN, problems::flat_rates, RK4_TOP);
-    body(&mut entries, problems::station(), RING, problems::flat_rates, RK4_TOP);
+    body(&mut entries, problems::toss(), COIN, problems::flat_rates, RK4_FREE);
+    body(&mut entries, problems::station(), RING, problems::flat_rates, RK4_FREE);
     drag(&mut entries);
     top(&mut entries);
     match problems::NAMES.iter().find(|name| entries.iter().all(|entry| entry.problem != **name)) {
@@ -80,9 +80,9 @@ pub(crate) fn closed_forms() -> Result<Vec<Entry>, Cause> {
 
 /// Steps of RK4 between two samples.
 const RK4_WASHER: &[usize] = &[25, 50, 100, 200, 400, 800];
-const RK4_HOOP: &[usize] = &[50, 100, 200, 400, 800];
+const RK4_HARD: &[usize] = &[50, 100, 200, 400, 800];
 const RK4_DISK: &[usize] = &[50, 100, 200, 400, 800, 1600];
-const RK4_TOP: &[usize] = &[12, 25, 50, 100, 200, 400];
+const RK4_FREE: &[usize] = &[12, 25, 50, 100, 200, 400];
 
 /// The stepping methods, the same for every problem: DOP853 with its dense output, RK4 from sample to sample.
 fn steppers<const N: usize>(
@@ -240,7 +240,7 @@ fn drag(entries: &mut Vec<Entry>) {
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, |omega| (*omega).into()));
-    steppers(entries, &problem, problems::drag_rates, RK4_TOP);
+    steppers(entries, &problem, problems::drag_rates, RK4_FREE);
 }
 
 fn top(entries: &mut Vec<Entry>) {
@@ -252,7 +252,7 @@ fn top(entries: &mut Vec<Entry>) {
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, turning_state));
-    steppers(entries, &problem, problems::top_rates, RK4_TOP);
+    steppers(entries, &problem, problems::top_rates, RK4_HARD);
 }
 
 /// A disc in units of its mass, its radius and gravity.
