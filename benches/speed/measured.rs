@@ -205,7 +205,8 @@ pub(crate) fn factors(rows: &[Measurement], problems: &[&str]) -> String {
     let table = ahead(rows, &problems.iter().copied().filter(closed).collect::<Vec<_>>());
     let cells = table.lines().filter(|line| line.starts_with("| `")).flat_map(|line| line.split('|'));
     let factors: Vec<f64> = cells.filter_map(|cell| cell.trim().parse().ok()).collect();
-    let (least, most) = (factors.iter().copied().fold(f64::INFINITY, f64::min), factors.iter().copied().fold(0.0, f64::max));
+    let (least, most) =
+        (factors.iter().copied().fold(f64::INFINITY, f64::min), factors.iter().copied().fold(0.0, f64::max));
     format!("{FACTORS}{least} and {most}:")
 }
 

@@ -228,7 +228,8 @@ pub(crate) fn speed_problems(id: &str) -> Outcome {
         let (size, step) =
             (room.of(at(118.0, 128.0), at(152.0, 84.0)), room.of(at(130.0, 162.0), at(168.0, 110.0)));
         let corner = room.of(at(50.0, 48.0), at(11.0, 46.0));
-        let whole = corner + at(last.x * step.x, last.y * step.y) + size + room.of(at(8.0, 60.0), at(9.0, 34.0));
+        let whole =
+            corner + at(last.x * step.x, last.y * step.y) + size + room.of(at(8.0, 60.0), at(9.0, 34.0));
         let mut drawing =
             Drawing::new(id, whole.x, whole.y).titled("Error against time on ten problems", &text);
         for (place, (problem, _, series)) in (0_u8..).zip(&all) {
