@@ -213,16 +213,7 @@ fn the_tables_of_the_page_are_those_of_the_data() {
     for row in shown {
         assert!(long_run.lines().any(|line| line == row), "the data has no row {row}");
     }
-    // The sentence below the table of what is ahead: its factors for closed forms, all but the rolling wheels.
-    let ahead = measured::ahead(&rows, &problems::NAMES);
-    let closed = ahead.lines().filter(|line| line.starts_with("| `"));
-    let closed = closed.filter(|line| !line.contains("`disk`") && !line.contains("`rest`"));
-    let factors = closed.flat_map(|line| line.split('|').filter_map(|cell| cell.trim().parse::<f64>().ok()));
-    let factors: Vec<f64> = factors.collect();
-    assert!(factors.len() >= 20, "{ahead}");
-    let [least, most] = [f64::min as fn(f64, f64) -> f64, f64::max]
-        .map(|which| factors.iter().copied().reduce(which).expect("factors"));
-    let sentence = format!("Where there is a closed form they lie between {least} and {most}:");
+    let sentence = measured::factors(&rows, &problems::NAMES);
     assert!(PAGE.contains(&sentence), "the page should say: {sentence}");
 }
 

@@ -54,6 +54,7 @@ PROBLEMS = {
         Problem("toss", "tossed-coin.json", turning=True),
         Problem("station", "struck-station.json", turning=True),
         Problem("drag", "spun-down.json"),
+        Problem("top", "thousand-nods.json", turning=True),
     )
 }
 
@@ -83,12 +84,13 @@ def rates(name, t, y, sin, cos):
     w1, w2, w3 = y[:3]
     if name == "drag":
         return [-w2 * w3 - 4e-4 * w1, w3 * w1 - 4e-4 * w2, -2e-4 * w3]
-    third = 0.5 * w1 * w2 if name in ("hoop", "separatrix") else 0.0 * w1
     q0, q1, q2, q3 = y[3:]
+    if name == "top":
+        euler = [0.5 * w2 * w3 + 2.0 * (q2 * q3 + q0 * q1), -0.5 * w3 * w1 - 2.0 * (q1 * q3 - q0 * q2), 0.0 * w1]
+    else:
+        euler = [-w2 * w3, w3 * w1, 0.5 * w1 * w2 if name in ("hoop", "separatrix") else 0.0 * w1]
     return [
-        -w2 * w3,
-        w3 * w1,
-        third,
+        *euler,
         -0.5 * (q1 * w1 + q2 * w2 + q3 * w3),
         0.5 * (q0 * w1 + q2 * w3 - q3 * w2),
         0.5 * (q0 * w2 + q3 * w1 - q1 * w3),

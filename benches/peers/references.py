@@ -250,6 +250,70 @@ def air_drag(folder):
           {"moments": moments, "drag": drag})
 
 
+def top(folder):
+    # A symmetric body on a point of its axis 3, with the moments about that point; its weight's torque is mgl = 1 with a level axis. It
+    # starts level, where the quaternion is exact, in the midst of a nod with loops.
+    moments, weight = [1.0, 1.0, 0.5], 1.0
+    omega, attitude_0 = [0.75, 0.25, 4.0], [0.5, 0.5, 0.5, 0.5]
+    start = omega + attitude_0
+    q0, q1, q2, q3 = hy.make_vars("q0", "q1", "q2", "q3")
+    (first, second, third), attitude = body(moments)
+    # The vertical in the body, across the axis, times 2mgl/I₁; I₁ is one.
+    euler = [
+        (first[0], first[1] + 2.0 * weight * (q2 * q3 + q0 * q1)),
+        (second[0], second[1] - 2.0 * weight * (q1 * q3 - q0 * q2)),
+        third,
+    ]
+
+    # With u = cos θ, in Euler's angles z-x-z, u'² = (α − βu)(1 − u²) − (b − au)² = β(u − u₁)(u − u₂)(u − u₃), and at the start
+    # φ = π/2, ψ = 0, θ' = ω₁, φ' = ω₂.
+    mp.mp.dps = 70
+    i1, _, i3 = (mp.mpf(m) for m in moments)
+    fall, b, spin = (mp.mpf(w) for w in omega)
+    a, beta, alpha = i3 * spin / i1, 2 * weight / i1, fall**2 + b**2
+    u1, u2, u3 = sorted(mp.polyroots([beta, -alpha - a * a, 2 * a * b - beta, alpha - b * b], maxsteps=200, extraprec=400))
+    assert -1 < u1 < u2 < 1 < u3 and b - a * u1 > 0 > b - a * u2  # φ' has both signs: loops
+    m, kappa = (u2 - u1) / (u3 - u1), mp.sqrt(beta * (u3 - u1)) / 2
+    half = mp.ellipk(m)
+    nod = 2 * half / kappa
+    dt = float(mp.mpf("1.00037") * nod)
+    index, times = grid(dt, 1000, 25)
+    rows = integrate(euler + attitude, start, times, BITS)
+
+    def halves(x):
+        # ∫ (b + a)/2(1 + u) dt and ∫ (b − a)/2(1 − u) dt from the lowest point, where u = u₁ + (u₂ − u₁) sin² x.
+        below = (b + a) / (1 + u1) * mp.ellippi((u1 - u2) / (1 + u1), x, m)
+        above = (b - a) / (1 - u1) * mp.ellippi((u2 - u1) / (1 - u1), x, m)
+        return below / (2 * kappa), above / (2 * kappa)
+
+    x_0 = -mp.asin(mp.sqrt(-u1 / (u2 - u1)))  # it falls towards x = 0
+    u_0, halves_0 = mp.ellipf(x_0, m), halves(x_0)
+
+    def closed(time):
+        time = mp.mpf(time)
+        argument = kappa * time + u_0
+        nods = mp.nint(argument / (2 * half))
+        sn, cn, dn = (mp.ellipfun(kind, argument - 2 * nods * half, m=m) for kind in ("sn", "cn", "dn"))
+        below, above = (now - then for now, then in zip(halves(mp.asin(sn) + nods * mp.pi), halves_0))
+        u, rise = u1 + (u2 - u1) * sn**2, 2 * (u2 - u1) * kappa * sn * cn * dn
+        # φ' = (b − au)/(1 − u²) and ψ' = ω₃ − uφ' in partial fractions.
+        phi, psi = mp.pi / 2 + below + above, (spin - a) * time + below - above
+        sine, theta = mp.sqrt(1 - u * u), mp.acos(u)
+        tilting, across = -rise / sine, (b - a * u) / sine
+        c, s = mp.cos(theta / 2), mp.sin(theta / 2)
+        plus, minus = (phi + psi) / 2, (phi - psi) / 2
+        return [tilting * mp.cos(psi) + across * mp.sin(psi), across * mp.cos(psi) - tilting * mp.sin(psi), spin,
+                c * mp.cos(plus), s * mp.cos(minus), s * mp.sin(minus), c * mp.sin(plus)]
+
+    worst = difference(rows, [closed(time) for time in times])
+    mp.mp.dps = 50
+    print("top: Taylor against Jacobi and Legendre", mp.nstr(worst, 3))
+    assert worst < 1e-38
+    write(folder, "thousand-nods.json", "Top under its weight that draws loops: omega along the body's axes, quaternion (scalar first, body to space)",
+          "Taylor series, 170 bits; Jacobi's functions and Legendre's integrals, 70 digits", start, 1000, dt, index, rows,
+          {"moments": moments, "mgl": weight, "nod": mp.nstr(nod, 34)})
+
+
 # D: Euler's disk, with the film of air. ---------------------------------------------------------------------------------
 
 STEP = 1.734375  # 111/64; after 200 of them the tilt is about a tenth of the 0.3 it starts with
@@ -312,6 +376,7 @@ if __name__ == "__main__":
         "station": lambda: symmetric(folder, "struck-station.json",
             "Struck ring: omega along the body's axes, quaternion (scalar first, body to space)", [0.5, 0.5, 1.0], [0.1, 0.0, 1.0]),
         "drag": lambda: air_drag(folder),
+        "top": lambda: top(folder),
         "disk": lambda: disk(folder),
         "separatrix": lambda: separatrix(folder),
     }

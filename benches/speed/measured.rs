@@ -192,6 +192,24 @@ pub(crate) fn ahead(rows: &[Measurement], problems: &[&str]) -> String {
     text
 }
 
+/// How the sentence begins that says between which factors the closed forms are ahead, up to its colon.
+pub(crate) const FACTORS: &str = "Where there is a closed form they lie between ";
+
+/// That sentence, from the problems that the library solves in closed form.
+pub(crate) fn factors(rows: &[Measurement], problems: &[&str]) -> String {
+    let closed = |problem: &&str| {
+        rows.iter().any(|row| {
+            (&*row.problem, &*row.contestant, &*row.method) == (*problem, "mechanics", "closed form")
+        })
+    };
+    let table = ahead(rows, &problems.iter().copied().filter(closed).collect::<Vec<_>>());
+    let cells = table.lines().filter(|line| line.starts_with("| `")).flat_map(|line| line.split('|'));
+    let factors: Vec<f64> = cells.filter_map(|cell| cell.trim().parse().ok()).collect();
+    let (least, most) =
+        (factors.iter().copied().fold(f64::INFINITY, f64::min), factors.iter().copied().fold(0.0, f64::max));
+    format!("{FACTORS}{least} and {most}:")
+}
+
 /// Two significant digits, without an exponent.
 fn short(value: f64) -> String {
     let magnitude = value.abs().max(f64::MIN_POSITIVE).log10().floor() as i32;
@@ -204,7 +222,7 @@ fn short(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{COLUMNS, Measurement, ahead, cost_to_reach, front, parse, short, table};
+    use super::{COLUMNS, Measurement, ahead, cost_to_reach, factors, front, parse, short, table};
 
     #[test]
     fn the_front_leaves_out_what_is_beaten() {
@@ -249,6 +267,9 @@ mod tests {
         let table = table(&rows, "washer");
         assert!(table.ends_with("|\n| somebody, RK4 | 2.2 | 22 | – | – |\n"), "{table}");
         let ours = Measurement { contestant: "mechanics".into(), ..row("", 1e-7, 1e-3) };
+        let closed = Measurement { method: "closed form".into(), ..ours.clone() };
+        let both = [rows.to_vec(), vec![closed]].concat();
+        assert_eq!(factors(&both, &["washer"]), "Where there is a closed form they lie between 22 and 22:");
         let ahead = ahead(&[rows.to_vec(), vec![ours]].concat(), &["washer", "hoop"]);
         let expected = "|\n| `washer` | 22 | – | – | – | somebody |\n| `hoop` | – | – | – | – | – |\n";
         assert!(ahead.ends_with(expected), "{ahead}");

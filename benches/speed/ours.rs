@@ -11,6 +11,7 @@ use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use mechanics::scenes::rolling_wheel::Wheel;
 use mechanics::scenes::spinning_coin::EulersDisk;
+use mechanics::scenes::top::{Top, TopParameters};
 use nalgebra::{Complex, Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
 use std::hint::black_box;
@@ -34,14 +35,15 @@ pub(crate) fn entries() -> Result<Vec<Entry>, Cause> {
     let mut entries = Vec::new();
     washer(&mut entries);
     ramp(&mut entries);
-    for (problem, steps) in [(problems::hoop(), RK4_HOOP), (problems::separatrix(), RK4_HOOP)] {
+    for (problem, steps) in [(problems::hoop(), RK4_HARD), (problems::separatrix(), RK4_HARD)] {
         body(&mut entries, problem, HOOP, problems::hoop_rates, steps);
     }
     disk(&mut entries);
     rest(&mut entries);
-    body(&mut entries, problems::toss(), COIN, problems::flat_rates, RK4_TOP);
-    body(&mut entries, problems::station(), RING, problems::flat_rates, RK4_TOP);
+    body(&mut entries, problems::toss(), COIN, problems::flat_rates, RK4_FREE);
+    body(&mut entries, problems::station(), RING, problems::flat_rates, RK4_FREE);
     drag(&mut entries);
+    top(&mut entries);
     match problems::NAMES.iter().find(|name| entries.iter().all(|entry| entry.problem != **name)) {
         Some(missing) => Err(format!("nothing solves the problem `{missing}`").into()),
         None => Ok(entries),
@@ -78,9 +80,9 @@ pub(crate) fn closed_forms() -> Result<Vec<Entry>, Cause> {
 
 /// Steps of RK4 between two samples.
 const RK4_WASHER: &[usize] = &[25, 50, 100, 200, 400, 800];
-const RK4_HOOP: &[usize] = &[50, 100, 200, 400, 800];
+const RK4_HARD: &[usize] = &[50, 100, 200, 400, 800];
 const RK4_DISK: &[usize] = &[50, 100, 200, 400, 800, 1600];
-const RK4_TOP: &[usize] = &[12, 25, 50, 100, 200, 400];
+const RK4_FREE: &[usize] = &[12, 25, 50, 100, 200, 400];
 
 /// The stepping methods, the same for every problem: DOP853 with its dense output, RK4 from sample to sample.
 fn steppers<const N: usize>(
@@ -166,11 +168,13 @@ fn free_top(
         fill(&top, &problem.times, samples)?;
         Ok(None)
     };
-    let state = |turning: &Turning| {
-        let [w, i, j, k, w1, w2, w3] = turning.to_array();
-        [w1, w2, w3, w, i, j, k]
-    };
-    Entry::new(problem, CLOSED, setting.to_owned(), solve, state)
+    Entry::new(problem, CLOSED, setting.to_owned(), solve, turning_state)
+}
+
+/// The state of a problem from the library's.
+fn turning_state(turning: &Turning) -> [f64; 7] {
+    let [w, i, j, k, w1, w2, w3] = turning.to_array();
+    [w1, w2, w3, w, i, j, k]
 }
 
 /// A free body, by its closed form, and stepped.
@@ -236,7 +240,19 @@ fn drag(entries: &mut Vec<Entry>) {
         Ok(None)
     };
     entries.push(Entry::new(&problem, CLOSED, String::new(), solve, |omega| (*omega).into()));
-    steppers(entries, &problem, problems::drag_rates, RK4_TOP);
+    steppers(entries, &problem, problems::drag_rates, RK4_FREE);
+}
+
+fn top(entries: &mut Vec<Entry>) {
+    let problem = Rc::new(problems::top());
+    // Half a metre of arm under twice a unit of gravity.
+    let parameters = TopParameters { mass: 1.0, arm: 0.5, transverse: 1.0, axial: 0.5, gravity: 2.0 };
+    let solve = move |problem: &Problem<7>, samples: &mut Vec<Turning>| {
+        *samples = Top::new(black_box(parameters))?.motion(&turning(problem))?.sample(&problem.times)?;
+        Ok(None)
+    };
+    entries.push(Entry::new(&problem, CLOSED, String::new(), solve, turning_state));
+    steppers(entries, &problem, problems::top_rates, RK4_HARD);
 }
 
 /// A disc in units of its mass, its radius and gravity.

@@ -36,8 +36,8 @@ enum Norm {
 }
 
 /// The names of all problems, in the order of the report.
-pub(crate) const NAMES: [&str; 9] =
-    ["washer", "ramp", "hoop", "separatrix", "disk", "rest", "toss", "station", "drag"];
+pub(crate) const NAMES: [&str; 10] =
+    ["washer", "ramp", "hoop", "separatrix", "disk", "rest", "toss", "station", "drag", "top"];
 
 /// The washing machine, ω₀ = b = 1, Γ = 0.01, Ω = 3, from rest; x, y, ẋ, ẏ of the shaft at the end of each of
 /// 200 turns.
@@ -85,6 +85,11 @@ pub(crate) fn drag() -> Problem<3> {
     read("drag", Norm::Largest, include_str!("../../tests/data/spun-down.json"))
 }
 
+/// A top under its weight, with its axis level at first, that draws loops; otherwise as [`toss`].
+pub(crate) fn top() -> Problem<7> {
+    read("top", Norm::Turning, include_str!("../../tests/data/thousand-nods.json"))
+}
+
 /// Rates of [`washer`].
 #[inline]
 pub(crate) fn washer_rates(t: f64, &[x, y, vx, vy]: &[f64; 4]) -> [f64; 4] {
@@ -125,6 +130,13 @@ pub(crate) fn hoop_rates(_t: f64, &[w1, w2, w3, q0, q1, q2, q3]: &[f64; 7]) -> [
 pub(crate) fn flat_rates(_t: f64, &[w1, w2, w3, q0, q1, q2, q3]: &[f64; 7]) -> [f64; 7] {
     let [a, b, c, d] = quaternion_rates([w1, w2, w3], [q0, q1, q2, q3]);
     [-w2 * w3, w3 * w1, 0.0, a, b, c, d]
+}
+
+/// Rates of [`top`]: moments 1, 1 and ½ about the fixed point, and a weight whose torque is 1 with a level axis.
+#[inline]
+pub(crate) fn top_rates(_t: f64, &[w1, w2, w3, q0, q1, q2, q3]: &[f64; 7]) -> [f64; 7] {
+    let [a, b, c, d] = quaternion_rates([w1, w2, w3], [q0, q1, q2, q3]);
+    [0.5 * w2 * w3 + 2.0 * (q2 * q3 + q0 * q1), -0.5 * w3 * w1 - 2.0 * (q1 * q3 - q0 * q2), 0.0, a, b, c, d]
 }
 
 /// Rates of [`drag`], with the moments 1/4, 1/4, 1/2 and the coefficient 1e-4 about each axis.

@@ -13,7 +13,7 @@ use measured::{Measurement, NATIVE, cost_to_reach, methods, parse, seconds_front
 pub(crate) const FIGURES: &[Figure] = figures![speed_problems, speed_dots];
 
 /// The problems, in the order of the report, with their words.
-const PROBLEMS: [(&str, &str); 9] = [
+const PROBLEMS: [(&str, &str); 10] = [
     ("washer", "two hundred turns of a washing machine"),
     ("ramp", "a washing machine that passes its resonance"),
     ("hoop", "a thousand periods of the pinned hoop"),
@@ -23,6 +23,7 @@ const PROBLEMS: [(&str, &str); 9] = [
     ("toss", "a tossed coin"),
     ("station", "a struck space station"),
     ("drag", "a disc that spins down in air"),
+    ("top", "a thousand nods of a top"),
 ];
 
 /// The others, with their markers; all are grey.
@@ -207,15 +208,14 @@ fn draw_problem(plot: &mut Plot<'_>, problem: &str, series: &[Series], named: bo
 }
 
 /// The ticks of an axis of errors, without the last, which would stand where the next plot begins.
-const MARKS: [(f64, &str); 4] =
-    [(1e-16, "10^{−16}"), (1e-12, "10^{−12}"), (1e-8, "10^{−8}"), (1e-4, "10^{−4}")];
+const MARKS: [(f64, &str); 2] = [(1e-16, "10^{−16}"), (1e-8, "10^{−8}")];
 
-/// Error against time on all nine problems, three by three, on the same axes.
+/// Error against time on all ten problems, in two rows of five, on a phone in five rows of two, on the same axes.
 pub(crate) fn speed_problems(id: &str) -> Outcome {
     let all = PROBLEMS.iter().map(|(problem, words)| Ok((*problem, *words, series(problem)?)));
     let all = all.collect::<Result<Vec<_>, Cause>>()?;
     let mut text = String::from(
-        "Nine plots, three by three, on the same logarithmic scales, the largest error along x from 1e-16 to 1 and milliseconds along y from 1e-3 to 1e5. In each the \
+        "Ten plots on the same logarithmic scales, the largest error along x from 1e-16 to 1 and milliseconds along y from 1e-3 to 1e5. In each the \
          curves of the library's RK4 and DOP853 run through a grey band, that of the other programs, and sink towards large errors, RK4's more steeply. The formula is a single point far \
          below at the left. SciPy, and on the hoop MuJoCo, lie far above the band.",
     );
@@ -223,29 +223,32 @@ pub(crate) fn speed_problems(id: &str) -> Outcome {
         text += &format!(" {words}:{}", describe(series));
     }
     in_both(|room: Room| {
+        let columns = room.of(5_u8, 2);
+        let last = at(f64::from(columns - 1), (all.len() as f64 / f64::from(columns)).ceil() - 1.0);
         let (size, step) =
-            (room.of(at(162.0, 128.0), at(99.0, 84.0)), room.of(at(180.0, 162.0), at(110.0, 110.0)));
+            (room.of(at(118.0, 128.0), at(152.0, 84.0)), room.of(at(130.0, 162.0), at(168.0, 110.0)));
         let corner = room.of(at(50.0, 48.0), at(11.0, 46.0));
-        let whole = room.of(at(590.0, 570.0), at(340.0, 384.0));
+        let whole =
+            corner + at(last.x * step.x, last.y * step.y) + size + room.of(at(8.0, 60.0), at(9.0, 34.0));
         let mut drawing =
-            Drawing::new(id, whole.x, whole.y).titled("Error against time on nine problems", &text);
+            Drawing::new(id, whole.x, whole.y).titled("Error against time on ten problems", &text);
         for (place, (problem, _, series)) in (0_u8..).zip(&all) {
-            let (column, row) = (place % 3, place / 3);
-            let left = corner + at(f64::from(column) * step.x, f64::from(row) * step.y);
+            let (column, row) = (f64::from(place % columns), f64::from(place / columns));
+            let left = corner + at(column * step.x, row * step.y);
             let frame = Rect::new(left.x, left.y, size.x, size.y);
-            let (mut error, mut time) = (Axis::log(1e-16, 1.0, 4), Axis::log(1e-3, 1e5, 2));
-            if row < 2 || room == Room::Narrow {
+            let (mut error, mut time) = (Axis::log(1e-16, 1.0, 8), Axis::log(1e-3, 1e5, 2));
+            if row < last.y || room == Room::Narrow {
                 error = error.marked(&[]).minor(100.0);
-            } else if column < 2 {
+            } else if column < last.x {
                 error = error.marked(&MARKS);
             }
-            if column > 0 || room == Room::Narrow {
+            if column > 0.0 || room == Room::Narrow {
                 time = time.marked(&[]).minor(100.0);
             }
             if room == Room::Wide && place == 0 {
                 time = time.titled("time, ms");
             }
-            if room == Room::Wide && place == 8 {
+            if room == Room::Wide && at(column, row) == last {
                 error = error.titled("largest error");
             }
             let mut plot = Plot::new(&mut drawing, frame, error, time)?;
@@ -257,7 +260,7 @@ pub(crate) fn speed_problems(id: &str) -> Outcome {
         if room == Room::Narrow {
             for (words, point) in [
                 ("time upwards, $10^{-3}$ to $10^5$ ms", at(11.0, 14.0)),
-                ("largest error to the right, $10^{-16}$ to 1", at(11.0, 362.0)),
+                ("largest error to the right, $10^{-16}$ to 1", at(11.0, whole.y - 14.0)),
             ] {
                 let label = Label::new(words, TYPE)?.placed(point, Side::Right, 0.0);
                 drawing.push(Role::Text(Hue::Muted), Shape::Label(label));

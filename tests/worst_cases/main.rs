@@ -23,6 +23,7 @@ mod free_tops;
 mod linear;
 mod long;
 mod motor;
+mod nods;
 mod people;
 mod ramp;
 mod rolling;

@@ -9,7 +9,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// What the documentation promises, of the largest rate and in radians.
 const PROMISE: f64 = 4e-15;
-const WAYS: [&str; 4] = ["slow", "fast", "steady", "on the separatrix"];
+pub(crate) const WAYS: [&str; 4] = ["slow", "fast", "steady", "on the separatrix"];
 
 struct Judge {
     system: System,
@@ -140,7 +140,7 @@ fn drawn(draw: &mut Draw<'_>) -> Drawn {
     Drawn { weight, axial, tilt, angles, omega: [x * c + y * s, y * c - x * s, z] }
 }
 
-fn made(draw: &mut Draw<'_>) -> Option<(TopParameters, Turning, TopMotion)> {
+pub(crate) fn made(draw: &mut Draw<'_>) -> Option<(TopParameters, Turning, TopMotion)> {
     let Drawn { weight, axial, tilt, angles, omega } = drawn(draw);
     let (rate, heavy) = (draw.binary_unit(40), draw.binary_unit(40));
     // So short an arm that the body is one whatever its axial moment is, but for the last bits of 2I₁.
@@ -168,7 +168,7 @@ fn made(draw: &mut Draw<'_>) -> Option<(TopParameters, Turning, TopMotion)> {
 }
 
 /// The way a motion goes, from its cubic `f₀ + f₁x + f₂x² + βx³` in 32 digits.
-fn way(top: &TopParameters, start: &Turning) -> &'static str {
+pub(crate) fn way(top: &TopParameters, start: &Turning) -> &'static str {
     let (q, w) = (start.world_from_body, start.omega_body);
     let l = long;
     let (up, down) = (l(q.w) * q.w + l(q.k) * q.k, l(q.i) * q.i + l(q.j) * q.j);
@@ -227,7 +227,8 @@ fn case(top: &TopParameters, start: &Turning, motion: &TopMotion, time: f64) -> 
 fn any_top_is_followed_to_rounding_for_some_nods() {
     keeps_its_promise("top", 600, &WAYS, |draw| {
         if draw.below(20) == 0 {
-            return upright(draw);
+            let (top, start, motion) = upright(draw)?;
+            return case(&top, &start, &motion, draw.signed(1e-3, 3.0));
         }
         let (top, start, motion) = made(draw)?;
         let beta = 2.0 * top.mass * top.arm * top.gravity / top.transverse;
@@ -252,7 +253,7 @@ fn any_top_is_followed_to_rounding_for_some_nods() {
 }
 
 /// On the separatrix itself: with whole numbers that let a top come up to rest upright.
-fn upright(draw: &mut Draw<'_>) -> Option<Case> {
+pub(crate) fn upright(draw: &mut Draw<'_>) -> Option<(TopParameters, Turning, TopMotion)> {
     // From a level axis with I₁ = 1, mgl = ½m: b = a and an energy of mgl ask for φ̇ = a and θ̇² = β − a².
     let (a, rise, beta) =
         draw.one_of(&[(3.0, 4.0, 25.0), (0.0, 2.0, 4.0), (5.0, 12.0, 169.0), (1.0, 7.0, 50.0)]);
@@ -264,8 +265,7 @@ fn upright(draw: &mut Draw<'_>) -> Option<Case> {
         omega_body: Vector3::new(rise, a, 2.0 * a),
     };
     let motion = Top::new(top).ok()?.motion(&start).ok()?;
-    let time = draw.signed(1e-3, 3.0);
-    case(&top, &start, &motion, time)
+    Some((top, start, motion))
 }
 
 /// What the documentation promises of the spin at which a top sleeps and of how fast it wakes, relative.

@@ -396,6 +396,11 @@ fn rewrite_tables(folder: &Path) -> Result<(), Cause> {
             text[start..].split_inclusive('\n').take_while(|line| line.starts_with('|')).map(str::len).sum();
         text.replace_range(start..start + length, &table);
     }
+    let Some(start) = text.find(measured::FACTORS) else {
+        return Err(format!("{} has no sentence that begins with `{}`", page.display(), measured::FACTORS).into());
+    };
+    let length = text[start..].find(':').map_or(0, |colon| colon + 1);
+    text.replace_range(start..start + length, &measured::factors(rows, &NAMES));
     fs::write(&page, text)?;
     Ok(())
 }

@@ -62,6 +62,7 @@ pub fn entries() -> (Vec<Entry>, Vec<Note>) {
     solvers(&mut entries, problems::toss(), problems::flat_rates, false);
     solvers(&mut entries, problems::station(), problems::flat_rates, false);
     solvers(&mut entries, problems::drag(), problems::drag_rates, false);
+    solvers(&mut entries, problems::top(), problems::top_rates, false);
     let note = |problem, text| Note { problem, contestant: "ode_solvers", text };
     let clock = "the node of the last stage of its DOP853 is zero in this version, so rates that depend on the time are \
                  evaluated there at a wrong time; it is given the time as a fifth variable";

@@ -9,8 +9,8 @@ type Run = ([&'static str; 3], (f64, f64));
 type Unbeaten = ([&'static str; 3], Vec<(f64, f64)>);
 
 /// All problems, in the order of the report.
-const PROBLEMS: [&str; 9] =
-    ["washer", "ramp", "hoop", "separatrix", "disk", "rest", "toss", "station", "drag"];
+const PROBLEMS: [&str; 10] =
+    ["washer", "ramp", "hoop", "separatrix", "disk", "rest", "toss", "station", "drag", "top"];
 
 fn runs() -> Vec<Run> {
     let lines = include_str!("../../speed-and-accuracy/measured.csv").lines();

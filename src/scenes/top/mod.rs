@@ -258,8 +258,9 @@ impl Top {
     }
 
     /// The rates at which the axis goes round at a steady tilt, rad, with a spin, rad/s: the solutions of `I₁Ω² cos θ −
-    /// I₃ω₃Ω + mgl = 0` (`eq:steady-precession`), each to 4e-15 of itself but for the rounding of the tilt. `None` if
-    /// there are none: an axis above level needs `(I₃ω₃)² ≥ 4I₁ mgl cos θ`.
+    /// I₃ω₃Ω + mgl = 0` (`eq:steady-precession`), each to 1e-15 of itself but for a unit in the last place of the tilt; the
+    /// worst that a search found is 4e-16. A tilt within 9e-16 rad of a right angle counts as one. `None` if there are
+    /// none: an axis above level needs `(I₃ω₃)² ≥ 4I₁ mgl cos θ`.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the tilt is not from 0 to π, if the spin is zero with a level axis or without weight, or if
