@@ -135,9 +135,15 @@ fn section<'a>(sheet: &'a Sheet, id: &str) -> Option<&'a str> {
 #[derive(Debug, PartialEq, Eq)]
 struct Vote<'a> {
     question: &'a str,
-    choices: Vec<&'a str>,
+    choices: Vec<String>,
     /// The letter of the right one and what is said of it.
     answer: &'a str,
+}
+
+/// A choice without what parts it from the next.
+fn bare(choice: &str) -> String {
+    let (words, tie) = choice.strip_suffix("</span>").map_or((choice, ""), |words| (words, "</span>"));
+    words.trim_end_matches([',', '.']).to_owned() + tie
 }
 
 /// The questions of `**Vote.** *Question* (A) one, (B) another. B: why. *Next question* (A) …`; `None` if they are not so.
@@ -148,20 +154,23 @@ fn votes(paragraph: &str) -> Option<Vec<Vote<'_>>> {
     let vote = |n: usize| {
         let rest = &paragraph[ends[n] + FIRST.len()..*starts.get(n + 1).unwrap_or(&paragraph.len())];
         let last = [" (D) ", " (C) ", " (B) "].iter().find_map(|mark| rest.find(mark))?;
+        // The full stop may be tied to a formula, within an element.
         let is_answer = |at: &usize| {
-            let mut letters = rest[at + 2..].chars();
-            matches!(letters.next(), Some('A'..='D')) && letters.next().is_some_and(|c| ":.,; ".contains(c))
+            let mut letters = rest[at + 1..].chars();
+            rest[..*at].trim_end_matches("</span>").ends_with(['.', '?'])
+                && matches!(letters.next(), Some('A'..='D'))
+                && letters.next().is_some_and(|c| ":.,; ".contains(c))
         };
-        let at = rest[last..].match_indices(". ").map(|(at, _)| last + at).find(is_answer)?;
+        let at = rest[last..].match_indices(' ').map(|(at, _)| last + at).find(is_answer)?;
         let (mut choices, mut left) = (Vec::new(), &rest[..at]);
         for mark in [" (B) ", " (C) ", " (D) "] {
             if let Some((one, more)) = left.split_once(mark) {
-                choices.push(one.trim_end_matches(','));
+                choices.push(bare(one));
                 left = more;
             }
         }
-        choices.push(left);
-        Some(Vote { question: &paragraph[starts[n] + 4..ends[n]], choices, answer: rest[at + 2..].trim() })
+        choices.push(bare(left));
+        Some(Vote { question: &paragraph[starts[n] + 4..ends[n]], choices, answer: rest[at..].trim() })
     };
     (0..ends.len()).map(vote).collect::<Option<Vec<_>>>().filter(|votes| !votes.is_empty())
 }
@@ -266,12 +275,15 @@ mod tests {
     #[test]
     fn votes_are_read_and_others_refused() {
         let two = "<strong>Vote.</strong> <em>It is</em> (A) 0.5 (or so), (B) two, (C) three. B: why. A adds <em>two</em>. \
-                   <em>And?</em> (A) Yes, (B) no. A, by all.";
-        let vote =
-            |question, choices: &[&'static str], answer| Vote { question, choices: choices.to_vec(), answer };
+                   <em>And?</em> (A) <span>x,</span> (B) <span>y.</span> A, by all.";
+        let vote = |question, choices: &[&str], answer| Vote {
+            question,
+            choices: choices.iter().map(|one| (*one).to_owned()).collect(),
+            answer,
+        };
         let expected = [
             vote("It is", &["0.5 (or so)", "two", "three"], "B: why. A adds <em>two</em>."),
-            vote("And?", &["Yes", "no"], "A, by all."),
+            vote("And?", &["<span>x</span>", "<span>y</span>"], "A, by all."),
         ];
         assert_eq!(votes(two).as_deref(), Some(&expected[..]));
         for wrong in [

@@ -142,7 +142,8 @@ fn every_chapter_with_a_guess_has_slides_that_load_nothing_and_are_seen_whole() 
         for load in [" src=", " href=", "@import", "{{"] {
             assert!(!slides.contains(load), "{name}: {load}");
         }
-        assert_eq!(slides.matches("url(").count(), slides.matches("url(\"data:").count(), "{name}");
+        let mut targets = slides.split("url(").skip(1);
+        assert!(targets.all(|target| target.starts_with("\"data:") || target.starts_with('#')), "{name}");
         let file = folder.join(format!("{name}.html"));
         fs::write(&file, slides).unwrap();
         page.go(&format!("file://{}", file.display()));
