@@ -4,7 +4,7 @@ use crate::assets::Rendered;
 use crate::mdbook::{self, For};
 use crate::paper::{self, Paper, Solutions};
 use crate::read::disk::from_disk;
-use crate::site::{check, page_metadata, publish};
+use crate::site::{check, page_metadata, publish, theme};
 use crate::{new, serve};
 use anyhow::{Context as _, Error, Result, bail, ensure};
 use clap::{CommandFactory as _, FromArgMatches as _, Parser};
@@ -48,6 +48,12 @@ enum Order {
     Answers {
         /// The chapter, by its folder or number, and the file to write
         #[arg(value_name = "CHAPTER or FILE.pdf", num_args = 1..=2, required = true)]
+        what: Vec<String>,
+    },
+    /// A chapter as slides: its guess, scene, figures, equations, mistakes and votes, as a page or, if the file is a PDF, on paper
+    Slides {
+        /// The chapter, by its folder or number, and the file to write
+        #[arg(value_name = "CHAPTER or FILE.html or FILE.pdf", num_args = 1..=2, required = true)]
         what: Vec<String>,
     },
     /// The whole book for readers of EPUBs
@@ -110,6 +116,7 @@ pub fn run(root: &Path, arguments: &[String], drawn: &Rendered) -> Result<()> {
             return pdf(root, what, if solutions { Solutions::Whole } else { Solutions::None });
         }
         Order::Answers { what } => return pdf(root, what, Solutions::Answers),
+        Order::Slides { what } => return slides(root, what),
         Order::Epub { file } => {
             let paper = built_for_paper(root, None, Solutions::Whole)?;
             let target = target(root, file, || format!("{}.epub", paper.file_name()))?;
@@ -176,7 +183,11 @@ fn add_paper(root: &Path, browser: &Path, site: &Path) -> Result<()> {
 fn chapter_and_file(what: Vec<String>) -> Result<(Option<String>, Option<PathBuf>)> {
     let (mut chapter, mut file) = (None, None);
     for word in what {
-        let place = if word.ends_with(".pdf") { &mut file } else { &mut chapter };
+        let place = if [".pdf", ".html"].iter().any(|ending| word.ends_with(ending)) {
+            &mut file
+        } else {
+            &mut chapter
+        };
         if let Some(first) = place.replace(word) {
             let second = place.as_deref().unwrap_or_default();
             bail!("it takes `{first}` or `{second}`, not both");
@@ -206,6 +217,23 @@ fn pdf(root: &Path, what: Vec<String>, solutions: Solutions) -> Result<()> {
         None => format!("{}.pdf", paper.file_name()),
     })?;
     print(root, &browser, &paper, &target)?;
+    say_size(&target)
+}
+
+fn slides(root: &Path, what: Vec<String>) -> Result<()> {
+    let (chapter, file) = chapter_and_file(what)?;
+    let (_, pages) = from_disk(root)?;
+    let chapter = chapter.context("`cargo book slides` asks for a chapter: `cargo book slides 1`")?;
+    let chapter = paper::chapter(&pages, &chapter)?;
+    let target = target(root, file, || format!("{chapter}-slides.html"))?;
+    let browser =
+        target.extension().is_some_and(|ending| ending == "pdf").then(paper::browser).transpose()?;
+    let paper = built_for_paper(root, None, Solutions::None)?;
+    let slides = paper.slides(&root.join(theme::FOLDER), &chapter)?;
+    let [page, profile] = ["slides.html", "chromium"].map(|name| root.join(PAPER).join(name));
+    let page = if browser.is_some() { &page } else { &target };
+    fs::write(page, slides).with_context(|| page.display().to_string())?;
+    browser.map_or(Ok(()), |browser| paper::print(&browser, page, &target, &profile))?;
     say_size(&target)
 }
 

@@ -1,4 +1,4 @@
-//! The book on paper: what Chromium prints as one PDF, or a chapter of it as a handout; and as an EPUB.
+//! The book on paper: what Chromium prints as one PDF, or a chapter of it as a handout; as an EPUB; and a chapter as slides.
 //!
 //! mdBook puts all pages into one, `print.html`, with ids that are unique in the book. Its parts are arranged anew
 //! here: a title page with version and commit, contents with the numbers of pages, every chapter with its further
@@ -9,6 +9,7 @@ mod epub;
 mod packed;
 mod pdf;
 mod sheet;
+mod slides;
 
 pub use pdf::{browser, numbers, print};
 

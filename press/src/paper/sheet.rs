@@ -25,6 +25,8 @@ pub(super) struct Heading {
 
 #[derive(Debug)]
 pub(super) struct Sheet {
+    /// Of its chapter: the folder.
+    pub(super) name: String,
     pub(super) number: Option<u32>,
     /// The part of the book that it opens a chapter of.
     pub(super) part: Option<String>,
@@ -49,6 +51,7 @@ impl Sheet {
         let html = if kind == Kind::Exercises { hints_last(html) } else { html.to_owned() };
         let html = if page.part.is_some() { lowered(&html) } else { html };
         Self {
+            name: super::name(page).to_owned(),
             number: page.chapter,
             part: page.part_of_book.clone(),
             kind,

@@ -20,7 +20,7 @@ macro_rules! included {
 }
 
 /// All files of the theme.
-const FILES: [(&str, &[u8]); 20] = included![
+const FILES: [(&str, &[u8]); 22] = included![
     "figures.css",
     "fonts/LICENCES.txt",
     "fonts/book-code.woff2",
@@ -41,6 +41,8 @@ const FILES: [(&str, &[u8]); 20] = included![
     "page.css",
     "print.css",
     "scenes.js",
+    "slides.css",
+    "slides.js",
 ];
 
 /// Writes the theme, with the book's own files over it, where it differs from what is there.

@@ -12,7 +12,7 @@ use std::thread;
 const AXE: &str = include_str!("axe/axe.min.js");
 pub(super) const AUDIT: &str = include_str!("audit.js");
 const OTHER_THEMES: [&str; 4] = ["rust", "coal", "navy", "ayu"];
-const PHONE: u32 = 320;
+pub(super) const PHONE: u32 = 320;
 const WIDTHS: [u32; 3] = [1300, 768, PHONE];
 /// Pages that have, together, all that a page can have: scenes and live numbers, notes, wide tables and programs,
 /// exercises with hints, and words in every colour.
@@ -29,7 +29,7 @@ const OF_COLOUR: &str = "['color-contrast', 'link-in-text-block']";
 pub(super) const PAPER: [u32; 2] = [612, 963];
 
 /// The addresses of all pages within the site, but the one of all pages.
-fn names() -> Vec<String> {
+pub(super) fn names() -> Vec<String> {
     let pages = pages().into_iter().map(|(path, _)| path.strip_prefix(site()).unwrap().display().to_string());
     let own = pages.filter(|name| !["print.html", "toc.html"].contains(&name.as_str()));
     own.chain(["404.html".to_owned()]).collect()

@@ -39,6 +39,19 @@ window.unlike = (one, other) => {
     return !isSame && !isNear(a, b);
   })?.join('\n') ?? '';
 };
+// What stands beside a picture: its settings as a link, its time, its words and its numbers.
+window.shows = (figure) => {
+  const link = figure.querySelector('.share a');
+  link.dispatchEvent(new Event('pointerdown'));
+  const readings = [...figure.querySelectorAll('.readings dd')].map((place) => place.innerHTML);
+  return [link.getAttribute('href'), figure.querySelector('.time').valueAsNumber, figure.querySelector('.says').textContent, readings];
+};
+// Elements as a page holds them.
+window.parsed = (elements) => {
+  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
+  svg.innerHTML = elements;
+  return lines(svg);
+};
 window.still = (figure) => stills[svgs.indexOf(seen(figure))];
 window.drawn = (figure) => lines(seen(figure));
 window.asked = 0;

@@ -99,6 +99,78 @@ fn a_sheet_of_answers_has_one_for_each_exercise_and_no_program() {
     assert!(html.contains(">Answers") && !html.contains("<pre") && !html.contains("Solution"));
 }
 
+/// Of slides that are fitted: whether all fit at a size that one can read from afar, and hold nothing that is not drawn.
+const SEEN: &str = "(() => {
+    const faults = [];
+    for (const [n, slide] of slides.entries()) {
+        const fault = (what) => faults.push(`slide ${n + 1}: ${what}`);
+        turn(n);
+        const paper = slide.getBoundingClientRect();
+        if (!isWithin(slide)) fault('more than fits');
+        if (parseFloat(getComputedStyle(slide).fontSize) < 24) fault('small type');
+        const parts = slide.querySelectorAll('h1, h2, p, li, math, svg.drawn, .number');
+        for (const part of [...parts].filter((part) => part.getClientRects().length > 0)) {
+            const box = part.getBoundingClientRect();
+            const isOut = box.left < paper.left || box.right > paper.right || box.top < paper.top || box.bottom > paper.bottom - 30;
+            if (isOut || box.width === 0) fault(`cut off: ${part.textContent.slice(0, 30)}`);
+        }
+        const drawn = [...slide.querySelectorAll('svg.drawn')].filter((svg) => svg.getClientRects().length > 0);
+        const smallest = Math.min(...drawn.map((svg) => svg.getBoundingClientRect().width / svg.viewBox.baseVal.width));
+        if (slide.matches('.picture') && !(drawn.length > 0 && smallest > 0.8)) fault(`${drawn.length} drawings at ${smallest}`);
+    }
+    return faults;
+})()";
+
+#[test]
+fn every_chapter_with_a_guess_has_slides_that_load_nothing_and_are_seen_whole() {
+    let Some(mut browser) = Browser::open("slides") else {
+        return;
+    };
+    let book = Paper::read(root(), site(), None, Solutions::None).unwrap();
+    let folder = folder("slides");
+    let mut page = browser.page([1280, 720]);
+    let mut faults = Vec::new();
+    let mut chapters = 0;
+    for entry in fs::read_dir(root().join("book")).unwrap().map(|entry| entry.unwrap()) {
+        let text = fs::read_to_string(entry.path().join("index.md")).unwrap_or_default();
+        if !text.contains("**Guess first.**") {
+            continue;
+        }
+        chapters += 1;
+        let name = entry.file_name().into_string().unwrap();
+        let slides = book.slides(&root().join("target/press/theme"), &name).unwrap();
+        for load in [" src=", " href=", "@import", "{{"] {
+            assert!(!slides.contains(load), "{name}: {load}");
+        }
+        let mut targets = slides.split("url(").skip(1);
+        assert!(targets.all(|target| target.starts_with("\"data:") || target.starts_with('#')), "{name}");
+        let file = folder.join(format!("{name}.html"));
+        fs::write(&file, slides).unwrap();
+        page.go(&format!("file://{}", file.display()));
+        page.wait("document.body.classList.contains('fitted')");
+        let count = page.number("slides.length");
+        let pictures = page.number("document.querySelectorAll('.picture').length");
+        let figures =
+            text.lines().filter(|line| line.starts_with("![") && line.contains("](fig:")).count().min(4);
+        let has_scene = text.lines().any(|line| line.starts_with("![") && line.contains("](scene:"));
+        assert!((8.0..=14.0).contains(&count), "{name}: {count}");
+        assert!(
+            pictures >= (figures + usize::from(has_scene)) as f64,
+            "{name}: {pictures} pictures of {figures}"
+        );
+        for key in ["End", "ArrowLeft"] {
+            page.key(key);
+        }
+        let last = page.number("slides.findIndex((slide) => slide.checkVisibility())");
+        assert_eq!(last, count - 2.0, "{name}: keys turn the slides");
+        let found = page.get(SEEN);
+        faults.extend(
+            found.as_array().unwrap().iter().map(|fault| format!("{name}, {}", fault.as_str().unwrap())),
+        );
+    }
+    assert!(chapters > 10 && faults.is_empty(), "{chapters} chapters:\n{}", faults.join("\n"));
+}
+
 #[test]
 fn an_epub_begins_with_its_type_and_every_page_of_it_is_xml() {
     let file = folder("epub").join("book.epub");

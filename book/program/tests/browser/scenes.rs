@@ -222,34 +222,42 @@ impl Shown<'_> {
 
     /// Holds what the page says beside the picture to what the library says here.
     fn agrees(&mut self) {
-        let (scene, values, time, said) = (self.scene, self.values(), self.time(), self.says(".says"));
-        let place = format!("{} at {values:?}, {time} s", scene.name);
-        let player = match Player::with(scene, values) {
-            Ok(player) => player,
-            Err(error) => return assert_eq!(said, error.to_string(), "{place}"),
-        };
-        let words = player.words(time);
-        assert!(alike(&said, &words), "{place}: {said:?}, not {words:?}");
-        let figure = &self.figure;
-        let shown = format!("[...{figure}.querySelectorAll('.readings dd')].map((place) => place.innerHTML)");
-        let shown = self.get(&shown);
-        let shown = shown.as_array().expect("readings");
-        let own = player.readings(time).expect("readings");
-        assert_eq!(shown.len(), own.len(), "{place}");
-        for ((shown, own), reading) in shown.iter().zip(own).zip(scene.readings) {
-            let shown = shown.as_str().expect("a text").replace("&nbsp;", "\u{a0}");
-            // The functions of the two machines differ in the last bit, and so may the last digit that is shown.
-            let (one, other) = (number(&shown), number(&own));
-            let last = match reading.form {
-                Form::Fixed(digits) => 1.01 * 10_f64.powi(-(digits as i32)),
-                Form::Power(digits) | Form::Digits(digits) => {
-                    1.01 * 10_f64.powi(1 - digits as i32) * other.abs() + 1e-9
-                }
-            };
-            let is_right = shown == own || (one - other).abs() <= last;
-            assert!(is_right, "{place}: {} is {shown}, not {own}", reading.words);
-        }
+        let show = format!("shows({})", self.figure);
+        agree(self.scene, &self.page.get(&show));
     }
+}
+
+/// Holds what a page shows beside a picture, `shows` of `eyes.js`, to what the library says here; the library's scene.
+fn agree(scene: &'static Scene, shown: &Value) -> Option<Player> {
+    let text = |place: usize| shown[place].as_str().expect("a text");
+    let (values, time, said) = (set_by(scene, text(0)), shown[1].as_f64().expect("a time"), text(2));
+    let place = format!("{} at {values:?}, {time} s", scene.name);
+    let player = match Player::with(scene, values) {
+        Ok(player) => player,
+        Err(error) => {
+            assert_eq!(said, error.to_string(), "{place}");
+            return None;
+        }
+    };
+    let words = player.words(time);
+    assert!(alike(said, &words), "{place}: {said:?}, not {words:?}");
+    let shown = shown[3].as_array().expect("readings");
+    let own = player.readings(time).expect("readings");
+    assert_eq!(shown.len(), own.len(), "{place}");
+    for ((shown, own), reading) in shown.iter().zip(own).zip(scene.readings) {
+        let shown = shown.as_str().expect("a text").replace("&nbsp;", "\u{a0}");
+        // The functions of the two machines differ in the last bit, and so may the last digit that is shown.
+        let (one, other) = (number(&shown), number(&own));
+        let last = match reading.form {
+            Form::Fixed(digits) => 1.01 * 10_f64.powi(-(digits as i32)),
+            Form::Power(digits) | Form::Digits(digits) => {
+                1.01 * 10_f64.powi(1 - digits as i32) * other.abs() + 1e-9
+            }
+        };
+        let is_right = shown == own || (one - other).abs() <= last;
+        assert!(is_right, "{place}: {} is {shown}, not {own}", reading.words);
+    }
+    Some(player)
 }
 
 /// The values of a scene's controls that a link sets, and earlier presses behind them.
