@@ -25,6 +25,9 @@ const CHOICE: [&str; 5] = [
 ];
 /// The rules that other colours can break.
 const OF_COLOUR: &str = "['color-contrast', 'link-in-text-block']";
+/// How far the parts of a page may jump while it comes: the sum of what the browser calls layout shifts. Half of what is
+/// commonly called good.
+const MAX_SHIFT: f64 = 0.05;
 /// An A4 page without its margins (`print.css`), px.
 pub(super) const PAPER: [u32; 2] = [612, 963];
 
@@ -59,13 +62,16 @@ fn ask_all<T: Send>(name: &str, things: Vec<T>, ask: impl Fn(&mut Page<'_>, T) -
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Opens a page of the site in a width, with its scenes awake and nothing that moves.
-fn open(page: &mut Page<'_>, name: &str, width: u32) {
+/// Opens a page of the site in a width, with its scenes awake and nothing that moves. How far its parts jumped while it came,
+/// as the browser measures it.
+fn open(page: &mut Page<'_>, name: &str, width: u32) -> f64 {
     page.tell("Emulation.setEmulatedMedia", json!({ "media": "screen" }));
     page.prefer("prefers-reduced-motion", "reduce");
     page.resize([width, 900]);
     page.go(&format!("{}{name}", address()));
     page.get("document.fonts.ready.then(() => true)");
+    page.settle();
+    let shift = page.number("shift");
     let chapter = name.split('/').next().unwrap_or_default();
     if name.ends_with("/index.html") && site().join(format!("live-{chapter}.js")).is_file() {
         let figure = "document.querySelector('figure.scene')";
@@ -75,6 +81,12 @@ fn open(page: &mut Page<'_>, name: &str, width: u32) {
     }
     page.get("{ const calm = document.createElement('style'); calm.textContent = '* { transition: none !important }'; document.head.append(calm) }");
     page.settle();
+    shift
+}
+
+/// What is wrong if the parts of a page jump while it comes.
+fn jumps(place: &str, shift: f64) -> Option<String> {
+    (shift >= MAX_SHIFT).then(|| format!("{place}: its parts jump by {shift:.3} while it comes"))
 }
 
 /// The faults that an expression of `audit.js` finds, each with a place.
@@ -96,10 +108,11 @@ fn axe_finds_nothing_and_nothing_is_cut_off() {
         names().into_iter().filter(|name| !CHOICE.contains(&name.as_str())).map(|name| (name, PHONE)),
     );
     ask_all("axe", tasks, |page, (name, width)| {
-        open(page, &name, width);
+        let shift = open(page, &name, width);
         page.get(&format!("{AXE}; true"));
         let place = format!("{name}, light, {width} px");
         let mut found = faults(page, &place, "audit([])");
+        found.extend(jumps(&place, shift));
         found.append(&mut faults(page, &place, "untold()"));
         found.append(&mut faults(page, &place, "disordered()"));
         if width == PHONE {
@@ -127,12 +140,14 @@ fn axe_finds_nothing_and_nothing_is_cut_off() {
 fn nothing_in_the_margin_covers_anything() {
     let figures = Mutex::new(0.0);
     ask_all("margin", names(), |page, name| {
-        open(page, &name, WIDTHS[0]);
+        let shift = open(page, &name, WIDTHS[0]);
         page.get("document.getElementById('mdbook-sidebar-toggle-anchor')?.checked && document.getElementById('mdbook-sidebar-toggle').click()");
         page.settle();
         let beside = "[...document.querySelectorAll('.figure.margin')].filter((figure) => getComputedStyle(figure).float === 'right').length";
         *figures.lock().unwrap() += page.number(beside);
-        faults(page, &name, "crowded()")
+        let mut found = faults(page, &name, "crowded()");
+        found.extend(jumps(&name, shift));
+        found
     });
     assert!(*figures.lock().unwrap() > 20.0, "small figures stand in the margin");
 }
