@@ -15,6 +15,7 @@ pub(crate) mod publish;
 pub(crate) mod rustdoc;
 pub(crate) mod scripts;
 pub(crate) mod search;
+pub(crate) mod sidebar;
 pub(crate) mod solutions;
 pub(crate) mod theme;
 pub(crate) mod trails;

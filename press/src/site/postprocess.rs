@@ -10,7 +10,8 @@ use crate::site::package::Package;
 use crate::site::page_metadata::{self, SiteMetadata};
 use crate::site::version_stamp::edition;
 use crate::site::{
-    exercises, links, look, not_found_page, publish, rustdoc, scripts, search, solutions, theme, trails, wasm,
+    exercises, links, look, not_found_page, publish, rustdoc, scripts, search, sidebar, solutions, theme,
+    trails, wasm,
 };
 use anyhow::{Context as _, Error, Result, anyhow, ensure};
 use mdbook_renderer::RenderContext;
@@ -135,8 +136,9 @@ fn complete_pages(
             pages.insert(page, html);
         }
     }
-    let unfolded =
-        |(page, html): (&String, &String)| (page.clone(), exercises::with_solutions(html, page, &pages));
+    let unfolded = |(page, html): (&String, &String)| {
+        (page.clone(), sidebar::with_headings(&exercises::with_solutions(html, page, &pages)))
+    };
     pages = pages.iter().map(unfolded).collect();
     if let Some(address) = known {
         fs::write(site.join("sitemap.xml"), sitemap(address, pages.keys()))?;

@@ -25,6 +25,9 @@ const CHOICE: [&str; 5] = [
 ];
 /// The rules that other colours can break.
 const OF_COLOUR: &str = "['color-contrast', 'link-in-text-block']";
+/// How far the parts of a page may jump while it comes: the sum of what the browser calls layout shifts. Half of what is
+/// commonly called good.
+const MAX_SHIFT: f64 = 0.05;
 /// An A4 page without its margins (`print.css`), px.
 pub(super) const PAPER: [u32; 2] = [612, 963];
 
@@ -59,13 +62,16 @@ fn ask_all<T: Send>(name: &str, things: Vec<T>, ask: impl Fn(&mut Page<'_>, T) -
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Opens a page of the site in a width, with its scenes awake and nothing that moves.
-fn open(page: &mut Page<'_>, name: &str, width: u32) {
+/// Opens a page of the site in a width, with its scenes awake and nothing that moves. How far its parts jumped while it came,
+/// as the browser measures it.
+fn open(page: &mut Page<'_>, name: &str, width: u32) -> f64 {
     page.tell("Emulation.setEmulatedMedia", json!({ "media": "screen" }));
     page.prefer("prefers-reduced-motion", "reduce");
     page.resize([width, 900]);
     page.go(&format!("{}{name}", address()));
     page.get("document.fonts.ready.then(() => true)");
+    page.settle();
+    let shift = page.number("shift");
     let chapter = name.split('/').next().unwrap_or_default();
     if name.ends_with("/index.html") && site().join(format!("live-{chapter}.js")).is_file() {
         let figure = "document.querySelector('figure.scene')";
@@ -75,6 +81,12 @@ fn open(page: &mut Page<'_>, name: &str, width: u32) {
     }
     page.get("{ const calm = document.createElement('style'); calm.textContent = '* { transition: none !important }'; document.head.append(calm) }");
     page.settle();
+    shift
+}
+
+/// What is wrong if the parts of a page jump while it comes.
+fn jumps(place: &str, shift: f64) -> Option<String> {
+    (shift >= MAX_SHIFT).then(|| format!("{place}: its parts jump by {shift:.3} while it comes"))
 }
 
 /// The faults that an expression of `audit.js` finds, each with a place.
@@ -86,7 +98,8 @@ fn faults(page: &mut Page<'_>, place: &str, expression: &str) -> Vec<String> {
 
 #[test]
 fn axe_finds_nothing_and_nothing_is_cut_off_or_covered() {
-    // Every page once, on the smallest phone; a choice of pages at all widths, in all themes and on paper.
+    // Every page once: as wide as a screen, and then as narrow as the smallest phone. A choice of pages at all widths, in
+    // all themes and on paper.
     let mut tasks: Vec<(String, u32)> = Vec::new();
     for width in WIDTHS {
         tasks.extend(CHOICE.map(|name| (name.to_owned(), width)));
@@ -97,25 +110,28 @@ fn axe_finds_nothing_and_nothing_is_cut_off_or_covered() {
     );
     let in_margins = Mutex::new(0.0);
     ask_all("axe", tasks, |page, (name, width)| {
-        open(page, &name, width);
+        let first = if CHOICE.contains(&name.as_str()) { width } else { WIDTHS[0] };
+        let shift = open(page, &name, first);
+        let place = format!("{name}, light, {first} px");
+        let mut found: Vec<String> = jumps(&place, shift).into_iter().collect();
+        if first == WIDTHS[0] {
+            // The margin is there beside the text, without the list of pages. The next page has it again.
+            page.get("document.getElementById('mdbook-sidebar-toggle-anchor')?.checked && document.getElementById('mdbook-sidebar-toggle').click()");
+            page.get("localStorage.removeItem('mdbook-sidebar')");
+            page.settle();
+            let beside = "[...document.querySelectorAll('.figure.margin')].filter((figure) => getComputedStyle(figure).float === 'right').length";
+            *in_margins.lock().unwrap() += page.number(beside);
+            found.append(&mut faults(page, &place, "crowded()"));
+            page.resize([width, 900]);
+            page.settle();
+        }
         page.get(&format!("{AXE}; true"));
         let place = format!("{name}, light, {width} px");
-        let mut found = faults(page, &place, "audit([])");
+        found.append(&mut faults(page, &place, "audit([])"));
         found.append(&mut faults(page, &place, "untold()"));
         found.append(&mut faults(page, &place, "disordered()"));
         if width == PHONE {
             found.append(&mut faults(page, &place, "wide()"));
-        }
-        // Small figures and notes in the margin, which is there on a wide page without its list of chapters.
-        if width == PHONE {
-            page.resize([WIDTHS[0], 900]);
-            page.get("document.getElementById('mdbook-sidebar-toggle-anchor')?.checked && document.getElementById('mdbook-sidebar-toggle').click()");
-            page.settle();
-            let beside = "[...document.querySelectorAll('.figure.margin')].filter((figure) => getComputedStyle(figure).float === 'right').length";
-            *in_margins.lock().unwrap() += page.number(beside);
-            found.append(&mut faults(page, &name, "crowded()"));
-            page.resize([width, 900]);
-            page.settle();
         }
         if CHOICE.contains(&name.as_str()) {
             // Other themes have other colours and nothing else.

@@ -1,5 +1,11 @@
 // What the tests of access ask of a page. Each answer is a list of faults, each with its element and its place.
 
+// How far parts of the page have jumped so far.
+window.shift = 0;
+new PerformanceObserver((list) => {
+  for (const { value, hadRecentInput } of list.getEntries()) shift += hadRecentInput ? 0 : value;
+}).observe({ type: 'layout-shift', buffered: true });
+
 // The way to an element that a maintainer can follow: what has an id, and what lies below it.
 const named = (node) => {
   const id = node.closest('[id]')?.id;
