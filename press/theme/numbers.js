@@ -31,14 +31,15 @@ function piece(code, start, length) {
 class Program {
   #frame = 0;
   #isFailed = false;
-  /** What to say of a number that was typed beyond its range, and taken as the end of it. */
+  /** What to say of a number that was typed, and is taken as another. */
   #beyond = "";
 
   constructor(panel) {
     const all = (selector) => [...panel.querySelectorAll(selector)];
     this.panel = panel;
     [this.outputs, this.checks] = [all("dd > output"), all("li")];
-    [this.says, this.reset] = [panel.querySelector(".says"), panel.querySelector(".reset")];
+    [this.says, this.reset, this.note] = [".says", ".reset", ".note-of-text"].map((part) => panel.querySelector(part));
+    this.remarks = all("i").map(({ dataset: { of, check, words } }) => ({ of: of?.split(" "), check, words }));
     this.live = all(".number").map((number) => {
       const [field, range] = number.querySelectorAll("input");
       const { name, decimals } = field.dataset;
@@ -50,9 +51,10 @@ class Program {
       [live.field.value, live.range.value] = [live.field.defaultValue, live.start]; // whatever the browser remembers
       live.field.addEventListener("input", () => {
         const typed = live.field.valueAsNumber;
-        const range = `${live.least} to ${live.most}`.replaceAll("-", "−");
-        this.#beyond = typed < live.least || typed > live.most ? `${live.name} goes from ${range}.` : "";
         this.#take(live, typed, false);
+        const range = typed < live.least || typed > live.most ? ` goes from ${live.least} to ${live.most}:` : "";
+        const isOther = !Number.isNaN(typed) && live.value !== typed;
+        this.#beyond = isOther ? `${live.name}${range} it is taken as ${live.value}.`.replaceAll("-", "−") : "";
       });
       live.field.addEventListener("change", () => this.#take(live, live.value, true));
       live.range.addEventListener("input", () => {
@@ -85,6 +87,10 @@ class Program {
       from = code.textContent.indexOf(`// → ${output.start}`, from) + "// → ".length;
       output.piece = from < 5 ? null : piece(code, from, output.start.length);
     }
+    for (const remark of this.remarks) {
+      const start = code.textContent.indexOf(remark.words);
+      remark.piece = start < 0 ? null : piece(code, start, remark.words.length);
+    }
   }
 
   #machine() {
@@ -95,10 +101,11 @@ class Program {
   /** A number is this now; `isWhole`: the reader has finished it, and the field may be written. */
   #take(live, value, isWhole) {
     if (Number.isNaN(value)) return; // half a number
-    live.value = Number(Math.min(Math.max(value, live.least), live.most).toPrecision(12));
+    // With as many digits as the code has room for: one that counts stays whole.
+    live.value = Number(Math.min(Math.max(value, live.least), live.most).toFixed(live.decimals));
     const isStart = live.value === live.start;
     const text = isStart ? live.field.defaultValue : live.value.toFixed(live.decimals);
-    if (isWhole) [live.value, live.field.value] = [Number(text), text];
+    if (isWhole) live.field.value = text;
     live.range.value = live.value;
     live.range.setAttribute("aria-valuetext", text);
     if (live.piece) live.piece.textContent = text;
@@ -133,17 +140,25 @@ class Program {
       output.piece?.classList.toggle("changed", text !== output.start);
     });
     this.checks.forEach((check, index) => {
+      const [sign, ...by] = lines[this.outputs.length + index];
       const [name, words] = {
         "+": ["holds", "holds"],
         "-": ["fails", "fails"],
         "?": ["unread", "is not reached"],
-      }[lines[this.outputs.length + index]];
+      }[sign];
       check.className = name;
       check.querySelector("b").textContent = words;
+      check.querySelector(".by").innerHTML = by.length > 0 ? ` (${pretty(by.join(""))})` : "";
     });
+    const changed = this.live.filter(({ value, start }) => value !== start).map(({ name }) => name);
+    for (const { piece, of, check } of this.remarks) {
+      const isOld = of ? of.some((name) => changed.includes(name)) : this.checks[check].className === "fails";
+      piece?.classList.toggle("of-text", isOld);
+    }
+    if (this.note) this.note.hidden = !this.remarks.some(({ piece }) => piece?.classList.contains("of-text"));
     const trouble = lines.find((line) => line.startsWith("!"));
     this.says.textContent = [this.#beyond, trouble && `It ends early: ${trouble.slice(1)}.`].filter(Boolean).join(" ");
-    this.reset.disabled = this.live.every(({ value, start }) => value === start);
+    this.reset.disabled = changed.length === 0;
   }
 
   /** The module does not run here: the code stays, with the numbers of the text. */

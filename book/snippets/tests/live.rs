@@ -13,7 +13,7 @@ fn answers(snippet: &Snippet, live: &[f64]) -> (Vec<String>, String, Option<Stri
     drop(watched);
     let of = |mark: char| lines.iter().filter_map(move |line| line.strip_prefix(mark).map(str::to_owned));
     let checks: String =
-        lines.iter().filter(|line| ["+", "-", "?"].contains(&line.as_str())).cloned().collect();
+        lines.iter().filter_map(|line| line.chars().next()).filter(|c| "+-?".contains(*c)).collect();
     assert_eq!((of('=').count(), checks.len()), (snippet.printed.len(), snippet.checks), "{}", snippet.place);
     (of('=').collect(), checks, of('!').next())
 }
@@ -131,6 +131,24 @@ fn with_other_numbers_the_answers_are_those_of_the_equations() {
     // eq:figure-rate: 2π(1 − cos α) in a round.
     let spinning = of("book/spinning-coin/index.md", &["tilt"]);
     prints(spinning, &[0.8], 0, std::f64::consts::TAU * (1.0 - 0.8_f64.cos()));
+}
+
+#[test]
+fn an_assertion_that_fails_says_by_which_numbers() {
+    let said = |snippet: &Snippet, live: &[f64]| {
+        let lines = snippet.run(live);
+        let found = lines.iter().find_map(|line| line.strip_prefix('-').map(str::to_owned));
+        found.unwrap_or_else(|| panic!("{} with {live:?}: {lines:?}", snippet.place))
+    };
+    // Of eq:centre-of-mass-radius: b√(ω₀⁴ + Γ²Ω²)/√((ω₀² − Ω²)² + Γ²Ω²), and b = 1/60 m.
+    let laundromat = of("book/laundromat/index.md", &["load_mass", "damping", "spin"]);
+    let (drag, b): (f64, f64) = (3.0 * 12.0, 1.0 / 60.0);
+    let centre = b * 100_f64.hypot(drag) / (100_f64 - 144.0).hypot(drag);
+    assert_eq!(said(laundromat, &[2.0, 90.0, 12.0]), format!("{centre:.4} is not below {b:.4}"));
+    let motor = of("book/laundromat/motor.md", &["damping", "stall_torque"]);
+    assert_eq!(said(motor, &[45.0, 12.0]), "1 is not 3");
+    let top = of("book/top/index.md", &["part"]);
+    assert!(said(top, &[0.3]).ends_with(" is not above 10"));
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! as a function of them, which answers with what the snippet prints and with what its assertions find.
 
 use crate::{expected_output, markdown};
+use std::collections::BTreeSet;
 
 /// What opens the mark of a live number.
 const MARK: &str = "// live:";
@@ -58,6 +59,26 @@ pub struct Answers<'a> {
     pub values: Vec<Value<'a>>,
     /// What each assertion says, in words.
     pub checks: Vec<String>,
+    /// Comments that may be false when a reader has changed a number.
+    pub remarks: Vec<Remark<'a>>,
+}
+
+/// A comment that tells of the numbers of the text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Remark<'a> {
+    /// Its words, as they stand in the code.
+    pub words: &'a str,
+    /// What makes it doubtful.
+    pub of: Of<'a>,
+}
+
+/// What makes a comment doubtful.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Of<'a> {
+    /// A change of one of these live numbers.
+    Numbers(Vec<&'a str>),
+    /// That the assertion with this place among those of the snippet fails.
+    Check(usize),
 }
 
 /// Whether a line carries the mark of a live number, or what looks like it.
@@ -165,12 +186,16 @@ pub fn answers<'a>(lines: &[&'a str]) -> (Answers<'a>, Vec<(usize, String)>) {
             });
         }
         for _ in assertions(line) {
-            found.checks.push(words(lines, n));
+            let own = comment_of(lines, n);
+            let of = Of::Check(found.checks.len());
+            found.remarks.extend(own.iter().map(|words| Remark { words, of: of.clone() }));
+            found.checks.push(clause(&own.join(" ")));
         }
     }
     if found.live.is_empty() {
         return (found, faults);
     }
+    found.remarks.extend(remarks(lines));
     if found.values.is_empty() && found.checks.is_empty() {
         faults
             .push((0, "nothing answers to the live numbers: print a value, or assert something".to_owned()));
@@ -196,24 +221,83 @@ fn unit<'a>(line: &'a str, numbers: &str) -> &'a str {
 
 /// Where the assertions of a line begin and how long their names are.
 fn assertions(line: &str) -> impl Iterator<Item = (usize, usize)> {
-    let code = line.split("//").next().unwrap_or_default();
+    let code = code(line);
     code.match_indices("!(").filter_map(move |(end, _)| {
         let start = code[..end].rfind(|c: char| !c.is_alphanumeric() && c != '_').map_or(0, |at| at + 1);
         ASSERTIONS.contains(&&code[start..end]).then_some((start, end - start))
     })
 }
 
-/// What the assertion that begins in a line says: the comment behind it, or else the one above it.
-fn words(lines: &[&str], at: usize) -> String {
-    let end = (at..lines.len())
-        .find(|n| lines[*n].split("//").next().unwrap_or_default().trim_end().ends_with(");"));
+/// What the assertion that begins in a line says: the comment behind it, or else the one above it, line by line.
+fn comment_of<'a>(lines: &[&'a str], at: usize) -> Vec<&'a str> {
+    let end = (at..lines.len()).find(|n| code(lines[*n]).trim_end().ends_with(");"));
     if let Some((_, words)) = end.and_then(|end| lines[end].split_once("//")) {
-        return clause(words.trim());
+        return vec![words.trim()];
     }
     let above = lines[..at].iter().rev().map(|line| line.trim_start());
     let mut above: Vec<&str> = above.map_while(|line| line.strip_prefix("//")).map(str::trim).collect();
     above.reverse();
-    clause(&above.join(" "))
+    above
+}
+
+/// What of a line is no comment.
+fn code(line: &str) -> &str {
+    line.split("//").next().unwrap_or_default()
+}
+
+/// The names in some code.
+fn names(code: &str) -> impl Iterator<Item = &str> {
+    let words = code.split(|c: char| !c.is_alphanumeric() && c != '_');
+    words.filter(|word| word.starts_with(|c: char| c.is_alphabetic() || c == '_'))
+}
+
+/// The comments that tell of numbers, at statements that come out otherwise when a live number is changed, or above
+/// them; not those of assertions, which are asked.
+fn remarks<'a>(lines: &[&'a str]) -> Vec<Remark<'a>> {
+    let (mut found, mut known) = (Vec::new(), Vec::<(&str, BTreeSet<&str>)>::new());
+    // Of the statement that goes on: what it binds, on what it depends, its comments, and how many braces are open.
+    let (mut bound, mut of, mut comments, mut depth) = (Vec::new(), BTreeSet::new(), Vec::new(), 0_i32);
+    let asserting = (0..lines.len()).filter(|n| assertions(lines[*n]).next().is_some());
+    let asked: Vec<&str> = asserting.flat_map(|n| comment_of(lines, n)).collect();
+    for (n, line) in lines.iter().enumerate() {
+        let code = code(line).trim_end();
+        let words = match expected_output::read(lines, n) {
+            Some(Ok(printed)) => line.split_once(printed.numbers).map_or("", |(_, behind)| behind),
+            _ => &line[code.len()..],
+        };
+        let words = words.trim_start().trim_start_matches('/').trim();
+        if let Some(Ok(live)) = live(line) {
+            of.insert(live.name);
+        } else if tells_of_numbers(words) && !asked.contains(&words) {
+            comments.push(words);
+        }
+        let sides =
+            code.split_once(" = ").filter(|_| code.trim_start_matches(['#', ' ']).starts_with("let "));
+        bound.extend(sides.into_iter().flat_map(|(left, _)| names(left)));
+        for name in names(sides.map_or(code, |(_, right)| right)) {
+            of.extend(
+                known.iter().rfind(|(own, _)| *own == name).iter().flat_map(|(_, of)| of.iter().copied()),
+            );
+        }
+        depth += code.matches('{').count() as i32 - code.matches('}').count() as i32;
+        if depth <= 0 && code.ends_with([';', '}']) {
+            known.extend(bound.drain(..).map(|name| (name, of.clone())));
+            let of: Vec<&str> = std::mem::take(&mut of).into_iter().collect();
+            let comments = comments.drain(..).filter(|_| !of.is_empty());
+            found.extend(comments.map(|words| Remark { words, of: Of::Numbers(of.clone()) }));
+        }
+    }
+    found
+}
+
+/// Whether a comment has a number in it, in digits or as a word, but for that of an equation: `(3.12)`.
+fn tells_of_numbers(comment: &str) -> bool {
+    const WORDS: [&str; 12] =
+        ["half", "twice", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "tenth"];
+    comment.split([' ', ',', ';', ':']).any(|word| {
+        let is_equation = word.starts_with('(') && word.contains('.') && word.ends_with(')');
+        !is_equation && (word.contains(|c: char| c.is_ascii_digit()) || WORDS.contains(&word))
+    })
 }
 
 /// A sentence as it stands behind a colon: no capital, but of a single letter or a name in capitals, and no full stop.
@@ -313,6 +397,44 @@ mod tests {
             found.checks,
             ["it is fast", "equation eq:x holds, nearly", "equation eq:x holds, nearly"]
         );
+    }
+
+    #[test]
+    fn comments_that_may_be_false_of_other_numbers_are_known() {
+        let code = [
+            "# use x::f;",
+            "let drag = 3.0; // 11 s, whatever is changed",
+            "let spin = 30.0; // live: 0..60 rad/s",
+            "let count = 3; // live: 1..5",
+            "// With three of them,",
+            "let law = |x: f64| {",
+            "    let y = 2.0 * x; // twice as much",
+            "    y + spin",
+            "};",
+            "let both = law(1.0); // → 32.0 rad/s, of 30",
+            "count + 1; // → 4 in all",
+            "drag; // → 3.0, and not 4",
+            "let spin = drag; // 3 again",
+            "spin + 1.0; // → 4.0, one more than 3 (7.12)",
+            "f(both); // (7.12)",
+            "assert!(both > 31.0); // it is 32",
+            "// It has two",
+            "// sides.",
+            "assert!(both > 31.0);",
+        ];
+        let (found, faults) = answers(&code);
+        assert_eq!(faults, []);
+        let of = |names: &[&'static str]| Of::Numbers(names.to_vec());
+        let expected = [
+            ("it is 32", Of::Check(0)),
+            ("It has two", Of::Check(1)),
+            ("sides.", Of::Check(1)),
+            ("With three of them,", of(&["spin"])),
+            ("twice as much", of(&["spin"])),
+            ("rad/s, of 30", of(&["spin"])),
+        ];
+        let found: Vec<_> = found.remarks.into_iter().map(|remark| (remark.words, remark.of)).collect();
+        assert_eq!(found, expected);
     }
 
     #[test]

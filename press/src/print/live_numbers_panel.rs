@@ -4,7 +4,7 @@
 
 use crate::book::script;
 use crate::html::{breakable, escaped, prose};
-use dialect::live_numbers::{Answers, Live, Value};
+use dialect::live_numbers::{Answers, Live, Of, Remark, Value};
 use live::numbers::with_power;
 
 /// The panel of the snippet with this number among those of the book.
@@ -22,15 +22,22 @@ pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> Str
         .iter()
         .map(|words| {
             format!(
-                "<li class=\"holds\"><span class=\"sign\"></span><b>holds</b><span>: {}</span></li>\n",
+                "<li class=\"holds\"><span class=\"sign\"></span><b>holds</b><span>: {}</span><span class=\"by\"></span></li>\n",
                 prose(words)
             )
         })
         .collect();
     let checks = if checks.is_empty() { checks } else { format!("<ul>\n{checks}</ul>\n") };
+    let remarks: String = answers.remarks.iter().map(remark).collect();
+    let note = match answers.remarks.is_empty() {
+        true => "",
+        false => {
+            "<p class=\"note-of-text\" hidden>Comments that are struck out are about the numbers of the text.</p>\n"
+        }
+    };
     format!(
         "<div class=\"answers\" data-snippet=\"{snippet}\" data-module=\"{}\" role=\"group\" aria-label=\"Try other numbers\">\n\
-         {live}{values}{checks}<p class=\"says\" role=\"status\"></p>\n\
+         {live}{values}{checks}<p class=\"says\" role=\"status\"></p>\n{note}{remarks}\
          <button type=\"button\" class=\"reset\" disabled>Numbers of the text</button>\n</div>",
         script(chapter)
     )
@@ -49,6 +56,15 @@ fn field(live: &Live<'_>, id: &str) -> String {
          <span class=\"unit\">{unit}</span></span>\
          <input type=\"range\" {range} aria-label=\"{name}{comma}{unit}\"></div>\n"
     )
+}
+
+/// A comment of the code that may be false when a number has been changed, for the script.
+fn remark(remark: &Remark<'_>) -> String {
+    let of = match &remark.of {
+        Of::Numbers(names) => format!("data-of=\"{}\"", names.join(" ")),
+        Of::Check(place) => format!("data-check=\"{place}\""),
+    };
+    format!("<i hidden {of} data-words=\"{}\"></i>\n", escaped(remark.words))
 }
 
 fn value(value: &Value<'_>) -> String {

@@ -54,18 +54,17 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                     let lines = snippet.run(&live);
                     let (printed, rest) = lines.split_at(snippet.printed.len());
                     let (checks, said) = rest.split_at(snippet.checks);
-                    let signs = ["+", "-", "?"].map(|sign| checks.iter().any(|check| check == sign));
                     let classes = json!(
                         checks
                             .iter()
-                            .map(|check| match check.as_str() {
+                            .map(|check| match &check[..1] {
                                 "+" => "holds",
                                 "-" => "fails",
-                                _ => "unread",
+                                "?" => "unread",
+                                _ => panic!("{at}: {check}"),
                             })
                             .collect::<Vec<_>>()
                     );
-                    assert!(checks.is_empty() || signs.contains(&true), "{at}");
                     page.wait(&format!(
                         "JSON.stringify([...{panel}.querySelectorAll('li')].map((node) => node.className)) === {}",
                         json!(classes.to_string())
@@ -91,6 +90,13 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                         is_right
                     });
                     assert!(tries.is_some(), "{at}: {:?}", wrong(&mut page));
+                    for (place, check) in checks.iter().enumerate() {
+                        let by = page.text(&format!("{panel}.querySelectorAll('.by')[{place}].textContent"));
+                        let own = check[1..].replace('-', "−").replace('e', "·10").replace("1·10", "10");
+                        let own = if own.is_empty() { own } else { format!(" ({own})") };
+                        let is_sign = by.split(' ').count() == own.split(' ').count();
+                        assert!(alike(&own, &by) || is_sign && own.contains("10−"), "{at}: {by}, not {own}");
+                    }
                     let words = page.text(&format!("{panel}.querySelector('.says').textContent"));
                     assert_eq!(words.is_empty(), said.is_empty(), "{at}: {words}");
                 }
@@ -106,6 +112,59 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
             page.wait(&shown);
         }
         assert_eq!(page.text("location.href"), page_address, "the page was turned");
+        assert_eq!(page.console(), Vec::<String>::new(), "{name}");
+    }
+}
+
+#[test]
+fn what_is_typed_is_taken_as_it_can_be_and_what_tells_of_other_numbers_is_struck_out() {
+    let Some(mut browser) = open("typed") else { return };
+    let of = |page: &str, name: &str| {
+        let own = |snippet: &&Snippet| {
+            snippet.place.starts_with(page) && snippet.live.iter().any(|live| live.name == name)
+        };
+        SNIPPETS.iter().find(own).expect("the snippet")
+    };
+    for (name, number, typed, taken, says, struck) in [
+        ("wobble-plate", "count", "3.7", "4", "count: it is taken as 4.", ""),
+        (
+            "wobble-plate",
+            "count",
+            "-9",
+            "1",
+            "count goes from 1 to 7: it is taken as 1.",
+            "the frame is quiet",
+        ),
+        ("air-drag", "ratio", "0.5", "0.5", "", "With I₃/I₁ = 2 a thin disc"),
+        ("laundromat", "load_mass", "1e6", "20.0", "load_mass goes from 0.1 to 20: it is taken as 20.", ""),
+    ] {
+        let snippet = of(&format!("book/{name}/index.md"), number);
+        let mut page = browser.page(WIDE);
+        page.go(&format!("{}{name}/index.html", address()));
+        let panel = format!("document.querySelector('.answers[data-snippet=\"{}\"]')", snippet.number);
+        let code = format!("{panel}.parentElement.querySelector('code').textContent");
+        page.get(&format!("{panel}.scrollIntoView()"));
+        let field = format!("{panel}.querySelector('[type=number][data-name={number}]')");
+        page.get(&format!("({field}.value = '{typed}', {field}.dispatchEvent(new Event('input')))"));
+        page.wait(&format!("{code}.includes('let {number} = {taken};')"));
+        let place = snippet.live.iter().position(|live| live.name == number).expect("its place");
+        let mut live: Vec<f64> = snippet.live.iter().map(|live| live.value).collect();
+        live[place] = taken.parse().expect("a number");
+        let lines = snippet.run(&live);
+        let first = lines[0][1..].replace('-', "−");
+        page.wait(&format!("{panel}.querySelector('dd > output').textContent === '{first}'"));
+        assert!(page.text(&format!("{panel}.querySelector('.says').textContent")).contains(says), "{name}");
+        let all =
+            format!("[...document.querySelectorAll('.of-text')].map((node) => node.textContent).join()");
+        if struck.is_empty() {
+            continue;
+        }
+        let seen = page.text(&all);
+        assert!(seen.contains(struck), "{name}: {seen}");
+        assert_eq!(page.get(&format!("{panel}.querySelector('.note-of-text').hidden")), false, "{name}");
+        page.get(&format!("{panel}.querySelector('.reset').click()"));
+        page.wait(&format!("{all} === ''"));
+        assert_eq!(page.get(&format!("{panel}.querySelector('.note-of-text').hidden")), true, "{name}");
         assert_eq!(page.console(), Vec::<String>::new(), "{name}");
     }
 }

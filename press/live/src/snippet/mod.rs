@@ -43,8 +43,9 @@ pub struct Live {
 
 impl Snippet {
     /// Runs it with these numbers. A line for each number that it prints, in its order: `=` and the number, or nothing
-    /// if it was not reached; for each assertion: `+` if it holds, `-` if not, `?` if it was not reached; then `!` and
-    /// the words of an error if it gave up.
+    /// if it was not reached; for each assertion: `+` if it holds, `?` if it was not reached, or `-` if it fails, and
+    /// the two numbers that it compares, `0.092 is not below 0.087`, if they are two; then `!` and the words of an error if
+    /// it gave up.
     pub fn run(&self, live: &[f64]) -> Vec<String> {
         record::begin(self.printed.len(), self.checks);
         let outcome = if live.len() == self.live.len() {

@@ -117,7 +117,8 @@ pub(super) const CASES: &[Case] = &[
             "<code>a</code></label><span><input type='number' id='answers-0-0' inputmode='decimal' data-name='a' data-decimals='2' \
              min='0' max='2' step='0.01' value='1.0'><span class='unit'>m</span>",
             "<dt><code>f(<wbr>a)</code></dt><dd><output data-value='3e-2'>3·10<sup>−2</sup></output>~m</dd>",
-            "<b>holds</b><span>: it holds</span>",
+            "<b>holds</b><span>: it holds</span><span class='by'></span>",
+            "<i hidden data-check='0' data-words='It holds.'></i>",
         ],
     ),
     (
