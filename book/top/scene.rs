@@ -4,10 +4,11 @@ use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Point, Rect, Role, Room, Side, Stroke, at};
 use live::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Preset, Reading, Run, Scene, Settings, formulas,
-    point_at, value_at,
+    nearest, point_at, value_at,
 };
 use mechanics::scenes::top::{Release, Top, TopMotion, TopParameters, Track};
 use nalgebra::Vector3;
+use std::cell::Cell;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
@@ -62,6 +63,8 @@ const SHALLOWEST: f64 = 1e-4;
 
 /// A top that was let go at time zero.
 struct Spun {
+    /// The eye that has seen it last.
+    eye: Cell<Option<Camera>>,
     motion: TopMotion,
     tilt: f64,
     spin: f64,
@@ -87,7 +90,7 @@ impl Spun {
         }
         let least = motion.well(0.5 * (low + high)).min(energy);
         let depth = (energy - least).max(SHALLOWEST * top.weight_torque());
-        Ok(Self { motion, tilt: degrees, spin, least, depth })
+        Ok(Self { eye: Cell::new(None), motion, tilt: degrees, spin, least, depth })
     }
 
     fn tip(&self, time: f64) -> Result<Vector3<f64>, Cause> {
@@ -116,6 +119,7 @@ impl Spun {
             centre: moment.room.of(at(200.0, 215.0), at(180.0, 165.0)),
             scale: moment.room.of(112.0, 96.0),
         })?;
+        self.eye.set(Some(camera));
         let now = self.motion.at(moment.time)?;
         let axis = now.axis_3_world();
         let mut stage = Stage::new(camera);
@@ -179,6 +183,11 @@ impl Spun {
         let words = "the well of the tilt";
         graph.drawing().label_set(above, Side::Over, 0.0, 13.0, words, Role::Text(Hue::Muted))?;
         Ok(())
+    }
+
+    /// Where a point is seen.
+    fn seen(&self, point: Vector3<f64>) -> Result<Point, Cause> {
+        Ok(self.eye.get().ok_or("nothing has been drawn")?.on_page(point)?)
     }
 
     fn level(&self) -> f64 {
@@ -261,7 +270,25 @@ impl Motion for Spun {
         vec![point_at(frame, &tilt, &energy, (self.tilt, self.level()))]
     }
 
-    fn drag(&self, _grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+    /// The tip of its axis: it is leant over.
+    fn bodies(&self, moment: &Moment) -> Vec<(Point, f64)> {
+        let tip = self.tip(moment.time).and_then(|tip| self.seen(tip));
+        tip.map_or(Vec::new(), |tip| vec![(tip, 24.0)])
+    }
+
+    fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+        if grip == 1 {
+            let (Ok(tip), Ok(now)) = (self.tip(moment.time), self.tilt_at(moment.time)) else {
+                return Vec::new();
+            };
+            let (away, more) = (tip.y.atan2(tip.x), self.tilt - now);
+            let tilts = (0..=900).map(|k| 0.2 * f64::from(k) - more);
+            let tilt = nearest(tilts, to, |tilt| {
+                let (sin, cos) = tilt.to_radians().sin_cos();
+                self.seen(Vector3::new(sin * away.cos(), sin * away.sin(), cos) * TIP)
+            });
+            return tilt.map_or(Vec::new(), |tilt| vec![("tilt", tilt + more)]);
+        }
         let (frame, tilt, energy) = self.plot(moment.room);
         vec![("tilt", value_at(frame, &tilt, &energy, to).0)]
     }

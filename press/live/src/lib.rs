@@ -20,9 +20,9 @@ pub use approx;
 pub use control::{Control, Kind, Press, Settings};
 pub use drawing::{Axis, Room};
 pub use formulas::formulas;
-pub use graph::{Graph, point_at, value_at};
+pub use graph::{Graph, nearest, point_at, value_at};
 pub use player::Player;
-pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene};
+pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene, Sound};
 pub use written::written;
 
 use std::error::Error;
