@@ -123,8 +123,8 @@ fn table(rate: f64, slope: f64, start: TurntableStart) -> Result<TurntableRoll, 
 pub(crate) fn ball_circles(id: &str) -> Outcome {
     let mut drawing = Drawing::new(id, 340.0, 350.0).titled(
         "Circles on a turning table",
-        "A round table from above, with an arrow for its turning. From one place off its axis five circles of one size start in five directions; all pass \
-         through that place.",
+        "A round table from above, with an arrow for its turning. From one place off its axis, a disc, five arrows of one length point in five directions. A ball that is pushed along \
+         one of them runs round a circle; the five circles have one size.",
     );
     let middle = at(170.0, 180.0);
     drawing.circle(middle, 150.0, Role::Line(Stroke::Outline, Hue::Muted));
@@ -139,6 +139,10 @@ pub(crate) fn ball_circles(id: &str) -> Outcome {
         plot.curve(&format!("circle-{n}"), path, Stroke::Outline, Hue::Ink);
     }
     let start = plot.at((0.3, 0.1));
+    for n in 0..5 {
+        let push = Point::polar(34.0, TAU * f64::from(n) / 5.0 + 0.3);
+        kit::arrow(&mut drawing, start, start + push, Hue::Ink);
+    }
     for step in [at(5.0, 0.0), at(0.0, 5.0)] {
         drawing.line(middle - step, middle + step, Stroke::Outline, Hue::Muted);
     }

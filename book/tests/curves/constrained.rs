@@ -278,3 +278,16 @@ fn the_disk_ends_as_its_motion_with_each_loss_does() {
         assert!(checked > 50, "{power}: {checked}");
     }
 }
+
+#[test]
+fn the_light_of_a_lamp_on_the_rim_is_rolled_off_the_smaller_circle() {
+    // Seen from above the contact is at the angle θ on the circle of radius ¾, and the lamp by ¾ of the way behind it on the rim.
+    let lamp = |turned: f64| {
+        let ((sin, cos), (behind, near)) = ((turned - FRAC_PI_2).sin_cos(), (0.75 * turned).sin_cos());
+        (0.75 * near * cos + behind * sin, 0.75 * near * sin - behind * cos)
+    };
+    passes("rim-lamp", "light", (0..500).map(|n| lamp(0.0501 * f64::from(n))));
+    let turn = |n: u32| f64::from(n) / 100.0 * 2.0 * PI;
+    passes("rim-lamp", "stops", (0..100).map(|n| (0.75 * turn(n).cos(), 0.75 * turn(n).sin())));
+    passes("rim-lamp", "rim", (0..100).map(|n| (turn(n).cos(), turn(n).sin())));
+}

@@ -200,6 +200,9 @@ fn spin_and_wobble_decay_exponentially_and_as_powers_of_each_other() {
     lies_on("two-slopes", "across", |t: f64| 2.0 * 0.5_f64.powf(t / 20.0));
     lies_on("two-clocks", "flat", |wobble: f64| (wobble / 0.6).sqrt());
     lies_on("two-clocks", "long", |wobble: f64| (wobble / 0.6).powi(2));
+    for (name, clocks) in [("half", 0.5), ("same", 1.0), ("twice", 2.0), ("twenty", 20.0)] {
+        lies_on("four-paths", name, |left: f64| left.powf(clocks));
+    }
     // With I₃ = 2I₁ and u = e^{−Ct/I₃} the length is u², and what is left of the turns is 3.3 u.
     passes(
         "wobble-turns",
