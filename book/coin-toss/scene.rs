@@ -89,6 +89,8 @@ struct Throw {
     /// The path of the tip of the normal: heads, then tails.
     paths: [Vec<Vector3<f64>>; 2],
     tosses: Tosses,
+    /// What others gave before: angles between normal and momentum, degrees, and the part that showed heads.
+    former: Vec<(f64, f64)>,
 }
 
 impl Throw {
@@ -107,6 +109,7 @@ impl Throw {
             from_above: settings.choice("camera")? == 0,
             paths: [Vec::new(), Vec::new()],
             tosses: Tosses::default(),
+            former: Vec::new(),
         };
         throw.paths = throw.paths()?;
         if let Some(pressed) = settings.pressed("toss")? {
@@ -299,6 +302,9 @@ impl Throw {
             Ok(())
         })?;
         let angle = self.angle().to_degrees();
+        for &former in self.former.iter().filter(|(former, _)| *former != angle) {
+            graph.dot(former, 2.5, Hue::Pink);
+        }
         graph.grip((angle, self.probability()), Hue::Ink);
         let made = self.made(moment.time);
         if made > 0 {
@@ -426,6 +432,17 @@ impl Motion for Throw {
             };
         }
         words
+    }
+
+    /// What five thousand tosses gave that differ by chance.
+    fn found(&self, from: f64, to: f64) -> Option<[f64; 3]> {
+        let all = TOSSES as usize;
+        let is_new = self.made(from) < all && self.made(to) == all && !self.tosses.is_sure;
+        is_new.then(|| [self.angle().to_degrees(), self.tosses.heads(all), 0.0])
+    }
+
+    fn keep(&mut self, found: &[[f64; 3]]) {
+        self.former = found.iter().map(|&[angle, heads, _]| (angle, heads)).collect();
     }
 
     fn grips(&self, moment: &Moment) -> Vec<Point> {

@@ -30,6 +30,7 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("damping", r"damping, $\Gamma/\omega_0$", [0.0, 2.5, 0.01], "", 0.3),
         Control::choice("camera", "seen", &["in the room", "on the drum"]),
         Control::adding("kick", "Kick", &[]),
+        Control::KEEP,
         Control::choice("damper", "the damper feels", &["the whole velocity", "the radius only"]),
         Control::slider("board", r"friction on board, $\Gamma_i/\omega_0$", [0.0, 0.5, 0.01], "", 0.0),
         Control::choice("motor", "the drum", &["keeps its spin", "speeds up from rest", "has a weak motor"]),
@@ -46,7 +47,10 @@ pub(crate) const SCENE: Scene = Scene {
             "a kick, seen on the drum",
             &[("spin", 22.0), ("damping", 0.2), ("camera", 1.0), ("kick", 0.5)],
         ),
-        preset("a kick with the other damper", &[("spin", 22.0), ("damper", 1.0), ("kick", 0.5)]),
+        preset(
+            "the same kick, two dampers",
+            &[("spin", 22.0), ("damper", 1.0), ("kick", 0.5), ("kept", 1.0), ("kept.damper", 0.0)],
+        ),
         preset(
             "a whirl: friction on board",
             &[("spin", 40.0), ("damping", 0.2), ("board", 0.15), ("kick", 0.5)],
@@ -78,6 +82,8 @@ pub(super) const DRUM_INERTIA: f64 = 0.5;
 const KICK: Complex<f64> = Complex::new(0.4, 0.0);
 /// Where the tub strikes its housing: the largest distance of the shaft from O, in units of b.
 const LARGEST_SWING: f64 = 12.0;
+/// What passes in a turn: the load and seven holes.
+const PASSING: f64 = 8.0;
 
 const SPIN_AXIS: Axis<'_> = Axis::linear(0.0, MOST_SPIN, 10.0).titled(r"spin $\Omega$, rad/s");
 const FORCE_AXIS: Axis<'_> = Axis::linear(0.0, 400.0, 100.0).titled("force on the floor, N");
@@ -131,6 +137,8 @@ fn over_spin(still: &Machine, is_radial: bool) -> (Values, Values) {
 /// The drum in its suspension, for some settings.
 struct Washer {
     course: Course,
+    /// What is kept to compare, with its steady force on the floor over the spin.
+    kept: Option<(Course, Values)>,
     on_drum: bool,
     /// The steady force on the floor and the lead over the spin.
     forces: Values,
@@ -141,19 +149,30 @@ struct Washer {
     words: String,
 }
 
+/// How the shaft moves for some settings.
+fn course(settings: &Settings<'_>) -> Result<Course, Cause> {
+    let still = machine(settings.of("damping")?)?;
+    let is_radial = settings.choice("damper")? == 1;
+    let drive = match settings.choice("motor")? {
+        0 => Drive::KeepsItsSpin,
+        1 => Drive::SpeedsUp,
+        _ => Drive::WeakMotor(settings.of("torque")?),
+    };
+    let on_board = settings.of("board")? * 300.0;
+    let kicks = settings.presses("kick")?.iter().map(|kick| kick[0]).collect();
+    let phase = settings.of("phase")?;
+    Course::new(still, on_board, settings.of("spin")?, is_radial, drive, (phase, kicks))
+}
+
 impl Washer {
     fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let still = machine(settings.of("damping")?)?;
-        let [is_radial, on_drum] = [settings.choice("damper")? == 1, settings.choice("camera")? == 1];
-        let drive = match settings.choice("motor")? {
-            0 => Drive::KeepsItsSpin,
-            1 => Drive::SpeedsUp,
-            _ => Drive::WeakMotor(settings.of("torque")?),
-        };
-        let on_board = settings.of("board")? * 300.0;
-        let kicks = settings.presses("kick")?.iter().map(|kick| kick[0]).collect();
-        let phase = settings.of("phase")?;
-        let course = Course::new(still, on_board, settings.of("spin")?, is_radial, drive, (phase, kicks))?;
+        let (course, on_drum) = (course(settings)?, settings.choice("camera")? == 1);
+        let (still, is_radial) = (course.still, course.is_radial);
+        let kept = settings.kept(|settings| {
+            let course = self::course(settings)?;
+            let (forces, _) = over_spin(&course.still, course.is_radial);
+            Ok((course, forces))
+        });
         let (forces, leads) = over_spin(&still, is_radial);
         let quietest = forces.windows(3).find(|at| at[0].0 > 12.0 && at[1].1 < at[0].1 && at[1].1 <= at[2].1);
         let quietest = quietest.map(|at| at[1]);
@@ -165,7 +184,13 @@ impl Washer {
         };
         let point = |spin: f64| (spin, force(spin).unwrap_or(f64::INFINITY).min(FORCE_AXIS.scale.to));
         let steady = spins.into_iter().map(point).collect();
-        Ok(Self { course, on_drum, forces, leads, quietest, steady, words })
+        Ok(Self { course, kept, on_drum, forces, leads, quietest, steady, words })
+    }
+
+    /// The largest distance of the shaft from O, m.
+    fn widest(&self) -> f64 {
+        let own = self.course.widest.1;
+        self.kept.as_ref().map_or(own, |(kept, _)| own.max(kept.widest.1))
     }
 
     /// The plots of force, lead and swing.
@@ -177,7 +202,7 @@ impl Washer {
             )
             .map(|[left, top, width, height]| Rect::new(left, top, width, height));
         let end = self.course.end;
-        let most = 100.0 * self.course.widest.1.max(0.02) * 1.25;
+        let most = 100.0 * self.widest().max(0.02) * 1.25;
         let step = match most {
             12.0.. => 10.0,
             5.0.. => 5.0,
@@ -241,6 +266,9 @@ impl Washer {
         let unbalance = course.machine.total_mass() * course.machine.offset();
         let rigid = (0..=60).map(|n| (f64::from(n), unbalance * f64::from(n * n)));
         plot.curve(rigid, Stroke::Reference, Hue::Muted);
+        if let Some((_, forces)) = &self.kept {
+            plot.curve(forces.iter().copied(), Stroke::Pale, Hue::Purple);
+        }
         plot.curve(self.forces.iter().copied(), Stroke::Curve, Hue::Purple);
         if let Some((spin, force)) = self.quietest {
             plot.curve([(spin, force), (spin, 170.0)], Stroke::Dotted, Hue::Muted);
@@ -264,6 +292,10 @@ impl Washer {
         plot.dot((state.spin, state.lead().to_degrees()), 4.5, Hue::Blue);
 
         let mut plot = swing.on(drawing)?;
+        if let Some((kept, _)) = &self.kept {
+            let swings = kept.swings.iter().step_by(1 + kept.swings.len() / 800);
+            plot.curve(swings.map(|(t, r)| (*t, 100.0 * r)), Stroke::Pale, Hue::Blue);
+        }
         let swings = course.swings.iter().step_by(1 + course.swings.len() / 800);
         plot.curve(swings.map(|(t, r)| (*t, 100.0 * r)), Stroke::Outline, Hue::Blue);
         for &kick in course.kicks.iter().filter(|kick| **kick < course.end) {
@@ -284,7 +316,11 @@ impl Motion for Washer {
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let state = self.course.at(moment.time)?;
-        Drum::new(&self.course, &state, self.on_drum, moment)?.draw(drawing)?;
+        let drum = Drum::new(&self.course, &state, self.on_drum, self.widest(), moment)?;
+        drum.draw(drawing)?;
+        if let Some((kept, _)) = &self.kept {
+            drum.draw_kept(&kept.at(moment.time)?, drawing);
+        }
         self.draw_names(moment.room, &state, drawing)?;
         self.draw_plots(moment, &state, drawing)
     }
@@ -323,6 +359,18 @@ impl Motion for Washer {
             self.course.force(&state).norm(),
             self.course.imbalance(time)?,
         ])
+    }
+
+    /// Never from below the floor.
+    fn lowest_eye(&self) -> f64 {
+        10_f64.to_radians()
+    }
+
+    /// The hum of the drum, in which the load and seven holes pass eight times a turn: as loud as the force on the floor.
+    fn sound(&self, time: f64) -> Option<Sound> {
+        let state = self.course.at(time).ok()?;
+        let loudness = self.course.force(&state).norm() / FORCE_AXIS.scale.to;
+        Some(Sound { frequency: PASSING * state.spin / TAU, loudness })
     }
 
     /// The drum does not leap when its spin is changed.

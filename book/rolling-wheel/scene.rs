@@ -25,6 +25,7 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("lean", r"lean, $\theta$", [0.0, 60.0, 0.1], "°", 28.0),
         Control::slider("push", r"strength of the kick, $\dot\theta$", [-3.0, 3.0, 0.05], "rad/s", 1.0),
         Control { start: 0.0, ..Control::adding("kick", "Kick", &["push"]) },
+        Control::KEEP,
         Control::choice("wheel", "wheel", &["disc", "hoop", "weights on the axle"]),
         Control::slider("reach", "how far out the weights are, in radii", [0.2, 2.0, 0.01], "", 1.0)
             .when("wheel", [2.0, 2.0]),
@@ -96,6 +97,7 @@ impl Rolled {
         let camera = moment.camera(target, distance, centre, scale)?;
         let eye = target + Vector3::from(moment.towards_eye()) * distance;
 
+        self.eye.set(Some(camera));
         // The track lies on the table, and the wheel stands on both.
         let mut table = Stage::new(camera);
         let half = reach - 0.2;
@@ -106,10 +108,26 @@ impl Rolled {
         if self.loss == 0.0 && circle > 0.0 && circle + middle.norm() < 1.2 * reach {
             table.curve(Curve::circle([0.0; 3], Vector3::z(), circle)?, Stroke::Reference, Hue::Muted)?;
         }
+        if let Some(kept) = &self.kept {
+            let is_near = |place: &&Complex<f64>| (**place - middle).norm() <= half;
+            let track =
+                kept.contacts.iter().take_while(is_near).map(|place| Vector3::new(place.re, place.im, 0.0));
+            let track: Vec<_> = track.collect();
+            if track.len() > 1 {
+                table.curve(Curve::smooth(track)?, Stroke::Pale, Hue::Ink)?;
+            }
+        }
         table.write(drawing);
         self.draw_track(moment.time, now, &camera, (middle, half), drawing);
         let mut stage = Stage::new(camera);
         self.draw_wheel(now, &eye, &frame, &mut stage)?;
+        if let Some(kept) = &self.kept {
+            let state = kept.at(moment.time.min(kept.duration()))?;
+            let [_, second, third] = axes(&state);
+            let foot = state.contact(RADIUS) / RADIUS;
+            let rim = Curve::circle(Vector3::new(foot.re, foot.im, 0.0) + second, third, 1.0)?;
+            stage.curve(rim.hiding(Hiding::Ignored), Stroke::Pale, Hue::Ink)?;
+        }
         stage.dot_in_front([contact.re, contact.im, 0.0], 4.5, Hue::Pink)?;
         stage.write(drawing);
         Ok(())
@@ -236,6 +254,10 @@ impl Rolled {
             way.push(Self::on_map(state));
         }
         map.curve(way, Stroke::Orbit, Hue::Blue);
+        if let Some(kept) = &self.kept {
+            let state = kept.at(moment.time.min(kept.duration()))?;
+            map.dot(Self::on_map(&state), 3.4, Hue::Muted);
+        }
         map.dot(Self::on_map(now), 3.4, Hue::Blue);
         map.grip((self.circle, self.lean.to_degrees()), Hue::Ink);
         Ok(())
@@ -379,7 +401,20 @@ impl Motion for Rolled {
         ]
     }
 
+    /// The top of the wheel: it is tipped over.
+    fn bodies(&self, moment: &Moment) -> Vec<(Point, f64)> {
+        let top = self.at(moment.time).and_then(|now| self.top(&now));
+        top.map_or(Vec::new(), |top| vec![(top, 28.0)])
+    }
+
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+        if grip == 2 {
+            let Ok(now) = self.at(moment.time) else { return Vec::new() };
+            let leans = (0..=600).map(|k| f64::from(k).to_radians() / 10.0 - self.lean + now.lean());
+            let lean = nearest(leans, to, |lean| self.top(&Rolling { tilt: FRAC_PI_2 - lean, ..now }));
+            return lean
+                .map_or(Vec::new(), |lean| vec![("lean", (lean - now.lean() + self.lean).to_degrees())]);
+        }
         if grip == 0 {
             let (circle, lean) = map(moment.room).value(to);
             return vec![("circle", circle), ("lean", lean)];
@@ -479,6 +514,16 @@ impl Rolled {
         well.drawing().label(end, Side::BelowLeft, r"$E$", Hue::Muted)?;
         well.grip((leans.to, kick), Hue::Ink);
         Ok(())
+    }
+}
+
+impl Rolled {
+    /// Where the top of the wheel is seen, on the point that it touches now.
+    fn top(&self, state: &Rolling) -> Result<Point, Cause> {
+        let [_, second, _] = axes(state);
+        let foot = state.contact(RADIUS) / RADIUS;
+        let eye = self.eye.get().ok_or("nothing has been drawn")?;
+        Ok(eye.on_page(Vector3::new(foot.re, foot.im, 0.0) + second * 2.0)?)
     }
 }
 

@@ -5,6 +5,7 @@ use mechanics::InvalidQuantity;
 use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use nalgebra::{UnitQuaternion, Vector3};
+use std::cell::Cell;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
@@ -75,6 +76,8 @@ struct Spinning {
     start: SpinningCoin,
     /// The law by which it goes down, its place in [`POWERS`], and the time left at which it asks for free fall, s.
     down: Option<(SpinDown, usize, f64)>,
+    /// The eye that has seen it last.
+    eye: Cell<Option<Camera>>,
     /// On the way down: the angle by which the head has turned, rad, at equal steps of the film.
     head: Vec<f64>,
 }
@@ -110,7 +113,7 @@ impl Spinning {
                 Some((down, which - 1, down.time_left_at_free_fall().min(down.life())))
             }
         };
-        let mut spinning = Self { parameters, start, down, head: Vec::new() };
+        let mut spinning = Self { parameters, start, down, eye: Cell::new(None), head: Vec::new() };
         spinning.head = spinning.head_on_the_way()?;
         Ok(spinning)
     }
@@ -194,6 +197,7 @@ impl Spinning {
         let camera = moment.camera(target, 9.0, frame.centre(), moment.room.of(132.0, 108.0))?;
         let eye = target + Vector3::from(moment.towards_eye()) * 9.0;
 
+        self.eye.set(Some(camera));
         let (sin, cos) = now.coin.tilt().sin_cos();
         let centre = Vector3::new(0.0, 0.0, sin);
         let attitude = self.attitude(now);
@@ -458,16 +462,42 @@ impl Motion for Spinning {
         }
     }
 
+    /// The whir: how often the contact comes round.
+    fn sound(&self, time: f64) -> Option<Sound> {
+        let now = self.at(time).ok()?;
+        Some(Sound { frequency: now.coin.turn_rate() / TAU, loudness: 0.6 })
+    }
+
+    /// The top of the coin, but on the way down, which begins at another tilt.
+    fn bodies(&self, moment: &Moment) -> Vec<(Point, f64)> {
+        let top = self.at(moment.time).map_err(Cause::from).and_then(|now| self.top(&now.coin, now.rounds));
+        top.ok().filter(|_| self.down.is_none()).map_or(Vec::new(), |top| vec![(top, 30.0)])
+    }
+
     fn grips(&self, moment: &Moment) -> Vec<Point> {
         vec![rates(moment.room).point((self.start.tilt(), self.start.turn_rate()))]
     }
 
-    fn drag(&self, _grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+    fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
+        if grip == 1 {
+            let tilts = (1..=300).map(|k| 0.005 * f64::from(k));
+            let tilt = nearest([self.start.tilt()].into_iter().chain(tilts), to, |tilt| {
+                self.top(&SpinningCoin::new(self.parameters, tilt)?, moment.time / ROUND)
+            });
+            return tilt.map_or(Vec::new(), |tilt| vec![("tilt", tilt)]);
+        }
         vec![("tilt", rates(moment.room).value(to).0)]
     }
 }
 
 impl Spinning {
+    /// Where the top of a coin is seen after so many rounds.
+    fn top(&self, coin: &SpinningCoin, rounds: f64) -> Result<Point, Cause> {
+        let centre = Vector3::new(0.0, 0.0, coin.tilt().sin());
+        let eye = self.eye.get().ok_or("nothing has been drawn")?;
+        Ok(eye.on_page(centre - lowest(&coin.attitude(rounds)))?)
+    }
+
     /// The way of the contact along the table, by its speed, less that along the rim, by how the coin stands: in radii.
     fn slip(&self, now: &Now) -> f64 {
         if self.down.is_some() {

@@ -33,6 +33,10 @@ pub struct Scene {
     pub svg: String,
     /// The longest of what it says where the text leads and at the ends of its controls: the page keeps room for it.
     pub longest: String,
+    /// Whether it can be heard.
+    pub sounds: bool,
+    /// The least elevation from which it can be looked at, rad.
+    pub lowest_eye: f64,
 }
 
 impl Scene {
@@ -48,9 +52,11 @@ impl Scene {
 
     /// Draws the still, by the code that moves the scene in its page.
     fn drawn(page: &'static str, scene: &'static live::Scene) -> Result<Self> {
-        let still = Player::new(scene).and_then(|mut player| Ok(player.still()?.to_svg()?));
         let cannot = |error| anyhow!("{}: the scene {}: {error}", scene.file, scene.name);
-        Ok(Self { page, live: *scene, svg: still.map_err(cannot)?, longest: longest(scene) })
+        let mut player = Player::new(scene).map_err(cannot)?;
+        let svg = player.still().and_then(|still| Ok(still.to_svg()?)).map_err(cannot)?;
+        let (sounds, lowest_eye) = (player.sound(scene.still).is_some(), player.lowest_eye());
+        Ok(Self { page, live: *scene, svg, longest: longest(scene), sounds, lowest_eye })
     }
 }
 

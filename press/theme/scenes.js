@@ -151,10 +151,13 @@ function control(name, elements) {
     button: [() => pressed, (time) => (pressed = Math.max(time, -1))],
     hidden: [() => Number(first.value), (angle) => (first.value = angle)],
   }[type];
+  const shown = (value) => {
+    const digits = isLog ? 2 - Math.floor(Math.log10(value)) : (step.split(".")[1] ?? "").length;
+    return written(value, digits, dataset.unit ?? "°");
+  };
   const show = () => {
     if (type !== "range") return;
-    const digits = isLog ? 2 - Math.floor(Math.log10(get())) : (step.split(".")[1] ?? "").length;
-    const text = written(get(), digits, dataset.unit ?? "°");
+    const text = shown(get());
     if (output) output.textContent = text;
     first.setAttribute("aria-valuetext", text);
   };
@@ -171,7 +174,8 @@ function control(name, elements) {
     set((Math.round(get() / digit) + way) * digit);
     first.dispatchEvent(new Event("input"));
   });
-  const own = { name, elements, show, isButton: type === "button", isKept: type === "hidden", start: get() };
+  const words = (first.closest("fieldset")?.querySelector("legend") ?? first.labels?.[0] ?? first).textContent.trim();
+  const own = { name, elements, words, show, shown, isButton: type === "button", isKept: type === "hidden", start: get() };
   // A button whose presses add up: the controls that say how strong one is, and the presses before the last.
   Object.assign(own, { strengths: dataset.adds?.split(" ").filter(Boolean), earlier: [] });
   return Object.defineProperty(own, "value", { get, set: (value) => [set(value), show()] });
@@ -214,6 +218,42 @@ function paced(pace) {
 
 const NONE = new URLSearchParams();
 
+/** What settings keep of some controls to compare, a value and presses for each; nothing if they do not say so. */
+function keptIn(settings, controls) {
+  if (!Number(settings.get("kept"))) return null;
+  const own = new URLSearchParams([...settings].flatMap(([name, value]) => (name.startsWith("kept.") ? [[name.slice(5), value]] : [])));
+  return controls.map((control) => {
+    const asked = own.has(control.name) ? own : settings;
+    return { value: named(asked, control), earlier: pressesIn(asked, control) };
+  });
+}
+
+/** The tone of a scene: made when a reader asks for it, and silent but while the scene plays. */
+class Tone {
+  #context = new AudioContext();
+  #loudness = this.#context.createGain();
+  #source = this.#context.createOscillator();
+
+  constructor() {
+    // Overtones, so that a few strokes a second are heard as strokes, and on small loudspeakers too.
+    const parts = Float32Array.from({ length: 24 }, (_, n) => (n > 0 ? 1 / n : 0));
+    this.#source.setPeriodicWave(this.#context.createPeriodicWave(parts, parts.map(() => 0)));
+    this.#loudness.gain.value = 0;
+    this.#source.connect(this.#loudness).connect(this.#context.destination);
+    this.#source.start();
+  }
+  /** Sounds from now on so, Hz and a loudness from 0 to 1. */
+  set(frequency, loudness) {
+    const now = this.#context.currentTime;
+    if (frequency > 0) this.#source.frequency.setTargetAtTime(frequency, now, 0.02);
+    this.#loudness.gain.setTargetAtTime(MOST_LOUD * within(loudness, 0, 1), now, 0.03);
+  }
+  end() {
+    this.#context.close();
+  }
+}
+const MOST_LOUD = 0.08;
+
 // 4 — A scene
 
 class Scene {
@@ -224,8 +264,14 @@ class Scene {
   #isAtStill = true; // at the moment of the still: it plays from the beginning
   #usual = null; // how long the motion runs with the settings of the start
   #isOnScreen = false;
+  #isWoken = false;
   #shown = []; // readings
   #read = 0; // when they were
+  /** What is kept to compare, a value and presses for each control. */
+  kept = null;
+  /** Puts the picture back that stands beside a link. */
+  unpeek = null;
+  #tone = null;
   isPlaying = false;
   hasFailed = false;
 
@@ -236,8 +282,8 @@ class Scene {
     this.controls = controlsIn(figure, ".controls");
     this.view = controlsIn(figure, ".view");
     this.angles = this.view.map(({ start }) => start);
-    [this.drawing, this.play, this.step, this.time, this.clock, this.speed, this.says, this.copied] =
-      [".drawing", ".play", ".step", ".time", ".clock", ".pace", ".says", ".copied"].map(find);
+    [this.drawing, this.play, this.step, this.time, this.clock, this.speed, this.says, this.copied, this.sound, this.keptAs] =
+      [".drawing", ".play", ".step", ".time", ".clock", ".pace", ".says", ".copied", ".sound", ".kept"].map(find);
     this.waiting = [...figure.querySelectorAll("[data-when]")].map((element) => {
       const [name, from, to] = element.dataset.when.split(" ");
       const other = this.controls.find((control) => control.name === name);
@@ -276,8 +322,10 @@ class Scene {
   }
   uncover() {}
 
-  /** Loads the library, draws the first moment and begins to listen. */
+  /** Loads the library, draws the first moment and begins to listen; once. */
   async wake() {
+    if (this.#isWoken) return;
+    this.#isWoken = true;
     try {
       this.machine = await Machine.at(this.figure.dataset.module);
       this.#show();
@@ -295,6 +343,7 @@ class Scene {
   fail(error) {
     this.hasFailed = true;
     this.isPlaying = false;
+    this.#hush();
     cancelAnimationFrame(this.#frame);
     console.warn(`${this.figure.id}: ${this.machine?.cause(error) ?? error.message}`);
     for (const picture of this.pictures) picture.rest();
@@ -308,9 +357,12 @@ class Scene {
     const { run } = this.machine;
     for (const { button, settings } of this.presets) button.ariaPressed = this.#isSet(settings);
     for (const wait of this.waiting) wait();
-    const earlier = this.controls.flatMap(({ earlier }, place) =>
-      earlier.map(([time, one = 0, other = 0]) => [place, time, one, other]));
-    const values = [...this.controls.map(({ value }) => value), ...earlier.flat()];
+    this.#nameKept();
+    const presses = (whose, all) => all.flatMap(({ earlier }, place) =>
+      earlier.flatMap(([time, one = 0, other = 0]) => [whose, place, time, one, other]));
+    const kept = this.kept ?? [];
+    const ofKept = kept.flatMap(({ value }, place) => (value === this.controls[place].value ? [] : [1, place, value, 0, 0]));
+    const values = [...this.controls.map(({ value }) => value), ...presses(0, this.controls), ...ofKept, ...presses(2, kept)];
     this.machine.numbers(values.length).set(values);
     this.machine.text(run.start(Number(this.figure.dataset.scene), values.length, this.#isNew ? -1 : this.now));
     const reached = this.machine.numbers(this.controls.length);
@@ -332,6 +384,7 @@ class Scene {
     const picture = (this.picture ??= pictures.find(({ svg }) => svg.getClientRects().length > 0) ?? pictures[0]);
     const [azimuth = 0, elevation = 0] = this.angles.map((angle) => (angle * Math.PI) / 180);
     picture.draw(machine.text(machine.run.draw(now, azimuth, elevation, picture.svg.matches(".narrow"))));
+    this.#sing();
     this.time.value = now;
     this.clock.textContent = written(now, this.digits, "s");
     if (this.isPlaying && moment - this.#read < 100) return; // nobody reads numbers that change faster
@@ -378,9 +431,44 @@ class Scene {
     if (this.repeats) this.now %= this.duration;
     else this.#setPlaying(false);
   }
+  /** Whether the controls stand so; what is kept counts if the settings name it, and if they are those of the start. */
   #isSet(settings) {
-    const isAs = (control) => Math.abs(control.value - named(settings, control)) < 1e-6 && control.earlier.length === 0;
-    return this.controls.every((control) => control.isKept || isAs(control));
+    const isNear = (one, other) => Math.abs(one - other) < 1e-6;
+    const counts = settings === NONE || settings.has("kept");
+    const kept = keptIn(settings, this.controls);
+    return this.controls.every((control, place) => {
+      if (control.isKept || (control.name === "kept" && !counts)) return true;
+      const isAs = isNear(control.value, named(settings, control)) && control.earlier.length === 0;
+      return isAs && (!counts || isNear(this.kept?.[place].value ?? 0, kept?.[place].value ?? 0));
+    });
+  }
+  /** Says of what is kept in what it differs. */
+  #nameKept() {
+    if (!this.keptAs) return;
+    const name = (control, value) => {
+      const { elements: [first], words, unit, shown } = control;
+      if (first.type === "radio") return control.elements[value].labels[0].textContent.trim();
+      if (control.isButton) return `${words} ${value < 0 ? "never" : written(value, 2, "s")}`;
+      return `${words} ${first.type === "checkbox" ? (value ? "on" : "off") : shown(value)}`;
+    };
+    const others = (this.kept ?? []).flatMap(({ value }, place) => {
+      const control = this.controls[place];
+      return control.isKept || control.name === "kept" || value === control.value ? [] : [name(control, value)];
+    });
+    this.keptAs.textContent = this.kept ? `pale: ${others.join(", ") || "the same so far"}` : "";
+  }
+  /** What is heard now: nothing unless it was asked for, and plays in sight. */
+  #sing() {
+    if (!this.#tone) return;
+    const count = this.isPlaying && this.#isOnScreen && !document.hidden ? this.machine.run.sound(this.now) : 0;
+    const [frequency = 0, loudness = 0] = this.machine.numbers(count);
+    this.sound.dataset.hertz = frequency;
+    this.#tone.set(frequency, loudness);
+  }
+  #hush() {
+    this.#tone?.end();
+    this.#tone = null;
+    this.sound?.setAttribute("aria-pressed", "false");
   }
   /** What is read aloud to those who cannot see: nothing while it stays the same. */
   #say(words, isTrouble) {
@@ -416,6 +504,7 @@ class Scene {
     this.isPlaying = isPlaying;
     this.#before = null;
     this.#name();
+    this.#sing();
     this.ask();
   }
   /** Goes to a moment, and stays there. */
@@ -435,10 +524,12 @@ class Scene {
     this.#setPlaying(true);
     this.change();
   }
-  /** Sets controls by name, the others to their starts; begins anew without a time. */
-  set(settings) {
+  /** Sets controls by name, the others to their starts, but for what is kept if it `stays`; begins anew without a time. */
+  set(settings, stays = false) {
+    if (!stays || settings.has("kept")) this.kept = keptIn(settings, this.controls);
     for (const control of this.controls) {
       Object.assign(control, { value: named(settings, control), earlier: pressesIn(settings, control) });
+      if (control.name === "kept") control.value = Number(this.kept !== null);
     }
     this.#isNew = true;
     this.change();
@@ -458,9 +549,11 @@ class Scene {
   /** The address of the present settings, time and view. */
   address() {
     const changed = [...this.controls, ...this.view].filter(({ value, start, earlier }) => value !== start || earlier?.length);
-    const settings = [...changed, { name: "t", value: this.now }];
+    const kept = (this.kept ?? []).map((own, place) => ({ ...own, name: `kept.${this.controls[place].name}` }));
     const written = ({ name, value, earlier = [] }) =>
       [...earlier, [value]].map((numbers) => `${name}=${numbers.map((number) => +number.toPrecision(6))}`).join("&");
+    const isOther = (own, place) => written(own) !== `kept.${written(this.controls[place])}`;
+    const settings = [...changed, ...kept.filter(isOther), { name: "t", value: this.now }];
     return `#${this.figure.id}?${settings.map(written).join("&")}`;
   }
   /** Does what the page's address says, if it is of this scene. */
@@ -471,6 +564,65 @@ class Scene {
     this.uncover();
     this.look((_, control) => named(settings, control));
     this.set(settings);
+  }
+
+  /** Shows the picture beside a link of the text that was followed from afar, so that the reader stays there, until it
+   *  is closed or the reader comes to the scene. Whether it does. */
+  peek(link) {
+    const { figure, drawing } = this;
+    if (this.hasFailed || !drawing.showPopover) return false;
+    this.wake();
+    figure.style.minHeight = `${figure.offsetHeight}px`; // nothing moves where it was
+    const bar = document.createElement("p");
+    bar.className = "peek";
+    const watch = new IntersectionObserver((entries) => entries.at(-1).isIntersecting && this.unpeek());
+    const escape = ({ key }) => key === "Escape" && this.unpeek();
+    this.unpeek = () => {
+      this.unpeek = null;
+      watch.disconnect();
+      removeEventListener("keydown", escape);
+      bar.remove();
+      drawing.popover = null;
+      figure.style.minHeight = "";
+    };
+    const button = (words, act) => {
+      const button = document.createElement("button");
+      Object.assign(button, { type: "button", textContent: words });
+      this.on([button], "click", act);
+      return button;
+    };
+    const close = button("Close", () => this.unpeek());
+    bar.append(button("Go to the scene", () => this.visit()), close);
+    drawing.prepend(bar);
+    drawing.popover = "manual";
+    drawing.classList.toggle("above", link.getBoundingClientRect().top > innerHeight / 2);
+    drawing.showPopover();
+    addEventListener("keydown", escape);
+    watch.observe(figure.querySelector(".panel"));
+    return true;
+  }
+  /** Goes to the scene: the eye, and with it the place from which the Tab key goes on. */
+  visit() {
+    this.unpeek?.();
+    this.figure.tabIndex = -1;
+    this.figure.focus({ preventScroll: true });
+    if (this.#isFar()) this.figure.scrollIntoView(); // else the link stays in sight too
+  }
+  #isFar() {
+    const { top, bottom } = this.drawing.getBoundingClientRect();
+    return top < -1 || bottom > innerHeight + 1;
+  }
+  /** Comes into sight for who follows a link to it, from the text or from elsewhere; again, if it is there already. */
+  come(link, isAgain) {
+    const stays = link && (this.unpeek ? !isAgain : this.#isFar() && this.peek(link));
+    if (!stays) this.visit();
+  }
+
+  /** Keeps the present motion to compare, or lets it go. */
+  #keep(isKept) {
+    const snapshot = ({ name, value, earlier }) => ({ value: name === "kept" ? 1 : value, earlier: [...earlier] });
+    this.kept = isKept ? this.controls.map(snapshot) : null;
+    this.change();
   }
 
   /** Puts a link into the page's address and, if it can, on the clipboard. */
@@ -503,18 +655,28 @@ class Scene {
     on(".play", "click", () => (this.isPlaying ? this.#setPlaying(false) : this.start()));
     const step = (way) => this.seek(this.now + (way * this.pace * this.speed.value) / 10);
     on(".step", "click", () => step(1));
+    on(".sound", "click", () => {
+      if (this.#tone) this.#hush();
+      else {
+        this.#tone = new Tone();
+        this.sound.setAttribute("aria-pressed", "true");
+        this.#sing();
+      }
+    });
+    this.on([document], "visibilitychange", () => this.#sing());
     on(".time", "input", () => this.seek(this.time.valueAsNumber));
     on(".view input", "input", () => this.look((_, { value }) => value));
     on(".reset", "click", () => {
       this.look((_, { start }) => start);
       this.set(NONE);
     });
-    for (const { button, settings } of this.presets) this.on([button], "click", () => this.set(settings));
+    for (const { button, settings } of this.presets) this.on([button], "click", () => this.set(settings, true));
     // Before the link is opened elsewhere, or copied by the browser.
     on(".share a", "pointerdown focus keydown", ({ currentTarget }) => (currentTarget.href = this.address()));
     on(".share a", "click", (event) => this.#copy(event));
     for (const control of this.controls) {
       if (control.isButton) this.on(control.elements, "click", () => this.press(control));
+      else if (control.name === "kept") this.on(control.elements, "input", () => this.#keep(control.value !== 0));
       else this.on(control.elements, "input", () => this.change(control.show()));
     }
     // The arrow keys belong to the slider that has them, and else to the time; not to the book, whose pages they would turn.
@@ -538,6 +700,7 @@ class Scene {
       const { isIntersecting, intersectionRatio, intersectionRect } = entries.at(-1); // the newest of a batch
       this.#isOnScreen = isIntersecting;
       this.#before = null;
+      this.#sing();
       if (isNew && (intersectionRatio >= 0.5 || intersectionRect.height >= innerHeight / 2)) {
         isNew = false;
         if (!calm.matches && this.#isAtStill) this.start();
@@ -615,18 +778,18 @@ function whenNear(element, act) {
 const scenes = [...document.querySelectorAll("figure.scene[data-module]")].map((figure) => new Scene(figure));
 for (const scene of scenes) whenNear(scene.figure, () => scene.wake());
 
-/** Goes to the scene that the page's address names: the eye, and with it the place from which the Tab key goes on.
- *  Coming back to an address is left to the browser. */
+/** The link of the text that is being followed. */
+let followed = null;
+
+/** Has the scene that the page's address names come into sight. Coming back to an address is left to the browser. */
 function visit(isAgain = false) {
   const target = addressed(location.hash);
   if (!target) return;
   if (isAgain || !history.state?.isVisited) {
     history.replaceState({ isVisited: true }, "");
-    target.figure.tabIndex = -1;
-    target.figure.focus({ preventScroll: true });
-    const { top, bottom } = target.figure.querySelector(".drawing").getBoundingClientRect();
-    if (top < -1 || bottom > innerHeight + 1) target.figure.scrollIntoView(); // else the link stays in sight too
+    scenes.find(({ figure }) => figure === target.figure)?.come(followed, isAgain);
   }
+  followed = null;
   for (const scene of scenes) scene.follow();
 }
 // Without a script a link of the text leads to the still; with it, to its setting.
@@ -635,8 +798,10 @@ visit();
 window.spinning = { Machine, whenNear }; // for snippets whose numbers can be changed
 addEventListener("hashchange", () => visit());
 // A link that is followed again changes no address.
-document.addEventListener("click", ({ target, defaultPrevented }) => {
+document.addEventListener("click", ({ target, defaultPrevented, ctrlKey, metaKey, shiftKey }) => {
   const link = target.closest?.("a[href]");
-  if (link && !defaultPrevented && addressed(link.hash) && link.href === location.href) visit(true);
+  if (!link || defaultPrevented || ctrlKey || metaKey || shiftKey || !addressed(link.hash)) return;
+  followed = link.matches("[data-set]") ? link : null;
+  if (link.href === location.href) visit(true);
 });
 })();

@@ -39,13 +39,13 @@ impl<'a> Drum<'a> {
         course: &'a Course,
         state: &'a State,
         on_drum: bool,
+        widest: f64,
         moment: &Moment,
     ) -> Result<Self, Cause> {
-        let posts = (TUB + 0.4 + course.widest.1 * METRE).max(2.5);
+        let posts = (TUB + 0.4 + widest * METRE).max(2.5);
         let eye = moment.azimuth + if on_drum { state.azimuth } else { 0.0 };
         let (centre, scale) = moment.room.of((at(196.0, 216.0), 186.0), (at(190.0, 204.0), 178.0));
-        // Never from below the floor.
-        let seen = moment.seen_from(eye, moment.elevation.max(0.2));
+        let seen = moment.seen_from(eye, moment.elevation);
         let camera = seen.camera([0.0; 3], 14.0, centre, scale / posts)?;
         let shaft = state.shaft.position * METRE;
         Ok(Self { course, time: moment.time, state, on_drum, camera, eye, posts, shaft })
@@ -187,6 +187,18 @@ impl<'a> Drum<'a> {
         }
         drawing.polyline(&way, Stroke::Vector, Hue::Blue);
         Ok(())
+    }
+
+    /// The shaft, the tub, the drum and the load of the motion that is kept to compare.
+    pub(super) fn draw_kept(&self, kept: &State, drawing: &mut Drawing) {
+        let (shaft, azimuth) = (kept.shaft.position * METRE, kept.azimuth);
+        for radius in [TUB, 1.0, 0.04] {
+            drawing.polyline(&self.arc(shaft, RIM, radius, 0.0, TAU), Stroke::Pale, Hue::Ink);
+        }
+        let mut mat = self.arc(shaft, RIM, 0.97, azimuth - 0.36, 0.72);
+        mat.extend(self.arc(shaft, RIM, 0.67, azimuth + 0.36, -0.72));
+        mat.push(mat[0]);
+        drawing.polyline(&mat, Stroke::Pale, Hue::Ink);
     }
 
     /// The line from O through the shaft, that from the shaft to the load, and the angle by which it leads.

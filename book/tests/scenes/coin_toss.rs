@@ -1,7 +1,9 @@
 //! The scene of "The coin toss" against a simulation, and its tosses against chance.
 
 use crate::hand::Hand;
+use drawing::{Fill, Hue, Role, Shape};
 use fastrand::Rng;
+use live::Room;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::PrincipalMoments;
 use mechanics::integrate::Dop853;
@@ -71,6 +73,35 @@ fn thousands_of_tosses_come_near_the_probability_if_the_hand_is_unsure() {
         let caught = machine.reading(2.0 * 2.4 / 9.81, HEIGHT);
         assert_eq!(machine.reading(0.0, HEADS), if caught >= 0.0 { 1.0 } else { 0.0 });
     }
+}
+
+#[test]
+fn what_five_thousand_tosses_gave_stays_on_the_plot() {
+    let results = |hand: &mut Hand| {
+        let drawing = hand.draw(0.2, Room::Wide);
+        let dots = drawing.items().iter().filter_map(|item| match item.shape {
+            Shape::Circle { centre, radius: 2.5 } if item.role == Role::Area(Fill::Solid, Hue::Pink) => {
+                Some(centre)
+            }
+            _ => None,
+        });
+        dots.collect::<Vec<_>>()
+    };
+    let mut hand = Hand::with("coin-toss", &[("twist", 60.0), ("toss", 0.0)]);
+    assert_eq!(results(&mut hand), []);
+    let (time, heads) = (0.48, hand.reading(0.48, HEADS));
+    hand.draw(time, Room::Wide); // until all have been made
+    let mut other = hand.changed(&[("twist", 19.0), ("toss", -1.0)]);
+    let [result] = results(&mut other)[..] else { panic!("one result") };
+    // 0.5 at the foot, 104 px below one; θ_L to the right, 90° on 170 px.
+    let angle = (240_f64 / 120.0).atan().to_degrees();
+    let [x, p] = [(result.x - 444.0) / 170.0 * 90.0, 1.0 - (result.y - 364.0) / 208.0];
+    assert!((x - angle).abs() < 0.1 && (p - heads).abs() < 1e-3, "{x}° and {p}, not {angle}° and {heads}");
+    // A machine knows no chance: there is nothing to remember.
+    let mut machine = Hand::with("coin-toss", &[("toss", 0.0), ("hand", 2.0)]);
+    machine.draw(0.1, Room::Wide);
+    machine.draw(time, Room::Wide);
+    assert_eq!(results(&mut machine.changed(&[("twist", 19.0)])), []);
 }
 
 #[test]

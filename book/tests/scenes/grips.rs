@@ -2,7 +2,7 @@
 
 use crate::hand::{Hand, Settings};
 use drawing::kit::GRIP;
-use drawing::{Role, Shape};
+use drawing::{Role, Shape, at};
 use live::Room;
 
 /// A scene, a time, its settings, a grip, and what is different where the hand draws it.
@@ -52,6 +52,45 @@ fn what_can_be_held_looks_so_and_nothing_else_does() {
                     "{of}"
                 );
             }
+        }
+    }
+}
+
+/// A scene, a time, its settings, and a control that is set when its body is pulled to where it stands for another value.
+const BODIES: &[(&str, f64, Settings, &str, f64)] = &[
+    ("rolling-wheel", 1.0, &[("push", 0.0)], "lean", 40.0),
+    ("rolling-wheel", 3.0, &[("kick", -1.0)], "lean", 12.0),
+    ("spinning-coin", 2.0, &[], "tilt", 1.1),
+    ("spinning-coin", 7.0, &[("coin", 1.0)], "tilt", 0.3),
+    ("top", 0.0, &[], "tilt", 55.0),
+    ("top", 0.0, &[("push", -3.0)], "tilt", 12.0),
+];
+
+#[test]
+fn a_body_follows_the_hand_from_wherever_it_is_taken_hold_of() {
+    for &(name, time, settings, control, value) in BODIES {
+        for room in [Room::Wide, Room::Narrow] {
+            let drawn = |settings: &[(&str, f64)]| {
+                let mut hand = Hand::with(name, settings);
+                hand.draw(time, room);
+                hand
+            };
+            let other = [settings, &[(control, value)]].concat();
+            let (mut hand, there) = (drawn(settings), drawn(&other));
+            let (from, to, aside) = (hand.body(), there.body(), at(9.0, -6.0));
+            let of = format!("{name}, {settings:?}, {control} to {value}, {room:?}");
+            // A touch changes nothing.
+            let before = hand.value(control);
+            assert!(hand.pull(from + aside, from + aside), "{of}: nothing is held");
+            assert!(
+                (hand.value(control) - before).abs() < 1e-9,
+                "{of}: a touch sets {}",
+                hand.value(control)
+            );
+            assert!(hand.pull(from + aside, to + aside), "{of}: nothing is held");
+            let off = (hand.value(control) / value - 1.0).abs();
+            assert!(off < 0.02, "{of}: {}", hand.value(control));
+            assert!(!hand.pull(at(-500.0, 0.0), to), "{of}: what is nowhere near is held");
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A reader's hand: what tests do with a scene.
 
 use drawing::{Drawing, Label, Piece, Point, Shape};
-use live::{Moment, Player, Press, Room, Scene};
+use live::{Moment, Player, Press, Room, Scene, Sound};
 
 /// Names of controls and their values.
 pub(crate) type Settings = &'static [(&'static str, f64)];
@@ -30,7 +30,7 @@ impl Hand {
     pub(crate) fn pressed(&self, button: &str, earlier: &[Press]) -> Self {
         let place = self.scene().controls.iter().position(|control| control.name == button);
         let place = place.expect("a button") as f64;
-        let presses = earlier.iter().flat_map(|&[time, one, other]| [place, time, one, other]);
+        let presses = earlier.iter().flat_map(|&[time, one, other]| [0.0, place, time, one, other]);
         let values = self.player.values().iter().copied().chain(presses).collect();
         Self::of(Player::with(self.scene(), values).expect("an answer"))
     }
@@ -79,6 +79,11 @@ impl Hand {
         self.player.draw(self.last).expect("a picture")
     }
 
+    /// What is heard at a time.
+    pub(crate) fn sound(&self, time: f64) -> Option<Sound> {
+        self.player.sound(time)
+    }
+
     /// The words at the beginning.
     pub(crate) fn words(&self) -> String {
         self.player.words(0.0)
@@ -103,6 +108,18 @@ impl Hand {
     /// Where its grips stand in the picture that was drawn last, px.
     pub(crate) fn grips(&self) -> Vec<Point> {
         self.player.grips()
+    }
+
+    /// Where a body can be taken hold of in the picture that was drawn last, px.
+    pub(crate) fn body(&self) -> Point {
+        self.player.bodies()[0].0
+    }
+
+    /// Takes hold of what is at a point, if anything is, draws it to another, and draws the same moment again.
+    pub(crate) fn pull(&mut self, from: Point, to: Point) -> bool {
+        let Some(held) = self.player.hold(from, 12.0) else { return false };
+        self.draw_grip(held, to);
+        true
     }
 
     /// Draws a grip to a point, and draws the same moment again.

@@ -1,7 +1,9 @@
 //! The scene of the laundromat against small steps of Newton's equations, and formulas.
 
 use crate::hand::{Hand, number_behind};
+use drawing::{Hue, Point, Role, Shape, Stroke};
 use fastrand::Rng;
+use live::Room;
 use mechanics::integrate::rk4;
 use nalgebra::Matrix4;
 use std::f64::consts::TAU;
@@ -133,6 +135,58 @@ fn a_radial_damper_holds_until_it_is_kicked() {
         let [x, y, ..] = Drum { radial: 3.0, ..free }.after(free.start(), 0.5, end);
         close(kicked.reading(end, "shaft"), 1e3 * x.hypot(y), 0.1, &format!("after {end} s"));
         close(kicked.reading(end, "drift"), 0.0, 1e-2, "the balance of momentum");
+    }
+}
+
+/// The points of the pale, or of the strong, curve of swings in a picture.
+fn swings(hand: &mut Hand, stroke: Stroke) -> Vec<Point> {
+    let drawing = hand.draw(1.0, Room::Wide);
+    let curves = drawing.items().iter().filter(|item| item.role == Role::Line(stroke, Hue::Blue));
+    let points = curves.filter_map(|item| match &item.shape {
+        Shape::Polyline(points) if points.iter().all(|point| point.y > 320.0 && point.x > 430.0) => {
+            Some(points.clone())
+        }
+        _ => None,
+    });
+    points.max_by_key(Vec::len).expect("the curve")
+}
+
+#[test]
+fn what_is_kept_to_compare_is_the_motion_with_its_own_settings() {
+    let kick = [("spin", 22.0), ("kick", 0.5)];
+    let radial = [&kick[..], &[("damper", 1.0)]].concat();
+    let both = [&radial[..], &[("kept", 1.0), ("kept.damper", 0.0)]].concat();
+    let (mut alone, mut present) = (washer(&kick), washer(&radial));
+    let mut both = washer(&both);
+    // The axes are those of the wider swings, so that the heights of a curve are in one ratio to its own.
+    let foot = 392.0;
+    for (name, other, stroke) in
+        [("kept", &mut alone, Stroke::Pale), ("present", &mut present, Stroke::Outline)]
+    {
+        let (found, own) = (swings(&mut both, stroke), swings(other, Stroke::Outline));
+        let ratio = |n: usize| (foot - found[n].y) / (foot - own[n].y);
+        assert!(found.len() > 100, "{name}: {} points", found.len());
+        let count = found.len().min(own.len()) - 1;
+        for n in (count / 4)..count {
+            assert!(
+                (ratio(n) / ratio(count / 2) - 1.0).abs() < 0.02,
+                "{name} at {:?} and {:?}",
+                found[n],
+                own[n]
+            );
+        }
+    }
+    assert_eq!(both.words(), present.words());
+    assert_eq!(both.reading(2.0, "shaft"), present.reading(2.0, "shaft"));
+}
+
+#[test]
+fn the_drum_hums_eight_times_a_turn_as_loud_as_the_floor_feels() {
+    for (spin, time) in [(10.0, 1.0), (24.9, 3.0), (0.0, 0.0)] {
+        let hand = washer(&[("spin", spin), ("kick", 0.5)]);
+        let sound = hand.sound(time).expect("a sound");
+        close(sound.frequency, 8.0 * spin / TAU, 1e-12, "its pitch");
+        close(400.0 * sound.loudness, hand.reading(time, "force"), 0.51, "its loudness");
     }
 }
 

@@ -50,6 +50,18 @@ fn the_head_turns_as_a_simulated_coin_does() {
 }
 
 #[test]
+fn the_coin_whirs_as_often_as_its_contact_comes_round() {
+    for settings in [&[][..], &[("tilt", 0.1), ("loss", 1.0)], &[("tilt", 0.1), ("loss", 4.0)]] {
+        let hand = set(settings);
+        for part in [0.0, 0.4, 0.99] {
+            let time = part * hand.duration();
+            let (heard, told) = (hand.sound(time).expect("a sound").frequency, hand.reading(time, "whir"));
+            assert!((heard - told).abs() <= 0.051, "{settings:?} at {time}: {heard} and {told} Hz");
+        }
+    }
+}
+
+#[test]
 fn each_law_ends_where_the_book_says() {
     for (which, power, mach) in [(1, 2.0, 0.07), (2, 1.25, 0.157), (3, 1.0, 0.243), (4, 0.5, 1.165)] {
         let hand = set(&[("tilt", 0.1), ("loss", f64::from(which))]);

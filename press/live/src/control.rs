@@ -56,8 +56,15 @@ pub enum Kind {
 /// A press of a button: the scene's time, s, and how strong it was by the controls that say so, or zeros.
 pub type Press = [f64; 3];
 
-/// How an earlier press stands behind the values of the controls: the place of its button before it.
-pub(crate) const EARLIER: usize = 4;
+/// What stands behind the values of the controls, five numbers each: what it is, the place of a control, and a press of
+/// this button before its last or, of what is kept to compare, the value of this control or such a press.
+pub(crate) const BEHIND: usize = 5;
+pub(crate) const PRESSED: f64 = 0.0;
+pub(crate) const KEPT: f64 = 1.0;
+pub(crate) const KEPT_PRESSED: f64 = 2.0;
+
+/// What stands before the name of a control of which the kept value is meant: `kept.spin`.
+pub(crate) const OF_KEPT: &str = "kept.";
 
 impl Control {
     /// A slider.
@@ -106,6 +113,10 @@ impl Control {
     pub const fn kept(name: &'static str) -> Self {
         Self { name, words: "", kind: Kind::Kept, start: 0.0, when: None }
     }
+
+    /// A switch by which a reader keeps the present motion, to be drawn pale beside that with other settings: see
+    /// [`Settings::kept`]. Presets and links may name what is kept: `kept=1&kept.spin=20`, the rest as it is.
+    pub const KEEP: Self = Self::switch("kept", "keep this motion, to compare", false);
 
     /// The same, of no effect but while another control is between two values: a reader cannot move it then.
     pub const fn when(self, other: &'static str, between: [f64; 2]) -> Self {
@@ -184,13 +195,30 @@ impl Settings<'_> {
         Ok(Some(self.of(name)?).filter(|time| *time >= 0.0))
     }
 
+    /// What a scene makes of the settings that the reader has kept to compare with the present ones; nothing if none
+    /// are, or if they have no answer.
+    pub fn kept<M>(&self, make: impl FnOnce(&Settings<'_>) -> Result<M, Cause>) -> Option<M> {
+        let (present, behind) = self.values.split_at(self.controls.len());
+        let keep = place_of(self.controls, Control::KEEP.name).ok().filter(|&place| present[place] != 0.0)?;
+        let mut values = present.to_vec();
+        values[keep] = 0.0;
+        for own in behind.chunks_exact(BEHIND) {
+            match own[0] {
+                KEPT => values[own[1] as usize] = own[2],
+                KEPT_PRESSED => values.extend([PRESSED, own[1], own[2], own[3], own[4]]),
+                _ => {}
+            }
+        }
+        make(&Settings { controls: self.controls, values: &values }).ok()
+    }
+
     /// The presses of a button whose presses add up, in the order of their times. The last is as strong as the
     /// controls say now, those before it as strong as they were then.
     pub fn presses(&self, name: &str) -> Result<Vec<Press>, Cause> {
         let place = place_of(self.controls, name)?;
-        let earlier = self.values[self.controls.len()..].chunks_exact(EARLIER);
-        let own = earlier.filter(|press| press[0] == place as f64);
-        let mut presses: Vec<Press> = own.map(|press| [press[1], press[2], press[3]]).collect();
+        let behind = self.values[self.controls.len()..].chunks_exact(BEHIND);
+        let own = behind.filter(|press| press[..2] == [PRESSED, place as f64]);
+        let mut presses: Vec<Press> = own.map(|press| [press[2], press[3], press[4]]).collect();
         if let (Some(time), Kind::Button(strengths)) = (self.pressed(name)?, self.controls[place].kind) {
             let mut press = [time, 0.0, 0.0];
             for (slot, strength) in press[1..].iter_mut().zip(strengths.unwrap_or_default()) {

@@ -24,7 +24,7 @@ pub use drawing::{Axis, Room};
 pub use formulas::formulas;
 pub use graph::{Graph, Plot, nearest, nice_step};
 pub use player::Player;
-pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene, preset, reading};
+pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene, Sound, preset, reading};
 pub use small::Small;
 pub use written::written;
 

@@ -8,15 +8,15 @@
 //! `BOOK_CHAPTER`. It holds the scenes and the snippets of that chapter and what they use of the library.
 //! Built without a name it holds all. [`pages!`](crate::pages) gives these functions the names that scripts call.
 
-use crate::scene::{Run, Scene};
+use crate::scene::{Run, Scene, Sound};
 use crate::snippet::Snippet;
 use crate::{Cause, Moment, Player};
 use drawing::{Room, at};
 use std::cell::{Cell, RefCell};
 use std::panic;
 
-/// As many values as a scene, with its earlier presses, or a snippet can have.
-const MOST: usize = 128;
+/// As many values as a scene, with its earlier presses and what is kept to compare, or a snippet can have.
+const MOST: usize = 320;
 
 thread_local! {
     static INPUT: [Cell<f64>; MOST] = const { [const { Cell::new(0.0) }; MOST] };
@@ -26,7 +26,7 @@ thread_local! {
     static PLAYER: RefCell<Option<Player>> = const { RefCell::new(None) };
 }
 
-/// Where numbers go in: 128 of them.
+/// Where numbers go in: 320 of them.
 pub fn input() -> *const f64 {
     INPUT.with(|input| input.as_ptr().cast())
 }
@@ -144,13 +144,25 @@ pub fn words(time: f64) -> isize {
     with(|player| Ok(player.words(time)))
 }
 
-/// Which grip of the picture a hand takes hold of at a point, not further from it than `reach`, px; −1 for none.
+/// What is heard at a time: how many numbers stand in [`input`] then, none or the frequency, Hz, and the loudness.
+pub fn sound(time: f64) -> usize {
+    let mut count = 0;
+    with(|player| {
+        if let Some(Sound { frequency, loudness }) = player.sound(time) {
+            leave(&[frequency, loudness]);
+            count = 2;
+        }
+        Ok(String::new())
+    });
+    count
+}
+
+/// Which grip or body of the picture a hand takes hold of at a point, a grip not further from it than `reach`, px; −1
+/// for none.
 pub fn grip(x: f64, y: f64, reach: f64) -> i32 {
     let mut found = -1;
     with(|player| {
-        let distances = player.grips().into_iter().map(|grip| (grip.x - x).hypot(grip.y - y));
-        let near = (0..).zip(distances).filter(|(_, distance)| *distance <= reach);
-        found = near.min_by(|one, other| one.1.total_cmp(&other.1)).map_or(-1, |(index, _)| index);
+        found = player.hold(at(x, y), reach).map_or(-1, |index| index as i32);
         Ok(String::new())
     });
     found
@@ -237,6 +249,7 @@ macro_rules! pages {
             draw(time: f64, azimuth: f64, elevation: f64, is_narrow: bool) -> isize;
             readings(time: f64) -> isize;
             words(time: f64) -> isize;
+            sound(time: f64) -> usize;
             grip(x: f64, y: f64, reach: f64) -> i32;
             drag(grip: usize, x: f64, y: f64) -> usize;
         }

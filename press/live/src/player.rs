@@ -1,11 +1,12 @@
 //! A scene in use: its settings, its motion, its picture. The module of the page is a thin wrapper of it.
 
 use crate::Cause;
-use crate::control::{EARLIER, Kind, Settings, place_of};
+use crate::control::{BEHIND, KEPT, KEPT_PRESSED, Kind, OF_KEPT, PRESSED, Settings, place_of};
 use crate::numbers::tied;
-use crate::scene::{Moment, Motion, Run, Scene};
+use crate::scene::{Moment, Motion, Run, Scene, Sound};
 use crate::written::written;
-use drawing::{Drawing, Point, Room, with_symbols};
+use drawing::{Drawing, Point, Room, at, with_symbols};
+use std::cmp::Ordering;
 use std::f64::consts::TAU;
 
 /// A scene with its settings.
@@ -18,6 +19,8 @@ pub struct Player {
     drawn: f64,
     /// What the reader has measured, with these settings and before.
     found: Vec<[f64; 3]>,
+    /// From the hand to the place of the body that it holds.
+    held: Point,
 }
 
 impl Player {
@@ -27,25 +30,28 @@ impl Player {
         Self::with(scene, values)
     }
 
-    /// A scene with these values of its controls, in their order. Behind them may stand earlier presses of buttons, four
-    /// numbers each: the button's place among the controls, and a [`Press`](crate::Press).
+    /// A scene with these values of its controls, in their order. Behind them may stand earlier presses of buttons, five
+    /// numbers each: 0, the button's place among the controls, and a [`Press`](crate::Press). And what is kept to compare,
+    /// as far as it is not the same: 1, a control's place, its value, 0, 0; and presses of its buttons with a 2.
     ///
     /// # Errors
     /// What the scene says of settings to which it has no answer; and for values that no control can have.
     pub fn with(scene: &'static Scene, values: Vec<f64>) -> Result<Self, Cause> {
-        let Some((_, earlier)) = values.split_at_checked(scene.controls.len()) else {
+        let Some((_, behind)) = values.split_at_checked(scene.controls.len()) else {
             return Err(format!("{} values for {} controls", values.len(), scene.controls.len()).into());
         };
-        let is_press = |press: &[f64]| {
-            let button = scene.controls.get(press[0] as usize).map(|control| control.kind);
-            matches!(button, Some(Kind::Button(Some(_))))
-                && press.iter().all(|x| x.is_finite())
-                && press[1] >= 0.0
+        let is_known = |own: &[f64]| {
+            let Some(control) = scene.controls.get(own[1] as usize) else { return false };
+            let is_press = matches!(control.kind, Kind::Button(Some(_))) && own[2] >= 0.0;
+            own.iter().all(|x| x.is_finite())
+                && (own[0] == KEPT || is_press && [PRESSED, KEPT_PRESSED].contains(&own[0]))
         };
-        if earlier.len() % EARLIER != 0 || !earlier.chunks_exact(EARLIER).all(is_press) {
+        if behind.len() % BEHIND != 0 || !behind.chunks_exact(BEHIND).all(is_known) {
             return Err("these are no presses of a button".into());
         }
-        for (control, value) in scene.controls.iter().zip(&values) {
+        let kept = behind.chunks_exact(BEHIND).filter(|own| own[0] == KEPT);
+        let kept = kept.map(|own| (&scene.controls[own[1] as usize], &own[2]));
+        for (control, value) in scene.controls.iter().zip(&values).chain(kept) {
             let distance = control.nearest(*value).map(|nearest| (nearest - value).abs());
             if distance.is_none_or(|distance| distance > 1e-9 * value.abs().max(1.0)) {
                 return Err(format!("{}: {value} is out of range", control.name).into());
@@ -54,12 +60,13 @@ impl Player {
         let motion = (scene.start)(&Settings { controls: scene.controls, values: &values })?;
         let [azimuth, elevation] = scene.view.unwrap_or_default();
         let seen = Moment { time: scene.still, azimuth, elevation, room: Room::Wide };
-        Ok(Self { scene, values, motion, seen, drawn: f64::NAN, found: Vec::new() })
+        Ok(Self { scene, values, motion, seen, drawn: f64::NAN, found: Vec::new(), held: at(0.0, 0.0) })
     }
 
     /// Takes over what the reader has measured in the same scene with other settings.
     pub fn keep(&mut self, before: &Self) {
         if self.scene.name == before.scene.name {
+            self.held = before.held;
             self.found.clone_from(&before.found);
             self.motion.keep(&self.found);
         }
@@ -113,8 +120,14 @@ impl Player {
         self.motion.run()
     }
 
+    /// The least elevation from which it can be looked at, rad.
+    pub fn lowest_eye(&self) -> f64 {
+        self.motion.lowest_eye()
+    }
+
     /// The picture of a moment.
     pub fn draw(&mut self, moment: Moment) -> Result<Drawing, Cause> {
+        let moment = Moment { elevation: moment.elevation.max(self.lowest_eye()), ..moment };
         let new = self.motion.found(self.drawn, moment.time).filter(|found| !self.found.contains(found));
         self.found.extend(new);
         (self.seen, self.drawn) = (moment, moment.time);
@@ -159,9 +172,34 @@ impl Player {
         tied(&self.motion.words(time))
     }
 
+    /// What is heard at a time.
+    pub fn sound(&self, time: f64) -> Option<Sound> {
+        self.motion.sound(time)
+    }
+
     /// The grips of the picture that was drawn last, px.
     pub fn grips(&self) -> Vec<Point> {
         self.motion.grips(&self.seen)
+    }
+
+    /// Where a hand can take hold of a body in the picture that was drawn last, and how far around, px.
+    pub fn bodies(&self) -> Vec<(Point, f64)> {
+        self.motion.bodies(&self.seen)
+    }
+
+    /// What a hand takes hold of at a point, px: the nearest grip within reach, or else a body, whose places stand behind
+    /// those of the grips.
+    pub fn hold(&mut self, hand: Point, reach: f64) -> Option<usize> {
+        let grips = self.grips().into_iter().map(|grip| (grip, reach));
+        let all = grips.chain(self.bodies()).enumerate();
+        let near = all.map(|(index, (place, reach))| (index, place, (place - hand).length() / reach));
+        let count = self.grips().len();
+        let held = near.filter(|(.., distance)| *distance <= 1.0).min_by(|one, other| {
+            (one.0 >= count, one.2).partial_cmp(&(other.0 >= count, other.2)).unwrap_or(Ordering::Equal)
+        });
+        let (index, place, _) = held?;
+        self.held = if index < count { at(0.0, 0.0) } else { place - hand };
+        Some(index)
     }
 
     /// The values of all controls when a grip of the picture that was drawn last is drawn to a point.
@@ -169,6 +207,7 @@ impl Player {
     /// # Errors
     /// If the scene names a control that it does not have.
     pub fn drag(&self, grip: usize, to: Point) -> Result<Vec<f64>, Cause> {
+        let to = if grip < self.grips().len() { to } else { to + self.held };
         changed(self.scene, self.values().to_vec(), &self.motion.drag(grip, to, &self.seen))
     }
 }
@@ -180,9 +219,12 @@ pub(crate) fn changed(
     settings: &[(&str, f64)],
 ) -> Result<Vec<f64>, Cause> {
     for (name, value) in settings {
-        let place = place_of(scene.controls, name)?;
-        if let Some(nearest) = scene.controls[place].nearest(*value) {
-            values[place] = nearest;
+        let own = name.strip_prefix(OF_KEPT);
+        let place = place_of(scene.controls, own.unwrap_or(name))?;
+        match scene.controls[place].nearest(*value) {
+            Some(nearest) if own.is_some() => values.extend([KEPT, place as f64, nearest, 0.0, 0.0]),
+            Some(nearest) => values[place] = nearest,
+            None => {}
         }
     }
     Ok(values)

@@ -4,6 +4,7 @@ use crate::control::{Control, Settings};
 use crate::{Axis, Cause, Graph};
 use drawing::space::{Camera, View};
 use drawing::{Drawing, Flaw, Point, Rect, Room, Symbol};
+use std::f64::consts::FRAC_PI_2;
 
 /// A live scene: everything about it that does not move.
 #[derive(Debug, Clone, Copy)]
@@ -96,6 +97,16 @@ pub trait Motion {
     /// who cannot see when settings change, so it should not change with every moment.
     fn words(&self, time: f64) -> String;
 
+    /// The least elevation from which it can be looked at, rad: the slider of the view ends there.
+    fn lowest_eye(&self) -> f64 {
+        -FRAC_PI_2
+    }
+
+    /// What is heard at a time, if a reader asks for it; a scene that ever sounds does so at its still.
+    fn sound(&self, _time: f64) -> Option<Sound> {
+        None
+    }
+
     /// The angles at a time, rad, that are to be the same when a reader changes a setting then, each with the name of the
     /// [`Kept`](crate::Kind::Kept) control by which the scene turns it.
     fn kept(&self, _time: f64) -> Result<Vec<(&'static str, f64)>, Cause> {
@@ -115,11 +126,26 @@ pub trait Motion {
         Vec::new()
     }
 
+    /// Where a hand can take hold of a body itself, in the picture that was drawn last, and how far around, px: without a
+    /// mark, as one would. For [`drag`](Self::drag) they are behind the grips.
+    fn bodies(&self, _moment: &Moment) -> Vec<(Point, f64)> {
+        Vec::new()
+    }
+
     /// The settings that follow when the grip of this index is drawn to a point: names of controls and values, which
     /// are brought into their range.
     fn drag(&self, _grip: usize, _to: Point, _moment: &Moment) -> Vec<(&'static str, f64)> {
         Vec::new()
     }
+}
+
+/// A tone with overtones: what moves strikes or passes something so often.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sound {
+    /// How often, Hz: by the true clock of what is shown, however the scene is slowed.
+    pub frequency: f64,
+    /// How loud, from 0, silence, to 1.
+    pub loudness: f64,
 }
 
 /// How long a motion runs, and how fast.

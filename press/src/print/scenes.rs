@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// What stands in links beside the settings, and ids that the panel or the still has: no control may have such a name.
-const TAKEN: [&str; 8] = ["t", "time", "title", "desc", "narrow", "azimuth", "elevation", "caption"];
+const TAKEN: [&str; 9] = ["t", "time", "title", "desc", "narrow", "azimuth", "elevation", "caption", "kept"];
 
 /// Of more controls than this only the first few are seen at once.
 const MOST_SEEN: usize = 5;
@@ -37,7 +37,8 @@ pub(crate) fn check(scenes: &[Scene], faults: &mut Faults) {
         let mut controls = BTreeSet::new();
         for control in scene.controls {
             let name = control.name;
-            if !is_name(name) || TAKEN.contains(&name) || !controls.insert(name) {
+            let is_taken = TAKEN.contains(&name) && *control != Control::KEEP;
+            if !is_name(name) || is_taken || !controls.insert(name) {
                 fault(format!("a control of the scene {} cannot have the name `{name}`", scene.name));
             }
             if control.words.trim().is_empty() && control.kind != Kind::Kept {
@@ -81,6 +82,7 @@ pub(crate) fn check_settings(scene: &Scene, settings: &str) -> Result<(), String
 }
 
 fn check_setting(scene: &live::Scene, name: &str, value: f64) -> Result<(), String> {
+    let name = name.strip_prefix("kept.").unwrap_or(name);
     let Some(control) = scene.controls.iter().find(|control| control.name == name) else {
         let near = nearest(name, scene.controls.iter().map(|control| control.name));
         let near = near.map(|near| format!("; is `{near}` meant?")).unwrap_or_default();
@@ -135,11 +137,16 @@ pub(crate) fn presets(scene: &live::Scene, mut html: impl FnMut(&str) -> String)
 
 /// What a reader can change and read beside the picture, and what is said below it, in the room of its longest words.
 /// Of many controls the first three, and the buttons behind them, are seen, and the others are folded.
-pub(crate) fn panel(scene: &live::Scene, room: &str, mut html: impl FnMut(&str) -> String) -> String {
+pub(crate) fn panel(drawn: &Scene, mut html: impl FnMut(&str) -> String) -> String {
+    let Scene { live: scene, longest: room, sounds, lowest_eye, .. } = drawn;
     let id = format!("scene-{}", scene.name);
+    let sound = match *sounds {
+        true => "<button type=\"button\" class=\"sound\" aria-pressed=\"false\">Sound</button>",
+        false => "",
+    };
     let mut out = format!(
         "<div class=\"panel\">\n<div class=\"transport\"><button type=\"button\" class=\"play\">Play</button>\
-         <button type=\"button\" class=\"step\">Step</button><button type=\"button\" class=\"reset\">Reset</button>\
+         <button type=\"button\" class=\"step\">Step</button><button type=\"button\" class=\"reset\">Reset</button>{sound}\
          <output class=\"clock\" for=\"{id}-time\"></output>\
          <input type=\"range\" class=\"time\" id=\"{id}-time\" min=\"0\" max=\"1\" step=\"any\" value=\"{}\" aria-label=\"time\">\
          <select class=\"pace\" aria-label=\"pace\"><option value=\"0.25\">slowed 4 times</option><option value=\"0.5\">slowed 2 times</option>\
@@ -150,7 +157,7 @@ pub(crate) fn panel(scene: &live::Scene, room: &str, mut html: impl FnMut(&str) 
     let mut left = if seen.count() > MOST_SEEN { SEEN } else { usize::MAX };
     let mut is_folded = false;
     for control in scene.controls {
-        let is_counted = !matches!(control.kind, Kind::Button(_) | Kind::Kept);
+        let is_counted = !matches!(control.kind, Kind::Button(_) | Kind::Kept) && *control != Control::KEEP;
         if is_counted && left == 0 && !is_folded {
             out.push_str("<details class=\"more\"><summary>More controls</summary>\n<div>\n");
             is_folded = true;
@@ -163,13 +170,16 @@ pub(crate) fn panel(scene: &live::Scene, room: &str, mut html: impl FnMut(&str) 
     out.push_str(if is_folded { "</div></details>\n</div>\n" } else { "</div>\n" });
     if let Some(degrees) = scene.view.map(|view| view.map(f64::to_degrees)) {
         out.push_str("<div class=\"view\" role=\"group\" aria-label=\"look from\">\n");
-        for ((name, words, most), value) in
-            [("azimuth", "look round", 180), ("elevation", "look from above", 90)].into_iter().zip(degrees)
+        let lowest = lowest_eye.to_degrees().round();
+        for ((name, words, least, most), value) in
+            [("azimuth", "look round", -180.0, 180), ("elevation", "look from above", lowest, 90)]
+                .into_iter()
+                .zip(degrees)
         {
             let _ = writeln!(
                 out,
                 "<div><label for=\"{id}-{name}\">{words}</label><input type=\"range\" id=\"{id}-{name}\" name=\"{name}\" \
-                 min=\"-{most}\" max=\"{most}\" step=\"any\" value=\"{value}\"></div>"
+                 min=\"{least}\" max=\"{most}\" step=\"any\" value=\"{value}\"></div>"
             );
         }
         out.push_str("</div>\n");
@@ -222,8 +232,9 @@ fn field(control: &Control, scene: &str, words: &str, html: &mut impl FnMut(&str
         }
         Kind::Switch => {
             let checked = if *start == 1.0 { " checked data-start" } else { "" };
+            let kept = if *control == Control::KEEP { "<span class=\"kept\"></span>" } else { "" };
             format!(
-                "<div class=\"control\"{when}><label><input type=\"checkbox\" id=\"{id}\" name=\"{name}\"{checked}> {words}</label></div>"
+                "<div class=\"control\"{when}><label><input type=\"checkbox\" id=\"{id}\" name=\"{name}\"{checked}> {words}</label>{kept}</div>"
             )
         }
         Kind::Button(strengths) => {

@@ -275,11 +275,16 @@ fn set_by(scene: &Scene, link: &str) -> Vec<f64> {
         for (_, press) in presses {
             let mut all = press.split(',').map(|number| number.parse().expect("a number"));
             values.extend([
+                0.0,
                 place as f64,
                 all.next().unwrap(),
                 all.next().unwrap_or(0.0),
                 all.next().unwrap_or(0.0),
             ]);
+        }
+        let kept = named.iter().rfind(|(name, _)| name.strip_prefix("kept.") == Some(control.name));
+        for (_, value) in kept {
+            values.extend([1.0, place as f64, value.parse().expect("a number"), 0.0, 0.0]);
         }
     }
     values
@@ -886,16 +891,149 @@ fn a_link_is_copied_where_the_reader_stands_and_a_text_link_moves_no_picture_tha
     shown.get("document.querySelector('main a[data-set][href*=\"#scene-laundromat?\"]').click()");
     shown.settle();
     assert_eq!(shown.number("scrollY"), scroll);
-    // From far down it leads to the picture, and one step back leads back.
+    // From far down the picture comes to the reader, who stays; the same link once more leads to it, and one step back
+    // leads back.
     shown.go_to_the_end();
     shown.settle();
-    let below = shown.number("scrollY");
-    shown.get("{ const link = [...document.querySelectorAll('main a[data-set]')].at(-1); link.click(); }");
-    shown.wait(&format!("scrollY < {below} - 500"));
+    let (below, height) = (shown.number("scrollY"), shown.number("document.body.scrollHeight"));
+    let link = "[...document.querySelectorAll('main a[data-set]')].at(-1)";
+    let click = format!("{{ const link = {link}; link.focus({{ preventScroll: true }}); link.click(); }}");
+    let is_beside = format!("{drawing}.matches(':popover-open')");
+    shown.get(&click);
+    shown.wait(&is_beside);
     shown.settle();
-    shown.get("history.back()");
-    shown.wait(&format!("Math.abs(scrollY - {below}) < 5"));
+    let there = (shown.number("scrollY"), shown.number("document.body.scrollHeight"));
+    assert_eq!(there, (below, height), "nothing moves");
+    assert_eq!(shown.get(&format!("document.activeElement === {link}")), true, "the keys go on from there");
+    let rect = format!("{drawing}.getBoundingClientRect()");
+    let is_whole = format!("{rect}.top >= 0 && {rect}.bottom <= innerHeight && {rect}.height > 100");
+    assert_eq!(shown.get(&is_whole), true, "all of the picture is in sight");
+    let asked = shown.text(&format!("{link}.hash"));
+    assert_eq!(shown.values(), set_by(drum.scene, &asked));
+    shown.wait_for_motion();
+    shown.key("Escape");
+    shown.wait(&format!("!({is_beside})"));
+    assert_eq!(shown.number("document.body.scrollHeight"), height);
+    shown.get(&click); // the address is the same, and the picture is far away
+    shown.wait(&is_beside);
+    shown.get(&click);
+    shown.wait(&format!("scrollY < {below} - 500 && !({is_beside})"));
     shown.has_no_faults();
+}
+
+#[test]
+fn a_motion_is_kept_beside_another_by_the_hand_by_a_preset_and_by_a_link() {
+    let Some(mut browser) = open("kept") else { return };
+    let drum = drum();
+    let mut shown = drum.still(&mut browser, WIDE, "");
+    shown.set(&[("spin", 22.0), ("kick", 0.5)], 1.0);
+    let pale = format!("seen({}).querySelectorAll('.f-pale').length", drum.figure);
+    let before = shown.number(&pale);
+    let [keep, damper] = ["[name=kept]", "[data-name=damper][value=\"1\"]"].map(|selector| shown.part(selector));
+    act(&mut shown, Means::Keys, &keep, 0.5, " ");
+    assert!(shown.number(&pale) > before + 2.0);
+    assert_eq!(shown.says(".kept"), "pale: the same so far");
+    act(&mut shown, Means::Mouse, &damper, 0.5, "");
+    assert_eq!(shown.says(".kept"), "pale: the whole velocity");
+    shown.agrees();
+    let all = shown.values();
+    let behind = &all[drum.scene.controls.len()..];
+    let place = drum.scene.controls.iter().position(|control| control.name == "damper").unwrap() as f64;
+    assert_eq!(behind, [1.0, place, 0.0, 0.0, 0.0], "the link has what is kept");
+    let link = shown.text(&format!("{}.querySelector('.share a').hash", drum.figure));
+    let picture = format!("drawn({})", drum.figure);
+    let seen = shown.get(&picture);
+    // A preset changes what is compared with it, the reset lets it go.
+    shown.click(".presets button");
+    assert_eq!(shown.get(&format!("{keep}.checked")), true);
+    shown.click(".reset");
+    assert_eq!(shown.get(&format!("{keep}.checked")), false);
+    assert_eq!((shown.says(".kept").as_str(), shown.number(&pale)), ("", before));
+    let mut fresh = drum.still(&mut browser, WIDE, &link);
+    assert_eq!(fresh.says(".kept"), "pale: the whole velocity");
+    assert_eq!(fresh.get(&picture), seen, "whoever is given the link sees both");
+    let two = drum.scene.presets.iter().position(|preset| preset.words.contains("two dampers")).unwrap();
+    fresh.click(&format!(".presets button:nth-of-type({})", two + 1));
+    assert_eq!(fresh.says(".kept"), "pale: the whole velocity");
+    fresh.has_no_faults();
+}
+
+#[test]
+fn a_scene_is_heard_when_it_is_asked_to_and_while_it_plays_in_sight() {
+    let Some(mut browser) = open("sound") else { return };
+    for place in scenes() {
+        let player = Player::new(place.scene).unwrap();
+        let mut shown = place.empty(&mut browser, WIDE);
+        shown.before_all(
+            "window.tones = []; window.AudioContext = class extends AudioContext { constructor() { super(); tones.push(this); } }",
+        );
+        place.wake(&mut shown, &place.address);
+        let sound = shown.part(".sound");
+        let has_sound = player.sound(place.scene.still).is_some();
+        assert_eq!(shown.get(&format!("{sound} !== null")), has_sound, "{}", place.scene.name);
+        if !has_sound {
+            continue;
+        }
+        shown.wait_for_button("Pause");
+        assert_eq!(shown.get(&format!("{sound}.ariaPressed")), "false");
+        assert_eq!(shown.number("tones.length"), 0.0, "it is off until it is asked for");
+        act(&mut shown, Means::Mouse, &sound, 0.5, "");
+        assert_eq!(shown.get(&format!("{sound}.ariaPressed")), "true");
+        let heard = format!("Number({sound}.dataset.hertz)");
+        shown.wait(&format!("{heard} > 0"));
+        let both = shown.get(&format!("[{heard}, {}.valueAsNumber]", shown.part(".time")));
+        let [heard_now, time] = [0, 1].map(|k| both[k].as_f64().expect("a number"));
+        let own = player.sound(time).expect("a sound").frequency;
+        assert!((heard_now / own - 1.0).abs() < 1e-9, "{}: {heard_now} and {own} Hz", place.scene.name);
+        shown.click(".play");
+        assert_eq!(shown.number(&heard), 0.0, "{}: it is heard though it stands", place.scene.name);
+        shown.click(".play");
+        shown.wait(&format!("{heard} > 0"));
+        shown.go_to_the_end();
+        shown.wait(&format!("{heard} === 0"));
+        shown.come_near();
+        shown.wait(&format!("{heard} > 0"));
+        shown.click(".sound");
+        shown.wait("tones[0].state === 'closed'");
+        assert_eq!(shown.get(&format!("{sound}.ariaPressed")), "false");
+        shown.has_no_faults();
+    }
+}
+
+#[test]
+fn a_body_is_drawn_by_the_mouse_and_lets_the_page_scroll_beside_it() {
+    let Some(mut browser) = open("bodies") else { return };
+    for name in ["rolling-wheel", "spinning-coin", "top"] {
+        let place_of = scenes().into_iter().find(|place| place.scene.name == name).expect("the scene");
+        let mut shown = place_of.still(&mut browser, WIDE, "");
+        let mut player = Player::new(place_of.scene).unwrap();
+        let [azimuth, elevation] = place_of.scene.view.unwrap();
+        player.draw(Moment { time: place_of.scene.still, azimuth, elevation, room: Room::Wide }).unwrap();
+        let body = player.bodies()[0].0;
+        let picture = format!("seen({})", place_of.figure);
+        place(&mut shown, &picture, 0.5);
+        let point = shown.get(&format!(
+            "(() => {{ const p = new DOMPoint({}, {}).matrixTransform({picture}.getScreenCTM()); return [p.x, p.y]; }})()",
+            body.x + 4.0,
+            body.y + 3.0
+        ));
+        let from = [0, 1].map(|k| point[k].as_f64().expect("a place"));
+        shown.mouse("mouseMoved", from);
+        assert_eq!(shown.text(&format!("getComputedStyle({}).cursor", shown.part(".drawing"))), "move", "{name}");
+        let before = shown.values();
+        shown.drag(from, from);
+        shown.settle();
+        assert_eq!(shown.values(), before, "{name}: a touch changes something");
+        shown.swipe(from, [from[0] + 20.0, from[1] + 30.0]);
+        shown.settle();
+        let after = shown.values();
+        let changed: Vec<_> = (0..before.len()).filter(|&k| before[k] != after[k]).collect();
+        let names: Vec<_> = changed.iter().map(|&k| place_of.scene.controls[k].name).collect();
+        let control = if name == "rolling-wheel" { "lean" } else { "tilt" };
+        assert!(names.contains(&control), "{name}: {names:?}");
+        shown.agrees();
+        shown.has_no_faults();
+    }
 }
 
 #[test]
@@ -1034,7 +1172,7 @@ fn a_kick_adds_to_the_motion_as_it_is_and_a_slider_does_not_throw_the_body() {
         seek(&mut shown, 2.5);
         shown.agrees();
         let (values, now) = (shown.values(), shown.text(&readings));
-        assert_eq!(values.len(), place.scene.controls.len() + 4, "{name}: {values:?}");
+        assert_eq!(values.len(), place.scene.controls.len() + 5, "{name}: {values:?}");
         let once = Player::with(place.scene, values[..place.scene.controls.len()].to_vec()).unwrap();
         let both = Player::with(place.scene, values.clone()).unwrap();
         assert_ne!(

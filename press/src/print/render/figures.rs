@@ -43,8 +43,7 @@ impl Printer<'_, '_> {
         };
         let (id, question) = (label.id(), html(scene.live.question));
         let presets = if drawn.is_still { String::new() } else { scenes::presets(&scene.live, &mut html) };
-        let panel =
-            if drawn.is_still { String::new() } else { scenes::panel(&scene.live, &scene.longest, html) };
+        let panel = if drawn.is_still { String::new() } else { scenes::panel(scene, html) };
         let file = script(scene.chapter());
         let module = if drawn.is_still { String::new() } else { format!(" data-module=\"{file}\"") };
         Some(format!(

@@ -250,7 +250,14 @@ mod tests {
     /// What becomes of one page, which is chapter 1. It may show a scene and a figure.
     pub(super) fn printed(text: &str, is_still: bool) -> String {
         let [source, svg, standalone] = ["", "<svg></svg>", ""].map(str::to_owned);
-        let scene = Scene { page: "a.md", live: SCENE, svg: svg.clone(), longest: String::new() };
+        let scene = Scene {
+            page: "a.md",
+            live: SCENE,
+            svg: svg.clone(),
+            longest: String::new(),
+            sounds: false,
+            lowest_eye: -FRAC_PI_2,
+        };
         let figure = Figure { id: "fig:x".to_owned(), source, svg, standalone, place: "column".to_owned() };
         let mut drawn = Rendered { is_still, ..Rendered::default() };
         if text.contains("scene:") {
