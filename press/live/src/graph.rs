@@ -173,15 +173,3 @@ pub fn nearest(
         values.into_iter().filter_map(|value| Some((value, (place(value).ok()? - hand).length())));
     distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(value, _)| value)
 }
-
-/// Of some values of a control, the one whose place in the picture is nearest to a hand: what a drawn grip means that
-/// lies in no plot. A value without a place is passed over.
-pub fn nearest(
-    values: impl IntoIterator<Item = f64>,
-    hand: Point,
-    place: impl Fn(f64) -> Result<Point, Cause>,
-) -> Option<f64> {
-    let distances =
-        values.into_iter().filter_map(|value| Some((value, (place(value).ok()? - hand).length())));
-    distances.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(value, _)| value)
-}
