@@ -18,7 +18,7 @@ const HELP: &str = "\
 cargo book measure [OPTION …]     runs the library and its peers, and writes book/speed-and-accuracy
 
 --rounds N       how many rounds the medians are taken over (31)
---problems A,B   only these problems; then nothing is written, and the tables are printed
+--problems A,B   only these problems; the others stay as they were measured
 --no-contest     measures only what concerns the library alone, and makes the tables of the page again
 --principia FOLDER
                  races Principia's closed form of a free body against the library's and nothing else, and writes
@@ -108,13 +108,14 @@ pub fn run(arguments: &[String]) -> Result<(), Cause> {
     for problem in &problems {
         println!("{}", measured::table(&rows, problem));
     }
+    let file = folder.join("measured.csv");
     if problems.len() == NAMES.len() {
-        fs::write(folder.join("measured.csv"), text)?;
-        finish(&root, &folder)?;
-    } else {
-        notes.iter().for_each(|note| println!("note: {note}"));
+        fs::write(file, text)?;
+        return finish(&root, &folder);
     }
-    Ok(())
+    let all = measured_again(&fs::read_to_string(&file)?, &text, &problems);
+    fs::write(file, all)?;
+    rewrite_tables(&folder)
 }
 
 /// The race of the two closed forms of a free body, each with its compiler's default flags and for this processor.
@@ -139,6 +140,19 @@ fn closed_forms(root: &Path, programs: &Path, options: &Options) -> Result<(), C
     fs::write(&file, &text)?;
     println!("{text}\nwritten: {}", file.display());
     Ok(())
+}
+
+/// The data with some problems measured again: how, stands below the head of the others.
+fn measured_again(old: &str, new: &str, problems: &[&str]) -> String {
+    let names = problems.join(", ");
+    let is_head = |line: &&str| line.starts_with('#');
+    let is_new = |line: &str| line.split(',').next().is_some_and(|name| problems.contains(&name));
+    let heads = old.lines().filter(is_head).filter(|line| !line.starts_with(&format!("# {names}: ")));
+    let mut lines: Vec<String> = heads.map(str::to_owned).collect();
+    lines.extend(new.lines().filter(is_head).skip(1).map(|line| format!("# {names}: {}", &line[2..])));
+    lines.extend(old.lines().filter(|line| !is_head(line) && !is_new(line)).map(str::to_owned));
+    lines.extend(new.lines().filter(|line| !is_head(line) && is_new(line)).map(str::to_owned));
+    lines.join("\n") + "\n"
 }
 
 /// What the library does alone: its work, the long run and the limits; then the tables of the page.
