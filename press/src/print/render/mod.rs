@@ -256,7 +256,7 @@ mod tests {
             svg: svg.clone(),
             longest: String::new(),
             sounds: false,
-            lowest_eye: -FRAC_PI_2,
+            lowest_eye: -std::f64::consts::FRAC_PI_2,
         };
         let figure = Figure { id: "fig:x".to_owned(), source, svg, standalone, place: "column".to_owned() };
         let mut drawn = Rendered { is_still, ..Rendered::default() };
