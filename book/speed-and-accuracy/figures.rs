@@ -192,7 +192,7 @@ fn draw_problem(plot: &mut Plot<'_>, problem: &str, series: &[Series], named: bo
     if problem == "ramp" && named {
         // A digit costs 10^{1/p}, whatever one counts.
         for (order, words) in [(4.0, "order 4"), (8.0, "order 8")] {
-            let (from, to) = ((1e-13, 0.3), (1e-5, 0.3 * 1e-8_f64.powf(1.0 / order)));
+            let (from, to) = ((1e-13, 0.3), (1e-7, 0.3 * 1e-6_f64.powf(1.0 / order)));
             plot.reference(from, to, Stroke::Reference);
             let label = Label::new(words, TYPE)?.placed(plot.at(to), Side::Right, 4.0);
             plot.drawing().push(Role::Text(Hue::Muted), Shape::Label(label));
@@ -226,7 +226,7 @@ pub(crate) fn speed_problems(id: &str) -> Outcome {
         let columns = room.of(5_u8, 2);
         let last = at(f64::from(columns - 1), (all.len() as f64 / f64::from(columns)).ceil() - 1.0);
         let (size, step) =
-            (room.of(at(118.0, 128.0), at(152.0, 84.0)), room.of(at(130.0, 162.0), at(168.0, 110.0)));
+            (room.of(at(110.0, 128.0), at(152.0, 84.0)), room.of(at(122.0, 162.0), at(168.0, 110.0)));
         let corner = room.of(at(50.0, 48.0), at(11.0, 46.0));
         let whole =
             corner + at(last.x * step.x, last.y * step.y) + size + room.of(at(8.0, 60.0), at(9.0, 34.0));

@@ -142,14 +142,15 @@ fn closed_forms(root: &Path, programs: &Path, options: &Options) -> Result<(), C
     Ok(())
 }
 
-/// The data with some problems measured again: how, stands below the head of the others.
+/// The data with some problems measured again: what is different of how, stands below the head of the others.
 fn measured_again(old: &str, new: &str, problems: &[&str]) -> String {
     let names = problems.join(", ");
     let is_head = |line: &&str| line.starts_with('#');
     let is_new = |line: &str| line.split(',').next().is_some_and(|name| problems.contains(&name));
     let heads = old.lines().filter(is_head).filter(|line| !line.starts_with(&format!("# {names}: ")));
     let mut lines: Vec<String> = heads.map(str::to_owned).collect();
-    lines.extend(new.lines().filter(is_head).skip(1).map(|line| format!("# {names}: {}", &line[2..])));
+    let others = new.lines().filter(|line| is_head(line) && !old.lines().any(|known| known == *line));
+    lines.extend(others.map(|line| format!("# {names}: {}", &line[2..])));
     lines.extend(old.lines().filter(|line| !is_head(line) && !is_new(line)).map(str::to_owned));
     lines.extend(new.lines().filter(|line| !is_head(line) && is_new(line)).map(str::to_owned));
     lines.join("\n") + "\n"
@@ -411,7 +412,9 @@ fn rewrite_tables(folder: &Path) -> Result<(), Cause> {
         text.replace_range(start..start + length, &table);
     }
     let Some(start) = text.find(measured::FACTORS) else {
-        return Err(format!("{} has no sentence that begins with `{}`", page.display(), measured::FACTORS).into());
+        return Err(
+            format!("{} has no sentence that begins with `{}`", page.display(), measured::FACTORS).into()
+        );
     };
     let length = text[start..].find(':').map_or(0, |colon| colon + 1);
     text.replace_range(start..start + length, &measured::factors(rows, &NAMES));

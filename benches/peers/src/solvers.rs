@@ -119,8 +119,13 @@ fn solvers<const N: usize>(
             add(
                 ["ode_solvers", "DOP853"],
                 Box::new(move |problem, samples| {
-                    let evaluations =
-                        ode_solvers_samples(Sliced::<_, N>(rates), problem, problem.start, tolerance, samples)?;
+                    let evaluations = ode_solvers_samples(
+                        Sliced::<_, N>(rates),
+                        problem,
+                        problem.start,
+                        tolerance,
+                        samples,
+                    )?;
                     Ok(Some(evaluations))
                 }),
             );
@@ -145,8 +150,9 @@ fn solvers<const N: usize>(
                     let (states, _) = solver.tsit45()?.solve_dense(&problem.times)?;
                     let states = states.inner();
                     samples.clear();
-                    samples
-                        .extend((0..states.ncols()).map(|sample| std::array::from_fn(|i| states[(i, sample)])));
+                    samples.extend(
+                        (0..states.ncols()).map(|sample| std::array::from_fn(|i| states[(i, sample)])),
+                    );
                     Ok(None)
                 }),
             );
