@@ -907,7 +907,8 @@ fn a_motion_is_kept_beside_another_by_the_hand_by_a_preset_and_by_a_link() {
     shown.set(&[("spin", 22.0), ("kick", 0.5)], 1.0);
     let pale = format!("seen({}).querySelectorAll('.f-pale').length", drum.figure);
     let before = shown.number(&pale);
-    let [keep, damper] = ["[name=kept]", "[data-name=damper][value=\"1\"]"].map(|selector| shown.part(selector));
+    let [keep, damper] =
+        ["[name=kept]", "[data-name=damper][value=\"1\"]"].map(|selector| shown.part(selector));
     act(&mut shown, Means::Keys, &keep, 0.5, " ");
     assert!(shown.number(&pale) > before + 2.0);
     assert_eq!(shown.says(".kept"), "pale: the same so far");
@@ -997,7 +998,11 @@ fn a_body_is_drawn_by_the_mouse_and_lets_the_page_scroll_beside_it() {
         ));
         let from = [0, 1].map(|k| point[k].as_f64().expect("a place"));
         shown.mouse("mouseMoved", from);
-        assert_eq!(shown.text(&format!("getComputedStyle({}).cursor", shown.part(".drawing"))), "move", "{name}");
+        assert_eq!(
+            shown.text(&format!("getComputedStyle({}).cursor", shown.part(".drawing"))),
+            "move",
+            "{name}"
+        );
         let before = shown.values();
         shown.drag(from, from);
         shown.settle();
