@@ -108,16 +108,13 @@ impl Rolled {
         if self.loss == 0.0 && circle > 0.0 && circle + middle.norm() < 1.2 * reach {
             table.curve(Curve::circle([0.0; 3], Vector3::z(), circle)?, Stroke::Reference, Hue::Muted)?;
         }
-        if let Some(kept) = &self.kept {
-            let is_near = |place: &&Complex<f64>| (**place - middle).norm() <= half;
-            let track =
-                kept.contacts.iter().take_while(is_near).map(|place| Vector3::new(place.re, place.im, 0.0));
-            let track: Vec<_> = track.collect();
-            if track.len() > 1 {
-                table.curve(Curve::smooth(track)?, Stroke::Pale, Hue::Ink)?;
-            }
-        }
         table.write(drawing);
+        if let Some(kept) = &self.kept {
+            let is_on_table = |place: &&Complex<f64>| (**place - middle).norm() <= half;
+            let track = kept.contacts.iter().take_while(is_on_table);
+            let track = track.filter_map(|place| camera.on_page([place.re, place.im, 0.0]).ok());
+            drawing.polyline(&track.collect::<Vec<_>>(), Stroke::Pale, Hue::Ink);
+        }
         self.draw_track(moment.time, now, &camera, (middle, half), drawing);
         let mut stage = Stage::new(camera);
         self.draw_wheel(now, &eye, &frame, &mut stage)?;
@@ -410,10 +407,10 @@ impl Motion for Rolled {
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
         if grip == 2 {
             let Ok(now) = self.at(moment.time) else { return Vec::new() };
-            let leans = (0..=600).map(|k| f64::from(k).to_radians() / 10.0 - self.lean + now.lean());
-            let lean = nearest(leans, to, |lean| self.top(&Rolling { tilt: FRAC_PI_2 - lean, ..now }));
-            return lean
-                .map_or(Vec::new(), |lean| vec![("lean", (lean - now.lean() + self.lean).to_degrees())]);
+            let leans = (0..=600).map(|k| (0.1 * f64::from(k)).to_radians());
+            let lean =
+                nearest([self.lean].into_iter().chain(leans), to, |lean| self.top(&self.tipped(&now, lean)));
+            return lean.map_or(Vec::new(), |lean| vec![("lean", lean.to_degrees())]);
         }
         if grip == 0 {
             let (circle, lean) = map(moment.room).value(to);
@@ -518,7 +515,18 @@ impl Rolled {
 }
 
 impl Rolled {
-    /// Where the top of the wheel is seen, on the point that it touches now.
+    /// A state as it would be with another lean of the steady motion, in the same direction.
+    fn tipped(&self, now: &Rolling, lean: f64) -> Rolling {
+        let other = self.wheel.steady(lean, self.circle * RADIUS).ok().zip(self.steady);
+        let moved = other.map_or(Complex::ZERO, |(there, here)| there.state().centre - here.state().centre);
+        Rolling {
+            tilt: now.tilt + self.lean - lean,
+            centre: now.centre + moved * Complex::cis(now.heading),
+            ..*now
+        }
+    }
+
+    /// Where the top of the wheel is seen.
     fn top(&self, state: &Rolling) -> Result<Point, Cause> {
         let [_, second, _] = axes(state);
         let foot = state.contact(RADIUS) / RADIUS;

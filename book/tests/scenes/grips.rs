@@ -56,19 +56,20 @@ fn what_can_be_held_looks_so_and_nothing_else_does() {
     }
 }
 
-/// A scene, a time, its settings, and a control that is set when its body is pulled to where it stands for another value.
-const BODIES: &[(&str, f64, Settings, &str, f64)] = &[
-    ("rolling-wheel", 1.0, &[("push", 0.0)], "lean", 40.0),
-    ("rolling-wheel", 3.0, &[("kick", -1.0)], "lean", 12.0),
-    ("spinning-coin", 2.0, &[], "tilt", 1.1),
-    ("spinning-coin", 7.0, &[("coin", 1.0)], "tilt", 0.3),
-    ("top", 0.0, &[], "tilt", 55.0),
-    ("top", 0.0, &[("push", -3.0)], "tilt", 12.0),
+/// A scene, a time, its settings, and a control that is set when its body is pulled to where it stands for another value,
+/// nearly: the picture of the wheel is drawn larger for a smaller track.
+const BODIES: &[(&str, f64, Settings, &str, f64, f64)] = &[
+    ("rolling-wheel", 0.0, &[("kick", -1.0)], "lean", 40.0, 0.15),
+    ("rolling-wheel", 0.0, &[("kick", -1.0)], "lean", 12.0, 0.15),
+    ("spinning-coin", 2.0, &[], "tilt", 1.1, 0.02),
+    ("spinning-coin", 7.0, &[("coin", 1.0)], "tilt", 0.3, 0.02),
+    ("top", 0.0, &[], "tilt", 55.0, 0.02),
+    ("top", 0.0, &[("push", -3.0)], "tilt", 12.0, 0.02),
 ];
 
 #[test]
 fn a_body_follows_the_hand_from_wherever_it_is_taken_hold_of() {
-    for &(name, time, settings, control, value) in BODIES {
+    for &(name, time, settings, control, value, slack) in BODIES {
         for room in [Room::Wide, Room::Narrow] {
             let drawn = |settings: &[(&str, f64)]| {
                 let mut hand = Hand::with(name, settings);
@@ -89,7 +90,7 @@ fn a_body_follows_the_hand_from_wherever_it_is_taken_hold_of() {
             );
             assert!(hand.pull(from + aside, to + aside), "{of}: nothing is held");
             let off = (hand.value(control) / value - 1.0).abs();
-            assert!(off < 0.02, "{of}: {}", hand.value(control));
+            assert!(off < slack, "{of}: {}", hand.value(control));
             assert!(!hand.pull(at(-500.0, 0.0), to), "{of}: what is nowhere near is held");
         }
     }
