@@ -54,7 +54,8 @@ fn scene() -> Scene {
         symbols: &[],
         start: |_| Err("it never starts".into()),
     };
-    Scene { page: "a.md", live: PLATE, svg: String::new(), longest: String::new() }
+    let svg = String::new();
+    Scene { page: "a.md", live: PLATE, longest: svg.clone(), svg, sounds: false, lowest_eye: 0.0 }
 }
 
 /// The same with another control in a place.

@@ -950,6 +950,7 @@ fn a_motion_is_kept_beside_another_by_the_hand_by_a_preset_and_by_a_link() {
     shown.click(".reset");
     assert_eq!(shown.get(&format!("{keep}.checked")), false);
     assert_eq!((shown.says(".kept").as_str(), shown.number(&pale)), ("", before));
+    drop(shown);
     let mut fresh = drum.still(&mut browser, WIDE, &link);
     assert_eq!(fresh.says(".kept"), "pale: the whole velocity");
     assert_eq!(fresh.get(&picture), seen, "whoever is given the link sees both");
@@ -982,7 +983,8 @@ fn a_scene_is_heard_when_it_is_asked_to_and_while_it_plays_in_sight() {
         assert_eq!(shown.get(&format!("{sound}.ariaPressed")), "true");
         let heard = format!("Number({sound}.dataset.hertz)");
         shown.wait(&format!("{heard} > 0"));
-        let both = shown.get(&format!("[{heard}, {}.valueAsNumber]", shown.part(".time")));
+        let both = format!("[{heard}, {}.valueAsNumber]", shown.part(".time"));
+        let both = shown.get(&both);
         let [heard_now, time] = [0, 1].map(|k| both[k].as_f64().expect("a number"));
         let own = player.sound(time).expect("a sound").frequency;
         assert!((heard_now / own - 1.0).abs() < 1e-9, "{}: {heard_now} and {own} Hz", place.scene.name);
@@ -1020,11 +1022,8 @@ fn a_body_is_drawn_by_the_mouse_and_lets_the_page_scroll_beside_it() {
         ));
         let from = [0, 1].map(|k| point[k].as_f64().expect("a place"));
         shown.mouse("mouseMoved", from);
-        assert_eq!(
-            shown.text(&format!("getComputedStyle({}).cursor", shown.part(".drawing"))),
-            "move",
-            "{name}"
-        );
+        let cursor = format!("getComputedStyle({}).cursor", shown.part(".drawing"));
+        assert_eq!(shown.text(&cursor), "move", "{name}");
         let before = shown.values();
         shown.drag(from, from);
         shown.settle();
