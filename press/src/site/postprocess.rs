@@ -10,8 +10,8 @@ use crate::site::package::Package;
 use crate::site::page_metadata::{self, SiteMetadata};
 use crate::site::version_stamp::edition;
 use crate::site::{
-    exercises, links, look, not_found_page, publish, rustdoc, scripts, search, sidebar, solutions, theme, trails,
-    wasm,
+    exercises, links, look, not_found_page, publish, rustdoc, scripts, search, sidebar, solutions, theme,
+    trails, wasm,
 };
 use anyhow::{Context as _, Error, Result, anyhow, ensure};
 use mdbook_renderer::RenderContext;

@@ -30,8 +30,7 @@ fn list(html: &str, found: &[Element]) -> String {
     // The elements that are open, and the level of each.
     let mut open: Vec<(usize, &str)> = Vec::new();
     for (level, id, words) in headings {
-        while let Some((_, end)) =
-            open.pop_if(|(own, end)| *own > level || *own == level && *end == "</li>")
+        while let Some((_, end)) = open.pop_if(|(own, end)| *own > level || *own == level && *end == "</li>")
         {
             out += end;
         }
