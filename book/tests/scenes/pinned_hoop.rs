@@ -49,7 +49,7 @@ fn it_waits_as_long_as_eulers_equations_do() {
             let reading = |words: &str| hand.reading(part * wait, words);
             assert_eq!(reading("times"), turned, "{gap}: {part} of {wait}");
             assert!(
-                reading("drift of the energy").abs() < 1e-13 && reading(r"drift of $\boldsymbol L") < 1e-13
+                reading("drift of the energy").abs() < 1e-13 && reading(r"drift of $\boldsymbol{L}") < 1e-13
             );
         }
         // After half the period it is upside down, as far as it was upright.
