@@ -27,10 +27,12 @@ const fit = () => {
       slide.classList.toggle("beside", isBeside);
       drawing.classList.toggle("phone", isNarrow);
     };
+    drawing.classList.add("sizing"); // what is in a drawing takes long to be laid out, and does not change its size
     const scales = layouts.map((layout) => [lay(layout), largest(slide, drawing)][1]);
     const best = scales.indexOf(Math.max(...scales));
     lay(layouts[best]);
     drawing.style.setProperty("--scale", scales[best]);
+    drawing.classList.remove("sizing");
   }
 };
 
