@@ -283,7 +283,7 @@ fn set_by(scene: &Scene, link: &str) -> Vec<f64> {
             ]);
         }
         let kept = named.iter().rfind(|(name, _)| name.strip_prefix("kept.") == Some(control.name));
-        for (_, value) in kept {
+        if let Some((_, value)) = kept {
             values.extend([1.0, place as f64, value.parse().expect("a number"), 0.0, 0.0]);
         }
     }
