@@ -344,6 +344,7 @@ class Scene {
     this.hasFailed = true;
     this.isPlaying = false;
     this.#hush();
+    this.unpeek?.();
     cancelAnimationFrame(this.#frame);
     console.warn(`${this.figure.id}: ${this.machine?.cause(error) ?? error.message}`);
     for (const picture of this.pictures) picture.rest();
@@ -446,7 +447,7 @@ class Scene {
   #nameKept() {
     if (!this.keptAs) return;
     const name = (control, value) => {
-      const { elements: [first], words, unit, shown } = control;
+      const { elements: [first], words, shown } = control;
       if (first.type === "radio") return control.elements[value].labels[0].textContent.trim();
       if (control.isButton) return `${words} ${value < 0 ? "never" : written(value, 2, "s")}`;
       return `${words} ${first.type === "checkbox" ? (value ? "on" : "off") : shown(value)}`;
