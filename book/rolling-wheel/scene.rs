@@ -83,21 +83,30 @@ impl Rolled {
         (state.omega_3 * state.tilt.sin() / state.omega_2, state.lean().to_degrees())
     }
 
-    fn draw_stage(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frame = stage(moment.room);
+    /// What of the table is shown: its middle, and how far it reaches, in radii.
+    fn shown(&self, now: &Rolling) -> (Complex<f64>, f64) {
         let follows = self.reach > MOST_REACH;
-        let contact = now.contact(RADIUS) / RADIUS;
-        let (middle, reach) = if follows { (contact, 0.5 * MOST_REACH) } else { (self.middle, self.reach) };
-        let reach = reach.max(1.8) + 0.25;
+        let around = now.contact(RADIUS) / RADIUS;
+        let (middle, reach) = if follows { (around, 0.5 * MOST_REACH) } else { (self.middle, self.reach) };
+        (middle, reach.max(1.8) + 0.25)
+    }
+
+    /// The camera, and where its eye is.
+    fn camera(&self, moment: &Moment, now: &Rolling) -> Result<(Camera, Vector3<f64>), Flaw> {
+        let (frame, (middle, reach)) = (stage(moment.room), self.shown(now));
         let distance = 12.0 + 2.0 * reach;
         let high = 2.0 * reach * 0.6_f64.sin() + 2.0;
         let target = Vector3::new(middle.re, middle.im, 0.55);
         let scale = (0.4 * frame.width() / reach).min(0.86 * frame.height() / high);
         let centre = frame.centre() + at(0.0, 0.02 * frame.height());
-        let camera = moment.camera(target, distance, centre, scale)?;
         let eye = target + Vector3::from(moment.towards_eye()) * distance;
+        Ok((moment.camera(target, distance, centre, scale)?, eye))
+    }
 
-        self.eye.set(Some(camera));
+    fn draw_stage(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (frame, (middle, reach), (camera, eye)) =
+            (stage(moment.room), self.shown(now), self.camera(moment, now)?);
+        let contact = now.contact(RADIUS) / RADIUS;
         // The track lies on the table, and the wheel stands on both.
         let mut table = Stage::new(camera);
         let half = reach - 0.2;
@@ -400,16 +409,21 @@ impl Motion for Rolled {
 
     /// The top of the wheel: it is tipped over.
     fn bodies(&self, moment: &Moment) -> Vec<(Point, f64)> {
-        let top = self.at(moment.time).and_then(|now| self.top(&now));
-        top.map_or(Vec::new(), |top| vec![(top, 28.0)])
+        let seen = || {
+            let now = self.at(moment.time)?;
+            top(&self.camera(moment, &now)?.0, &now)
+        };
+        seen().map_or(Vec::new(), |place| vec![(place, 28.0)])
     }
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
         if grip == 2 {
             let Ok(now) = self.at(moment.time) else { return Vec::new() };
+            let Ok((camera, _)) = self.camera(moment, &now) else { return Vec::new() };
             let leans = (0..=600).map(|k| (0.1 * f64::from(k)).to_radians());
-            let lean =
-                nearest([self.lean].into_iter().chain(leans), to, |lean| self.top(&self.tipped(&now, lean)));
+            let lean = nearest([self.lean].into_iter().chain(leans), to, |lean| {
+                top(&camera, &self.tipped(&now, lean))
+            });
             return lean.map_or(Vec::new(), |lean| vec![("lean", lean.to_degrees())]);
         }
         if grip == 0 {
@@ -525,14 +539,13 @@ impl Rolled {
             ..*now
         }
     }
+}
 
-    /// Where the top of the wheel is seen.
-    fn top(&self, state: &Rolling) -> Result<Point, Cause> {
-        let [_, second, _] = axes(state);
-        let foot = state.contact(RADIUS) / RADIUS;
-        let eye = self.eye.get().ok_or("nothing has been drawn")?;
-        Ok(eye.on_page(Vector3::new(foot.re, foot.im, 0.0) + second * 2.0)?)
-    }
+/// Where the top of the wheel is seen.
+fn top(camera: &Camera, state: &Rolling) -> Result<Point, Cause> {
+    let [_, second, _] = axes(state);
+    let foot = state.contact(RADIUS) / RADIUS;
+    Ok(camera.on_page(Vector3::new(foot.re, foot.im, 0.0) + second * 2.0)?)
 }
 
 /// An angle, rad, as it is written.

@@ -5,7 +5,6 @@ use mechanics::InvalidQuantity;
 use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};
 use nalgebra::{UnitQuaternion, Vector3};
-use std::cell::Cell;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
@@ -76,8 +75,6 @@ struct Spinning {
     start: SpinningCoin,
     /// The law by which it goes down, its place in [`POWERS`], and the time left at which it asks for free fall, s.
     down: Option<(SpinDown, usize, f64)>,
-    /// The eye that has seen it last.
-    eye: Cell<Option<Camera>>,
     /// On the way down: the angle by which the head has turned, rad, at equal steps of the film.
     head: Vec<f64>,
 }
@@ -113,7 +110,7 @@ impl Spinning {
                 Some((down, which - 1, down.time_left_at_free_fall().min(down.life())))
             }
         };
-        let mut spinning = Self { parameters, start, down, eye: Cell::new(None), head: Vec::new() };
+        let mut spinning = Self { parameters, start, down, head: Vec::new() };
         spinning.head = spinning.head_on_the_way()?;
         Ok(spinning)
     }
@@ -190,14 +187,18 @@ fn rates(room: Room) -> Plot<'static> {
     Plot { frame, x, y: Axis::log(1e-4, 1e5, 3).titled("rate, rad/s") }
 }
 
+/// What the eye looks at, and from how far.
+const TARGET: Vector3<f64> = Vector3::new(0.0, 0.0, 0.4);
+const DISTANCE: f64 = 9.0;
+
+fn camera(moment: &Moment) -> Result<Camera, Flaw> {
+    moment.camera(TARGET, DISTANCE, stage(moment.room).centre(), moment.room.of(132.0, 108.0))
+}
+
 impl Spinning {
     fn draw_stage(&self, moment: &Moment, now: &Now, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frame = stage(moment.room);
-        let target = Vector3::new(0.0, 0.0, 0.4);
-        let camera = moment.camera(target, 9.0, frame.centre(), moment.room.of(132.0, 108.0))?;
-        let eye = target + Vector3::from(moment.towards_eye()) * 9.0;
-
-        self.eye.set(Some(camera));
+        let (frame, camera) = (stage(moment.room), camera(moment)?);
+        let eye = TARGET + Vector3::from(moment.towards_eye()) * DISTANCE;
         let (sin, cos) = now.coin.tilt().sin_cos();
         let centre = Vector3::new(0.0, 0.0, sin);
         let attitude = self.attitude(now);
@@ -470,7 +471,8 @@ impl Motion for Spinning {
 
     /// The top of the coin, but on the way down, which begins at another tilt.
     fn bodies(&self, moment: &Moment) -> Vec<(Point, f64)> {
-        let top = self.at(moment.time).map_err(Cause::from).and_then(|now| self.top(&now.coin, now.rounds));
+        let top =
+            self.at(moment.time).map_err(Cause::from).and_then(|now| top(moment, &now.coin, now.rounds));
         top.ok().filter(|_| self.down.is_none()).map_or(Vec::new(), |top| vec![(top, 30.0)])
     }
 
@@ -482,7 +484,7 @@ impl Motion for Spinning {
         if grip == 1 {
             let tilts = (1..=300).map(|k| 0.005 * f64::from(k));
             let tilt = nearest([self.start.tilt()].into_iter().chain(tilts), to, |tilt| {
-                self.top(&SpinningCoin::new(self.parameters, tilt)?, moment.time / ROUND)
+                top(moment, &SpinningCoin::new(self.parameters, tilt)?, moment.time / ROUND)
             });
             return tilt.map_or(Vec::new(), |tilt| vec![("tilt", tilt)]);
         }
@@ -490,14 +492,13 @@ impl Motion for Spinning {
     }
 }
 
-impl Spinning {
-    /// Where the top of a coin is seen after so many rounds.
-    fn top(&self, coin: &SpinningCoin, rounds: f64) -> Result<Point, Cause> {
-        let centre = Vector3::new(0.0, 0.0, coin.tilt().sin());
-        let eye = self.eye.get().ok_or("nothing has been drawn")?;
-        Ok(eye.on_page(centre - lowest(&coin.attitude(rounds)))?)
-    }
+/// Where the top of a coin is seen after so many rounds.
+fn top(moment: &Moment, coin: &SpinningCoin, rounds: f64) -> Result<Point, Cause> {
+    let centre = Vector3::new(0.0, 0.0, coin.tilt().sin());
+    Ok(camera(moment)?.on_page(centre - lowest(&coin.attitude(rounds)))?)
+}
 
+impl Spinning {
     /// The way of the contact along the table, by its speed, less that along the rim, by how the coin stands: in radii.
     fn slip(&self, now: &Now) -> f64 {
         if self.down.is_some() {

@@ -3,7 +3,6 @@
 use live::prelude::*;
 use mechanics::scenes::top::{Release, Top, TopMotion, TopParameters, Track};
 use nalgebra::Vector3;
-use std::cell::Cell;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
@@ -54,8 +53,6 @@ const SHALLOWEST: f64 = 1e-4;
 
 /// A top that was let go at time zero.
 struct Spun {
-    /// The eye that has seen it last.
-    eye: Cell<Option<Camera>>,
     motion: TopMotion,
     tilt: f64,
     spin: f64,
@@ -81,7 +78,7 @@ impl Spun {
         }
         let least = motion.well(0.5 * (low + high)).min(energy);
         let depth = (energy - least).max(SHALLOWEST * top.weight_torque());
-        Ok(Self { eye: Cell::new(None), motion, tilt: degrees, spin, least, depth })
+        Ok(Self { motion, tilt: degrees, spin, least, depth })
     }
 
     fn tip(&self, time: f64) -> Result<Vector3<f64>, Cause> {
@@ -101,14 +98,16 @@ impl Spun {
         Plot { frame, x, y: Axis::linear(0.0, 3.0, 1.0).titled("energy of the tilt") }
     }
 
-    fn draw_top(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+    fn camera(&self, moment: &Moment) -> Result<Camera, Flaw> {
         let (centre, scale) = moment.room.of((at(200.0, 215.0), 112.0), (at(180.0, 165.0), 96.0));
         let height = if self.motion.tilts()[1] < 1.7 { 0.55 } else { 0.0 };
-        let camera = moment.camera([0.0, 0.0, height], 10.0, centre, scale)?;
-        self.eye.set(Some(camera));
+        moment.camera([0.0, 0.0, height], 10.0, centre, scale)
+    }
+
+    fn draw_top(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let now = self.motion.at(moment.time)?;
         let axis = now.axis_3_world();
-        let mut stage = Stage::new(camera);
+        let mut stage = Stage::new(self.camera(moment)?);
         if self.motion.tilts()[1] < 1.4 {
             stage.ground([-1.2, -1.2], [1.2, 1.2], 0.0, 0.4)?;
         }
@@ -164,11 +163,6 @@ impl Spun {
         graph.grip((self.tilt, level), Hue::Ink);
         let above = at(plot.frame.centre().x, plot.frame.top - 12.0);
         Ok(drawing.note(above, Side::Over, "the well of the tilt", Hue::Muted)?)
-    }
-
-    /// Where a point is seen.
-    fn seen(&self, point: Vector3<f64>) -> Result<Point, Cause> {
-        Ok(self.eye.get().ok_or("nothing has been drawn")?.on_page(point)?)
     }
 
     fn level(&self) -> f64 {
@@ -252,20 +246,22 @@ impl Motion for Spun {
 
     /// The tip of its axis: it is leant over.
     fn bodies(&self, moment: &Moment) -> Vec<(Point, f64)> {
-        let tip = self.tip(moment.time).and_then(|tip| self.seen(tip));
-        tip.map_or(Vec::new(), |tip| vec![(tip, 24.0)])
+        let tip = || Ok::<_, Cause>(self.camera(moment)?.on_page(self.tip(moment.time)?)?);
+        tip().map_or(Vec::new(), |tip| vec![(tip, 24.0)])
     }
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
         if grip == 1 {
-            let (Ok(tip), Ok(now)) = (self.tip(moment.time), self.tilt_at(moment.time)) else {
+            let (Ok(tip), Ok(now), Ok(camera)) =
+                (self.tip(moment.time), self.tilt_at(moment.time), self.camera(moment))
+            else {
                 return Vec::new();
             };
             let (away, more) = (tip.y.atan2(tip.x), self.tilt - now);
             let tilts = (0..=900).map(|k| 0.2 * f64::from(k) - more);
             let tilt = nearest(tilts, to, |tilt| {
                 let (sin, cos) = tilt.to_radians().sin_cos();
-                self.seen(Vector3::new(sin * away.cos(), sin * away.sin(), cos) * TIP)
+                Ok(camera.on_page(Vector3::new(sin * away.cos(), sin * away.sin(), cos) * TIP)?)
             });
             return tilt.map_or(Vec::new(), |tilt| vec![("tilt", tilt + more)]);
         }

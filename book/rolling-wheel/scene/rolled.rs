@@ -6,7 +6,6 @@ use mechanics::integrate::{Failure, Taylor, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::{SteadyRolling, Wheel, Wobble};
 use nalgebra::Complex;
-use std::cell::Cell;
 
 /// The wheel: a disc, a hoop, or a hoop with weights, of this mass, kg, and radius, m, on Earth.
 pub(super) const MASS: f64 = 1.0;
@@ -56,8 +55,6 @@ pub(super) enum Course {
 pub(super) struct Rolled {
     /// What is kept to compare.
     pub(super) kept: Option<Box<Self>>,
-    /// The eye that has seen it last.
-    pub(super) eye: Cell<Option<Camera>>,
     pub(super) wheel: Wheel,
     pub(super) which: usize,
     /// How far out its weights are, if it has some, in radii.
@@ -126,7 +123,6 @@ impl Rolled {
         let on_step = |time: f64| if is_followed { (time / STEP).round() * STEP } else { time };
         let mut rolled = Self {
             kept: settings.kept(|settings| Ok(Box::new(Self::new(settings)?))),
-            eye: Cell::new(None),
             tongue: tongue(&wheel),
             wheel,
             which,
