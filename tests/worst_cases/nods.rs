@@ -37,6 +37,9 @@ struct Turns {
     factors: [Long; 2], // G = A²s₂ and N = B²/s₁
 }
 
+/// Two tangents, as opposite and adjacent side.
+type Tangents = [(Long, Long); 2];
+
 impl Nodding {
     fn new(top: &TopParameters, start: &Turning) -> Self {
         let (q, w, l) = (start.world_from_body, start.omega_body, long);
@@ -137,7 +140,7 @@ impl Nodding {
 
     /// The tangents of half the least and half the greatest tilt, as opposite and adjacent side, and the nod's period, if
     /// there is one, with how many times as large the parts of its square are.
-    fn judged(&self) -> ([(Long, Long); 2], Option<(Long, f64)>) {
+    fn judged(&self) -> (Tangents, Option<(Long, f64)>) {
         let (none, one) = (long(0.0), long(1.0));
         let is_low = self.start > one; // or infinite, where it hangs
         let upright = if is_low { self.turned() } else { *self };

@@ -154,12 +154,11 @@ fn what_is_typed_is_taken_as_it_can_be_and_what_tells_of_other_numbers_is_struck
         let first = lines[0][1..].replace('-', "−");
         page.wait(&format!("{panel}.querySelector('dd > output').textContent === '{first}'"));
         assert!(page.text(&format!("{panel}.querySelector('.says').textContent")).contains(says), "{name}");
-        let all =
-            format!("[...document.querySelectorAll('.of-text')].map((node) => node.textContent).join()");
+        let all = "[...document.querySelectorAll('.of-text')].map((node) => node.textContent).join()";
         if struck.is_empty() {
             continue;
         }
-        let seen = page.text(&all);
+        let seen = page.text(all);
         assert!(seen.contains(struck), "{name}: {seen}");
         assert_eq!(page.get(&format!("{panel}.querySelector('.note-of-text').hidden")), false, "{name}");
         page.get(&format!("{panel}.querySelector('.reset').click()"));
