@@ -1,5 +1,6 @@
 //! The style sheets and scripts of the theme in the site: at addresses that say what they are, the sheets as one.
 
+use crate::html::{Edits, named};
 use crate::site::theme;
 use mdbook_renderer::config::Config;
 use std::collections::BTreeMap;
@@ -44,6 +45,29 @@ pub(crate) fn gather(site: &Path, config: &Config, pages: &mut BTreeMap<String, 
     if folder.is_dir() { fs::remove_dir_all(folder) } else { Ok(()) }
 }
 
+/// What can stand in the margin.
+const BESIDE: [&str; 7] = ["note", "figure", "grade", "scene", "answers", "citing", "table-wrapper"];
+
+/// The page with a class for its text: `cover` if it begins with the heading of that name, `plain` if nothing stands in its
+/// margin. A style sheet that finds this out by itself does so for each element that comes.
+pub(crate) fn with_kind(html: &str) -> String {
+    let found = named(html, &["main", "h1", "aside", "div", "figure", "p", "span"]);
+    let Some(main) = found.iter().find(|element| element.name == "main") else { return html.to_owned() };
+    let mut inside = found.iter().filter(|element| main.holds(element));
+    let is_beside = |class: &str| BESIDE.contains(&class);
+    let heading = found.iter().find(|element| element.name == "h1" && main.holds(element));
+    let class = if heading.and_then(|heading| heading.get("id")) == Some("sec-cover") {
+        "cover"
+    } else if inside.any(|element| element.get("class").unwrap_or_default().split(' ').any(is_beside)) {
+        return html.to_owned();
+    } else {
+        "plain"
+    };
+    let mut edits = Edits::default();
+    edits.insert(main.start_tag.end - 1, format!(" class=\"{class}\""));
+    edits.applied(html)
+}
+
 /// Those of the files that are the theme's, as they lie in the site: mdBook may have put a hash into their names.
 fn of_theme(site: &Path, files: &[PathBuf]) -> Vec<String> {
     let here = |file: &PathBuf| {
@@ -58,4 +82,21 @@ fn of_theme(site: &Path, files: &[PathBuf]) -> Vec<String> {
         Some(format!("{}/{name}", theme::FOLDER))
     };
     files.iter().filter_map(here).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_kind;
+
+    #[test]
+    fn a_page_says_that_it_is_the_cover_or_that_its_margin_is_empty() {
+        let kind = |text: &str| {
+            let page = with_kind(&format!("<body><p class=\"note\">head</p><main>{text}</main></body>"));
+            page.split_once("<main").unwrap().1.split_once('>').unwrap().0.to_owned()
+        };
+        assert_eq!(kind("<h1 id=\"sec-cover\">Tops</h1><p>…</p>"), " class=\"cover\"");
+        assert_eq!(kind("<h1>Tops</h1><p class=\"kicker\">…</p>"), " class=\"plain\"");
+        assert_eq!(kind("<h1>Tops</h1><p>…</p><div class=\"figure margin\"></div>"), "");
+        assert_eq!(kind("<h1>Tops</h1><h1 id=\"sec-cover\">All</h1><p class=\"grade\">…</p>"), "");
+    }
 }

@@ -62,6 +62,7 @@ fn finished(site: &Path, context: &RenderContext, hidden: &[String], drawn: &Ren
     }
     let mut pages = complete_pages(site, context, package.as_ref(), hidden)?;
     look::gather(site, &context.config, &mut pages)?;
+    scripts::keep_languages(site, &mut pages)?;
     wasm::add(site, &context.root, &pages)?;
     let index = search::rename(site, &mut pages)?;
     for (page, html) in &pages {
@@ -137,7 +138,10 @@ fn complete_pages(
         }
     }
     let unfolded = |(page, html): (&String, &String)| {
-        (page.clone(), sidebar::with_headings(&exercises::with_solutions(html, page, &pages)))
+        (
+            page.clone(),
+            look::with_kind(&sidebar::with_headings(&exercises::with_solutions(html, page, &pages))),
+        )
     };
     pages = pages.iter().map(unfolded).collect();
     if let Some(address) = known {
