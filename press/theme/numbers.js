@@ -52,9 +52,9 @@ class Program {
       live.field.addEventListener("input", () => {
         const typed = live.field.valueAsNumber;
         this.#take(live, typed, false);
-        const range = typed < live.least || typed > live.most ? ` goes from ${live.least} to ${live.most}:` : "";
+        const range = typed < live.least || typed > live.most ? ` goes from ${live.least} to ${live.most}` : "";
         const isOther = !Number.isNaN(typed) && live.value !== typed;
-        this.#beyond = isOther ? `${live.name}${range} it is taken as ${live.value}.`.replaceAll("-", "−") : "";
+        this.#beyond = isOther ? `${live.name}${range}: it is taken as ${live.value}.`.replaceAll("-", "−") : "";
       });
       live.field.addEventListener("change", () => this.#take(live, live.value, true));
       live.range.addEventListener("input", () => {

@@ -76,7 +76,7 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                         ));
                         let pairs = printed.iter().zip(shown.as_array().expect("texts").clone());
                         let mut pairs = pairs.map(|(own, shown)| {
-                            let own = own.trim_start_matches('=').replace('-', "−").replace('e', "·10");
+                            let own = pretty(own.trim_start_matches('='));
                             (if own.is_empty() { "–".to_owned() } else { own }, shown)
                         });
                         pairs.find(|(own, shown)| {
@@ -92,7 +92,7 @@ fn numbers_answer_to_mouse_fingers_and_keys_as_the_library_does() {
                     assert!(tries.is_some(), "{at}: {:?}", wrong(&mut page));
                     for (place, check) in checks.iter().enumerate() {
                         let by = page.text(&format!("{panel}.querySelectorAll('.by')[{place}].textContent"));
-                        let own = check[1..].replace('-', "−").replace('e', "·10").replace("1·10", "10");
+                        let own = pretty(&check[1..]);
                         let own = if own.is_empty() { own } else { format!(" ({own})") };
                         let is_sign = by.split(' ').count() == own.split(' ').count();
                         assert!(alike(&own, &by) || is_sign && own.contains("10−"), "{at}: {by}, not {own}");
@@ -153,7 +153,7 @@ fn what_is_typed_is_taken_as_it_can_be_and_what_tells_of_other_numbers_is_struck
         let lines = snippet.run(&live);
         let first = lines[0][1..].replace('-', "−");
         page.wait(&format!("{panel}.querySelector('dd > output').textContent === '{first}'"));
-        assert!(page.text(&format!("{panel}.querySelector('.says').textContent")).contains(says), "{name}");
+        page.wait(&format!("{panel}.querySelector('.says').textContent.includes('{says}')"));
         let all = "[...document.querySelectorAll('.of-text')].map((node) => node.textContent).join()";
         if struck.is_empty() {
             continue;
@@ -166,6 +166,28 @@ fn what_is_typed_is_taken_as_it_can_be_and_what_tells_of_other_numbers_is_struck
         assert_eq!(page.get(&format!("{panel}.querySelector('.note-of-text').hidden")), true, "{name}");
         assert_eq!(page.console(), Vec::<String>::new(), "{name}");
     }
+}
+
+/// Words and numbers as the page shows them: a true minus, and powers of ten, without a one before them.
+fn pretty(text: &str) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let mut out = String::new();
+    for (place, letter) in letters.iter().enumerate() {
+        let is_power = place > 0
+            && letters[place - 1].is_ascii_digit()
+            && letters.get(place + 1).is_some_and(|next| next.is_ascii_digit() || *next == '-');
+        match letter {
+            'e' if is_power => {
+                let is_one = out.ends_with('1')
+                    && !out[..out.len() - 1].ends_with(|c: char| c.is_ascii_digit() || c == '.');
+                out.truncate(out.len() - usize::from(is_one));
+                out += if is_one { "10" } else { "·10" };
+            }
+            '-' => out.push('−'),
+            other => out.push(*other),
+        }
+    }
+    out
 }
 
 /// Whether a number is what rounding leaves of nothing: another machine rounds otherwise.
