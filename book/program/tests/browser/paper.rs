@@ -146,7 +146,7 @@ fn every_chapter_with_a_guess_has_slides_that_load_nothing_and_are_seen_whole() 
         assert!(targets.all(|target| target.starts_with("\"data:") || target.starts_with('#')), "{name}");
         let file = folder.join(format!("{name}.html"));
         fs::write(&file, slides).unwrap();
-        page.go(&format!("file://{}", file.display()));
+        page.go(&format!("file://{}#1", file.display())); // the address says which slide is seen
         page.wait("document.body.classList.contains('fitted')");
         let count = page.number("slides.length");
         let pictures = page.number("document.querySelectorAll('.picture').length");

@@ -18,7 +18,8 @@ pub(crate) fn serve(folder: PathBuf) -> String {
     address
 }
 
-/// Answers one request: `GET /page.html?query HTTP/1.1`. A reader who has gone away hears nothing.
+/// Answers one request: `GET /page.html?query HTTP/1.1`. A reader who has gone away hears nothing. With `alone=scene-top` the
+/// text of the page is left out, but for that figure: tests of a panel need not wait for a chapter to be laid out.
 fn answer(mut stream: TcpStream, folder: &Path) {
     let mut line = String::new();
     let mut request = BufReader::new(&stream);
@@ -38,11 +39,23 @@ fn answer(mut stream: TcpStream, folder: &Path) {
         Some("woff2") => "font/woff2",
         _ => "application/octet-stream",
     };
-    let (status, body) =
+    let (status, mut body) =
         fs::read(folder.join(path)).map_or(("404 Not Found", Vec::new()), |body| ("200 OK", body));
+    if let Some((_, id)) = line.split_once("?alone=") {
+        body = alone(&String::from_utf8_lossy(&body), id.split(' ').next().unwrap_or_default()).into_bytes();
+    }
     let head = format!(
         "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n",
         body.len()
     );
     let _ = stream.write_all(&[head.into_bytes(), body].concat());
+}
+
+/// The page with nothing in its text but a scene, and room below it to scroll away.
+fn alone(html: &str, id: &str) -> String {
+    let (head, text) = html.split_once("<main").expect("a text");
+    let (text, foot) = text.split_once("</main>").expect("its end");
+    let start = text.find(&format!("<figure class=\"scene\" id=\"{id}\"")).expect("the scene");
+    let (figure, _) = text[start..].split_once("</figure>").expect("its end");
+    format!("{head}<main>{figure}</figure><p style=\"height: 200vh\"></p></main>{foot}")
 }
