@@ -15,19 +15,10 @@ const named = (node) => {
 };
 const shown = (node) => node.getClientRects().length > 0 && node.checkVisibility({ visibilityProperty: true });
 
-// What axe finds. It does not know that a formula is text that is read aloud, so a head of formulas looks empty to it. Formulas are
-// half of a page's elements: where those in lines of text may stand as plain text, it is done sooner.
-window.audit = async (rules, isFlat = false) => {
+// What axe finds. It does not know that a formula is text that is read aloud, so a head of formulas looks empty to it.
+window.audit = async (options) => {
   axe.configure({ rules: [{ id: 'empty-table-header', selector: 'th:not(:has(math))' }] });
-  const formulas = isFlat ? [...document.querySelectorAll('math:not([display=block])')] : [];
-  const texts = formulas.map((formula) => {
-    const text = document.createElement('span');
-    text.textContent = formula.textContent;
-    formula.replaceWith(text);
-    return text;
-  });
-  const found = await axe.run(document, { resultTypes: ['violations'], ...(rules.length > 0 && { runOnly: rules }) });
-  texts.forEach((text, place) => text.replaceWith(formulas[place]));
+  const found = await axe.run(document, { resultTypes: ['violations'], ...options });
   return found.violations.flatMap(({ id, nodes }) => nodes.map(({ target, html, any, all, none }) => {
     const why = [...any, ...all, ...none][0]?.message ?? '';
     return `${id}: ${target.join(' ')}: ${why} (${html.slice(0, 120)})`;
