@@ -25,7 +25,7 @@ pub(crate) const SCENE: Scene = Scene {
         preset("steps of two seconds", &[("step", 2.0)]),
     ],
     readings: &[
-        reading("energy, of that of the throw: closed form", Form::Fixed(4), ""),
+        reading("energy (1 at first), exact", Form::Fixed(4), ""),
         reading("by Euler’s method", Form::Fixed(4), ""),
         reading("by RK4", Form::Fixed(4), ""),
         reading("by Strang’s splitting", Form::Fixed(4), ""),

@@ -135,7 +135,7 @@ fn what_is_typed_is_taken_as_it_can_be_and_what_tells_of_other_numbers_is_struck
             "count goes from 1 to 7: it is taken as 1.",
             "the frame is quiet",
         ),
-        ("air-drag", "ratio", "0.5", "0.5", "", "With I₃/I₁ = 2 a thin disc"),
+        ("air-drag", "ratio", "0.5", "0.50", "", "With I₃/I₁ = 2 a thin disc"),
         ("laundromat", "load_mass", "1e6", "20.0", "load_mass goes from 0.1 to 20: it is taken as 20.", ""),
     ] {
         let snippet = of(&format!("book/{name}/index.md"), number);
