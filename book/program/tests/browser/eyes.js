@@ -58,9 +58,12 @@ window.asked = 0;
 const ask = requestAnimationFrame.bind(window);
 window.requestAnimationFrame = (act) => { asked += 1; return ask(act); };
 window.frames = async (count) => { for (let k = 0; k < count; k += 1) await new Promise(ask); };
+// What has jumped in a scene since the page was there with its fonts: what jumps before, the tests of access measure.
 window.shifted = [];
+let there = Infinity;
+addEventListener('load', () => document.fonts.ready.then(() => { there = performance.now(); }));
 new PerformanceObserver((list) => {
-  for (const { node } of list.getEntries().flatMap((entry) => entry.sources)) {
+  for (const { node } of list.getEntries().filter(({ startTime }) => startTime > there).flatMap((entry) => entry.sources)) {
     const isBlock = node?.nodeType === 1 && !node.closest('dd, output, math');
     if (isBlock && node.parentElement.closest('figure.scene')) shifted.push(`${node.nodeName} ${node.className}`);
   }
