@@ -13,7 +13,8 @@ use std::f64::consts;
 const OF_TILTS: f64 = 1e-15;
 const OF_NODS: f64 = 4e-16;
 const OF_STEADY: f64 = 1e-15;
-/// What 32 digits leave of a difference, of its parts, and from how many times as large parts on it is a small one.
+/// What 32 digits leave of a difference, of its parts, since a product of two such numbers is good to 2⁻¹⁰⁴, which is 5e-32; and
+/// from how many times as large parts on it is a small one.
 const DIGITS: f64 = 4e-32;
 const SMALL: f64 = 1e15;
 /// The square of a tilt that counts as none.
