@@ -758,6 +758,8 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
             for before in
                 [".presets button:last-child", ".reset"].into_iter().take(if index == 0 { 2 } else { 1 })
             {
+                // A picture that came to a link may lie over the next one, until its reader puts it back.
+                shown.get("document.querySelector(':popover-open')?.hidePopover()");
                 shown.click(before); // the words below the scene may come to take another line
                 act(&mut shown, Means::Mouse, &link, 0.5, "");
                 if shown.says(".play") == "Pause" {
