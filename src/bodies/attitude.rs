@@ -34,7 +34,7 @@ pub(crate) fn check_attitude(world_from_body: &UnitQuaternion<f64>) -> Result<()
 ///
 /// ```
 /// use mechanics::attitude::quaternion_rate;
-/// use nalgebra::{Quaternion, Vector3};
+/// use mechanics::nalgebra::{Quaternion, Vector3};
 /// // At 3 rad/s the quaternion moves with half of that: after two turns of the body it is back, after one it is −q.
 /// let rate = quaternion_rate(&Quaternion::identity(), &Vector3::new(0.0, 0.0, 3.0));
 /// assert_eq!(format!("{} 1/s", rate.norm()), "1.5 1/s");
@@ -52,7 +52,7 @@ pub fn quaternion_rate(world_from_body: &Quaternion<f64>, omega_body: &Vector3<f
 ///
 /// ```
 /// use mechanics::attitude::angle_between;
-/// use nalgebra::Vector3;
+/// use mechanics::nalgebra::Vector3;
 /// let [a, b] = [Vector3::new(0.0, 0.0, 1.0), Vector3::new(1e-12, 0.0, 1.0)];
 /// assert_eq!(angle_between(&a, &b), 1e-12);
 /// assert_eq!((a.dot(&b) / (a.norm() * b.norm())).acos(), 0.0); // lost
@@ -80,7 +80,7 @@ fn length(components: [TwoPart; 3]) -> f64 {
 ///
 /// ```
 /// use mechanics::attitude::rotation_between;
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use mechanics::nalgebra::{UnitQuaternion, Vector3};
 /// // A quarter turn about x and one about z are together a third of a turn about a diagonal.
 /// let [tip, spin] = [Vector3::x(), Vector3::z()]
 ///     .map(|axis| UnitQuaternion::from_scaled_axis(axis * std::f64::consts::FRAC_PI_2));

@@ -13,7 +13,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 ///
 /// ```
 /// use mechanics::{euler, inertia::PrincipalMoments};
-/// use nalgebra::Vector3;
+/// use mechanics::nalgebra::Vector3;
 /// // Left to itself, a body keeps spinning about a principal axis ...
 /// let moments = PrincipalMoments::new(1.0, 2.0, 2.5)?;
 /// let at_rest = Vector3::zeros();
@@ -89,7 +89,7 @@ impl Turning {
 /// ```
 /// use mechanics::euler::{self, Turning};
 /// use mechanics::{inertia::Body, integrate::Dop853};
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use mechanics::nalgebra::{UnitQuaternion, Vector3};
 /// let moments = Body::cuboid(1.0, [0.02, 0.1, 0.2])?.moments();
 /// let start = Turning {
 ///     world_from_body: UnitQuaternion::identity(),

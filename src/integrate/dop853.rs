@@ -209,7 +209,7 @@ impl Dop853 {
         k[0] = rates(t, &y);
         work.evaluations += 1;
         if !is_finite(&k[0]) {
-            return Err(Failure::NotFinite { time: t, state: y.to_vec(), step: 0.0 });
+            return Err(Failure::NotFinite { time: t, state: y.to_vec(), step: f64::NAN });
         }
         let mut h = match self.first_step {
             Some(length) => length.min(self.max_step) * direction,

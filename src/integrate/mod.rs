@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`rk4`] | programs that show what goes wrong, and smooth problems where a fixed step will do |
 //! | [`Dop853`] | everything else: order eight, step control, dense output, events |
+//! | [`Taylor`] | motions that give their own series, as `Wheel::wobble`: exact to rounding, `Taylor::new(1e-15)` |
 //! | [`crate::geometric`] | rotations: methods that only ever turn |
 //!
 //! [`METHODS`] states what each promises; `tests/orders` measures it.

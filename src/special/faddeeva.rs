@@ -30,7 +30,7 @@ const POLE_ONLY: f64 = 1e9;
 ///
 /// ```
 /// use mechanics::faddeeva::faddeeva;
-/// use nalgebra::Complex;
+/// use mechanics::nalgebra::Complex;
 /// // On the imaginary axis it is e^{y²} erfc y, 0.427 583 576... at i.
 /// let w = faddeeva(Complex::new(0.0, 1.0));
 /// assert!((w.re - 0.427_583_576_155_807).abs() < 1e-15 && w.im == 0.0);

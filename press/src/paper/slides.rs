@@ -233,17 +233,18 @@ impl Paper {
             let font = BASE64_STANDARD.encode(read(name)?);
             style = format!("{before}data:font/woff2;base64,{font}{after}");
         }
+        let settings = &self.settings;
+        let about = [settings.title.clone(), self.edition_in_words(), settings.licence.clone()].join(". ");
         let mut body = String::new();
         for (n, (class, slide)) in slides.iter().enumerate() {
+            let foot: &str = if n == 0 { &about } else { title };
             let slide = html::unlinked(slide, |_| true);
             let _ = writeln!(
                 body,
-                "<section class=\"slide {class}\"><div>{slide}</div><footer><span>{title}</span><span>{}</span></footer></section>",
+                "<section class=\"slide {class}\"><div>{slide}</div><footer><span>{foot}</span><span>{}</span></footer></section>",
                 n + 1
             );
         }
-        let settings = &self.settings;
-        let about = [settings.title.clone(), self.edition_in_words(), settings.licence.clone()].join(". ");
         Ok(format!(
             "<!DOCTYPE html>\n<html lang=\"{}\" class=\"light\">\n<head>\n<meta charset=\"UTF-8\">\n<title>{title} – {}</title>\n\
              <meta name=\"description\" content=\"{}\">\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n{body}</main>\n<script>\n{}</script>\n</body>\n</html>\n",

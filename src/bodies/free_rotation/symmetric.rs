@@ -18,7 +18,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 ///
 /// ```
 /// use mechanics::{euler::Turning, free_rotation::FreeSymmetricTop, inertia::Body};
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use mechanics::nalgebra::{UnitQuaternion, Vector3};
 /// // A plate thrown with a slight wobble wobbles twice while it turns once.
 /// let start = Turning {
 ///     world_from_body: UnitQuaternion::identity(),

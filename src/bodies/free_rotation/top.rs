@@ -21,7 +21,7 @@ use nalgebra::{UnitQuaternion, Vector2, Vector3};
 ///
 /// ```
 /// use mechanics::{euler::Turning, free_rotation::FreeTop, inertia::Body};
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use mechanics::nalgebra::{UnitQuaternion, Vector3};
 /// // A book thrown almost about its middle axis.
 /// let book = Body::cuboid(1.0, [0.03, 0.15, 0.22])?.moments();
 /// let start = Turning {

@@ -24,7 +24,7 @@ use nalgebra::Vector3;
 ///
 /// ```
 /// use mechanics::{euler::Turning, geometric::commutator_free, inertia::Body};
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use mechanics::nalgebra::{UnitQuaternion, Vector3};
 /// let disc = Body::thin_disk(1.0, 0.2)?.moments();
 /// let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body: Vector3::new(0.0, 0.0, 5.0) };
 /// // A brake of 0.01 N·m about the axle stops 0.1 kg·m²/s in ten seconds, after 25 rad.

@@ -23,7 +23,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 ///
 /// ```
 /// use mechanics::{euler::Turning, geometric::Splitting, inertia::Body};
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use mechanics::nalgebra::{UnitQuaternion, Vector3};
 /// let book = Body::cuboid(1.0, [0.03, 0.15, 0.22])?.moments();
 /// let start = Turning {
 ///     world_from_body: UnitQuaternion::identity(),

@@ -14,7 +14,7 @@ const SWEEPS: usize = 100;
 ///
 /// ```
 /// use mechanics::inertia::Body;
-/// use nalgebra::Vector3;
+/// use mechanics::nalgebra::Vector3;
 /// // A hoop about a point of its rim: 3/2, 1/2 and 2 times ma² (tangent, diameter, normal).
 /// let about_rim = Body::hoop(1.0, 1.0)?.about(&Vector3::new(0.0, 1.0, 0.0))?;
 /// assert_eq!(about_rim.matrix().diagonal(), Vector3::new(1.5, 0.5, 2.0));

@@ -49,7 +49,7 @@ pub struct DraggedTopParameters {
 /// ```
 /// use mechanics::inertia::PrincipalMoments;
 /// use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, DraggedTopParameters};
-/// use nalgebra::Vector3;
+/// use mechanics::nalgebra::Vector3;
 /// let (drag, omega_body) = (Drag::isotropic(0.1), Vector3::new(3.0, 0.0, 10.0));
 /// let moments = PrincipalMoments::symmetric(1.0, 2.0)?;
 /// let frisbee = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?;

@@ -18,7 +18,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 /// use mechanics::inertia::PrincipalMoments;
 /// use mechanics::integrate::Dop853;
 /// use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
-/// use nalgebra::{UnitQuaternion, Vector3};
+/// use mechanics::nalgebra::{UnitQuaternion, Vector3};
 /// // A flat disc, thrown with a wobble.
 /// let (moments, drag) = (PrincipalMoments::symmetric(1.0, 2.0)?, Drag::isotropic(0.1));
 /// let omega_body = Vector3::new(3.0, 0.0, 10.0);
