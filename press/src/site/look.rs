@@ -48,15 +48,15 @@ pub(crate) fn gather(site: &Path, config: &Config, pages: &mut BTreeMap<String, 
 /// What can stand in the margin.
 const BESIDE: [&str; 7] = ["note", "figure", "grade", "scene", "answers", "citing", "table-wrapper"];
 
-/// The page with a class for its text: `cover` if it begins with the heading of that name, `plain` if nothing stands in its
-/// margin. A style sheet that finds this out by itself does so for each element that comes.
+/// The page with a class for its text: `cover` if the heading of that name is its only one, which on the page of all pages it
+/// is not, `plain` if nothing stands in its margin. A style sheet that finds this out by itself does so for each element that comes.
 pub(crate) fn with_kind(html: &str) -> String {
     let found = named(html, &["main", "h1", "aside", "div", "figure", "p", "span"]);
     let Some(main) = found.iter().find(|element| element.name == "main") else { return html.to_owned() };
     let mut inside = found.iter().filter(|element| main.holds(element));
     let is_beside = |class: &str| BESIDE.contains(&class);
-    let heading = found.iter().find(|element| element.name == "h1" && main.holds(element));
-    let class = if heading.and_then(|heading| heading.get("id")) == Some("sec-cover") {
+    let headings = found.iter().filter(|element| element.name == "h1" && main.holds(element));
+    let class = if headings.map(|heading| heading.get("id")).eq([Some("sec-cover")]) {
         "cover"
     } else if inside.any(|element| element.get("class").unwrap_or_default().split(' ').any(is_beside)) {
         return html.to_owned();
@@ -97,6 +97,6 @@ mod tests {
         assert_eq!(kind("<h1 id=\"sec-cover\">Tops</h1><p>…</p>"), " class=\"cover\"");
         assert_eq!(kind("<h1>Tops</h1><p class=\"kicker\">…</p>"), " class=\"plain\"");
         assert_eq!(kind("<h1>Tops</h1><p>…</p><div class=\"figure margin\"></div>"), "");
-        assert_eq!(kind("<h1>Tops</h1><h1 id=\"sec-cover\">All</h1><p class=\"grade\">…</p>"), "");
+        assert_eq!(kind("<h1 id=\"sec-cover\">Tops</h1><h1>One</h1><p class=\"grade\">…</p>"), "");
     }
 }
