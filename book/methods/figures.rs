@@ -24,8 +24,13 @@ pub(crate) const FIGURES: &[Figure] = figures![
     method_order,
     method_steps,
     method_zigzag,
-    method_long_run
+    method_long_run,
+    free_body::two_turns,
+    free_body::tip_path
 ];
+
+#[path = "figures/free_body.rs"]
+pub(crate) mod free_body;
 
 /// A tolerance that every step meets, so that the length limit alone sets the steps of DOP853.
 const LOOSE: f64 = 1e12;

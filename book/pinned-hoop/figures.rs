@@ -25,13 +25,9 @@ pub(crate) const FIGURES: &[Figure] = figures![
     paths::herpolhode,
     paths::hoop_and_sphere,
     pendulum::wait_plateau,
-    waits,
-    any_body::two_turns,
-    any_body::tip_path
+    waits
 ];
 
-#[path = "figures/any_body.rs"]
-pub(crate) mod any_body;
 #[path = "figures/paths.rs"]
 pub(crate) mod paths;
 #[path = "figures/pendulum.rs"]
