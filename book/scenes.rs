@@ -4,12 +4,16 @@
 mod air_drag;
 #[path = "ball/scene.rs"]
 mod ball;
+#[path = "spinning-coin/cap.rs"]
+mod cap;
 #[path = "air-drag/clocks.rs"]
 mod clocks;
 #[path = "coin-toss/scene.rs"]
 mod coin_toss;
 #[path = "coin-toss/edge.rs"]
 mod edge;
+#[path = "laundromat/hill.rs"]
+mod hill;
 #[path = "laundromat/motor.rs"]
 mod knob;
 #[path = "laundromat/scene.rs"]
@@ -28,8 +32,12 @@ mod pinned_hoop;
 mod rolling_wheel;
 #[path = "space-station/scene.rs"]
 mod space_station;
+#[path = "laundromat/speeds.rs"]
+mod speeds;
 #[path = "spinning-coin/scene.rs"]
 mod spinning_coin;
+#[path = "space-station/star.rs"]
+mod star;
 #[path = "top/scene.rs"]
 mod top;
 #[path = "turning/scene.rs"]
@@ -42,6 +50,8 @@ use live::Scene;
 /// All live scenes, each with where it stands: the folder of the chapter that it opens, or a page of one.
 pub const SCENES: &[(&str, &Scene)] = &[
     ("laundromat", &laundromat::SCENE),
+    ("laundromat/index", &speeds::SCENE),
+    ("laundromat/index", &hill::SCENE),
     ("laundromat/motor", &knob::SCENE),
     ("turning", &turning::SCENE),
     ("turning/middle-axis", &middle_axis::SCENE),
@@ -49,6 +59,7 @@ pub const SCENES: &[(&str, &Scene)] = &[
     ("coin-toss", &coin_toss::SCENE),
     ("coin-toss/edge", &edge::SCENE),
     ("space-station", &space_station::SCENE),
+    ("space-station/index", &star::SCENE),
     ("air-drag", &air_drag::SCENE),
     ("air-drag/index", &clocks::SCENE),
     ("pinned-hoop", &pinned_hoop::SCENE),
@@ -56,6 +67,7 @@ pub const SCENES: &[(&str, &Scene)] = &[
     ("rolling-wheel", &rolling_wheel::SCENE),
     ("rolling-wheel/stability", &near_flat::SCENE),
     ("spinning-coin", &spinning_coin::SCENE),
+    ("spinning-coin/index", &cap::SCENE),
     ("spinning-coin/loss", &loss::SCENE),
     ("ball", &ball::SCENE),
     ("methods", &methods::SCENE),

@@ -1,0 +1,108 @@
+//! The small scene of "Back to the stars": the place of a star on board as the sum of two arrows that turn against each other.
+
+use live::prelude::*;
+use mechanics::euler::Turning;
+use mechanics::free_rotation::FreeTop;
+use mechanics::inertia::PrincipalMoments;
+use nalgebra::{UnitQuaternion, Vector3};
+
+pub(crate) const SCENE: Scene = Scene {
+    file: file!(),
+    name: "star",
+    title: "The star that stood on the cross",
+    description: "A camera’s picture of the sky about a cross, which is the axis of the station. An arrow leads from the cross to L, another as long from there to a star. The star \
+                  has drawn a line through the cross, to and fro, which turns slowly. Below, its distance from the cross against time: arches that come back to zero.",
+    question: "How often is the star back on the cross in one old turn, and how often has L gone round? Then make the body longer.",
+    size: [[640.0, 330.0], [380.0, 570.0]],
+    view: None,
+    still: 9.0,
+    controls: &[
+        Control::slider(
+            "lean",
+            r"lean of $\boldsymbol L$ after the blow, $\theta_L$",
+            [0.5, 25.0, 0.5],
+            "°",
+            11.5,
+        ),
+        Control::slider("ratio", r"long to flat: moments $I_3/I_1$", [0.2, 2.0, 0.05], "", 2.0),
+    ],
+    presets: &[
+        preset("the station", &[]),
+        preset("a light blow", &[("lean", 0.5)]),
+        preset("a long body", &[("ratio", 0.2)]),
+        preset("equal moments", &[("ratio", 1.0)]),
+    ],
+    readings: &[
+        reading("old turns", Form::Fixed(2), ""),
+        reading("the star is off the cross by", Form::Fixed(1), "°"),
+        reading(r"rounds of $\boldsymbol L$ on board", Form::Fixed(2), ""),
+    ],
+    symbols: formulas![r"\boldsymbol{L}"],
+    start,
+};
+
+/// The spin, rad/s, which a blow across the axis does not change, and how long the star is followed, s: two turns.
+const SPIN: f64 = 0.45;
+const LASTS: f64 = 2.0 * TAU / SPIN;
+
+/// Where a direction in the room stands in the camera's picture, in the lean of L.
+fn seen(state: &Turning, direction: &Vector3<f64>, lean: f64) -> (f64, f64) {
+    let on_board = state.world_from_body.inverse() * direction;
+    let from_cross = on_board.xy().norm().atan2(on_board.z) / on_board.xy().norm().max(1e-300) / lean;
+    (on_board.y * from_cross, on_board.x * from_cross)
+}
+
+fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
+    let (lean, ratio) = (settings.of("lean")?.to_radians(), settings.of("ratio")?);
+    let across = SPIN * ratio * lean.tan();
+    let omega_body = Vector3::new(across, 0.0, SPIN);
+    let begin = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
+    let top = FreeTop::new(PrincipalMoments::symmetric(1.0, ratio)?, begin)?;
+    let momentum = Vector3::new(across, 0.0, ratio * SPIN).normalize();
+    let nods = ratio * SPIN / lean.cos() / SPIN;
+    Ok(Box::new(Small {
+        of: (top, momentum, lean, ratio),
+        run: Run { duration: LASTS, pace: 3.0, repeats: false },
+        words: format!(
+            "In one old turn the star is back on the cross {nods:.2} times, and L goes round the cross {:.2} times.",
+            (ratio - 1.0).abs()
+        ),
+        readings: |(top, _, lean, ratio), time| {
+            let (x, y) = seen(&top.at(time)?, &Vector3::z(), *lean);
+            let turns = time * SPIN / TAU;
+            Ok(vec![turns, lean.to_degrees() * x.hypot(y), (ratio - 1.0) * turns])
+        },
+        draw: |(top, momentum, lean, _), moment, drawing| {
+            let (cross, unit) = moment.room.of((at(150.0, 150.0), 64.0), (at(190.0, 150.0), 64.0));
+            let place = |(x, y): (f64, f64)| cross + at(x, -y) * unit;
+            let times = linear_steps(0.0, LASTS, 320).collect::<Vec<_>>();
+            let states = top.sample(&times)?;
+            let star = |state: &Turning| seen(state, &Vector3::z(), *lean);
+            let gone = times.partition_point(|time| *time <= moment.time);
+            let trail: Vec<Point> = states[..gone].iter().map(|state| place(star(state))).collect();
+            drawing.circle(cross, unit, Role::Line(Stroke::Dotted, Hue::Muted));
+            drawing.polyline(&trail, Stroke::Outline, Hue::Muted);
+            let now = top.at(moment.time)?;
+            let [tip, end] = [seen(&now, momentum, *lean), star(&now)].map(place);
+            for step in [at(5.0, 0.0), at(0.0, 5.0)] {
+                drawing.line(cross - step, cross + step, Stroke::Vector, Hue::Blue);
+            }
+            kit::arrow(drawing, cross, tip, Hue::Green);
+            kit::arrow(drawing, tip, end, Hue::Ink);
+            drawing.dot(end, 4.5, Hue::Ink);
+            drawing.label(tip + (tip - cross).unit() * 13.0, Side::Over, r"$\boldsymbol{L}$", Hue::Green)?;
+            let frames = [[350.0, 50.0, 260.0, 200.0], [60.0, 344.0, 290.0, 170.0]];
+            let turns = Axis::linear(0.0, 2.0, 0.5).titled("old turns");
+            let away = Axis::linear(0.0, 2.2, 1.0).titled("from the cross, in leans of L");
+            let mut graph = moment.graph(drawing, frames, turns, away)?;
+            let off = |state: &Turning| {
+                let (x, y) = star(state);
+                x.hypot(y)
+            };
+            let arches = times.iter().zip(&states).map(|(time, state)| (time * SPIN / TAU, off(state)));
+            graph.curve(arches, Stroke::Curve, Hue::Ink);
+            graph.dot((moment.time * SPIN / TAU, off(&now)), 5.0, Hue::Ink);
+            Ok(())
+        },
+    }))
+}
