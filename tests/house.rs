@@ -209,6 +209,8 @@ fn the_version_and_its_day_are_the_same_wherever_they_stand() {
         assert!(page.contains(&line), "book/cite.md lacks {line}");
     }
     assert!(page.contains(&format!("*{title}*, version {version} ({day}).")), "book/cite.md, in words");
+    let plain = [format!("programs, version {version} ({day})}},\n"), format!(" = {{{}}},\n", &day[..4])];
+    assert!(plain.iter().all(|words| page.contains(words)), "book/cite.md, for plain BibTeX: {plain:?}");
     let licences = citation.split("license:\n").nth(1).unwrap().lines();
     for licence in licences.map_while(|line| line.strip_prefix("  - ")) {
         let words = licence.replace("CC-BY-", "CC BY ").replace("Apache-", "Apache ");
