@@ -69,7 +69,9 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             stage.arrow(arrow(0.0)?, Stroke::Reference, Heads::End, Hue::Ink)?;
             stage.arrow(arrow(part)?, Stroke::Vector, Heads::End, Hue::Ink)?;
             stage.dot_in_front(normal(part), 5.0, Hue::Blue)?;
-            stage.label_shifted(normal(part), at(0.0, 4.0), Side::Below, r"$\hat{\mathbf{n}}$", Hue::Blue)?;
+            let outwards = normal(part).xy().normalize();
+            let shift = at(outwards.x, -outwards.y) * 14.0;
+            stage.label_shifted(normal(part), shift, Side::Over, r"$\hat{\mathbf{n}}$", Hue::Blue)?;
             stage.write(drawing);
             let frames = [[380.0, 60.0, 230.0, 200.0], [60.0, 330.0, 290.0, 170.0]];
             let done = Axis::linear(0.0, 1.0, 0.25).titled("part of the round");

@@ -132,7 +132,11 @@ fn a_course_of_some_weeks_adds_up_the_minutes_of_its_exercises() {
             let mut effort = [0.0; GRADES.len()];
             named.iter().for_each(|(grade, minutes)| effort[*grade] += minutes);
             let parts = [cells.len() - 3, cells.len() - 2].map(|n| cells[n].parse::<f64>().expect("minutes"));
-            assert_eq!(parts, [effort[0], effort[1]], "book/teaching.md: check and home of the row {cells:?}");
+            assert_eq!(
+                parts,
+                [effort[0], effort[1]],
+                "book/teaching.md: check and home of the row {cells:?}"
+            );
             checks += effort[0];
             problems += effort[1];
             if has_board {

@@ -2,6 +2,7 @@
 
 mod air_drag;
 mod ball;
+mod cap;
 mod clocks;
 mod coin_toss;
 mod disk_end;
@@ -9,6 +10,7 @@ mod edge;
 mod every;
 mod grips;
 mod hand;
+mod hill;
 mod knob;
 mod laundromat;
 mod methods;
@@ -17,7 +19,9 @@ mod near_flat;
 mod pinned_hoop;
 mod rolling_wheel;
 mod space_station;
+mod speeds;
 mod spinning_coin;
+mod star;
 mod top;
 mod turning;
 mod wobble_plate;
