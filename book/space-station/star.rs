@@ -41,9 +41,19 @@ pub(crate) const SCENE: Scene = Scene {
     start,
 };
 
-/// The spin, rad/s, which a blow across the axis does not change, and how long the star is followed, s: two turns.
+/// The spin, rad/s, which a blow across the axis does not change.
 const SPIN: f64 = 0.45;
-const LASTS: f64 = 2.0 * TAU / SPIN;
+
+/// What is followed: the station and its L, and for how many old turns, with marks how far apart; the way of the star.
+struct Sky {
+    top: FreeTop,
+    momentum: Vector3<f64>,
+    lean: f64,
+    ratio: f64,
+    turns: f64,
+    step: f64,
+    way: Vec<(f64, f64)>,
+}
 
 /// Where a direction in the room stands in the camera's picture, in the lean of L.
 fn seen(state: &Turning, direction: &Vector3<f64>, lean: f64) -> (f64, f64) {
@@ -59,31 +69,34 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
     let begin = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
     let top = FreeTop::new(PrincipalMoments::symmetric(1.0, ratio)?, begin)?;
     let momentum = Vector3::new(across, 0.0, ratio * SPIN).normalize();
-    let nods = ratio * SPIN / lean.cos() / SPIN;
+    let nods = ratio / lean.cos();
+    // Two nods at least, and two old turns.
+    let (turns, step) = if nods < 1.0 { ((2.0 / nods).ceil(), 2.0) } else { (2.0, 0.5) };
+    let times: Vec<f64> = linear_steps(0.0, turns * TAU / SPIN, 400).collect();
+    let way = top.sample(&times)?.iter().map(|state| seen(state, &Vector3::z(), lean)).collect();
     Ok(Box::new(Small {
-        of: (top, momentum, lean, ratio),
-        run: Run { duration: LASTS, pace: 3.0, repeats: false },
+        of: Sky { top, momentum, lean, ratio, turns, step, way },
+        run: Run { duration: turns * TAU / SPIN, pace: 1.5 * turns, repeats: false },
         words: format!(
             "In one old turn the star is back on the cross {nods:.2} times, and L goes round the cross {:.2} times.",
             (ratio - 1.0).abs()
         ),
-        readings: |(top, _, lean, ratio), time| {
-            let (x, y) = seen(&top.at(time)?, &Vector3::z(), *lean);
+        readings: |sky, time| {
+            let (x, y) = seen(&sky.top.at(time)?, &Vector3::z(), sky.lean);
             let turns = time * SPIN / TAU;
-            Ok(vec![turns, lean.to_degrees() * x.hypot(y), (ratio - 1.0) * turns])
+            Ok(vec![turns, sky.lean.to_degrees() * x.hypot(y), (sky.ratio - 1.0) * turns])
         },
-        draw: |(top, momentum, lean, _), moment, drawing| {
+        draw: |sky, moment, drawing| {
             let (cross, unit) = moment.room.of((at(150.0, 150.0), 64.0), (at(190.0, 150.0), 64.0));
             let place = |(x, y): (f64, f64)| cross + at(x, -y) * unit;
-            let times = linear_steps(0.0, LASTS, 320).collect::<Vec<_>>();
-            let states = top.sample(&times)?;
-            let star = |state: &Turning| seen(state, &Vector3::z(), *lean);
-            let gone = times.partition_point(|time| *time <= moment.time);
-            let trail: Vec<Point> = states[..gone].iter().map(|state| place(star(state))).collect();
+            let (now, old_turns) = (sky.top.at(moment.time)?, moment.time * SPIN / TAU);
+            let gone = (400.0 * old_turns / sky.turns) as usize;
+            let star = seen(&now, &Vector3::z(), sky.lean);
+            let trail: Vec<Point> =
+                sky.way[..=gone.min(400)].iter().copied().chain([star]).map(place).collect();
             drawing.circle(cross, unit, Role::Line(Stroke::Dotted, Hue::Muted));
             drawing.polyline(&trail, Stroke::Outline, Hue::Muted);
-            let now = top.at(moment.time)?;
-            let [tip, end] = [seen(&now, momentum, *lean), star(&now)].map(place);
+            let [tip, end] = [seen(&now, &sky.momentum, sky.lean), star].map(place);
             for step in [at(5.0, 0.0), at(0.0, 5.0)] {
                 drawing.line(cross - step, cross + step, Stroke::Vector, Hue::Blue);
             }
@@ -92,16 +105,13 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             drawing.dot(end, 4.5, Hue::Ink);
             drawing.label(tip + (tip - cross).unit() * 13.0, Side::Over, r"$\boldsymbol{L}$", Hue::Green)?;
             let frames = [[350.0, 50.0, 260.0, 200.0], [60.0, 344.0, 290.0, 170.0]];
-            let turns = Axis::linear(0.0, 2.0, 0.5).titled("old turns");
+            let turns = Axis::linear(0.0, sky.turns, sky.step).titled("old turns");
             let away = Axis::linear(0.0, 2.2, 1.0).titled("from the cross, in leans of L");
             let mut graph = moment.graph(drawing, frames, turns, away)?;
-            let off = |state: &Turning| {
-                let (x, y) = star(state);
-                x.hypot(y)
-            };
-            let arches = times.iter().zip(&states).map(|(time, state)| (time * SPIN / TAU, off(state)));
+            let arches = sky.way.iter().enumerate();
+            let arches = arches.map(|(n, (x, y))| (sky.turns * n as f64 / 400.0, x.hypot(*y)));
             graph.curve(arches, Stroke::Curve, Hue::Ink);
-            graph.dot((moment.time * SPIN / TAU, off(&now)), 5.0, Hue::Ink);
+            graph.dot((old_turns, star.0.hypot(star.1)), 5.0, Hue::Ink);
             Ok(())
         },
     }))

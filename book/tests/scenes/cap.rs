@@ -1,17 +1,18 @@
 //! The small scene of the cap against an arrow that is carried along in small steps.
 
 use crate::hand::{Hand, number_behind};
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
-/// By how much an arrow is turned, degrees, that is carried once round a circle of the sphere and only ever made tangent.
+/// By how much an arrow is turned, degrees, that is carried once round a circle of the sphere along short
+/// pieces of great circles.
 fn carried(tilt: f64) -> f64 {
     let normal = |angle: f64| Vector3::new(tilt.sin() * angle.cos(), tilt.sin() * angle.sin(), tilt.cos());
     let first = Vector3::new(-tilt.cos(), 0.0, tilt.sin()); // uphill, at angle zero
-    let (mut arrow, steps) = (first, 200_000);
+    let (mut arrow, steps) = (first, 20_000);
     for step in 1..=steps {
-        let foot = normal(TAU * f64::from(step) / f64::from(steps));
-        arrow = (arrow - foot * foot.dot(&arrow)).normalize();
+        let [foot, next] = [step - 1, step].map(|n| normal(TAU * f64::from(n) / f64::from(steps)));
+        arrow = UnitQuaternion::rotation_between(&foot, &next).unwrap() * arrow;
     }
     let turned = first.cross(&arrow).dot(&normal(0.0)).atan2(first.dot(&arrow)).to_degrees();
     turned.rem_euclid(360.0)
