@@ -26,7 +26,7 @@ fn a_top_has_mass_arm_and_moments_of_a_body() {
     assert!(heavy.starts_with("moment about the axis 9") && heavy.contains(rule), "{heavy}");
     assert!(message(Top::new(TopParameters { gravity: 1e50, ..TOY })).contains("range of numbers"));
     let brick = Body::cuboid(1.0, [0.1, 0.2, 0.3]).unwrap();
-    assert!(message(Top::on_a_point(&brick, 0.1, 9.81)).starts_with("moment about axis 2"));
+    assert!(message(Top::on_a_point(&brick, 0.1, 9.81)).starts_with("transverse moment I₂"));
     assert!(message(Top::on_a_point(&Body::sphere(1.0, 0.1).unwrap(), -0.1, 9.81)).starts_with("arm -0.1 m"));
 }
 
