@@ -21,5 +21,5 @@ fn every_example_prints_what_its_first_lines_say() {
         assert_eq!(printed.lines().collect::<Vec<_>>(), said, "{example:?}");
         run += 1;
     }
-    assert_eq!(run, 6);
+    assert_eq!(run, 7);
 }

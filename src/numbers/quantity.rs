@@ -60,6 +60,13 @@ pub enum Rule {
         /// How much that is.
         limit: f64,
     },
+    /// It is no less than another quantity, of the same unit.
+    NotBelow {
+        /// What the other is.
+        what: &'static str,
+        /// How much that is.
+        limit: f64,
+    },
     /// With this value what is asked for does not exist, for the reason given.
     Because(&'static str),
 }
@@ -182,6 +189,7 @@ impl fmt::Display for InvalidQuantity {
             Rule::LessThan(limit) => write!(out, "is too large; it must be less than {}{unit}", Shown(limit)),
             Rule::MoreThan(limit) => write!(out, "is too small; it must be more than {}{unit}", Shown(limit)),
             Rule::NotAbove { what, limit } => write!(out, "exceeds {what}, {}{unit}", Shown(limit)),
+            Rule::NotBelow { what, limit } => write!(out, "is less than {what}, {}{unit}", Shown(limit)),
             Rule::Because(_) => Ok(()),
             Rule::EqualTo(only) => write!(out, "is not {}{unit} to rounding", Shown(only)),
         }

@@ -25,7 +25,7 @@ fn toss(moments: PrincipalMoments, omega_1: f64, omega_3: f64) -> Result<Toss, I
 }
 
 /// What is said of a body without an axis of symmetry.
-const UNEVEN: &str = "moment about axis 2 1.5 kg·m² is not 1 kg·m²";
+const UNEVEN: &str = "transverse moment I₂ 1.5 kg·m² is not 1 kg·m²";
 
 #[test]
 fn moments_must_be_those_of_a_body() {
@@ -115,8 +115,8 @@ fn shapes_say_which_number_is_wrong() {
 #[test]
 fn a_free_symmetric_top_needs_an_axis_and_numbers() {
     let error = FreeSymmetricTop::new(brick(), turning(Vector3::z())).unwrap_err();
-    assert_eq!((error.quantity, error.value, error.rule), ("moment about axis 2", 1.5, Rule::EqualTo(1.0)));
-    assert_eq!(error.to_string(), "moment about axis 2 1.5 kg·m² is not 1 kg·m² to rounding");
+    assert_eq!((error.quantity, error.value, error.rule), ("transverse moment I₂", 1.5, Rule::EqualTo(1.0)));
+    assert_eq!(error.to_string(), "transverse moment I₂ 1.5 kg·m² is not 1 kg·m² to rounding");
     assert_eq!(
         message(FreeSymmetricTop::new(disc(), turning(Vector3::new(0.0, f64::NAN, 1.0)))),
         "angular velocity NaN rad/s is not a finite number"
@@ -238,7 +238,7 @@ fn a_station_turns_and_a_blow_is_finite() {
     assert_eq!(message(station(ring, 0.0)), "spin 0 rad/s must not be zero");
     assert_eq!(message(station(ring, f64::NAN)), "spin NaN rad/s is not a finite number");
     let brick = Body::cuboid(1.0, [1.0, 2.0, 3.0]).unwrap();
-    assert!(message(station(brick, 1.0)).starts_with("moment about axis 2"));
+    assert!(message(station(brick, 1.0)).starts_with("transverse moment I₂"));
     let station_turning = station(ring, 1.0).unwrap();
     let strike = |radius: f64, impulse: f64| station_turning.struck(Blow { radius, impulse });
     assert_eq!(message(strike(-1.0, 1.0)), "radius of the blow -1 m is negative; it must be zero or more");
@@ -315,6 +315,39 @@ fn a_message_names_what_was_given_and_not_what_follows_from_it() {
 
 #[test]
 fn principal_axes_belong_to_a_body() {
+    let entered = |[xx, xy, yx, yy, zz]: [f64; 5]| {
+        message(InertiaTensor::new(Matrix3::new(xx, xy, 0.0, yx, yy, 0.0, 0.0, 0.0, zz)))
+    };
+    assert_eq!(
+        entered([2.0, 0.5, -0.5, 2.0, 3.0]),
+        "product of inertia I₂₁ -0.5 kg·m² is not 0.5 kg·m² to rounding"
+    );
+    assert_eq!(
+        entered([1.0, 3.0, 3.0, 1.0, 3.0]),
+        "principal moment -2 kg·m² is not positive; it must be more than zero"
+    );
+    assert_eq!(
+        entered([2.0, 0.0, 0.0, 2.0, 5.0]),
+        "largest principal moment 5 kg·m² exceeds the sum of the other two, 4 kg·m²"
+    );
+    assert_eq!(
+        entered([f64::NAN, 0.0, 0.0, 2.0, 5.0]),
+        "entry of the inertia tensor NaN kg·m² is not a finite number"
+    );
+    for huge in [1e60, 1e200, 1e308, f64::MAX] {
+        assert!(entered([huge, 0.5 * huge, 0.5 * huge, huge, huge]).contains("kg·m² is"), "{huge:e}");
+    }
+    // Rounding on both sides of the diagonal is no reason to refuse, nor is what it leaves off it.
+    let rounded = Matrix3::new(2.0, 0.5 + 1e-14, 1e-70, 0.5, 2.0, 0.0, 0.0, 0.0, 3.0);
+    assert!(InertiaTensor::new(rounded).is_ok());
+    for (name, row, column) in [("I₂₁", 1, 0), ("I₃₁", 2, 0), ("I₃₂", 2, 1)] {
+        let mut matrix = Matrix3::from_diagonal_element(1.0);
+        matrix[(column, row)] = 3e-14;
+        assert_eq!(
+            message(InertiaTensor::new(matrix)),
+            format!("product of inertia {name} 0 kg·m² is not 3e-14 kg·m² to rounding")
+        );
+    }
     let nowhere = Rotation3::from_matrix_unchecked(Matrix3::from_element(f64::NAN));
     let lost = InertiaTensor::principal(disc()).rotated(&nowhere);
     assert!(message(lost.principal_axes()).contains("is not a finite number"));

@@ -22,11 +22,20 @@ fn a_top_has_mass_arm_and_moments_of_a_body() {
     ];
     every_number_is_checked(TOY, &numbers, Top::new);
     let heavy = message(Top::new(TopParameters { axial: 9e-5, ..TOY }));
-    let rule = "kg·m² exceeds twice the moment across the axis about the centre of mass, ";
-    assert!(heavy.starts_with("moment about the axis 9") && heavy.contains(rule), "{heavy}");
+    let rule = "kg·m² is less than mass · arm² plus half the axial moment (`Top::on_a_point` takes";
+    assert!(
+        heavy.starts_with("transverse moment about the fixed point 0.0002 ") && heavy.contains(rule),
+        "{heavy}"
+    );
+    // A flat body reaches the limit, and no moment below it is that of a body.
+    for (transverse, is_body) in [(0.34, true), (0.34 * (1.0 - 1e-14), false), (0.18, false)] {
+        let found = Top::new(TopParameters { mass: 1.0, arm: 0.4, transverse, axial: 0.36, gravity: 9.81 });
+        let said = "mass · arm² plus half the axial moment";
+        assert!(found.is_ok() == is_body && (is_body || message(found).contains(said)), "{transverse}");
+    }
     assert!(message(Top::new(TopParameters { gravity: 1e50, ..TOY })).contains("range of numbers"));
     let brick = Body::cuboid(1.0, [0.1, 0.2, 0.3]).unwrap();
-    assert!(message(Top::on_a_point(&brick, 0.1, 9.81)).starts_with("moment about axis 2"));
+    assert!(message(Top::on_a_point(&brick, 0.1, 9.81)).starts_with("transverse moment I₂"));
     assert!(message(Top::on_a_point(&Body::sphere(1.0, 0.1).unwrap(), -0.1, 9.81)).starts_with("arm -0.1 m"));
 }
 

@@ -227,7 +227,7 @@ fn a_wobble_needs_a_lean_that_swings_and_times_that_mean_something() {
     let upright = Rolling { omega_3: 3.0, ..Rolling::UPRIGHT };
     assert_eq!(
         message(upright),
-        "angular velocity about axis 1 0 rad/s: the lean does not swing, and a steady motion has no wobble to repeat"
+        "angular velocity ω₁ 0 rad/s: the lean does not swing, and a steady motion has no wobble to repeat"
     );
     assert_eq!(
         message(Rolling { tilt: 3.2, ..upright }),
@@ -235,7 +235,7 @@ fn a_wobble_needs_a_lean_that_swings_and_times_that_mean_something() {
     );
     assert_eq!(
         message(Rolling { omega_3: f64::INFINITY, ..upright }),
-        "angular velocity about axis 3 inf rad/s is not a finite number"
+        "angular velocity ω₃ inf rad/s is not a finite number"
     );
     // Without a turn it falls flat.
     let falling = Rolling { tilt: FRAC_PI_2 - 0.3, ..Rolling::UPRIGHT };

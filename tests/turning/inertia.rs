@@ -1,9 +1,11 @@
 //! Moments of bodies by adding up their mass.
 
-use crate::{ROUNDING, attitude, between, vector};
+use crate::{ROUNDING, attitude, between, turning, vector};
 use approx::assert_relative_eq;
 use mechanics::InvalidQuantity;
-use mechanics::inertia::{Body, Cylinder, InertiaTensor, PrincipalMoments, Ring, Spheroid};
+use mechanics::free_rotation::FreeSymmetricTop;
+use mechanics::inertia::{Body, Cylinder, InertiaTensor, PrincipalMoments, Ring, Spheroid, SymmetricMoments};
+use mechanics::scenes::air_drag::{Drag, DraggedTop, DraggedTopParameters};
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::f64::consts::TAU;
 
@@ -128,6 +130,67 @@ fn inertia_about_any_point_and_along_any_axes_is_the_sum_over_the_mass() {
                 epsilon = ROUNDING * sum.amax()
             );
         }
+    }
+}
+
+#[test]
+fn a_matrix_that_is_summed_over_the_mass_gives_back_the_moments_and_their_axes() {
+    let mut random = fastrand::Rng::with_seed(78);
+    for (mass, body, mut elements) in shapes(&mut random).unwrap() {
+        let turn = attitude(&mut random);
+        elements.iter_mut().for_each(|(_, r)| *r = turn * *r);
+        let total: f64 = elements.iter().map(|(weight, _)| weight).sum();
+        let tensor = InertiaTensor::new(inertia(mass, &elements, &Vector3::zeros())).unwrap();
+        let axes = tensor.principal_axes().unwrap();
+        let mut expected = body.moments().to_array();
+        expected.sort_by(f64::total_cmp);
+        for (n, moment) in axes.moments.to_array().into_iter().enumerate() {
+            // The squares of the distances from the axis.
+            let axis = axes.present_from_principal * Vector3::ith(n, 1.0);
+            let squares: f64 = elements.iter().map(|(weight, r)| weight * axis.cross(r).norm_squared()).sum();
+            assert_relative_eq!(moment, squares * mass / total, epsilon = ROUNDING * expected[2]);
+            assert_relative_eq!(moment, expected[n], epsilon = ROUNDING * expected[2]);
+        }
+    }
+}
+
+#[test]
+fn a_ring_of_balls_is_symmetric_to_rounding_wherever_its_axis_points() {
+    let mut random = fastrand::Rng::with_seed(79);
+    let mut uneven = 0;
+    for count in [3, 5, 6, 7, 12, 100, 10_000] {
+        for _ in 0..20 {
+            let (mass, size, radius) = (0.2, 0.01, between(&mut random, 0.05, 10.0));
+            let ball = Body::sphere(mass, size).unwrap();
+            let turn = attitude(&mut random);
+            let about_centre = |n: i32| {
+                let (sin, cos) = (TAU * f64::from(n) / f64::from(count)).sin_cos();
+                *ball.about(&(turn * Vector3::new(radius * cos, radius * sin, 0.0))).unwrap().matrix()
+            };
+            let tensor = InertiaTensor::new((0..count).map(about_centre).sum()).unwrap();
+            let moments = tensor.principal_axes().unwrap().moments;
+            let SymmetricMoments { transverse, axial } = moments.as_symmetric().unwrap();
+            let own = 0.4 * size * size;
+            let square = radius * radius;
+            let total = mass * f64::from(count);
+            assert_relative_eq!(transverse, total * (own + 0.5 * square), max_relative = ROUNDING);
+            assert_relative_eq!(axial, total * (own + square), max_relative = ROUNDING);
+            // And what goes on with them has equal ones.
+            let start = turning(&mut random, 5.0);
+            let top = FreeSymmetricTop::new(moments, start).unwrap();
+            let (drag, omega_body) = (Drag::isotropic(0.1), start.omega_body);
+            let dragged = DraggedTop::new(DraggedTopParameters { moments, drag, omega_body }).unwrap();
+            let even = PrincipalMoments::symmetric(transverse, axial).unwrap();
+            assert_eq!([top.moments(), dragged.moments()], [even; 2]);
+            uneven += i32::from(moments != even);
+        }
+    }
+    assert!(uneven > 50, "{uneven}");
+    // To 1e-14 of the largest, and no further; and it is the mean.
+    let mean = PrincipalMoments::new(1.0, 1.0 + 1.6e-14, 1.99).unwrap().as_symmetric().unwrap();
+    assert_relative_eq!(mean.transverse - 1.0, 0.8e-14, epsilon = f64::EPSILON);
+    for (about_2, is_even) in [(1.0 + 1.9e-14, true), (1.0 - 1.9e-14, true), (1.0 + 2.1e-14, false)] {
+        assert_eq!(PrincipalMoments::new(1.0, about_2, 1.99).unwrap().as_symmetric().is_ok(), is_even);
     }
 }
 

@@ -42,10 +42,11 @@ impl FreeSymmetricTop {
     /// A body of these moments, and its attitude and angular velocity at time zero. A body at rest is allowed.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the moments about axes 1 and 2 differ, if a number of `start` is not finite or
-    /// of a size that cannot be computed with, or if its quaternion is not of length one to 1e-12.
+    /// [`InvalidQuantity`] if the moments about axes 1 and 2 differ by more than rounding
+    /// ([`PrincipalMoments::as_symmetric`]), if a number of `start` is not finite or of a size that
+    /// cannot be computed with, or if its quaternion is not of length one to 1e-12.
     pub fn new(moments: PrincipalMoments, start: Turning) -> Result<Self, InvalidQuantity> {
-        moments.as_symmetric()?;
+        let moments = moments.evened()?;
         for component in &start.omega_body {
             InvalidQuantity::check("angular velocity", *component, "rad/s")?;
         }

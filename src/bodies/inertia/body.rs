@@ -6,6 +6,7 @@ use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::Vector3;
 
 /// A body: its mass, and its principal moments about its centre of mass. An axis of symmetry is axis 3.
+/// One whose inertia is a matrix, with products of inertia, is made by [`InertiaTensor::new`].
 ///
 /// ```
 /// use mechanics::inertia::{Body, Cylinder};

@@ -5,8 +5,11 @@ use nalgebra::Vector3;
 
 /// How much the largest moment of a flat body may exceed the sum of the others through rounding, relative.
 const FLAT: f64 = 4.0 * f64::EPSILON;
+/// How much the two moments of a symmetric body may differ through rounding, of the largest: twice what
+/// `InertiaTensor::principal_axes` promises.
+const EVEN: f64 = 1e-14;
 /// What moments are given in.
-const UNIT: &str = "kg·m²";
+pub(super) const UNIT: &str = "kg·m²";
 
 /// The principal moments of inertia of a body, kg·m², about axes 1, 2 and 3 that are fixed in it.
 ///
@@ -70,15 +73,24 @@ impl PrincipalMoments {
         self.moments
     }
 
-    /// The two moments of a body that is symmetric about axis 3.
+    /// The two moments of a body that is symmetric about axis 3. [`PrincipalMoments::symmetric`] and the round shapes
+    /// of [`super::Body`] have equal moments about axes 1 and 2; those of a body of parts differ by what rounding
+    /// leaves, and it gets their mean. An axis of symmetry that is not axis 3 has to be renamed: see
+    /// [`super::PrincipalAxes`].
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the moment about axis 2 is not the one about axis 1.
+    /// [`InvalidQuantity`] if I₂ differs from I₁ by more than 1e-14 of the largest moment.
     pub fn as_symmetric(self) -> Result<SymmetricMoments, InvalidQuantity> {
-        let [transverse, other, axial] = self.moments;
-        let rule = Rule::EqualTo(transverse);
-        InvalidQuantity::require(other == transverse, "moment about axis 2", other, UNIT, rule)?;
-        Ok(SymmetricMoments { transverse, axial })
+        let [one, other, axial] = self.moments;
+        let is_even = (other - one).abs() <= EVEN * one.max(other).max(axial);
+        InvalidQuantity::require(is_even, "transverse moment I₂", other, UNIT, Rule::EqualTo(one))?;
+        Ok(SymmetricMoments { transverse: 0.5 * (one + other), axial })
+    }
+
+    /// The same body, which must be symmetric about axis 3 to rounding, with two moments that are equal.
+    pub(crate) fn evened(self) -> Result<Self, InvalidQuantity> {
+        let SymmetricMoments { transverse, axial } = self.as_symmetric()?;
+        Ok(Self { moments: [transverse, transverse, axial] })
     }
 
     /// The same body with its axes renamed: its axis 1 is the present axis number `shift`, counted from 0.

@@ -1,6 +1,6 @@
 //! Inertia about any point, along any axes.
 
-use super::moments::PrincipalMoments;
+use super::moments::{PrincipalMoments, UNIT};
 use crate::quantity::{InvalidQuantity, Rule};
 use nalgebra::{Matrix3, Rotation3, SymmetricEigen, Vector3};
 
@@ -11,6 +11,22 @@ const ROUNDING: f64 = 1e-14;
 const SWEEPS: usize = 100;
 
 /// The inertia tensor of a body about a point: a symmetric matrix, kg·m², along stated axes.
+///
+/// A tensor that you have, with products of inertia, becomes a [`super::Body`] with its principal axes as axes 1, 2, 3:
+///
+/// ```
+/// use mechanics::inertia::{Body, InertiaTensor};
+/// use mechanics::nalgebra::{Matrix3, Vector3};
+/// let tensor = InertiaTensor::new(Matrix3::new(2.0, -0.5, 0.0, -0.5, 2.0, 0.0, 0.0, 0.0, 3.0))?; // kg·m²
+/// let axes = tensor.principal_axes()?;
+/// let body = Body::new(12.0, axes.moments)?; // kg; 1.5, 2.5 and 3 kg·m²
+/// let axis_1 = axes.present_from_principal * Vector3::x(); // along the diagonal of the first two axes
+/// # assert!((Vector3::from(body.moments().to_array()) - Vector3::new(1.5, 2.5, 3.0)).norm() < 1e-15);
+/// # assert!((axis_1.x.abs() - 0.5_f64.sqrt()).abs() < 1e-15 && (axis_1.x - axis_1.y).abs() < 1e-15);
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
+///
+/// And of a body that is known, [`super::Body::about`] gives the tensor about any point:
 ///
 /// ```
 /// use mechanics::inertia::Body;
@@ -25,7 +41,25 @@ pub struct InertiaTensor {
     matrix: Matrix3<f64>,
 }
 
-/// The principal axes of an inertia tensor.
+/// The principal axes of an inertia tensor, in the order of their moments. So the axis of symmetry is axis 3 in a flat
+/// round body, but axis 1 in a long one. [`crate::free_rotation::FreeTop`] takes any order; what asks for the axis of
+/// symmetry as axis 3 takes the long body's axes 2, 3, 1 as its 1, 2, 3, which are right-handed too:
+///
+/// ```
+/// use mechanics::inertia::{Body, InertiaTensor, PrincipalMoments};
+/// use mechanics::nalgebra::Rotation3;
+/// let mast = InertiaTensor::principal(Body::cuboid(1.0, [0.1, 2.0, 0.1])?.moments()); // kg, m
+/// let axes = mast.principal_axes()?;
+/// let [axial, one, other] = axes.moments.to_array();
+/// let moments = PrincipalMoments::new(one, other, axial)?; // symmetric about axis 3
+/// let columns = [1, 2, 0].map(|n| axes.present_from_principal.matrix().column(n).into_owned());
+/// let present_from_body = Rotation3::from_basis_unchecked(&columns);
+/// # assert!(axes.moments.as_symmetric().is_err() && moments.as_symmetric().is_ok());
+/// # let back = InertiaTensor::principal(moments).rotated(&present_from_body);
+/// # assert!((back.matrix() - mast.matrix()).norm() < 1e-15);
+/// # assert!((present_from_body.matrix().determinant() - 1.0).abs() < 1e-15);
+/// # Ok::<(), mechanics::InvalidQuantity>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrincipalAxes {
     /// The moments about them, smallest first.
@@ -35,6 +69,30 @@ pub struct PrincipalAxes {
 }
 
 impl InertiaTensor {
+    /// The tensor with this matrix, kg·m², about any point and along any axes. Off the diagonal stand the products of
+    /// inertia with their minus, `−∫xy dm`: some drawing programs give them without.
+    ///
+    /// # Errors
+    /// [`InvalidQuantity`] if an entry is not finite, if two that should be equal differ by more than 1e-14 of the
+    /// largest, or if no body has such a tensor, as [`InertiaTensor::principal_axes`] finds.
+    pub fn new(matrix: Matrix3<f64>) -> Result<Self, InvalidQuantity> {
+        for entry in &matrix {
+            InvalidQuantity::require_finite("entry of the inertia tensor", *entry, UNIT)?;
+        }
+        for (name, row, column) in [
+            ("product of inertia I₂₁", 1, 0),
+            ("product of inertia I₃₁", 2, 0),
+            ("product of inertia I₃₂", 2, 1),
+        ] {
+            let [entry, mirrored] = [matrix[(row, column)], matrix[(column, row)]];
+            let is_even = (entry - mirrored).abs() <= ROUNDING * matrix.amax();
+            InvalidQuantity::require(is_even, name, entry, UNIT, Rule::EqualTo(mirrored))?;
+        }
+        let tensor = Self { matrix: symmetrised(matrix) };
+        tensor.principal_axes()?;
+        Ok(tensor)
+    }
+
     /// The tensor about the point that the moments are about, along their axes.
     #[must_use]
     pub fn principal(moments: PrincipalMoments) -> Self {
@@ -67,11 +125,11 @@ impl InertiaTensor {
         Self { matrix: self.matrix + (square - displacement * displacement.transpose()) * mass } // eq:steiner
     }
 
-    /// The principal moments and the axes that they are about. Good to 5e-15 of the largest moment.
+    /// The principal moments, smallest first, and the axes that they are about. Good to 5e-15 of the largest moment.
     ///
     /// # Errors
-    /// [`InvalidQuantity`] if the matrix is not the inertia of a body with three positive moments, or if the search for
-    /// its axes comes to no end.
+    /// [`InvalidQuantity`] if a moment is not more than zero, or exceeds the sum of the other two
+    /// ([`PrincipalMoments::new`]), or if the search for the axes comes to no end.
     pub fn principal_axes(&self) -> Result<PrincipalAxes, InvalidQuantity> {
         if let Some(&bad) = self.matrix.iter().find(|entry| !entry.is_finite()) {
             PrincipalMoments::new(bad, bad, bad)?;
@@ -80,7 +138,7 @@ impl InertiaTensor {
         let missing = InvalidQuantity {
             quantity: "largest moment of inertia",
             value: self.matrix.amax(),
-            unit: "kg·m²",
+            unit: UNIT,
             rule,
         };
         let eigen = SymmetricEigen::try_new(self.matrix, f64::EPSILON, SWEEPS).ok_or(missing)?;

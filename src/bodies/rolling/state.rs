@@ -14,9 +14,9 @@ pub struct Rolling {
     pub omega_1: f64,
     /// The angular velocity q about axis 2, rad/s.
     pub omega_2: f64,
-    /// The angular velocity n about axis 3, the axle, rad/s.
+    /// The angular velocity n about axis 3, the axle, rad/s: negative if the disk rolls along axis 1.
     pub omega_3: f64,
-    /// The heading φ of axis 1 from x, rad.
+    /// The heading φ of axis 1 from x, rad, counter-clockwise from above.
     pub heading: f64,
     /// The angle through which the disk has turned about its axle relative to the frame, at the rate `ω_rel`, rad.
     pub roll_angle: f64,
@@ -69,9 +69,9 @@ impl Rolling {
         let rule = Rule::LessThan(PI);
         InvalidQuantity::require(self.tilt < PI, "tilt from lying flat", self.tilt, "rad", rule)?;
         for (name, value, unit) in [
-            ("angular velocity about axis 1", self.omega_1, "rad/s"),
-            ("angular velocity about axis 2", self.omega_2, "rad/s"),
-            ("angular velocity about axis 3", self.omega_3, "rad/s"),
+            ("angular velocity ω₁", self.omega_1, "rad/s"),
+            ("angular velocity ω₂", self.omega_2, "rad/s"),
+            ("angular velocity ω₃", self.omega_3, "rad/s"),
             ("heading", self.heading, "rad"),
             ("roll angle", self.roll_angle, "rad"),
             ("position of the centre", self.centre.re, "m"),

@@ -10,7 +10,7 @@ pub use thrown::ThrownTop;
 
 use crate::clock::Clock;
 use crate::elementary::{exp, exp_and_exp_m1};
-use crate::inertia::{PrincipalMoments, SymmetricMoments};
+use crate::inertia::PrincipalMoments;
 use crate::lanes::{Branchless, sample_branchless};
 use crate::quantity::{InvalidQuantity, Rule};
 use crate::two_part::TwoPart;
@@ -89,7 +89,8 @@ impl DraggedTop {
     /// finite or of a size that cannot be computed with, or the body does not turn.
     pub fn new(parameters: DraggedTopParameters) -> Result<Self, InvalidQuantity> {
         let DraggedTopParameters { moments, drag, omega_body } = parameters;
-        let SymmetricMoments { transverse: i1, axial: i3 } = moments.as_symmetric()?;
+        let moments = moments.evened()?;
+        let [i1, _, i3] = moments.to_array();
         let Drag { transverse: c1, axial: c3 } = drag;
         InvalidQuantity::check_not_negative("transverse drag coefficient", c1, "N·m·s")?;
         InvalidQuantity::check_not_negative("axial drag coefficient", c3, "N·m·s")?;

@@ -1,7 +1,8 @@
 //! A wheel that rolls on a table without slipping. Chapter "The rolling wheel".
 //!
-//! Axes and states are those of [`crate::rolling`]. The lean θ is the angle of the wheel's plane from the upright,
-//! positive if the top leans towards the axis of the circle for a steady motion with positive b.
+//! Axes and states are those of [`crate::rolling`]: with negative ω₃ the wheel rolls along axis 1. The lean θ is the angle of
+//! the wheel's plane from the upright, positive if the top leans towards the axis of the circle for a steady motion with
+//! positive b.
 //!
 //! | to find | call |
 //! |---|---|

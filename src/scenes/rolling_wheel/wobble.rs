@@ -66,12 +66,8 @@ impl Wheel {
         start.check()?;
         let (series, state, placed) = Placed::new(&self.disk, &start);
         let rule = Rule::Because("the lean does not swing, and a steady motion has no wobble to repeat");
-        let steady = InvalidQuantity {
-            quantity: "angular velocity about axis 1",
-            value: start.omega_1,
-            unit: "rad/s",
-            rule,
-        };
+        let steady =
+            InvalidQuantity { quantity: "angular velocity ω₁", value: start.omega_1, unit: "rad/s", rule };
         let swing = |direction: f64| -> Result<Swing, Error> {
             Ok(Swing::new(solver, series, state, direction)?.ok_or(steady)?)
         };

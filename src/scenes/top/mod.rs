@@ -25,9 +25,10 @@ pub struct TopParameters {
     pub mass: f64,
     /// Arm l, from the fixed point to the centre of mass, m, more than zero.
     pub arm: f64,
-    /// Moment of inertia I₁ about every axis across the body's own through the *fixed point*, kg·m².
+    /// Moment of inertia I₁ about every axis across the body's own through the *fixed point*, kg·m², at least
+    /// `mass · arm² + ½ axial`. [`Top::on_a_point`] finds it from the one about the centre of mass.
     pub transverse: f64,
-    /// Moment of inertia I₃ about the body's axis, kg·m², at most twice `transverse − mass · arm²`.
+    /// Moment of inertia I₃ about the body's axis, kg·m².
     pub axial: f64,
     /// Gravity g, m/s², zero or more.
     pub gravity: f64,
@@ -91,21 +92,34 @@ pub struct Top {
 impl Top {
     /// A top with the moments about its fixed point.
     ///
+    /// ```
+    /// use mechanics::scenes::top::{Top, TopParameters};
+    /// let about_centre = TopParameters { mass: 1.0, arm: 0.5, transverse: 0.04, axial: 0.02, gravity: 9.81 };
+    /// let refusal = Top::new(about_centre).unwrap_err();
+    /// assert_eq!(
+    ///     refusal.to_string(),
+    ///     "transverse moment about the fixed point 0.04 kg·m² is less than mass · arm² plus half the axial moment \
+    ///      (`Top::on_a_point` takes the moments about the centre of mass), 0.26 kg·m²"
+    /// );
+    /// ```
+    ///
     /// # Errors
-    /// [`InvalidQuantity`] if a number breaks its rule, or if the weight's torque over a moment is of a size that cannot
-    /// be computed with.
+    /// [`InvalidQuantity`] if a number breaks its rule, if the moment about an axis across is less than `mass · arm²`
+    /// plus half the axial moment, which no body has (`eq:triangle` about its centre of mass, and `eq:steiner`), or if
+    /// the weight's torque over a moment is of a size that cannot be computed with.
     pub fn new(parameters: TopParameters) -> Result<Self, InvalidQuantity> {
         let TopParameters { mass, arm, transverse, axial, gravity } = parameters;
         InvalidQuantity::check_positive("mass", mass, "kg")?;
         InvalidQuantity::check_positive("arm", arm, "m")?;
         InvalidQuantity::check_not_negative("gravity", gravity, "m/s²")?;
         let moments = PrincipalMoments::symmetric(transverse, axial)?;
-        let lifted = mass * arm * arm;
-        let about_centre = transverse - lifted;
-        let what = "twice the moment across the axis about the centre of mass";
-        let rule = Rule::NotAbove { what, limit: 2.0 * about_centre };
-        let is_body = axial <= 2.0 * about_centre + ROUNDING * transverse;
-        InvalidQuantity::require(is_body, "moment about the axis", axial, "kg·m²", rule)?;
+        let least = mass * arm * arm + 0.5 * axial;
+        let is_body = transverse * (1.0 + ROUNDING) >= least;
+        let name = "transverse moment about the fixed point";
+        let what = "mass · arm² plus half the axial moment \
+                    (`Top::on_a_point` takes the moments about the centre of mass)";
+        let rule = Rule::NotBelow { what, limit: least };
+        InvalidQuantity::require(is_body, name, transverse, "kg·m²", rule)?;
         let weight_torque = TwoPart::product(mass, gravity) * arm;
         let because = "the weight's torque over the moment of inertia leaves the range of numbers";
         let beta = (weight_torque * 2.0 / TwoPart::from(transverse)).rounded();
@@ -117,7 +131,7 @@ impl Top {
     /// A body that is symmetric about its axis 3, on a point of that axis at the distance `arm`, m, below its centre.
     ///
     /// # Errors
-    /// As [`Top::new`], and if the moments of the body about its axes 1 and 2 differ.
+    /// As [`Top::new`], and if the moments of the body about its axes 1 and 2 differ by more than rounding.
     pub fn on_a_point(body: &Body, arm: f64, gravity: f64) -> Result<Self, InvalidQuantity> {
         let about_centre = body.moments().as_symmetric()?;
         InvalidQuantity::check_positive("arm", arm, "m")?;
