@@ -403,7 +403,7 @@ const CHAPTERS: [Place; 15] = [
 ];
 
 /// Which chapter leads to which; what a chapter needs by way of another is left out.
-const LEADS_TO: [(&str, &str); 14] = [
+const LEADS_TO: [(&str, &str); 13] = [
     ("turning", "wobble-plate"),
     ("turning", "coin-toss"),
     ("turning", "space-station"),
@@ -414,7 +414,6 @@ const LEADS_TO: [(&str, &str); 14] = [
     ("turning", "methods"),
     ("rolling-wheel", "spinning-coin"),
     ("pinned-hoop", "top"),
-    ("pinned-hoop", "judged"),
     ("methods", "judged"),
     ("methods", "speed-and-accuracy"),
     ("methods", "hard-cases"),
@@ -429,7 +428,7 @@ pub(crate) fn chapters_map(id: &str) -> Outcome {
             "Which chapters need which",
             "Fifteen boxes, one for each chapter, and arrows from what is needed. The laundromat stands alone. From \
              chapter 2, How a body turns, arrows lead to chapters 3 to 7, 9, 11 and 12; from 9, the rolling wheel, to 10, the \
-             spinning coin; from 12, Methods, to 13, 14 and 15; and from 7, the pinned hoop, to 8, the top under gravity, and 14.",
+             spinning coin; from 12, Methods, to 13, 14 and 15; and from 7, the pinned hoop, to 8, the top under gravity.",
         );
         let corner = |chapter: &str| -> Result<Point, Cause> {
             let place = CHAPTERS.iter().find(|place| place.0 == chapter).ok_or("no such chapter")?;
@@ -446,24 +445,11 @@ pub(crate) fn chapters_map(id: &str) -> Outcome {
         for (_, from, to) in arrows {
             let (start, end) = (corner(from)?, corner(to)?);
             let middle = 0.5 * size[1];
-            let way = if room == Room::Narrow && (from, to) == ("pinned-hoop", "judged") {
-                // Round the box between them, on the right.
-                let [out, back] =
-                    [at(start.x + size[0], start.y + middle), at(end.x + size[0], end.y + middle)];
-                vec![out, at(back.x + 22.0, out.y), at(back.x + 22.0, back.y), back]
-            } else if room == Room::Narrow {
+            let way = if room == Room::Narrow {
                 let trunk = start.x + 0.5 * step[0];
                 vec![at(trunk, start.y + size[1]), at(trunk, end.y + middle), at(end.x, end.y + middle)]
             } else {
-                // Two arrows that end at one box keep apart.
-                let shift = match (from, to) {
-                    ("pinned-hoop", "judged") => [-7.0, -7.0],
-                    ("methods", "judged") => [-7.0, 7.0],
-                    ("methods", "hard-cases") => [7.0, 0.0],
-                    _ => [0.0, 0.0],
-                };
-                let out = at(start.x + size[0], start.y + middle + shift[0]);
-                let end = at(end.x, end.y + middle + shift[1]);
+                let [out, end] = [at(start.x + size[0], start.y + middle), at(end.x, end.y + middle)];
                 let trunk = 0.5 * (out.x + end.x);
                 vec![out, at(trunk, out.y), at(trunk, end.y), end]
             };

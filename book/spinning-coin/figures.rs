@@ -27,7 +27,9 @@ pub(crate) const FIGURES: &[Figure] = figures![
     reasons::paper_hat,
     spin_down,
     reasons::air_gap,
+    reasons::drift_turns,
     circle_opens,
+    reasons::lid,
     ending::four_exponents,
     ending::table_holds,
     rim_lamp

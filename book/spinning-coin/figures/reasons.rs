@@ -5,6 +5,8 @@ use drawing::kit::{self, Heads};
 use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Fill, Hue, Point, Role, Shape, Side, Stroke, at};
 use figures::{Cause, Outcome, linear_steps};
+use mechanics::rolling::Rolling;
+use mechanics::scenes::spinning_coin::EulersDisk;
 use nalgebra::{UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -277,5 +279,76 @@ pub(crate) fn air_gap(id: &str) -> Outcome {
     drawing.dot(contact, 4.5, Hue::Pink);
     drawing.label(contact + at(-10.0, 15.0), Side::Right, "contact", Hue::Pink)?;
     drawing.label(at(contact.x + 4.0, far.y - 12.0), Side::Right, "half a round later", Hue::Muted)?;
+    Ok(drawing)
+}
+
+/// A disc that is let go on its edge, nearly flat, as a lid on its hinge.
+pub(crate) fn lid(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 330.0, 200.0).titled(
+        "A disc on its edge is a lid on its hinge",
+        "A disc edge on, a little tilted, hangs by its left end on a table, as by a hinge. At its middle the weight points down; at the contact a force a fifth as long points up. An \
+         arrow at the middle says that it falls with four fifths of g, another at the free end that it falls twice as fast.",
+    );
+    let coin = disc(0.1)?.parameters();
+    let at_rest = Rolling { tilt: 1e-4, ..Rolling::UPRIGHT };
+    let carried = EulersDisk::new(coin, 0.0)?.normal_force(&at_rest) / (coin.mass * coin.gravity);
+    let (contact, radius, tilt, weight) = (at(40.0, 128.0), 112.0, 0.2, 60.0);
+    let along = Point::polar(1.0, tilt);
+    let [centre, far] = [contact + along * radius, contact + along * (2.0 * radius)];
+    drawing.line(contact - at(26.0, 0.0), contact + at(262.0, 0.0), Stroke::Axis, Hue::Ink);
+    let up = along.quarter_turned() * -7.0;
+    let up = if up.y < 0.0 { up } else { up * -1.0 };
+    let plate = vec![contact, far, far + up, contact + up];
+    drawing.polygon(plate.clone(), Fill::Face, Hue::Blue);
+    drawing.push(Role::Line(Stroke::Outline, Hue::Blue), Shape::Polygon(plate));
+    kit::angle(&mut drawing, contact, 2.0 * radius + 12.0, tilt, -tilt, Heads::End, Hue::Ink);
+    drawing.label(far + at(22.0, 14.0), Side::Right, r"$\tfrac85g$", Hue::Ink)?;
+    kit::arrow(&mut drawing, centre, centre + at(0.0, weight), Hue::Purple);
+    drawing.label(centre + at(5.0, 0.75 * weight), Side::Right, r"weight, $mg$", Hue::Purple)?;
+    drawing.dot(centre, 3.6, Hue::Ink);
+    drawing.label(centre + at(0.0, -14.0), Side::Above, r"falls with $\tfrac45g$", Hue::Ink)?;
+    kit::arrow(&mut drawing, contact, contact - at(0.0, carried * weight + 16.0), Hue::Pink);
+    drawing.label(contact - at(0.0, carried * weight + 20.0), Side::Above, r"$\tfrac15mg$", Hue::Pink)?;
+    drawing.dot(contact, 4.5, Hue::Pink);
+    drawing.label(contact + at(-6.0, 16.0), Side::Right, "hinge", Hue::Pink)?;
+    Ok(drawing)
+}
+
+/// Why a sinking disc gains spin: the drift of its centre changes direction, and friction does it, with a lever arm.
+pub(crate) fn drift_turns(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 310.0, 310.0).titled(
+        "Friction turns the drift, and spins the disc up",
+        "A disc seen from above. Its contact has gone from a pale dot counter-clockwise along the rim to a dot. From the centre a pale arrow, the drift then, and an arrow, the drift now, \
+         each lead away from the contact of their moment; a short arrow between their tips is the change. At the contact friction has the direction of that change, along the rim, \
+         and an arc about the centre shows that it turns the disc clockwise.",
+    );
+    let (centre, radius, drift) = (at(155.0, 160.0), 116.0, 74.0);
+    let (then, now) = (-2.15, -1.15);
+    drawing.disc(centre, radius, Hue::Blue);
+    let foot = |angle: f64| centre + Point::polar(radius, angle);
+    let tip = |angle: f64| centre - Point::polar(drift, angle);
+    kit::angle(&mut drawing, centre, radius + 24.0, then, now - then, Heads::End, Hue::Orange);
+    let beside = centre + Point::polar(radius + 30.0, 0.5 * (then + now));
+    drawing.label(beside, Side::Below, r"$\Omega$", Hue::Orange)?;
+    drawing.line(centre, tip(then), Stroke::Reference, Hue::Ink);
+    kit::head(&mut drawing, tip(then), tip(then) - centre, 1.0, Hue::Muted);
+    kit::arrow(&mut drawing, centre, tip(now), Hue::Ink);
+    drawing.label_on_face(tip(now) + at(-4.0, 30.0), Side::Left, "drift", Hue::Ink)?;
+    kit::arrow(&mut drawing, tip(then), tip(now), Hue::Purple);
+    drawing.label_on_face(
+        tip(then).towards(tip(now), 0.5) + at(0.0, -13.0),
+        Side::Over,
+        "its change",
+        Hue::Purple,
+    )?;
+    // Friction, a quarter turn behind the contact: along the rim.
+    let push = Point::polar(56.0, now - FRAC_PI_2);
+    kit::arrow(&mut drawing, foot(now), foot(now) + push, Hue::Purple);
+    drawing.label_on_face(foot(now) + push * 0.5 + at(-14.0, -22.0), Side::Over, "friction", Hue::Purple)?;
+    kit::angle(&mut drawing, centre, 34.0, 0.6, -1.5, Heads::End, Hue::Purple);
+    drawing.dot(foot(then), 3.4, Hue::Muted);
+    drawing.dot(foot(now), 4.5, Hue::Pink);
+    drawing.label(foot(now) + at(8.0, 8.0), Side::Right, "contact", Hue::Pink)?;
+    drawing.dot(centre, 3.0, Hue::Ink);
     Ok(drawing)
 }
