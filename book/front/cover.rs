@@ -36,7 +36,7 @@ fn drawn(id: &str, room: Room, wobble: &Wobble) -> Outcome {
     let size = room.of((700.0, 350.0), (360.0, 330.0));
     let mut drawing = Drawing::new(id, size.0, size.1).titled(
         "A coin rolls over a large floor",
-        "A coin leans as it rolls, with a head on its face. Behind it lies its track, a line that has run round eleven loops \
+        "A coin leans as it rolls, with a head on its face. Behind it lies its track, a line that has run round ten loops \
          like the petals of a flower, the latest the heaviest; pale coins stand where it was before.",
     );
     let mut stage = Stage::new(Camera::new(View {

@@ -373,7 +373,7 @@ pub(crate) fn residual(id: &str) -> Outcome {
         drawing.label(
             at(12.0, 14.0),
             Side::Right,
-            "path of its tip in a turn, one or two pistons",
+            "path of the torque’s tip in a turn, one or two pistons",
             Hue::Ink,
         )?;
         Ok(drawing)

@@ -177,7 +177,7 @@ pub(crate) fn ramp_map(id: &str) -> Outcome {
         }
         for (value, text) in [
             ((2.4e-3, 0.26), room.of("the damper decides", "the damper")),
-            ((room.of(0.045, 0.04), 0.04), room.of("the motor", "motor")),
+            ((0.04, 0.04), room.of("the motor", "motor")),
         ] {
             let place = plot.at(value);
             plot.drawing().label_on_face(place, Side::Over, text, Hue::Ink)?;

@@ -52,7 +52,7 @@ pub(crate) fn steady(id: &str) -> Outcome {
             plot.curve(&format!("radius-{damping}"), values, stroke, Hue::Ink);
         }
         plot.label((1.06, 9.0), Side::Right, r"$\Gamma/\omega_0 = 0.1$", Hue::Ink)?;
-        let own = room.of("$0.3$, the chapter’s machine", "$0.3$, the chapter’s");
+        let own = room.of("$0.3$, the chapter’s machine", "$0.3$");
         plot.label((1.34, 3.4), Side::Right, own, Hue::Ink)?;
         plot.label((1.5, 0.9), Side::Below, "$1$", Hue::Ink)?;
         plot.label((3.96, 1.0), Side::AboveLeft, "$r_0 = b$", Hue::Muted)?;
@@ -200,7 +200,7 @@ pub(crate) fn torque(id: &str) -> Outcome {
             plot.curve(&format!("torque-{damping}"), values, stroke, Hue::Purple);
         }
         plot.label((1.06, 7.6), Side::Right, r"$\Gamma/\omega_0 = 0.1$", Hue::Purple)?;
-        let own = room.of("$0.3$, the chapter’s machine", "$0.3$, the chapter’s");
+        let own = room.of("$0.3$, the chapter’s machine", "$0.3$");
         plot.label((1.14, 3.4), Side::Right, own, Hue::Purple)?;
         plot.label((3.3, 3.2), Side::Above, "$1$", Hue::Purple)?;
         Ok(drawing)
