@@ -148,6 +148,7 @@ pub(crate) const CASES: &[Case] = &[
     ),
     ("image", "# A\n\n![A cat](cat.pdf)\n", &[(3, "not a figure of the book")]),
     ("picture", "# A\n\n![](cat.png)\n", &[(3, "the picture cat.png has no words")]),
+    ("picture-width", "# A\n\n![A cat](cat.png){width=50%}\n", &[(3, "a picture has no attributes")]),
     ("picture-words", "# A\n\n![Cat $x$](cat.png)\n", &[(3, "no formulas")]),
     ("citation", "# A\n\nSee [@cite:nobody-1999].\n", &[(3, "no page defines the label cite:nobody-1999")]),
     ("bare-entry", "# A\n\nSomewhere {#cite:x \"X\"} in a line.\n", &[(3, "list item")]),
