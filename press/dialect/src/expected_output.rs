@@ -58,7 +58,8 @@ fn numbers(comment: &str) -> Result<&str, &'static str> {
     while let Some(next) = text[end..].strip_prefix(", ").and_then(number) {
         end += ", ".len() + next;
     }
-    let goes_on = text[end..].starts_with(|c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_'));
+    let rest = text[end..].strip_prefix(',').unwrap_or(&text[end..]);
+    let goes_on = rest.starts_with(|c: char| c.is_ascii_alphanumeric() || matches!(c, '.' | '_'));
     if goes_on { Err(FORM) } else { Ok(&text[..end]) }
 }
 

@@ -1,6 +1,8 @@
 //! How much time the exercises ask for, counted from the pages: the table `table:exercises`.
 
 use crate::book::{Page, relative};
+use crate::fault::Faults;
+use std::mem;
 
 /// The name of the table in `![Caption.](table:exercises)`.
 pub(crate) const TABLE: &str = "exercises";
@@ -48,6 +50,21 @@ fn effort(text: &str) -> Effort {
         effort[grade] = (effort[grade].0 + 1, effort[grade].1 + minutes);
     }
     effort
+}
+
+/// Adds a fault for each line below the heading of an exercise that looks like a grade, and would not be counted as one.
+pub(crate) fn check(page: &Page, faults: &mut Faults) {
+    let mut is_below = false;
+    for (n, line) in page.text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty()) {
+        let is_below = mem::replace(&mut is_below, line.starts_with("## ") && line.contains("{#ex:"));
+        let words = line.trim().strip_prefix('*').and_then(|line| line.strip_suffix('*')).unwrap_or_default();
+        let like = words.contains(" · ") || GRADES.iter().any(|grade| words.starts_with(grade));
+        if is_below && like && !words.contains('*') && graded(line).is_none() {
+            let message =
+                "a grade is `*Check · 5 minutes*`, `*Problem · 20 minutes*` or `*Project · 2 hours*`";
+            faults.add(&page.file, n + 1, message);
+        }
+    }
 }
 
 /// The grade of an exercise, by its place among the grades, and its minutes, from the line that says both and may say

@@ -3,6 +3,7 @@
 use crate::book::{self, Page, slashed};
 use crate::fault::{Faults, Lines, Reporter};
 use crate::read::control_characters;
+use crate::read::references::{BLANK, has_blank};
 use crate::site::rustdoc;
 use dialect::pages;
 use mdbook_summary::{Summary, SummaryItem};
@@ -53,10 +54,13 @@ pub(crate) fn read(root: &Path, source: &str, faults: &mut Faults) -> Option<Sum
             Some(summary)
         }
         Err(error) => {
-            let message = format!("{error:#}");
-            let line =
-                message.split(&format!("{SUMMARY} line ")).nth(1).and_then(|rest| rest.split(',').next());
-            faults.add(&file, line.and_then(|line| line.parse().ok()).unwrap_or(0), message);
+            let said = format!("{error:#}"); // `… SUMMARY.md line 4, column 1: …`
+            let cause = said.split_once(&format!("{SUMMARY} line "));
+            let cause = cause.and_then(|(_, rest)| Some((rest.split_once(',')?.0, rest.split_once(": ")?.1)));
+            let (line, message) = cause.unwrap_or(("0", &said));
+            let line = line.parse().unwrap_or(0);
+            let target = text.lines().nth(line.max(1) - 1).and_then(|text| Some(text.split_once("](")?.1));
+            faults.add(&file, line, if target.is_some_and(has_blank) { BLANK } else { message });
             None
         }
     }

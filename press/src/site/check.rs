@@ -31,6 +31,7 @@ pub(crate) fn rendered(
     let mut faults = Faults::default();
     summary::strays(pages, root, source, &mut faults);
     links::check_style_sheets(root, source, &mut faults);
+    pages.iter().for_each(|page| exercise_times::check(page, &mut faults));
     let mut drawn = drawn.clone();
     drawn.tables.push((exercise_times::TABLE.to_owned(), exercise_times::table(pages)));
     match render::render(pages, &drawn, &drawn.book.library.replace('-', "_"), &code(root, drawn.book.code)) {

@@ -79,7 +79,12 @@ pub(crate) const BOOKS: &[Files] = &[
     (
         "a summary that mdBook does not understand",
         &[("book/SUMMARY.md", b"# Summary\n\n- [A](a.md)\n- B\n")],
-        &["error: book/SUMMARY.md:4: "],
+        &["error: book/SUMMARY.md:4: The link items"],
+    ),
+    (
+        "a summary that names a page with a blank",
+        &[("book/SUMMARY.md", b"# Summary\n\n- [A](a.md)\n- [B](b c.md)\n")],
+        &["error: book/SUMMARY.md:4: a target with a blank stands in angle brackets"],
     ),
     (
         "a page where mdBook reads none",

@@ -148,6 +148,7 @@ pub(crate) const CASES: &[Case] = &[
     ),
     ("image", "# A\n\n![A cat](cat.pdf)\n", &[(3, "not a figure of the book")]),
     ("picture", "# A\n\n![](cat.png)\n", &[(3, "the picture cat.png has no words")]),
+    ("picture-width", "# A\n\n![A cat](cat.png){width=50%}\n", &[(3, "a picture has no attributes")]),
     ("picture-words", "# A\n\n![Cat $x$](cat.png)\n", &[(3, "no formulas")]),
     ("citation", "# A\n\nSee [@cite:nobody-1999].\n", &[(3, "no page defines the label cite:nobody-1999")]),
     ("bare-entry", "# A\n\nSomewhere {#cite:x \"X\"} in a line.\n", &[(3, "list item")]),
@@ -166,13 +167,14 @@ pub(crate) const CASES: &[Case] = &[
     ),
     (
         "printed-forms",
-        "# A\n\n```rust\nf(); // →4.3\nf(); // → 4.3.1\nf(); // → 4.3e\nf(4) // → 4.3\n    .g();\n```\n\n```rust\n.f(4); // → 4.3\n```\n",
+        "# A\n\n```rust\nf(); // →4.3\nf(); // → 4.3.1\nf(); // → 4.3e\nf(4) // → 4.3\n    .g();\n```\n\n```rust\n.f(4); // → 4.3\n```\n\n```rust\nf(); // → 4,3\n```\n",
         &[
             (4, "is written `// → 4.317"),
             (5, "is written `// → 4.317"),
             (6, "is written `// → 4.317"),
             (7, "end of a statement"),
             (12, "needs a `let`"),
+            (16, "is written `// → 4.317"),
         ],
     ),
     (
@@ -269,6 +271,13 @@ pub(crate) const CASES: &[Case] = &[
         "live-anchor",
         "# A\n\nSee [there](b.md#the-end-of-it) and [that](#a) and [out](https://example.org/x).\n",
         &[],
+    ),
+    (
+        "no-grade",
+        "# A\n\n## One {#ex:one}\n\n*Check · 5 min*\n\n<details><summary>Hint</summary></details>\n\n\
+         ## {#sol:one}\n\nDone.\n\n## Two {#ex:two}\n\n*Check* whether it is *so*\n\n\
+         <details><summary>Hint</summary></details>\n\n## {#sol:two}\n\n*Easy · so*\n",
+        &[(5, "a grade is `*Check · 5 minutes*`")],
     ),
     ("no-hint", "# A\n\n## One {#ex:one}\n\nDo it.\n\n## {#sol:one}\n\nDone.\n", &[(3, "has no hint")]),
     (
@@ -383,6 +392,7 @@ pub(crate) const CASES: &[Case] = &[
         "# A\n\n## Two[^a]\n\nSo.[^c]\n\n[^a]: A.\n\n[^c]: C.[^d]\n\n[^d]: D.\n",
         &[(3, "hang on a heading"), (9, "hang on another note"), (9, "one paragraph of words")],
     ),
+    ("blank-in-target", "# A\n\nSee [there](b c.md).\n", &[(3, "stands in angle brackets")]),
     ("footnote-in-link", "# A\n\nSee [there[^a]](b.md).\n\n[^a]: A.\n", &[(3, "`](` was left as it is")]),
     (
         "footnote-in-caption",

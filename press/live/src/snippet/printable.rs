@@ -1,5 +1,7 @@
 //! What a page can print, and in which form. A number that a reader has changed is answered in the form of the page.
 
+use std::fmt;
+
 /// What a page can print: a number, or several.
 #[diagnostic::on_unimplemented(
     message = "a page cannot print a `{Self}`",
@@ -12,12 +14,22 @@ pub trait Printable {
 }
 
 /// A number of a value.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub enum Number {
     /// One that a page rounds.
     Real(f64),
     /// One that a page prints as it is.
     Whole(i128),
+}
+
+impl fmt::Debug for Number {
+    /// All digits.
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Real(value) => fmt::Debug::fmt(value, out),
+            Self::Whole(value) => fmt::Debug::fmt(value, out),
+        }
+    }
 }
 
 impl Number {

@@ -95,7 +95,8 @@ mod tests {
         {
             let wrong = std::panic::catch_unwind(|| printed(&value, shown, "book/page.md:3"));
             let said = *wrong.expect_err(shown).downcast::<String>().expect("a message");
-            assert!(said.starts_with(&format!("book/page.md:3: the page prints {shown}, and")), "{said}");
+            let begins = format!("book/page.md:3: the page prints {shown}, and the value is ");
+            assert!(said.starts_with(&begins) && said.ends_with(&format!(", that is {value:?}")), "{said}");
         }
         assert!(std::panic::catch_unwind(|| printed(&[1.0, 2.0], "1.0", "")).is_err());
     }
