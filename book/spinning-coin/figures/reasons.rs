@@ -336,7 +336,7 @@ pub(crate) fn drift_turns(id: &str) -> Outcome {
     drawing.label_on_face(tip(now) + at(-4.0, 30.0), Side::Left, "drift", Hue::Ink)?;
     kit::arrow(&mut drawing, tip(then), tip(now), Hue::Purple);
     drawing.label_on_face(
-        tip(then).towards(tip(now), 0.5) + at(0.0, -13.0),
+        tip(then).towards(tip(now), 0.5) + at(0.0, -19.0),
         Side::Over,
         "its change",
         Hue::Purple,
