@@ -628,7 +628,7 @@ pub(crate) fn hard_rounding(id: &str) -> Outcome {
     plot.series("rk4", &classical, Look::RK4.marker, Look::RK4.hue);
     plot.series("dop853", &adaptive, Look::DOP853.marker, Look::DOP853.hue);
     plot.label((3e3, 1e-7), Side::Right, "RK4", Look::RK4.hue)?;
-    plot.label((2.5e2, 1e-12), Side::Left, "DOP853", Look::DOP853.hue)?;
+    plot.label((5e2, 1e-13), Side::Right, "DOP853", Look::DOP853.hue)?;
 
     let drum = machine(0.01, 3.0)?;
     let time = 200.0 * TAU / 3.0;
@@ -649,7 +649,7 @@ pub(crate) fn hard_rounding(id: &str) -> Outcome {
     let mut plot = Plot::new(&mut right, PANEL, tolerance, axis)?;
     plot.reference((1e-15, 3.5e-15), (1e-3, 3.5e-3), Stroke::Reference);
     plot.series("tolerance", &floor, Look::DOP853.marker, Look::DOP853.hue);
-    plot.label((1e-12, 1e-9), Side::Over, "DOP853", Look::DOP853.hue)?;
+    plot.label((1e-12, 3e-8), Side::Over, "DOP853", Look::DOP853.hue)?;
     Ok(Drawing::panels(id, vec![left, right]).titled(
         "Smaller steps and tighter tolerances, down to rounding and below",
         "Two plots with logarithmic scales. First, the error of one turn of an oscillator against the evaluations: by the Runge-Kutta method it falls with the power minus four to 1e-15 at thirty thousand \

@@ -196,7 +196,7 @@ pub(crate) fn method_circle(id: &str) -> Outcome {
     plot.label(pair(halfway), Side::Right, "the middle", Hue::Ink)?;
     plot.label(pair(euler), Side::Right, "Euler", Look::EULER.hue)?;
     plot.label(pair(mid), Side::Above, "midpoint", Look::MIDPOINT.hue)?;
-    one.label(at(150.0, 350.0), Side::Over, "one step of 0.8 rad", Hue::Ink)?;
+    one.label(at(150.0, 350.0), Side::Over, "(a) one step of 0.8 rad", Hue::Ink)?;
 
     let mut turn = Drawing::new("", 330.0, 370.0).titled(
         "Sixteen steps on the same circle",
@@ -216,7 +216,7 @@ pub(crate) fn method_circle(id: &str) -> Outcome {
     }
     plot.label(pair(paths[0][9]), Side::BelowLeft, "Euler", Look::EULER.hue)?;
     plot.label((0.0, 0.0), Side::Over, "midpoint", Look::MIDPOINT.hue)?;
-    turn.label(at(150.0, 350.0), Side::Over, "sixteen steps, for one turn", Hue::Ink)?;
+    turn.label(at(150.0, 350.0), Side::Over, "(b) sixteen steps, for one turn", Hue::Ink)?;
     Ok(Drawing::panels(id, vec![one, turn]))
 }
 

@@ -83,7 +83,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
         run: Run { duration: LASTS, pace: 8.0, repeats: false },
         words: format!(
             "By Euler’s method the energy {after}. In the last half minute the axis swings out to {truth:.1}° in truth, \
-             to {rk4:.1}° by RK4 and to {turns:.1}° by turns."
+             to {rk4:.1}° by RK4 and to {turns:.1}° by Strang’s splitting."
         ),
         readings: |(book, step, runs), time| {
             let energy =

@@ -253,7 +253,7 @@ impl Nodding {
             graph.level(middle, Stroke::Dotted, Hue::Muted);
             let wave = self.waves[index].iter().map(|&(time, aside)| (time, middle + 0.85 * aside));
             graph.curve(wave, Stroke::Curve, hue);
-            let place = graph.at((0.0, middle + 1.0)) + at(2.0, -2.0);
+            let place = graph.at((0.0, middle + 1.0)) + at(12.0, -2.0);
             graph.drawing().label_set(place, Side::AboveRight, 2.0, 13.0, names[index], Role::Text(hue))?;
         }
         graph.upright(moment.time, Stroke::Outline, Hue::Muted);

@@ -139,7 +139,7 @@ fn hoop(drawing: &mut Drawing, middle: Point, top: &FreeSymmetricTop, quarters: 
 
 /// Two specks of a plate on circles of their own, in four stills a quarter turn apart, and the high spot.
 pub(crate) fn specks(id: &str) -> Outcome {
-    let top = careless_plate(Vector3::new(0.62, 0.0, 1.5))?;
+    let top = careless_plate(Vector3::new(0.4, 0.0, 1.5))?;
     let turn = TAU / top.start().omega_body.z;
     // One where the plate is high at the start, one a quarter of the plate ahead of it.
     let specks = [(Vector3::x(), Hue::Pink), (Vector3::y(), Hue::Ink)];

@@ -62,7 +62,11 @@ pub(crate) fn with_trail(html: &str, path: &str, trails: &BTreeMap<String, Trail
             if let Some((chapter, first)) = &trail.chapter {
                 words += &format!(" › <a href=\"{up}{}\">{}</a>", escaped(first), escaped(chapter));
             }
-            if let Some(page) = &trail.page {
+            // The cover has the name of the book, which stands before it.
+            let above = &html[..element.inside.start];
+            let is_cover =
+                |page: &str| above.ends_with(&format!("{}</a><span class=\"trail\">", escaped(page)));
+            if let Some(page) = trail.page.as_ref().filter(|page| !is_cover(page)) {
                 words += &format!(" › {}", escaped(page));
             }
             edits.insert(element.inside.end, words);
