@@ -70,12 +70,13 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             let frames = [[290.0, 34.0, 320.0, 210.0], [48.0, 318.0, 310.0, 200.0]];
             let (time, rate) = (Axis::linear(0.0, 60.0, 20.0).titled("time, s"), Axis::log(0.1, 100.0, 1));
             let mut graph = moment.graph(drawing, frames, time, rate.titled("rad/s"))?;
-            for (name, hue, of) in [("spin", Hue::Blue, 1), ("across", Hue::Orange, 0)] {
+            for (name, stroke, of) in [("spin", Stroke::Heavy, 1), ("across", Stroke::Curve, 0)] {
                 let part = |parts: (f64, f64)| <[f64; 2]>::from(parts)[of];
-                graph.curve(all.iter().map(|(time, parts)| (*time, part(*parts))), Stroke::Curve, hue);
-                graph.dot((moment.time, part(now)), 5.0, hue);
-                let side = [Side::BelowRight, Side::AboveRight][of];
-                graph.label((2.0, part(all[8].1)), side, name, hue)?;
+                graph.curve(all.iter().map(|(time, parts)| (*time, part(*parts))), stroke, Hue::Orange);
+                graph.dot((moment.time, part(now)), 5.0, Hue::Orange);
+                // Clear of the dot, which runs along the line.
+                let (side, away) = [(Side::BelowRight, 0.6), (Side::AboveRight, 1.6)][of];
+                graph.label((2.0, away * part(all[8].1)), side, name, Hue::Orange)?;
             }
             Ok(())
         },

@@ -326,7 +326,7 @@ pub(crate) fn spin_tangent(id: &str) -> Outcome {
     }
     plot.label((0.12, 0.12), Side::Right, "Frisbee", Hue::Ink)?;
     plot.label((0.56, 0.44), Side::AboveRight, "thin disc", Hue::Ink)?;
-    plot.label((0.2, 1.0), Side::Below, "ball", Hue::Muted)?;
+    plot.label((0.62, 1.0), Side::Below, "ball", Hue::Muted)?;
     plot.label((0.55, 1.5), Side::AboveLeft, r"rod, $I_3 = \tfrac12I_1$", Hue::Muted)?;
     Ok(drawing)
 }

@@ -267,7 +267,7 @@ pub(crate) fn tongue(id: &str) -> Outcome {
     plot.markers(&[(0.8, 12.0), (0.8, 26.0)], Marker::Disc, Hue::Ink);
     plot.label((0.84, 12.0), Side::Right, "$12°$: lost", Hue::Ink)?;
     plot.label((0.84, 26.0), Side::Right, "$26°$: held", Hue::Ink)?;
-    plot.label((0.5, 20.3), Side::Over, "hoop", Hue::Muted)?;
+    plot.label((0.5, 21.0), Side::Over, "hoop", Hue::Muted)?;
     plot.label((1.85, 9.0), Side::Over, "disc", Hue::Ink)?;
     plot.label((2.9, 17.0), Side::Over, "stable", Hue::Ink)?;
     plot.label((1.6, 4.0), Side::Over, "unstable", Hue::Ink)?;

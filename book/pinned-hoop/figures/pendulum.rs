@@ -39,7 +39,7 @@ pub(crate) fn twice_the_angle(id: &str) -> Outcome {
             let pin = centre + at(radius, 0.0);
             drawing.circle(centre, radius, Role::Line(Stroke::Vector, Hue::Blue));
             drawing.circle(centre, radius - 4.0, Role::Line(Stroke::Outline, Hue::Blue));
-            let way = Point::polar(room.of(44.0, 24.0), FRAC_PI_2 - angle);
+            let way = Point::polar(room.of(34.0, 24.0), FRAC_PI_2 - angle);
             kit::arrow(&mut drawing, pin, pin + way, Hue::Orange);
             drawing.dot(pin, 3.5, Hue::Pink);
             let degrees = angle.to_degrees().round();
@@ -59,7 +59,7 @@ pub(crate) fn twice_the_angle(id: &str) -> Outcome {
         let first = at(room.of(50.0, 30.0) + radius, room.of(60.0, 44.0));
         drawing.label(first + at(1.0, 6.0), Side::Right, "$A$", Hue::Pink)?;
         drawing.label(
-            first - at(0.0, room.of(40.0, 20.0)),
+            first - at(0.0, room.of(30.0, 20.0)),
             Side::Right,
             r"$\boldsymbol{\omega}$",
             Hue::Orange,
