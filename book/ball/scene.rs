@@ -286,7 +286,7 @@ impl Rolls {
         let now = self.place.at(moment.time)?;
         for (index, (value, name, hue)) in self.curves(&now).into_iter().enumerate() {
             let curve = all.iter().map(|(time, curves)| (*time, curves[index].0));
-            graph.curve(curve, Stroke::Curve, hue);
+            graph.curve(curve.take_while(|(time, _)| *time <= moment.time), Stroke::Curve, hue);
             graph.dot((moment.time, value), 4.0, hue);
             let (place, sides) = match &self.place {
                 Place::Cloth(_) => (all.len() / 12, [Side::Above, Side::Below]),
@@ -299,9 +299,15 @@ impl Rolls {
             }
         }
         graph.upright(moment.time, Stroke::Outline, Hue::Muted);
-        if let Place::Cloth(shot) = &self.place {
-            graph.upright(shot.sliding_time(), Stroke::Reference, Hue::Pink);
-        }
+        graph.answer(|graph| {
+            for (index, (_, _, hue)) in self.curves(&now).into_iter().enumerate() {
+                graph.curve(all.iter().map(|(time, curves)| (*time, curves[index].0)), Stroke::Outline, hue);
+            }
+            if let Place::Cloth(shot) = &self.place {
+                graph.upright(shot.sliding_time(), Stroke::Reference, Hue::Pink);
+            }
+            Ok(())
+        })?;
         Ok(())
     }
 }

@@ -628,7 +628,7 @@ pub(crate) fn hard_rounding(id: &str) -> Outcome {
     plot.series("rk4", &classical, Look::RK4.marker, Look::RK4.hue);
     plot.series("dop853", &adaptive, Look::DOP853.marker, Look::DOP853.hue);
     plot.label((3e3, 1e-7), Side::Right, "RK4", Look::RK4.hue)?;
-    plot.label((5e2, 1e-13), Side::Right, "DOP853", Look::DOP853.hue)?;
+    plot.label((5e2, 1e-14), Side::Left, "DOP853", Look::DOP853.hue)?;
 
     let drum = machine(0.01, 3.0)?;
     let time = 200.0 * TAU / 3.0;

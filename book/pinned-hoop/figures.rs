@@ -375,7 +375,7 @@ fn stills(id: &str, room: Room) -> Outcome {
         })?);
         let (centre, normal) = (attitude * hoop.centre(), attitude * Vector3::z());
         stage.solid(Solid::ring(centre, normal, 1.0, 0.88, 0.1)?, Hue::Blue)?;
-        let [tangent, omega] = [attitude * Vector3::x() * 1.5, upright * now.omega_world() * 3.6];
+        let [tangent, omega] = [attitude * Vector3::x() * 1.5, upright * now.omega_world() * 4.1];
         let to_the_left = |tip: &Vector3<f64>| tip.x * 0.9_f64.sin() + tip.y * 0.9_f64.cos() < -0.05;
         let sides = [
             if to_the_left(&tangent) || n < 2 { Side::Left } else { Side::Right },
