@@ -15,7 +15,7 @@ pub(crate) const SCENE: Scene = Scene {
     question: "The shaft is kicked out of its steady place. On a hill, which of the dampers brings it back to the top?",
     size: [[640.0, 320.0], [380.0, 600.0]],
     view: None,
-    still: 1.6,
+    still: 0.8,
     controls: &[
         Control::slider(
             "spin",
@@ -92,6 +92,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             for ring in 1..=6 {
                 drawing.circle(centre, 124.0 / 6.0 * f64::from(ring), Role::Line(Stroke::Grid, Hue::Ink));
             }
+            let way = &way[way.len().saturating_sub(120)..];
             let trail: Vec<Point> = way.iter().map(|(place, _)| on_page(place)).collect();
             drawing.polyline(&trail, Stroke::Outline, Hue::Muted);
             drawing.polyline(&trail[trail.len().saturating_sub(40)..], Stroke::Curve, Hue::Ink);

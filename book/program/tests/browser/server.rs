@@ -19,7 +19,7 @@ pub(crate) fn serve(folder: PathBuf) -> String {
 }
 
 /// Answers one request: `GET /page.html?query HTTP/1.1`. A reader who has gone away hears nothing. With `alone=scene-top` the
-/// text of the page is left out, but for that figure: tests of a panel need not wait for a chapter to be laid out.
+/// text of the page is left out, but for that figure (or some): tests of a panel need not wait for a chapter to be laid out.
 fn answer(mut stream: TcpStream, folder: &Path) {
     let mut line = String::new();
     let mut request = BufReader::new(&stream);
@@ -51,11 +51,13 @@ fn answer(mut stream: TcpStream, folder: &Path) {
     let _ = stream.write_all(&[head.into_bytes(), body].concat());
 }
 
-/// The page with nothing in its text but a scene, and room below it to scroll away.
-fn alone(html: &str, id: &str) -> String {
+/// The page with nothing in its text but a scene, or some with commas between their names, and room below to scroll away.
+fn alone(html: &str, ids: &str) -> String {
     let (head, text) = html.split_once("<main").expect("a text");
     let (text, foot) = text.split_once("</main>").expect("its end");
-    let start = text.find(&format!("<figure class=\"scene\" id=\"{id}\"")).expect("the scene");
-    let (figure, _) = text[start..].split_once("</figure>").expect("its end");
-    format!("{head}<main>{figure}</figure><p style=\"height: 200vh\"></p></main>{foot}")
+    let figures = ids.split(',').map(|id| {
+        let start = text.find(&format!("<figure class=\"scene\" id=\"{id}\"")).expect("the scene");
+        text[start..].split_inclusive("</figure>").next().expect("its end")
+    });
+    format!("{head}<main>{}<p style=\"height: 200vh\"></p></main>{foot}", figures.collect::<String>())
 }
