@@ -46,6 +46,11 @@ const REACH: f64 = 0.06;
 const LASTS: f64 = 4.0;
 const STEP: f64 = 0.01;
 
+/// Which place of a way belongs to a time, s.
+fn at_time(time: f64, way: &[(Complex<f64>, f64)]) -> usize {
+    ((time / STEP).round() as usize).min(way.len() - 1)
+}
+
 fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
     let (spin, damper) = (settings.of("spin")?, settings.choice("damper")?);
     let damped = machine(0.15)?.with_spin(spin)?;
@@ -81,11 +86,11 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
         of: (way, slope),
         words: format!("The steady place is the {ground}. The shaft {fate}."),
         readings: |(way, _), time| {
-            let (seen, excess) = way[((time / STEP).round() as usize).min(way.len() - 1)];
+            let (seen, excess) = way[at_time(time, way)];
             Ok(vec![1e3 * seen.norm(), 1e3 * excess])
         },
         draw: |(way, slope), moment, drawing| {
-            let way = &way[..=((moment.time / STEP).round() as usize).min(way.len() - 1)];
+            let way = &way[..=at_time(moment.time, way)];
             let (seen, excess) = way[way.len() - 1];
             let (centre, scale) = (moment.room.of(at(140.0, 140.0), at(190.0, 140.0)), 124.0 / REACH);
             let on_page = |place: &Complex<f64>| centre + at(place.re, -place.im) * scale;

@@ -283,7 +283,7 @@ impl Spinning {
             }
             drawing.note(at(left, y - 4.0), Side::AboveRight, name, Hue::Ink)?;
         }
-        // What is left over answers the guess: see Graph::answer.
+        // What is left over answers the guess.
         let before = drawing.items().len();
         let y = rows[1].0;
         bar(drawing, cos, 1.0, y, Fill::Side, Hue::Blue);
@@ -310,7 +310,7 @@ impl Spinning {
         kit::arrow(drawing, dial, dial + Point::polar(radius, up + now.head), Hue::Blue);
         let text = "the head turns by as much";
         drawing.label_set(dial + at(radius, 0.0), Side::Right, 8.0, 13.0, text, Role::Text(Hue::Blue))?;
-        drawing.name_curve("answer", drawing.items().len() - before);
+        cover_from(drawing, before);
         Ok(())
     }
 

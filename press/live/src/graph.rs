@@ -103,8 +103,7 @@ impl<'a> Graph<'a> {
     pub fn answer(&mut self, draw: impl FnOnce(&mut Self) -> Result<(), Flaw>) -> Result<(), Flaw> {
         let before = self.drawing.items().len();
         draw(self)?;
-        let pieces = self.drawing.items().len() - before;
-        self.drawing.name_curve("answer", pieces);
+        cover_from(self.drawing, before);
         Ok(())
     }
 
@@ -123,6 +122,11 @@ impl<'a> Graph<'a> {
         let point = self.at(value);
         self.drawing.label(point, side, text, hue)
     }
+}
+
+/// Has the page cover what has been drawn since there were so many items: see [`Graph::answer`].
+pub fn cover_from(drawing: &mut Drawing, before: usize) {
+    drawing.name_curve("answer", drawing.items().len() - before);
 }
 
 /// Where a plot stands in a drawing, px, and its axes: what is drawn there, and what can be held.

@@ -22,7 +22,7 @@ pub use approx;
 pub use control::{Control, Kind, Press, Settings};
 pub use drawing::{Axis, Room};
 pub use formulas::formulas;
-pub use graph::{Graph, Plot, nearest, nice_step};
+pub use graph::{Graph, Plot, cover_from, nearest, nice_step};
 pub use player::Player;
 pub use scene::{Form, Moment, Motion, Preset, Reading, Run, Scene, Sound, preset, reading};
 pub use small::Small;

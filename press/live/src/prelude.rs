@@ -2,7 +2,7 @@
 
 pub use crate::{
     Axis, Cause, Control, Form, Graph, Moment, Motion, Plot, Preset, Press, Reading, Run, Scene, Settings,
-    Small, Sound, formulas, nearest, nice_step, preset, reading,
+    Small, Sound, cover_from, formulas, nearest, nice_step, preset, reading,
 };
 pub use drawing::kit::{self, Heads, Marker};
 pub use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage};
