@@ -18,6 +18,9 @@ use std::mem;
 const SURFACE: f64 = 3e-3;
 /// Pieces shorter than this are joined to their neighbours, px: nobody sees them, and rounding makes some.
 const SHORTEST: f64 = 1.2;
+/// A chord on which a boundary's polynomial is nowhere larger, in least thicknesses of the solid, lies on that boundary
+/// and does not cross it: its zeros are rounding's, and others on another machine.
+const ROUNDING: f64 = 1e-12;
 /// Chords from which a smooth curve bends away by less than this, px, are treated as one.
 const BEND: f64 = 0.6;
 /// How often the piece of a chord in which a boundary lies is halved: to a hundred-thousandth of a pixel.
@@ -158,8 +161,11 @@ fn breaks(
         value(&mut room.end, end);
         room.end_point = Some(to);
         let breaks = breaks.get_or_insert_with(|| vec![0.0, 1.0]);
-        for ((first, second), third) in room.start.iter().zip(&room.middle).zip(&room.end) {
-            breaks.extend(zeros(*first, *second, *third));
+        let nothing = ROUNDING * shield.form.thinnest();
+        for ((&first, &second), &third) in room.start.iter().zip(&room.middle).zip(&room.end) {
+            if [first, second, third].iter().any(|value| value.abs() > nothing) {
+                breaks.extend(zeros(first, second, third));
+            }
         }
     }
     if let Some(breaks) = breaks.as_mut().filter(|breaks| breaks.len() > 2) {

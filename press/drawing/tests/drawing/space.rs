@@ -194,6 +194,28 @@ fn the_outline_of_an_ellipsoid_is_where_lines_of_sight_touch_it() -> Done {
 }
 
 #[test]
+fn edges_end_where_they_end_whatever_the_last_digit_is() -> Done {
+    let ends = |axis: Vector, thickness: f64, shift: f64| -> Result<Vec<Point>, Flaw> {
+        let mut stage = staged();
+        stage.solid(Solid::disc([shift, -shift, shift], axis, 1.0, thickness)?, Hue::Blue)?;
+        let edges = lines(&drawn(&stage), Role::Line(Stroke::Outline, Hue::Blue));
+        Ok(edges.iter().flat_map(|line| [line[0], line[line.len() - 1]]).collect())
+    };
+    let mut chance = Chance(11);
+    for _ in 0..400 {
+        let (axis, thickness) = (chance.direction(), chance.number(0.05, 2.0));
+        let first = ends(axis, thickness, 0.0)?;
+        for last in 1..=6 {
+            let other = ends(axis, thickness, 1e-14 * f64::from(last))?;
+            let is_same = first.len() == other.len()
+                && first.iter().zip(&other).all(|(&one, &other)| (one - other).length() < 0.01);
+            assert!(is_same, "{axis:?}, {thickness} thick: {first:?} and {other:?}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
 fn curves_on_a_surface_do_not_flicker() -> Done {
     let mut chance = Chance(5);
     let mut pieces = 0;
