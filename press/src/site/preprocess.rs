@@ -62,6 +62,8 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
         test_snippets(&context.root, &drawn.book)?;
         texts = pages.iter().map(|page| snippets::relabelled(&page.text)).collect();
     } else {
+        // Before what may take minutes, in which Cargo may put another program in the place of this one.
+        install_finisher(&context.root).with_context(|| format!("the press cannot be put at {FINISHER}"))?;
         match modules {
             // `cargo book serve` says it by itself, and once.
             Module::Missing(Some(why))
@@ -74,7 +76,6 @@ fn answer(context: &PreprocessorContext, book: &mut Book, mut drawn: Rendered) -
             }
             _ => {}
         }
-        install_finisher(&context.root).with_context(|| format!("the press cannot be put at {FINISHER}"))?;
     }
     let title = context.config.book.title.clone().unwrap_or_default();
     replace(&mut book.items, &title, &mut texts.into_iter());

@@ -22,9 +22,24 @@ fn root() -> PathBuf {
     example.ancestors().find(workspace).expect("a workspace has a lock file").to_owned()
 }
 
+/// `cargo book` in a folder. Scenes stand still, as each folder would compile their module, and all that it is made of,
+/// for itself: a test that needs it takes [`live`].
+fn program(folder: &Path) -> Command {
+    let mut program = Command::new(BOOK);
+    program.current_dir(folder).stdin(Stdio::null()).env("BOOK_LIVE", "static");
+    program
+}
+
+/// The same with scenes that move, if anything here can compile them.
+fn live(folder: &Path) -> Command {
+    let mut program = program(folder);
+    program.env("BOOK_LIVE", env::var_os("BOOK_LIVE").unwrap_or_else(|| "auto".into()));
+    program
+}
+
 /// One run of `cargo book`.
 fn book(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(BOOK).args(arguments).current_dir(folder).stdin(Stdio::null()).output().expect("it runs")
+    program(folder).args(arguments).output().expect("it runs")
 }
 
 /// A folder for one test, emptied; inside the workspace, so that Cargo finds the press from there.
@@ -154,10 +169,8 @@ fn a_site_is_whole_or_absent_whenever_its_build_is_killed() {
     let mut absent = 0;
     for part in 0..12 {
         fs::remove_dir_all(folder.join("target/book")).unwrap();
-        let mut build = Command::new(BOOK)
+        let mut build = program(&folder)
             .arg("build")
-            .current_dir(&folder)
-            .stdin(Stdio::null())
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .process_group(0)
@@ -207,7 +220,7 @@ fn plain_mdbook_prints_the_same_site() {
     }
     let folder = small_book("plain", GOOD);
     let site = folder.join("target/book/html");
-    built(&folder);
+    assert!(live(&folder).arg("build").status().unwrap().success());
     let ours = files(&site);
     let plain = Command::new("mdbook").arg("build").current_dir(&folder).output().unwrap();
     assert!(plain.status.success(), "{}", said(&plain));
@@ -282,15 +295,8 @@ fn mdbook_test_runs_the_snippets_and_says_which_fails() {
         write(&folder.join(below).join("Cargo.toml"), &manifest);
         write(&folder.join(below).join("src/lib.rs"), "");
     }
-    let test = || {
-        Command::new(BOOK)
-            .arg("test")
-            .current_dir(&folder)
-            .env("MDBOOK_PREPROCESSOR__PRESS__COMMAND", BOOK)
-            .stdin(Stdio::null())
-            .output()
-            .unwrap()
-    };
+    let test =
+        || program(&folder).arg("test").env("MDBOOK_PREPROCESSOR__PRESS__COMMAND", BOOK).output().unwrap();
     for (sum, outcome) in [(4, "test result: ok. 1 passed"), (5, "snippets fail")] {
         let snippet = format!("//! ```\n//! assert_eq!(2 + 2, {sum});\n//! ```\n");
         write(&folder.join("src/lib.rs"), &snippet);
@@ -306,7 +312,7 @@ fn mdbook_test_runs_the_snippets_and_says_which_fails() {
 #[test]
 fn the_example_is_printed_with_all_that_the_press_can_do() {
     let site = folder("example");
-    let built = book(&example(), &["build", "-d", site.to_str().unwrap()]);
+    let built = live(&example()).args(["build", "-d"]).arg(&site).output().unwrap();
     assert!(built.status.success(), "{}", said(&built));
     let site = site.join("html");
     let page = |name: &str| fs::read_to_string(site.join(name)).expect(name);

@@ -1,6 +1,6 @@
 //! Small books that are served while they are written, and what is said of scenes where nothing can move them.
 
-use crate::{BOOK, GOOD, said, small_book, write};
+use crate::{BOOK, GOOD, program, said, small_book, write};
 use std::io::{Read as _, Write as _};
 use std::net::{TcpListener, TcpStream};
 use std::path::Path;
@@ -54,8 +54,7 @@ fn until(is_it: impl Fn() -> bool) {
 #[test]
 fn who_is_served_a_book_with_a_fault_reads_it_at_every_address_and_then_the_page() {
     let folder = small_book("served", "# A\n\nSee <b>@eq:nothing.\n");
-    let mut served = Command::new(BOOK);
-    let (server, port) = serve(served.current_dir(&folder).stdin(Stdio::null()).stderr(Stdio::null()));
+    let (server, port) = serve(program(&folder).stderr(Stdio::null()));
     let bad = page(port, "/a.html");
     let news = page(port, "/__news");
     write(&folder.join("book/a.md"), GOOD);
@@ -86,8 +85,8 @@ fn without_target(folder: &Path) -> Command {
     assert!(Command::new("sh").args(["-c", write]).current_dir(&programs).status().unwrap().success());
     let path = env::var_os("PATH").unwrap();
     let path = env::join_paths([programs].into_iter().chain(env::split_paths(&path))).unwrap();
-    let mut command = Command::new(BOOK);
-    command.current_dir(folder).env("PATH", path).stdin(Stdio::null());
+    let mut command = program(folder);
+    command.env("PATH", path);
     command.env("MDBOOK_PREPROCESSOR__PRESS__COMMAND", BOOK);
     for name in ["BOOK_LIVE", "BOOK_WASM_RUSTC", "RUSTC"] {
         command.env_remove(name);
