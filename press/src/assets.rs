@@ -4,6 +4,7 @@
 use crate::{Book, html};
 use anyhow::{Context as _, Result, anyhow};
 use live::{Kind, Player};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
@@ -18,6 +19,8 @@ pub struct Rendered {
     pub tables: Vec<(String, String)>,
     /// The live scenes, in the order in which the module of the pages counts them.
     pub scenes: Vec<Scene>,
+    /// The files beside the pages, by their paths within the book: `a/cat.png`.
+    pub beside: BTreeSet<String>,
     /// Whether there is no module that could move them, and pages show stills without controls.
     pub is_still: bool,
 }

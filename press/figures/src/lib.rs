@@ -253,6 +253,24 @@ mod tests {
     }
 
     #[test]
+    fn a_label_far_outside_the_axes_is_refused() {
+        let draw = |id: &str| {
+            let mut drawing = empty(id);
+            let frame = Rect::new(30.0, 10.0, 60.0, 60.0);
+            let axis = || Axis::linear(1.0, 10.0, 3.0);
+            let mut plot = Plot::new(&mut drawing, frame, axis(), axis())?;
+            plot.label((10.5, 5.0), Side::Right, "near", Hue::Ink)?;
+            plot.label((1050.0, 5.0), Side::Right, "far", Hue::Ink)?;
+            Ok(drawing)
+        };
+        assert!(
+            said(draw).ends_with("the label `far` at (1050, 5) lies far outside the axes"),
+            "{}",
+            said(draw)
+        );
+    }
+
+    #[test]
     fn a_figure_that_fails_is_named_with_its_line() {
         let typo = |id: &str| {
             let mut drawing = empty(id);

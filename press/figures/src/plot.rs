@@ -20,6 +20,8 @@ const TITLE_TYPE: f64 = 14.0;
 /// Lengths of major and minor ticks, px.
 const MAJOR: f64 = 5.0;
 const MINOR: f64 = 3.0;
+/// How far outside the frame a label may belong, px: beside the end of a curve, above a line that ends at the frame.
+const BESIDE: f64 = 80.0;
 
 /// A plot in a rectangle of a drawing. Points are given as values, (x, y).
 pub struct Plot<'a> {
@@ -166,9 +168,16 @@ impl<'a> Plot<'a> {
         self.drawing.polygon(vec![a, at(c.x, a.y), c, at(a.x, c.y)], Fill::Ground, hue);
     }
 
-    /// A label beside a pair of values.
+    /// A label beside a pair of values, in the frame or next to it.
+    ///
+    /// # Errors
+    /// [`Flaw`] for a text that cannot be set, and for values that lie further than 80 px from the frame.
     pub fn label(&mut self, value: (f64, f64), side: Side, text: &str, hue: Hue) -> Result<(), Flaw> {
         let point = self.at(value);
+        if !self.frame.grown(BESIDE).contains(point) {
+            let (x, y) = value;
+            return Err(Flaw::new(format!("the label `{text}` at ({x}, {y}) lies far outside the axes")));
+        }
         self.drawing.label(point, side, text, hue)
     }
 }

@@ -33,19 +33,20 @@ impl Face {
             [self as usize]
     }
 
-    /// What is wrong with a text in this face, and at which byte: its first character that the face lacks.
+    /// What is wrong with a text in this face, and at which byte: the characters that the face lacks, and the first of them.
     pub(crate) fn check(self, text: &str) -> Result<(), (usize, String)> {
         let lacks = |&(_, c): &(usize, char)| !is_unseen(c) && !self.characters().contains(&c);
-        text.char_indices().find(lacks).map_or(Ok(()), |(at, c)| Err((at, self.fault(c))))
-    }
-
-    fn fault(self, c: char) -> String {
+        let Some((first, _)) = text.char_indices().find(lacks) else { return Ok(()) };
+        let lacking: BTreeSet<char> = text.char_indices().filter(lacks).map(|(_, c)| c).collect();
+        let named = lacking.iter().map(|&c| format!("`{c}` (U+{:04X})", u32::from(c)));
         let (_, name) = self.names();
-        format!(
-            "{name} has no `{c}` (U+{:04X}): write it otherwise, or add it to characters.txt in \
-             press/drawing/font and run cut.py there",
-            u32::from(c)
-        )
+        Err((
+            first,
+            format!(
+                "{name} has no {}: write it otherwise, or add it to characters.txt in press/drawing/font and run cut.py there",
+                named.collect::<Vec<_>>().join(", ")
+            ),
+        ))
     }
 }
 

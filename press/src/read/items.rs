@@ -161,6 +161,10 @@ pub(crate) enum Item<'a> {
     Link {
         target: Cow<'a, str>,
     },
+    /// A picture in a file beside the page, which mdBook prints as it is.
+    Picture {
+        file: String,
+    },
     /// `[`: words begin that set a scene of the page. It holds the name of the scene and the settings.
     SettingStart(Cow<'a, str>),
     /// `](scene:…)`: these words end.

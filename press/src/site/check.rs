@@ -1,7 +1,7 @@
 //! What is wrong with the pages, found without building the book.
 
 use crate::assets::Rendered;
-use crate::book::Page;
+use crate::book::{Page, files};
 use crate::fault::Faults;
 use crate::print::render;
 use crate::read::disk::from_disk;
@@ -33,6 +33,7 @@ pub(crate) fn rendered(
     links::check_style_sheets(root, source, &mut faults);
     pages.iter().for_each(|page| exercise_times::check(page, &mut faults));
     let mut drawn = drawn.clone();
+    drawn.beside = files(&root.join(source)).unwrap_or_default().into_iter().collect();
     drawn.tables.push((exercise_times::TABLE.to_owned(), exercise_times::table(pages)));
     match render::render(pages, &drawn, &drawn.book.library.replace('-', "_"), &code(root, drawn.book.code)) {
         Ok(texts) if faults.is_empty() => Ok(texts),

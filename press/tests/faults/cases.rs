@@ -2,6 +2,10 @@
 
 pub(crate) type Case = (&'static str, &'static str, &'static [(usize, &'static str)]);
 
+/// What is said of a picture that is not there, too.
+const GONE: (usize, &str) =
+    (3, "there is no picture cat.png: its path is counted from the folder of the page");
+
 /// The name of a case, a page, and what must be said of it: the line of `a.md` and words of the message. An
 /// empty list means nothing.
 pub(crate) const CASES: &[Case] = &[
@@ -147,9 +151,9 @@ pub(crate) const CASES: &[Case] = &[
         ],
     ),
     ("image", "# A\n\n![A cat](cat.pdf)\n", &[(3, "not a figure of the book")]),
-    ("picture", "# A\n\n![](cat.png)\n", &[(3, "the picture cat.png has no words")]),
-    ("picture-width", "# A\n\n![A cat](cat.png){width=50%}\n", &[(3, "a picture has no attributes")]),
-    ("picture-words", "# A\n\n![Cat $x$](cat.png)\n", &[(3, "no formulas")]),
+    ("picture", "# A\n\n![](cat.png)\n", &[(3, "the picture cat.png has no words"), GONE]),
+    ("picture-width", "# A\n\n![A cat](cat.png){width=50%}\n", &[(3, "a picture has no attributes"), GONE]),
+    ("picture-words", "# A\n\n![Cat $x$](cat.png)\n", &[(3, "no formulas"), GONE]),
     ("citation", "# A\n\nSee [@cite:nobody-1999].\n", &[(3, "no page defines the label cite:nobody-1999")]),
     ("bare-entry", "# A\n\nSomewhere {#cite:x \"X\"} in a line.\n", &[(3, "list item")]),
     ("untagged", "# A\n\n```\nlet x = 1;\n```\n", &[(3, "a fence needs a language")]),
@@ -461,6 +465,7 @@ pub(crate) const CASES: &[Case] = &[
     ("override", "# A\n\nOne\ntwo\u{202e}three.\n", &[(4, "U+202E")]),
     ("isolate-in-code", "# A\n\n```text\na\u{2066}b\n```\n", &[(4, "U+2066")]),
     ("good-characters", "\u{feff}# A\r\n\r\n“Störmer”, \u{2060}10⁻⁴ − 1,\ttab; `ω₀²`.\r\n", &[]),
+    ("text-lacks-two", "# A\n\nω and Ξ, ω again.\n", &[(3, "no `Ξ` (U+039E), `ω` (U+03C9): write")]),
     ("text-lacks", "# A\n\nOf course\nω is.\n", &[(4, "the face of the text has no `ω` (U+03C9)")]),
     (
         "table-lacks",

@@ -140,7 +140,7 @@ impl Maths {
     }
 }
 
-/// What is wrong with the text of a formula: its first character that the face lacks.
+/// What is wrong with the text of a formula: the characters of its first letter or word that the face lacks.
 fn check_characters(element: &Element) -> Result<(), String> {
     let face = if element.is("mtext") { Face::Text } else { Face::Maths };
     element.children.iter().try_for_each(|child| match child {

@@ -13,7 +13,7 @@ mod tables;
 mod words;
 
 use crate::assets::Rendered;
-use crate::book::Page;
+use crate::book::{Page, resolve};
 use crate::fault::Faults;
 use crate::html::escaped;
 use crate::print::code_links::{self, CodePlace};
@@ -212,6 +212,18 @@ impl Printer<'_, '_> {
             Item::Citation { label, short } => Some(bibliography::name(label, short)),
             Item::Link { target } => {
                 self.check_link(target, offset);
+                None
+            }
+            Item::Picture { file } => {
+                let path = resolve(&self.page.path, file);
+                if !path.is_some_and(|path| self.drawn.beside.contains(&path)) {
+                    self.fault(
+                        offset,
+                        format!(
+                            "there is no picture {file}: its path is counted from the folder of the page"
+                        ),
+                    );
+                }
                 None
             }
             Item::Heading { label: None, .. } | Item::Hint | Item::Id(_) | Item::CitationEnd(_) => None,

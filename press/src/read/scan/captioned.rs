@@ -58,6 +58,7 @@ impl<'a> Scan<'a, '_> {
     /// A picture, a file among the pages, which mdBook prints as it is.
     fn picture(&mut self, file: &str, range: &Range<usize>, next: usize) {
         let words = self.caption(next, "");
+        self.place(range.clone(), Item::Picture { file: file.to_owned() });
         if self.text[range.end..].starts_with('{') {
             let message = "a picture has no attributes: it is as wide as its file, at most as the text";
             self.fault(range.end, message.to_owned());

@@ -149,7 +149,7 @@ fn a_fault_of_the_finished_site_leaves_none() {
 #[test]
 fn a_picture_stands_on_its_page_and_goes_into_an_epub() {
     let folder = small_book("picture", "# A\n\n![A cat](cat.png)\n");
-    fails(&folder, &["build"], "book/a.md:3: the link to `cat.png` leads nowhere");
+    fails(&folder, &["check"], "book/a.md:3: there is no picture cat.png: its path is");
     write(&folder.join("book/cat.png"), "any bytes");
     built(&folder);
     let page = fs::read_to_string(folder.join("target/book/html/a.html")).unwrap();
