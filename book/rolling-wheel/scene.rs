@@ -34,8 +34,8 @@ pub(crate) const SCENE: Scene = Scene {
         Control::kept("roll"),
     ],
     presets: &[
-        preset("inside the tongue", &[("lean", 12.0), ("circle", 0.8), ("push", 0.1)]),
-        preset("above its tip", &[("lean", 26.0), ("circle", 0.8), ("push", 0.1)]),
+        preset("leaning by 12°", &[("lean", 12.0), ("circle", 0.8), ("push", 0.1)]),
+        preset("leaning by 26°", &[("lean", 26.0), ("circle", 0.8), ("push", 0.1)]),
         preset("the same, a strong kick", &[("lean", 26.0), ("circle", 0.8), ("push", 1.0)]),
         preset("a wide circle", &[("lean", 10.0), ("circle", 4.0), ("push", 0.3)]),
         preset("slowing down: the spiral", &[("lean", 9.0), ("circle", 4.0), ("push", 0.0), ("loss", 0.1)]),
@@ -522,7 +522,7 @@ impl Rolled {
         well.curve([here, (here.0, level)], Stroke::Outline, Hue::Muted);
         well.dot(here, 5.0, Hue::Blue);
         let end = well.at((leans.to, kick));
-        well.drawing().label(end, Side::BelowLeft, r"$E$", Hue::Muted)?;
+        well.drawing().label(end + at(-6.0, 4.0), Side::BelowLeft, r"$E$", Hue::Muted)?;
         well.grip((leans.to, kick), Hue::Ink);
         Ok(())
     }

@@ -44,7 +44,7 @@ pub(crate) const SCENE: Scene = Scene {
         reading("head turned so far", Form::Fixed(1), "°"),
         reading("real time gone", Form::Digits(3), "s"),
         reading("real time left", Form::Digits(3), "s"),
-        reading("slip: ink on table less on rim", Form::Power(1), "radii"),
+        reading("slip: the lengths of ink differ by", Form::Power(1), "radii"),
     ],
     symbols: formulas! {
         r"p = 2", r"p = 5/4", r"p = 1", r"p = 1/2", r"\alpha", r"2\pi a\cos\alpha", r"2\pi a", r"\omega_z"
@@ -343,8 +343,8 @@ impl Spinning {
         for (of, hue) in rates {
             graph.dot((now.coin.tilt(), of(&now.coin)), 4.5, hue);
         }
-        graph.label((1.5, SOUND / RADIUS), Side::AboveLeft, "Mach 1", Hue::Muted)?;
-        graph.label((0.06, 1.2e3), Side::Over, "contact", Hue::Pink)?;
+        graph.label((0.15, SOUND / RADIUS), Side::AboveLeft, "Mach 1", Hue::Muted)?;
+        graph.label((4e-3, 3e1), Side::Over, "contact", Hue::Pink)?;
         graph.label((0.08, 6e-3), Side::Over, "head", Hue::Blue)?;
         graph.label((2e-3, 3e-3), Side::AboveLeft, r"$\omega_z$", Hue::Orange)?;
         graph.grip((self.start.tilt(), self.start.turn_rate()), Hue::Ink);

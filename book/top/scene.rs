@@ -161,8 +161,7 @@ impl Spun {
         graph.level(level, Stroke::Reference, Hue::Muted);
         graph.dot((self.tilt_at(moment.time)?, level), 6.0, Hue::Blue);
         graph.grip((self.tilt, level), Hue::Ink);
-        let above = at(plot.frame.centre().x, plot.frame.top - 12.0);
-        Ok(drawing.note(above, Side::Over, "the well of the tilt", Hue::Muted)?)
+        Ok(())
     }
 
     fn level(&self) -> f64 {

@@ -176,7 +176,7 @@ pub(crate) fn phases(id: &str) -> Outcome {
         drawing.label_on_face(origin + at(0.0, below), place, "$O$", Hue::Ink)?;
         if ratio == 1.0 {
             drawing.label_on_face(shaft, Side::BelowRight, "shaft", Hue::Ink)?;
-            drawing.label(load + at(-10.0, -8.0), Side::Left, "load", Hue::Blue)?;
+            drawing.label_on_face(load + at(8.0, 4.0), Side::Right, "load", Hue::Blue)?;
             let lead = shaft + Point::polar(24.0, theta + 0.5 * steady.phase());
             drawing.label_on_face(lead, Side::AboveRight, r"$\phi_0$", Hue::Ink)?;
             let sense = shaft + Point::polar(reach + 9.0, -0.25);

@@ -61,7 +61,7 @@ pub(crate) fn two_turns(id: &str) -> Outcome {
             Ok(stage.label(tip, side, name, hue)?)
         };
         let side = if step == 0 { Side::Above } else { Side::AboveLeft };
-        arrow(axis * 1.3, r"$\hat{\mathbf{3}}$", if step == 2 { Side::Right } else { side }, Hue::Ink)?;
+        arrow(axis * 1.3, r"$\hat{\mathbf{3}}$", if step == 2 { Side::BelowRight } else { side }, Hue::Ink)?;
         let side = if step == 0 { Side::AboveRight } else { Side::Above };
         let name = if step == 0 { r"$\boldsymbol{\ell}$" } else { r"$\boldsymbol{L}$" };
         arrow(momentum * 1.3, name, side, Hue::Green)?;
@@ -79,7 +79,7 @@ pub(crate) fn two_turns(id: &str) -> Outcome {
             if step == 2 {
                 let before = upright * Vector3::z();
                 let before = Vector3::new(before.x, before.y, 0.0);
-                let way = linear_steps(0.0, 1.0, 40)
+                let way = linear_steps(0.06, 0.92, 40)
                     .map(|part| UnitQuaternion::from_scaled_axis(Vector3::z() * (LAST * part)) * before);
                 let way = Curve::smooth(way)?.hiding(Hiding::Ignored);
                 stage.arrow(way, Stroke::Outline, Heads::End, Hue::Ink)?;

@@ -198,9 +198,14 @@ fn set_scripts(base: Set, below: Option<Set>, above: Option<Set>, size: f64) -> 
     whole
 }
 
+/// How much higher than the font says an accent stands over a tall letter, em.
+const TALL: f64 = 0.06;
+
 fn set_accent(base: Set, accent: Set, size: f64) -> Set {
     let centre = base.accent.unwrap_or(0.5 * base.width);
-    let rise = base.high - (em(font::ACCENT_BASE_HEIGHT) * size).min(base.high);
+    // The font says where an accent lies over a low letter; over a tall stem a dot that is as near would touch it.
+    let low = em(font::ACCENT_BASE_HEIGHT) * size;
+    let rise = if base.high > low { base.high - low + TALL * size } else { 0.0 };
     let x = centre - accent.accent.unwrap_or(0.0);
     let mut whole = Set { width: base.width, italic: base.italic, ..Set::default() };
     whole.place(base, 0.0, 0.0);
