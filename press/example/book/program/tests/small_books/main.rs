@@ -57,7 +57,7 @@ fn small_book(name: &str, page: &str) -> PathBuf {
     for (file, text) in [
         ("book/SUMMARY.md", "- [A](a.md)\n- [Figures](figures.md)\n- [Pendulum](pendulum/index.md)\n"),
         ("book/a.md", page),
-        ("book/figures.md", "# Figures\n\n![A caption.](fig:period)\n"),
+        ("book/figures.md", "# Figures\n\n![A caption.](fig:swing)\n\n![A caption.](fig:period)\n"),
         ("book/pendulum/index.md", "# Pendulum\n\n![A caption.](scene:pendulum)\n"),
     ] {
         write(&folder.join(file), text);
