@@ -22,10 +22,22 @@ pub fn is_unit(word: &str) -> bool {
     word.split(['/', '·']).all(|part| PARTS.contains(&part.trim_end_matches(['²', '³', '⁻', '¹'])))
 }
 
-/// Where in a run of text a blank stands between a number and its unit.
+/// Words whose number is their name: `axis 3`.
+const NUMBERED: [&str; 9] =
+    ["axis", "axes", "simulator", "problem", "chapter", "section", "article", "volume", "page"];
+
+/// Where in a run of text a blank stands between a number and its unit, or before a number that is a name.
 pub fn blanks(text: &str) -> impl Iterator<Item = usize> + '_ {
     let bytes = text.as_bytes();
-    (1..bytes.len()).filter(|&at| bytes[at - 1].is_ascii_digit() && unit(&text[at..]).is_some())
+    let names = move |at: usize| {
+        let is_number = bytes.get(at + 1).is_some_and(u8::is_ascii_digit);
+        let word = || text[..at].rsplit(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
+        matches!(bytes[at], b' ' | b'\n') && is_number && NUMBERED.contains(&word())
+    };
+    (1..bytes.len()).filter(move |&at| {
+        bytes[at - 1].is_ascii_digit() && unit(&text[at..]).is_some()
+            || bytes[at - 1].is_ascii_alphabetic() && names(at)
+    })
 }
 
 /// How long the blank and the unit are with which a text begins. (Only of the letters that units have, as a module of a
@@ -39,11 +51,12 @@ pub fn unit(text: &str) -> Option<usize> {
     (is_unit(&rest[..end]) && !goes_on).then_some(1 + end)
 }
 
-/// A text in which no line parts a number from its unit.
+/// A text in which no line parts a number from its unit, nor from the word that it numbers.
 ///
 /// ```
 /// use live::numbers::tied;
 /// assert_eq!(tied("every 0.31 s, at 30 rad/s of 2 turns"), "every 0.31\u{a0}s, at 30\u{a0}rad/s of 2 turns");
+/// assert_eq!(tied("of 3 axes axis 3 is the axle"), "of 3 axes axis\u{a0}3 is the axle");
 /// ```
 pub fn tied(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
