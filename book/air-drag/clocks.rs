@@ -44,12 +44,16 @@ fn parts(top: &DraggedTop, time: f64) -> Result<(f64, f64), Cause> {
 fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
     let (ratio, omega_body) = (settings.of("ratio")?, Vector3::new(12.0, 0.0, 20.0));
     let (moments, drag) = (PrincipalMoments::symmetric(1.0, ratio)?, Drag::isotropic(LN_2 / HALVED));
+    let leans = if (ratio - 1.0).abs() < 0.002 {
+        "Both die alike, and the arrow keeps its lean."
+    } else {
+        "The arrow leans away from the part that dies sooner."
+    };
     Ok(Box::new(Small {
         of: DraggedTop::new(DraggedTopParameters { moments, drag, omega_body })?,
         run: Run { duration: 60.0, pace: 6.0, repeats: false },
         words: format!(
-            "The spin is halved every {:.1} s, the rotation across the axis every {HALVED} s. The arrow leans \
-             away from the part that dies sooner.",
+            "The spin is halved every {:.1} s, the rotation across the axis every {HALVED} s. {leans}",
             HALVED * ratio
         ),
         readings: |top, time| {

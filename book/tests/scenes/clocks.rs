@@ -25,6 +25,7 @@ fn both_parts_fade_as_by_eulers_equations() {
             assert!((hand.reading(time, "across the axis") - across).abs() < 1e-8, "{ratio}, {time}");
             assert!((hand.reading(time, "angle of") - angle).abs() < 1e-6, "{ratio}, {time}");
         }
+        assert_eq!(hand.words().contains("keeps its lean"), ratio == 1.0, "{}", hand.words());
         let halved = number_behind(&hand.words(), "spin is halved every");
         assert!((hand.reading(halved, "spin") - 10.0).abs() < 0.2, "{}", hand.words());
     }
