@@ -29,7 +29,8 @@ pub(crate) fn start(id: &str) -> Outcome {
     );
     let (origin, scale) = (at(165.0, 150.0), 24.0);
     let mut plot = Plot::plane(&mut path, origin, scale, 6.0)?;
-    plot.curve("inwards", plane(centimetres(widest, end, 16000)?), Stroke::Orbit, Hue::Muted);
+    // Chords that bend away from the path by a sixth of a pixel: of all figures its page carries this one weighs most.
+    plot.curve("inwards", plane(centimetres(widest, end, 1600)?), Stroke::Orbit, Hue::Muted);
     plot.curve("outwards", plane(centimetres(0.0, widest, 4000)?), Stroke::Curve, Hue::Ink);
     let turn = TAU / motion.spin(end);
     let last = plane(centimetres(end - turn, end, 800)?);
