@@ -131,6 +131,13 @@ function written(value, digits, unit = "") {
   return text.replace("-", Number(text) === 0 ? "" : "−") + (/^°?$/.test(unit) ? "" : "\u00a0") + unit;
 }
 
+/** Writes a number, which may be a power of ten, into an element; what was a text alone stays one, with other letters. */
+function write(element, html) {
+  const [text, other] = element.childNodes;
+  if (text instanceof Text && !other && !/[<&]/.test(html)) text.data = html;
+  else element.innerHTML = html;
+}
+
 /** A control: its name, its value at the start and now, and the elements that change it. */
 function control(name, elements) {
   const [first] = elements;
@@ -200,6 +207,7 @@ function named(settings, { name, start }) {
 
 /** As many presses add up. */
 const MOST_PRESSES = 20;
+const NOTHING = -1; // in a hand
 
 /** The presses of a button before the last that settings name: times, and how strong each was. */
 function pressesIn(settings, { name, strengths }) {
@@ -297,6 +305,8 @@ class Scene {
     for (const math of figure.querySelectorAll(".panel math")) math.ariaLabel = math.textContent;
     // Sliders say their values themselves; a clock that was read aloud would never stop.
     for (const output of figure.querySelectorAll("output")) output.ariaLive = "off";
+    // A span of one text, which has its room: as the text changes, nothing else is laid out or looked up in style sheets.
+    this.clock = this.clock.appendChild(document.createElement("span")).appendChild(new Text());
     this.still = Number(this.time.defaultValue);
     [this.now, this.duration, this.pace] = [this.still, Infinity, 1];
     this.#lock(true);
@@ -373,6 +383,7 @@ class Scene {
     this.#usual ??= this.duration;
     this.time.max = this.duration;
     this.digits = Math.ceil(0.7 - Math.log10(this.pace)); // of the clock: one can see them change
+    this.clock.parentNode.style.minWidth = `${written(this.duration, this.digits, "s").length}ch`;
     for (const option of this.speed.options) {
       const words = paced(this.pace * option.value);
       if (option.text !== words) option.text = words;
@@ -386,17 +397,18 @@ class Scene {
     const [azimuth = 0, elevation = 0] = this.angles.map((angle) => (angle * Math.PI) / 180);
     picture.draw(machine.text(machine.run.draw(now, azimuth, elevation, picture.svg.matches(".narrow"))));
     this.#sing();
-    this.time.value = now;
-    this.clock.textContent = written(now, this.digits, "s");
+    // While it plays, the slider goes on when one can see it: each time it does the panel is laid out.
+    if (!this.isPlaying || Math.abs(now - this.time.value) > this.duration / 500) this.time.value = now;
+    this.clock.data = written(now, this.digits, "s");
     if (this.isPlaying && moment - this.#read < 100) return; // nobody reads numbers that change faster
     this.#read = moment;
     const values = machine.text(machine.run.readings(now)).split("\n");
     this.readings.forEach((place, index) => {
-      if (this.#shown[index] !== values[index]) place.innerHTML = values[index];
+      if (this.#shown[index] !== values[index]) write(place, values[index]);
     });
     this.#shown = values;
     // Under a reader's hand the time does not speak by itself.
-    if (!this.isPlaying || document.activeElement !== this.time) this.time.ariaValueText = this.clock.textContent;
+    if (!this.isPlaying || document.activeElement !== this.time) this.time.ariaValueText = this.clock.data;
   }
 
   /** Asks for one frame. */
@@ -426,7 +438,7 @@ class Scene {
     if (this.isPlaying && this.#isOnScreen && !this.#isChanged) this.ask();
   }
   #advance(moment) {
-    this.now += (within(moment - (this.#before ?? moment), 0, 100) / 1000) * this.pace * this.speed.value;
+    if (!this.isHeld) this.now += (within(moment - (this.#before ?? moment), 0, 100) / 1000) * this.pace * this.speed.value;
     this.#before = moment;
     if (this.now < this.duration) return;
     if (this.repeats) this.now %= this.duration;
@@ -484,7 +496,8 @@ class Scene {
   /** Says what the button would do. */
   #name() {
     const isMoving = this.isPlaying && !this.play.disabled;
-    this.play.textContent = isMoving ? "Pause" : this.#isAtEnd() ? "Again" : "Play";
+    const name = isMoving ? "Pause" : this.#isAtEnd() ? "Again" : "Play";
+    if (this.play.textContent !== name) this.play.textContent = name; // as it is called at each frame
   }
   #isAtEnd() {
     return this.now >= this.duration * (1 - 1e-9); // a slider rounds
@@ -516,14 +529,17 @@ class Scene {
   /** A button of the scene is pressed now, and the motion goes on from there. */
   press(button) {
     const now = +this.now.toPrecision(6); // as its link gives it: what is drawn by lot is the same there
-    if (button.strengths && button.value >= 0) { // it adds up to what was pressed until now
-      const strengths = button.strengths.map((name) => this.controls.find((control) => control.name === name).value);
-      const all = [...button.earlier, [button.value, ...strengths]];
-      button.earlier = all.filter(([time]) => time <= now).slice(-MOST_PRESSES);
-    }
+    this.#addUp(button, now);
     button.value = now;
     this.#setPlaying(true);
     this.change();
+  }
+  /** Before a button is pressed now: where presses add up, the last becomes one of those until now. */
+  #addUp(button, now) {
+    if (!button.strengths || button.value < 0) return;
+    const strengths = button.strengths.map((name) => this.controls.find((control) => control.name === name).value);
+    const all = [...button.earlier, [button.value, ...strengths]];
+    button.earlier = all.filter(([time]) => time <= now).slice(-MOST_PRESSES);
   }
   /** Sets controls by name, the others to their starts, but for what is kept if it `stays`; begins anew without a time. */
   set(settings, stays = false) {
@@ -725,18 +741,19 @@ class Scene {
     };
     svg.style.touchAction = view.length > 0 ? "pan-y pinch-zoom" : ""; // up and down a finger moves the page,
     // but on a grip the grip.
-    this.on([svg], "touchstart", (event) => gripAt(event.touches[0]) >= 0 && event.preventDefault());
+    this.on([svg], "touchstart", (event) => gripAt(event.touches[0]) !== NOTHING && event.preventDefault());
     this.on([svg], "mousedown", (event) => held && event.preventDefault()); // words are not selected
     this.on([svg], "pointerdown", (event) => {
       const grip = gripAt(event);
-      if (!event.isPrimary || event.button !== 0 || (grip < 0 && view.length === 0)) return;
+      if (!event.isPrimary || event.button !== 0 || (grip === NOTHING && view.length === 0)) return;
+      this.isHeld = grip < NOTHING; // time stands still while a hand holds a body
       held = { grip, at: place(event), angles: this.angles, degrees: 180 / svg.viewBox.baseVal.width };
       svg.setPointerCapture(event.pointerId);
       drawing.style.cursor = "grabbing";
     });
     this.on([svg], "pointermove", (event) => {
       if (!held) {
-        const isGrip = event.pointerType === "mouse" && gripAt(event) >= 0;
+        const isGrip = event.pointerType === "mouse" && gripAt(event) !== NOTHING;
         drawing.style.cursor = isGrip ? "move" : view.length > 0 ? "grab" : "";
         return;
       }
@@ -746,14 +763,20 @@ class Scene {
         const azimuth = angles[0] - (x - at.x) * degrees;
         const elevation = angles[1] + (y - at.y) * degrees; // up to the ends of its slider: not over the top
         const turned = { azimuth: azimuth - 360 * Math.floor((azimuth + 180) / 360), elevation };
-        if (grip < 0) return this.look((_, { name }) => turned[name]);
+        if (grip === NOTHING) return this.look((_, { name }) => turned[name]);
         const values = [...machine.numbers(machine.run.drag(grip, x, y))];
-        this.controls.forEach((control, index) => values.length > 0 && (control.value = values[index]));
-        return values.length > 0 && this.change();
+        if (values.length === 0) return undefined;
+        this.controls.forEach((control, index) => {
+          if (!control.strengths || control.value === values[index] || values[index] !== this.now) return;
+          this.#addUp(control, this.now);
+          this.#setPlaying(true); // from here, as soon as it is let go
+        });
+        this.controls.forEach((control, index) => (control.value = values[index]));
+        return this.change();
       };
       this.ask();
     });
-    this.on([svg], "pointerup pointercancel", () => ([held, drawing.style.cursor] = [null, ""]));
+    this.on([svg], "pointerup pointercancel", () => ([held, drawing.style.cursor, this.isHeld] = [null, "", false]));
   }
 }
 
