@@ -29,8 +29,10 @@ pub(crate) const SCENE: Scene = Scene {
         Control::slider("spin", r"spin, $\Omega$", [0.0, MOST_SPIN, 0.1], "rad/s", 10.0),
         Control::slider("damping", r"damping, $\Gamma/\omega_0$", [0.0, 2.5, 0.01], "", 0.3),
         Control::choice("camera", "seen", &["in the room", "on the drum"]),
-        Control::adding("kick", "Kick", &[]),
+        Control::adding("kick", "Kick", &["push", "way"]),
         Control::KEEP,
+        Control::slider("push", "kick, how strong", [0.0, MOST_PUSH, 0.01], "m/s", 0.4).when("kick", KICKED),
+        Control::slider("way", "kick, which way", [-180.0, 180.0, 1.0], "°", 0.0).when("kick", KICKED),
         Control::choice("damper", "the damper feels", &["the whole velocity", "the radius only"]),
         Control::slider("board", r"friction on board, $\Gamma_i/\omega_0$", [0.0, 0.5, 0.01], "", 0.0),
         Control::choice("motor", "the drum", &["keeps its spin", "speeds up from rest", "has a weak motor"]),
@@ -78,8 +80,10 @@ const LASTS: f64 = 8.0;
 const WEAK_LASTS: f64 = 25.0;
 /// The drum's own moment of inertia, kg·m², which a weak motor feels.
 pub(super) const DRUM_INERTIA: f64 = 0.5;
-/// The change of the shaft's velocity in a kick, m/s, along x.
-const KICK: Complex<f64> = Complex::new(0.4, 0.0);
+/// The largest change of the shaft's velocity in a kick, m/s.
+const MOST_PUSH: f64 = 0.8;
+/// The times of a kick that has been given.
+const KICKED: [f64; 2] = [0.0, 1e9];
 /// Where the tub strikes its housing: the largest distance of the shaft from O, in units of b.
 const LARGEST_SWING: f64 = 12.0;
 /// What passes in a turn: the load and seven holes.
@@ -159,7 +163,8 @@ fn course(settings: &Settings<'_>) -> Result<Course, Cause> {
         _ => Drive::WeakMotor(settings.of("torque")?),
     };
     let on_board = settings.of("board")? * 300.0;
-    let kicks = settings.presses("kick")?.iter().map(|kick| kick[0]).collect();
+    let kick = |[time, push, way]: Press| (time, Complex::from_polar(push, way.to_radians()));
+    let kicks = settings.presses("kick")?.into_iter().map(kick).collect();
     let phase = settings.of("phase")?;
     Course::new(still, on_board, settings.of("spin")?, is_radial, drive, (phase, kicks))
 }
@@ -191,6 +196,23 @@ impl Washer {
     fn widest(&self) -> f64 {
         let own = self.course.widest.1;
         self.kept.as_ref().map_or(own, |(kept, _)| own.max(kept.widest.1))
+    }
+
+    /// The drum in a state, as it is looked at.
+    fn drum<'a>(&'a self, state: &'a State, moment: &Moment) -> Result<Drum<'a>, Cause> {
+        Drum::new(&self.course, state, self.on_drum, self.widest(), moment)
+    }
+
+    /// What a hand does to the tub, which it kicks as hard as would have a drum that stands still swing out as far as the hand
+    /// has drawn it, or else to the load, with which it turns the drum.
+    fn pull(&self, is_load: bool, to: Point, moment: &Moment) -> Result<Vec<(&'static str, f64)>, Cause> {
+        let (state, natural) = (self.course.at(moment.time)?, self.course.machine.natural_frequency());
+        let drum = self.drum(&state, moment)?;
+        if is_load {
+            return Ok(vec![("phase", self.course.phase + drum.turned(to))]);
+        }
+        let (push, way) = (drum.pulled(to) * natural).to_polar();
+        Ok(vec![("kick", moment.time), ("push", push), ("way", way.to_degrees())])
     }
 
     /// The plots of force, lead and swing.
@@ -298,11 +320,11 @@ impl Washer {
         }
         let swings = course.swings.iter().step_by(1 + course.swings.len() / 800);
         plot.curve(swings.map(|(t, r)| (*t, 100.0 * r)), Stroke::Outline, Hue::Blue);
-        for &kick in course.kicks.iter().filter(|kick| **kick < course.end) {
-            plot.upright(kick, Stroke::Outline, Hue::Pink);
+        for (kick, _) in course.kicks.iter().filter(|kick| kick.0 < course.end) {
+            plot.upright(*kick, Stroke::Outline, Hue::Pink);
         }
-        if let Some(&kick) = course.kicks.last().filter(|kick| **kick < course.end) {
-            plot.grip((kick, 0.0), Hue::Pink);
+        if let Some((kick, _)) = course.kicks.last().filter(|kick| kick.0 < course.end) {
+            plot.grip((*kick, 0.0), Hue::Pink);
         }
         plot.dot((moment.time, 100.0 * state.shaft.position.norm()), 4.5, Hue::Blue);
         Ok(())
@@ -316,7 +338,7 @@ impl Motion for Washer {
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let state = self.course.at(moment.time)?;
-        let drum = Drum::new(&self.course, &state, self.on_drum, self.widest(), moment)?;
+        let drum = self.drum(&state, moment)?;
         drum.draw(drawing)?;
         if let Some((kept, _)) = &self.kept {
             drum.draw_kept(&kept.at(moment.time)?, drawing);
@@ -329,21 +351,31 @@ impl Motion for Washer {
     fn grips(&self, moment: &Moment) -> Vec<Point> {
         let [force, _, swing] = self.plots(moment.room);
         let mut grips = vec![force.point(self.handle())];
-        let last = self.course.kicks.last().filter(|kick| **kick < self.course.end);
-        grips.extend(last.map(|&kick| swing.point((kick, 0.0))));
+        let last = self.course.kicks.last().filter(|kick| kick.0 < self.course.end);
+        grips.extend(last.map(|kick| swing.point((kick.0, 0.0))));
         grips
     }
 
+    /// The tub and the load.
+    fn bodies(&self, moment: &Moment) -> Vec<(Point, f64)> {
+        let state = self.course.at(moment.time);
+        state.and_then(|state| Ok(self.drum(&state, moment)?.bodies())).unwrap_or_default()
+    }
+
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
-        let [force, _, swing] = self.plots(moment.room);
-        match self.grips(moment).get(grip) {
-            Some(from) if (to.x - from.x).abs() >= 0.25 => (),
+        let ([force, _, swing], grips) = (self.plots(moment.room), self.grips(moment));
+        let places = grips.iter().copied().chain(self.bodies(moment).into_iter().map(|body| body.0));
+        match places.skip(grip).next() {
+            Some(from) if (to.x - from.x).abs() >= 0.25 || (grip >= grips.len() && from != to) => (),
             _ => return Vec::new(), // a touch
+        }
+        if grip >= grips.len() {
+            return self.pull(grip > grips.len(), to, moment).unwrap_or_default();
         }
         if grip == 0 {
             return vec![("spin", force.value(to).0)];
         }
-        let before = self.course.kicks.iter().rev().nth(1).copied().unwrap_or(0.0);
+        let before = self.course.kicks.iter().rev().nth(1).map_or(0.0, |kick| kick.0);
         vec![("kick", swing.value(to).0.min(self.course.end - 0.1).max(before))]
     }
 

@@ -1,6 +1,6 @@
 //! How the shaft moves: parts between the moments at which the drum stops speeding up or the machine is kicked.
 
-use super::{ACCELERATION, DRUM_INERTIA, GAUSS, KICK, LARGEST_SWING, LASTS, WEAK_LASTS, steady};
+use super::{ACCELERATION, DRUM_INERTIA, GAUSS, LARGEST_SWING, LASTS, WEAK_LASTS, steady};
 use live::prelude::*;
 use mechanics::integrate::{Dop853, rk4_step};
 use mechanics::scenes::laundromat::{
@@ -179,6 +179,9 @@ impl Part {
     }
 }
 
+/// When the machine is kicked, s, and by how much that changes the velocity of its shaft, m/s.
+pub(super) type Kick = (f64, Complex<f64>);
+
 /// The motion from its beginning to its end, and what comes of it.
 pub(super) struct Course {
     pub machine: Machine,
@@ -191,10 +194,10 @@ pub(super) struct Course {
     pub speeds_up: bool,
     /// With its motor, if that is a weak one.
     pub driven: Option<DrivenMachine>,
-    /// The times of the kicks, s, in their order.
-    pub kicks: Vec<f64>,
+    /// The times of the kicks, s, in their order, each with the change of the shaft's velocity, m/s.
+    pub kicks: Vec<Kick>,
     /// The azimuth of the load at the beginning.
-    phase: f64,
+    pub phase: f64,
     /// When it ends, s, and whether it does because the tub strikes its housing.
     pub end: f64,
     pub strikes: bool,
@@ -215,7 +218,7 @@ impl Course {
         spin: f64,
         is_radial: bool,
         drive: Drive,
-        (phase, kicks): (f64, Vec<f64>),
+        (phase, kicks): (f64, Vec<Kick>),
     ) -> Result<Self, Cause> {
         let machine = still.with_spin(spin)?;
         let (run_up, end, driven) = match drive {
@@ -241,7 +244,7 @@ impl Course {
             is_radial,
             speeds_up: run_up > 0.0 || driven.is_some(),
             driven,
-            kicks: kicks.into_iter().filter(|time| *time < end).collect(),
+            kicks: kicks.into_iter().filter(|(time, _)| *time < end).collect(),
             phase,
             end,
             strikes: false,
@@ -265,7 +268,7 @@ impl Course {
             let position = steady.amplitude() * now.load();
             now.shaft = Shaft { position, velocity: Complex::new(0.0, machine.spin()) * position };
         }
-        let mut cuts = [&[0.0, run_up], &kicks[..]].concat();
+        let mut cuts: Vec<f64> = [0.0, run_up].into_iter().chain(kicks.iter().map(|kick| kick.0)).collect();
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
         cuts.push(self.end);
@@ -274,7 +277,8 @@ impl Course {
             if let Some(part) = self.parts.last() {
                 now = part.at(from)?;
             }
-            now.shaft.velocity += KICK * kicks.iter().filter(|kick| **kick == from).count() as f64;
+            now.shaft.velocity +=
+                kicks.iter().filter(|kick| kick.0 == from).map(|kick| kick.1).sum::<Complex<_>>();
             if let Some(driven) = self.driven {
                 self.parts.push(Part::driven(driven, &now, [from, span[1]])?);
                 continue;
@@ -332,7 +336,7 @@ impl Course {
 
     /// Whether the machine has been kicked by a time.
     pub(super) fn is_kicked(&self, time: f64) -> bool {
-        self.kicks.first().is_some_and(|kick| *kick <= time)
+        self.kicks.first().is_some_and(|kick| kick.0 <= time)
     }
 
     /// The force of springs and dampers on the floor, N: minus what they do to a drum that does not turn, and what the
@@ -353,8 +357,8 @@ impl Course {
             left += self.force(&self.at(from + place * (time - from))?) * (weight * (time - from));
         }
         left += self.momentum(&self.at(time)?) - self.momentum(&self.at(0.0)?);
-        let kicks = self.kicks.iter().filter(|kick| (f64::MIN_POSITIVE..=time).contains(*kick)).count();
-        left -= KICK * (self.machine.total_mass() * kicks as f64);
+        let kicks = self.kicks.iter().filter(|kick| (f64::MIN_POSITIVE..=time).contains(&kick.0));
+        left -= kicks.map(|kick| kick.1).sum::<Complex<_>>() * self.machine.total_mass();
         Ok(left.norm())
     }
 

@@ -1,6 +1,6 @@
 //! The picture: the drum with its load in a tub, between posts on a floor.
 
-use super::course::{Course, State};
+use super::course::{Course, Kick, State};
 use live::prelude::*;
 use nalgebra::Complex;
 use std::f64::consts::FRAC_PI_4;
@@ -9,8 +9,9 @@ use std::f64::consts::FRAC_PI_4;
 /// times that of a metre of the drum.
 const LOAD: f64 = 0.82;
 const METRE: f64 = 5.0 * LOAD / 0.25;
-/// The length of a newton in it.
+/// The length of a newton in it, and of a metre a second of a kick.
 const FORCE: f64 = 0.01;
+const KICK: f64 = 2.0;
 /// The outer radius of the tub; the heights of its upper rim, of springs, and of the floor.
 const TUB: f64 = 1.17;
 const RIM: f64 = 0.02;
@@ -54,6 +55,35 @@ impl<'a> Drum<'a> {
     /// A place at a height on the page: all of them lie in front of the eye, which is far away.
     fn land(&self, place: Complex<f64>, height: f64) -> Point {
         self.camera.on_page([place.re, place.im, height]).unwrap_or_default()
+    }
+
+    /// The place at the height of the rim that is seen at a point. The eye is far away, so that the page is nearly a linear
+    /// map of the floor.
+    fn under(&self, point: Point) -> Complex<f64> {
+        let mut place = self.shaft;
+        for _ in 0..4 {
+            let here = self.land(place, RIM);
+            let [x, y] = [Complex::ONE, Complex::I].map(|step| self.land(place + step, RIM) - here);
+            let (off, area) = (point - here, x.x * y.y - x.y * y.x);
+            place += Complex::new(off.x * y.y - off.y * y.x, x.x * off.y - x.y * off.x) / area;
+        }
+        place
+    }
+
+    /// Where a hand takes hold of the tub, in its middle, and of the load, and how far around, px.
+    pub(super) fn bodies(&self) -> Vec<(Point, f64)> {
+        let load = self.state.load() * LOAD;
+        vec![(self.land(self.shaft, RIM), 36.0), (self.land(self.shaft + load, RIM), 24.0)]
+    }
+
+    /// How far a hand has drawn the middle of the tub from where it is, m of swing.
+    pub(super) fn pulled(&self, to: Point) -> Complex<f64> {
+        (self.under(to) - self.shaft) / METRE
+    }
+
+    /// By which angle a hand has turned the load about O, and with it all that goes round steadily.
+    pub(super) fn turned(&self, to: Point) -> f64 {
+        (self.under(to) * (self.shaft + self.state.load() * LOAD).conj()).arg()
     }
 
     /// A level arc, with points closer together on a large one.
@@ -246,10 +276,13 @@ impl<'a> Drum<'a> {
                 kit::head(drawing, *tip, *tip - *neck, 1.0, Hue::Orange);
             }
         }
-        if self.course.kicks.iter().any(|kick| (0.0..0.12).contains(&(self.time - kick))) {
-            let wall = self.shaft - TUB;
-            kit::arrow(drawing, self.land(wall - 0.8, RIM), self.land(wall, RIM), Hue::Pink);
-            drawing.label(self.land(wall - 0.9, RIM), Side::Over, "kick", Hue::Pink)?;
+        let is_seen = |kick: &&Kick| (0.0..0.12).contains(&(self.time - kick.0)) && kick.1.norm() > 0.0;
+        if let Some((_, change)) = self.course.kicks.iter().rev().find(is_seen) {
+            let (way, length) = (change / change.norm(), KICK * change.norm());
+            let places = [length, 0.0].map(|before| self.land(self.shaft - way * (TUB + before), RIM));
+            kit::arrow(drawing, places[0], places[1], Hue::Pink);
+            let beyond = self.land(self.shaft - way * (TUB + length + 0.1), RIM);
+            drawing.label(beyond, Side::Over, "kick", Hue::Pink)?;
         }
         Ok(())
     }

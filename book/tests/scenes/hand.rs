@@ -110,9 +110,14 @@ impl Hand {
         self.player.grips()
     }
 
-    /// Where a body can be taken hold of in the picture that was drawn last, px.
+    /// Where the first body can be taken hold of in the picture that was drawn last, px.
     pub(crate) fn body(&self) -> Point {
-        self.player.bodies()[0].0
+        self.bodies()[0]
+    }
+
+    /// Where its bodies can be taken hold of in the picture that was drawn last, px.
+    pub(crate) fn bodies(&self) -> Vec<Point> {
+        self.player.bodies().into_iter().map(|body| body.0).collect()
     }
 
     /// Takes hold of what is at a point, if anything is, draws it to another, and draws the same moment again.

@@ -1,7 +1,7 @@
 //! The scene of the laundromat against small steps of Newton's equations, and formulas.
 
 use crate::hand::{Hand, number_behind};
-use drawing::{Hue, Role, Shape, Stroke};
+use drawing::{Hue, Role, Shape, Stroke, at};
 use fastrand::Rng;
 use live::Room;
 use mechanics::integrate::rk4;
@@ -122,6 +122,41 @@ fn a_run_up_with_a_kick_is_what_small_steps_give() {
 }
 
 #[test]
+fn a_tub_that_is_pulled_and_let_go_swings_out_as_far_as_the_hand_drew_it() {
+    // Of a drum that stands still, without damping: a quarter of a swing later.
+    for room in [Room::Wide, Room::Narrow] {
+        for (from, to) in [(at(3.0, -5.0), at(40.0, 12.0)), (at(-9.0, 0.0), at(-31.0, -17.0))] {
+            let mut hand = washer(&[("spin", 0.0), ("damping", 0.0)]);
+            hand.draw(1.0, room);
+            let rest = hand.body();
+            assert!(hand.pull(rest + from, rest + from + to), "nothing is held");
+            assert_eq!(hand.value("kick"), 1.0);
+            assert!((hand.body() - rest).length() < 1e-9, "it has its velocity, and is still there");
+            hand.draw(1.0 + 0.25 * TAU / NATURAL, room);
+            let off = (hand.body() - rest - to).length();
+            assert!(off < 1.5, "{room:?}: {off} px from where the hand has been");
+        }
+    }
+}
+
+#[test]
+fn a_load_that_is_drawn_round_takes_the_whole_picture_along() {
+    for room in [Room::Wide, Room::Narrow] {
+        let drawn = |settings: &[(&str, f64)]| {
+            let mut hand = washer(settings);
+            hand.draw(2.0, room);
+            hand
+        };
+        let (mut hand, there) = (drawn(&[("spin", 10.0)]), drawn(&[("spin", 10.0), ("phase", 2.5)]));
+        let (from, to) = (hand.bodies()[1], there.bodies()[1]);
+        assert!((from - to).length() > 30.0 && hand.pull(from, to));
+        assert!((hand.bodies()[1] - to).length() < 1.0, "the load is not where it was drawn");
+        assert!((hand.reading(2.0, "shaft") - there.reading(2.0, "shaft")).abs() < 0.11);
+        assert_eq!(hand.value("kick"), -1.0, "nobody has kicked it");
+    }
+}
+
+#[test]
 fn a_radial_damper_holds_until_it_is_kicked() {
     let settings = [("spin", 22.0), ("damping", 0.3), ("damper", 1.0)];
     let free = Drum { spin: 22.0, ..Drum::default() };
@@ -184,11 +219,12 @@ fn the_drum_hums_eight_times_a_turn_as_loud_as_the_floor_feels() {
 #[test]
 fn a_second_kick_acts_on_the_motion_as_it_is() {
     let drum = Drum { spin: 22.0, floor: 3.0, ..Drum::default() };
-    let twice = washer(&[("spin", 22.0), ("kick", 1.1)]).pressed("kick", &[[0.4, 0.0, 0.0]]);
+    let controls = [("spin", 22.0), ("kick", 1.1), ("push", 0.3), ("way", 90.0)];
+    let twice = washer(&controls).pressed("kick", &[[0.4, KICK, 0.0]]);
     for end in [0.9_f64, 1.6] {
         let mut state = drum.after(drum.start(), 0.4, end.min(1.1));
         if end > 1.1 {
-            state[2] += KICK;
+            state[3] += 0.3;
             state = rk4(|time, state: &[f64; 4]| drum.rates(time, state), 1.1, state, end, 20_000)
                 .expect("steps");
         }

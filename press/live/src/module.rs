@@ -157,22 +157,27 @@ pub fn sound(time: f64) -> usize {
     count
 }
 
-/// Which grip or body of the picture a hand takes hold of at a point, a grip not further from it than `reach`, px; −1
-/// for none.
+/// Which grip of the picture, from 0 on, or which body, from −2 down, a hand takes hold of at a point, a grip not further
+/// from it than `reach`, px; −1 for none.
 pub fn grip(x: f64, y: f64, reach: f64) -> i32 {
     let mut found = -1;
     with(|player| {
-        found = player.hold(at(x, y), reach).map_or(-1, |index| index as i32);
+        let grips = player.grips().len() as i32;
+        found = player.hold(at(x, y), reach).map_or(-1, |index| {
+            let index = index as i32;
+            if index < grips { index } else { grips - index - 2 }
+        });
         Ok(String::new())
     });
     found
 }
 
-/// Draws a grip to a point: how many values of controls stand in [`input`] then.
-pub fn drag(grip: usize, x: f64, y: f64) -> usize {
+/// Draws a grip or a body, see [`grip`](fn@grip), to a point: how many values of controls stand in [`input`] then.
+pub fn drag(grip: i32, x: f64, y: f64) -> usize {
     let mut count = 0;
     with(|player| {
-        let values = player.drag(grip, at(x, y))?;
+        let index = if grip < 0 { player.grips().len() as i32 - grip - 2 } else { grip };
+        let values = player.drag(index as usize, at(x, y))?;
         count = values.len();
         leave(&values);
         Ok(String::new())
@@ -251,7 +256,7 @@ macro_rules! pages {
             words(time: f64) -> isize;
             sound(time: f64) -> usize;
             grip(x: f64, y: f64, reach: f64) -> i32;
-            drag(grip: usize, x: f64, y: f64) -> usize;
+            drag(grip: i32, x: f64, y: f64) -> usize;
         }
 
         /// Begins or changes a scene.

@@ -73,7 +73,7 @@ impl Player {
     }
 
     /// The scene with other values at a time, as [`with`](Self::with): what it [keeps](crate::Motion::kept) is the same
-    /// there, so that nothing leaps under the hand.
+    /// there, so that nothing leaps under the hand, unless it is what the hand has turned.
     ///
     /// # Errors
     /// As for [`with`](Self::with).
@@ -83,8 +83,9 @@ impl Player {
         let mut turned = Vec::new();
         for ((name, before), (_, after)) in before?.into_iter().zip(after?) {
             let gap = (before - after + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
-            let value = values[place_of(self.scene.controls, name)?];
-            if gap.abs() > 1e-5 {
+            let place = place_of(self.scene.controls, name)?;
+            let value = values[place];
+            if gap.abs() > 1e-5 && value == self.values[place] {
                 turned.push((name, (1e5 * (value + gap).rem_euclid(TAU)).round() / 1e5)); // as a link gives it
             }
         }

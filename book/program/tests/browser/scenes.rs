@@ -1079,6 +1079,43 @@ fn a_body_is_drawn_by_the_mouse_and_lets_the_page_scroll_beside_it() {
 }
 
 #[test]
+fn a_tub_that_is_pulled_waits_for_the_hand_and_one_pull_adds_to_another() {
+    let Some(mut browser) = open("pulls") else { return };
+    let drum = drum();
+    let mut shown = drum.still(&mut browser, WIDE, "");
+    let picture = format!("seen({})", drum.figure);
+    let time = format!("Number({}.value)", shown.part(".time"));
+    for count in 1..=2 {
+        let now = shown.number(&time);
+        let values = shown.values();
+        let mut player = Player::with(drum.scene, values).unwrap();
+        let [azimuth, elevation] = drum.scene.view.unwrap();
+        player.draw(Moment { time: now, azimuth, elevation, room: Room::Wide }).unwrap();
+        let body = player.bodies()[0].0;
+        place(&mut shown, &picture, 0.5);
+        let point = shown.get(&format!(
+            "(() => {{ const p = new DOMPoint({}, {}).matrixTransform({picture}.getScreenCTM()); return [p.x, p.y]; }})()",
+            body.x, body.y
+        ));
+        let from = [0, 1].map(|k| point[k].as_f64().expect("a place"));
+        let [before, after] = [shown.values(), {
+            shown.swipe(from, [from[0] + 30.0, from[1] + 8.0]);
+            shown.wait_for_button("Pause"); // it is let go
+            shown.click(".play");
+            shown.settle();
+            shown.values()
+        }];
+        let kick = drum.scene.controls.iter().position(|control| control.name == "kick").unwrap();
+        assert_ne!(before[kick], after[kick]);
+        assert!((after[kick] - now).abs() < 1e-5, "pulled at {now}, not at {}", after[kick]);
+        assert!(shown.number(&time) > now, "the motion goes on");
+        assert_eq!(after.len(), drum.scene.controls.len() + 5 * (count - 1), "{after:?}");
+        shown.agrees();
+    }
+    shown.has_no_faults();
+}
+
+#[test]
 fn a_reader_who_asks_for_calm_sees_what_a_preset_is_about() {
     let Some(mut browser) = open("calm") else { return };
     let drum = drum();
