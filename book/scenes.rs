@@ -65,6 +65,8 @@ pub const SCENES: &[(&str, &Scene)] = &[
     ("pinned-hoop", &pinned_hoop::SCENE),
     ("top", &top::SCENE),
     ("rolling-wheel", &rolling_wheel::SCENE),
+    ("rolling-wheel/index", &rolling_wheel::tongue::SCENE),
+    ("rolling-wheel/index", &rolling_wheel::closing::SCENE),
     ("rolling-wheel/stability", &near_flat::SCENE),
     ("spinning-coin", &spinning_coin::SCENE),
     ("spinning-coin/index", &cap::SCENE),

@@ -19,7 +19,6 @@ pub(crate) const FIGURES: &[Figure] = figures![
     wheel_circle,
     rim_and_table,
     turn_rate,
-    tongue,
     tongue_tips,
     near_flat_turn,
     potential,
@@ -249,29 +248,6 @@ fn draw_tongue(plot: &mut Plot<'_>, edge: Vec<(f64, f64)>, [from, to]: [f64; 2])
     let corners = edge.iter().chain(&[(to, 0.0), (from, 0.0)]).map(|&corner| plot.at(corner)).collect();
     plot.drawing().polygon(corners, Fill::Ground, Hue::Ink);
     plot.curve("disc", edge, Stroke::Border, Hue::Ink);
-}
-
-/// The boundary of instability in the plane of radius and lean.
-pub(crate) fn tongue(id: &str) -> Outcome {
-    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
-        "Where steady rolling is unstable",
-        "The lean in degrees, from 0 to 30, against b over a from 0 to 4, with a curve for a hoop and one for a disc; below each the motion is unstable, and the region below the disc’s is shaded. Each rises from zero steeply to a tip near \
-         19 degrees at small b, and comes down along a falling curve towards large b. Two dots at b = 0.8 a, one at 12 degrees in the shaded region, one at 26 degrees above it, are the circles of the guess.",
-    );
-    let b = Axis::linear(0.0, 4.0, 1.0).minor(0.2).titled("radius of the centre’s circle $b/a$");
-    let lean = Axis::linear(0.0, 30.0, 10.0).minor(2.0).titled(r"lean $\theta$, degrees");
-    let mut plot = Plot::new(&mut drawing, Rect::new(40.0, 34.0, 325.0, 246.0), b, lean)?;
-    draw_tongue(&mut plot, edge(&wheel(MomentFactors::DISK)?)?, [0.0, 4.0]);
-    let hoop = edge(&wheel(MomentFactors::HOOP)?)?;
-    plot.curve("hoop", hoop.into_iter().filter(|&(b, _)| b <= 4.0), Stroke::Orbit, Hue::Muted);
-    plot.markers(&[(0.8, 12.0), (0.8, 26.0)], Marker::Disc, Hue::Ink);
-    plot.label((0.84, 12.0), Side::Right, "$12°$: lost", Hue::Ink)?;
-    plot.label((0.84, 26.0), Side::Right, "$26°$: held", Hue::Ink)?;
-    plot.label((0.5, 21.0), Side::Over, "hoop", Hue::Muted)?;
-    plot.label((1.85, 9.0), Side::Over, "disc", Hue::Ink)?;
-    plot.label((2.9, 17.0), Side::Over, "stable", Hue::Ink)?;
-    plot.label((1.6, 4.0), Side::Over, "unstable", Hue::Ink)?;
-    Ok(drawing)
 }
 
 /// Wheels whose tongues are compared: name, label and its place, moments, stroke and hue.

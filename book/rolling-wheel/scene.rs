@@ -5,8 +5,12 @@ use mechanics::rolling::{MomentFactors, Rolling};
 use nalgebra::{Complex, Vector3};
 use rolled::{Course, GRAVITY, MASS, RADIUS, Rolled, WEIGHTS, is_flat};
 
+#[path = "scene/closing.rs"]
+pub(super) mod closing;
 #[path = "scene/rolled.rs"]
 mod rolled;
+#[path = "scene/tongue.rs"]
+pub(super) mod tongue;
 
 pub(crate) const SCENE: Scene = Scene {
     file: file!(),
@@ -161,7 +165,9 @@ impl Rolled {
         let way = |from: usize, to: usize| -> Vec<Point> {
             self.contacts[from - 1..to].iter().map(|&contact| place(contact)).collect()
         };
-        let (coming, past) = (way(reached, self.states.len()), way(1, recent));
+        // How a wheel goes on that is slowed is what a reader is to guess.
+        let end = if self.loss == 0.0 { self.states.len() } else { reached };
+        let (coming, past) = (way(reached, end), way(1, recent));
         let mut heavy = way(recent, reached);
         heavy.push(place(here));
         for (points, stroke) in [(coming, Stroke::Pale), (past, Stroke::Orbit), (heavy, Stroke::Curve)] {

@@ -24,14 +24,14 @@ const MOST_PARTS: f64 = 12.0;
 pub(super) const WEIGHTS: usize = 2;
 
 /// The disc, 0, the hoop, 1, or, 2, a hoop with as much mass in two weights on its axle, so far out, in radii.
-fn wheel(which: usize, far: f64) -> Result<Wheel, InvalidQuantity> {
+pub(super) fn wheel(which: usize, far: f64) -> Result<Wheel, InvalidQuantity> {
     let weighted = MomentFactors { transverse: 0.25 + 0.5 * far * far, axial: 0.5 };
     let moments = [MomentFactors::DISK, MomentFactors::HOOP, weighted][which];
     Wheel::new(DiskParameters { mass: MASS, radius: RADIUS, moments, gravity: GRAVITY })
 }
 
 /// The edge of the tongue on the map: b/a and leans, degrees, from the inner edge over the tip to the outer one.
-fn tongue(wheel: &Wheel) -> Vec<(f64, f64)> {
+pub(super) fn tongue(wheel: &Wheel) -> Vec<(f64, f64)> {
     let tip = wheel.safe_lean();
     // Closer together towards the upright and the tip, where the edges bend.
     let leans = (1..60).map(|k| f64::from(k) / 60.0).map(|part| tip * (1.0 - (1.0 - part * part).powi(2)));
@@ -86,14 +86,38 @@ pub(super) struct Rolled {
     pub(super) liveliest: f64,
 }
 
+/// What a wheel is, and how it begins: the names are those of [`Rolled`].
+#[derive(Default)]
+pub(super) struct Given {
+    pub(super) which: usize,
+    pub(super) far: f64,
+    pub(super) lean: f64,
+    pub(super) circle: f64,
+    pub(super) push: f64,
+    pub(super) loss: f64,
+    pub(super) kicks: Vec<Press>,
+    pub(super) turned: [f64; 2],
+}
+
 impl Rolled {
     pub(super) fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let which = settings.choice("wheel")?;
-        let far = settings.of("reach")?;
+        let given = Given {
+            which: settings.choice("wheel")?,
+            far: settings.of("reach")?,
+            lean: settings.of("lean")?.to_radians(),
+            circle: settings.of("circle")?,
+            push: settings.of("push")?,
+            loss: settings.of("loss")?,
+            kicks: settings.presses("kick")?,
+            turned: [settings.of("heading")?, settings.of("roll")?],
+        };
+        let kept = settings.kept(|settings| Ok(Box::new(Self::new(settings)?)));
+        Ok(Self { kept, ..Self::of(given)? })
+    }
+
+    pub(super) fn of(given: Given) -> Result<Self, Cause> {
+        let Given { which, far, lean, circle, push, loss, kicks, turned } = given;
         let wheel = wheel(which, far)?;
-        let (lean, circle) = (settings.of("lean")?.to_radians(), settings.of("circle")?);
-        let (push, loss, kicks) = (settings.of("push")?, settings.of("loss")?, settings.presses("kick")?);
-        let turned = [settings.of("heading")?, settings.of("roll")?];
         let steady = wheel.steady(lean, circle * RADIUS).ok();
         let [heading, roll_angle] = turned;
         let rest = Rolling { tilt: FRAC_PI_2 - lean, heading, roll_angle, ..Rolling::UPRIGHT };
@@ -122,7 +146,7 @@ impl Rolled {
         let is_followed = matches!(course, Course::Followed(_));
         let on_step = |time: f64| if is_followed { (time / STEP).round() * STEP } else { time };
         let mut rolled = Self {
-            kept: settings.kept(|settings| Ok(Box::new(Self::new(settings)?))),
+            kept: None,
             tongue: tongue(&wheel),
             wheel,
             which,

@@ -146,8 +146,8 @@ fn the_ledge_and_its_hollow_are_the_energy_of_the_spins_and_of_the_height() {
 #[test]
 fn the_tongues_are_bounded_by_the_unstable_circles() {
     for (figure, name, wheel) in [
-        ("tongue", "hoop", wheel(0.5, 1.0)),
-        ("tongue", "disc", wheel(0.25, 0.5)),
+        ("tongue-tips", "hoop", wheel(0.5, 1.0)),
+        ("tongue-tips", "disc", wheel(0.25, 0.5)),
         ("tongue-tips", "weights", wheel(2.0, 0.5)),
         ("tongue-tips", "beads", wheel(0.1, 0.002)),
     ] {

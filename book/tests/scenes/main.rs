@@ -18,11 +18,13 @@ mod middle_axis;
 mod near_flat;
 mod pinned_hoop;
 mod rolling_wheel;
+mod small_wheels;
 mod space_station;
 mod speeds;
 mod spinning_coin;
 mod star;
 mod top;
 mod turning;
+
 mod wobble_plate;
 mod words;
