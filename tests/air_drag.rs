@@ -1,10 +1,8 @@
 //! Spinning down in air: equations (53) to (58), (3) and (4), and where the axis goes.
 
-mod common;
-mod printed;
-
+use crate::common::between;
+use crate::printed::corrected_holds_and_printed_fails;
 use approx::assert_relative_eq;
-use common::between;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::{Body, PrincipalMoments, Spheroid, SymmetricMoments};
@@ -12,7 +10,6 @@ use mechanics::integrate::{Dop853, rk4};
 use mechanics::scenes::air_drag::{AxisTrend, Drag, DraggedTop, DraggedTopParameters, ThrownTop};
 use nalgebra::{UnitQuaternion, Vector3};
 use num_dual::{Dual64, DualNum};
-use printed::corrected_holds_and_printed_fails;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 const ROUNDING: f64 = 1e-13;

@@ -1,15 +1,13 @@
 //! The pinned hoop: equations (59) to (71), each by a route that shares no code with it, and the free motion
 //! afterwards.
 
-mod printed;
-
+use crate::printed::corrected_holds_and_printed_fails;
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
 use mechanics::integrate::Dop853;
 use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector3};
-use printed::corrected_holds_and_printed_fails;
 use serde_json::Value;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::AddAssign;

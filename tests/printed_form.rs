@@ -1,8 +1,6 @@
 //! The judge of the corrected equations accepts what it should, and nothing else.
 
-mod printed;
-
-use printed::corrected_holds_and_printed_fails;
+use crate::printed::corrected_holds_and_printed_fails;
 use std::panic::catch_unwind;
 
 #[test]

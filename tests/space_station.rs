@@ -1,7 +1,6 @@
 //! The struck space station: equations (48) to (52), the printed ones that fail, and what the station does afterwards.
 
-mod printed;
-
+use crate::printed::corrected_holds_and_printed_fails;
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
 use mechanics::euler::{self, Turning};
@@ -9,7 +8,6 @@ use mechanics::inertia::Body;
 use mechanics::integrate::Dop853;
 use mechanics::scenes::space_station::{Blow, LaterBlow, Station, StationParameters, StruckStation};
 use nalgebra::{UnitQuaternion, Vector3};
-use printed::corrected_holds_and_printed_fails;
 use std::f64::consts::TAU;
 use std::ops::AddAssign;
 

@@ -1,7 +1,7 @@
 //! Bodies, free tops and their scenes: coin, station, drag.
 
-use crate::Sign::{Any, NotNegative, NotZero, Positive};
-use crate::{Setter, brick, every_number_is_checked, message, turning};
+use super::Sign::{Any, NotNegative, NotZero, Positive};
+use super::{Setter, brick, every_number_is_checked, message, turning};
 use mechanics::euler::Turning;
 use mechanics::free_rotation::{FreeSymmetricTop, FreeTop};
 use mechanics::inertia::{Body, Cylinder, InertiaTensor, PrincipalMoments, Ring, Spheroid};

@@ -1,7 +1,7 @@
 //! The washing machine, its motion, and the integrators.
 
-use crate::Sign::{Any, NotNegative, Positive};
-use crate::{Setter, every_number_is_checked};
+use super::Sign::{Any, NotNegative, Positive};
+use super::{Setter, every_number_is_checked};
 use mechanics::integrate::{Direction, Dop853, Failure, Taylor, rk4};
 use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Shaft};
 use mechanics::{InvalidQuantity, Rule};

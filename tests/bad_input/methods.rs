@@ -1,6 +1,6 @@
 //! The methods that only turn.
 
-use crate::{brick, turning};
+use super::{brick, turning};
 use mechanics::euler::Turning;
 use mechanics::geometric::{Splitting, commutator_free};
 use mechanics::integrate::Failure;

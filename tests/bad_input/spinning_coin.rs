@@ -1,7 +1,7 @@
 //! Wheels, and coins that spin down.
 
-use crate::Sign::{NotNegative, Positive};
-use crate::{Setter, every_number_is_checked, message};
+use super::Sign::{NotNegative, Positive};
+use super::{Setter, every_number_is_checked, message};
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wheel;

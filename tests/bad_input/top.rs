@@ -1,7 +1,7 @@
 //! Tops under gravity.
 
-use crate::Sign::{Any, NotNegative, Positive};
-use crate::{Setter, every_number_is_checked, message};
+use super::Sign::{Any, NotNegative, Positive};
+use super::{Setter, every_number_is_checked, message};
 use mechanics::euler::Turning;
 use mechanics::inertia::Body;
 use mechanics::scenes::top::{Release, Top, TopParameters};

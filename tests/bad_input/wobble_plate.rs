@@ -1,7 +1,7 @@
 //! Plates, pistons and masses that balance nothing.
 
-use crate::Sign::{Any, NotNegative, Positive};
-use crate::{every_number_is_checked, message};
+use super::Sign::{Any, NotNegative, Positive};
+use super::{every_number_is_checked, message};
 use mechanics::scenes::wobble_plate::{Piston, PistonParameters, Pistons, Plate, PlateParameters, Unbalance};
 
 const PLATE: PlateParameters = PlateParameters { mass: 2.0, radius: 0.1, thickness: 0.0, tilt: 0.4 };

@@ -1,7 +1,7 @@
 //! Differences of nearly equal numbers: the flat coin, high spin, the separatrix's parameter, heavy and
 //! critical damping.
 
-use crate::{FEW_ULPS, ROUNDOFF, TOY, assert_level, assert_slope, machine, number, numbers, relative, rows};
+use super::{FEW_ULPS, ROUNDOFF, TOY, assert_level, assert_slope, machine, number, numbers, relative, rows};
 use mechanics::elliptic::quarter_period;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;

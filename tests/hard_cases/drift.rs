@@ -1,6 +1,6 @@
 //! Length of the quaternion, energy and attitude over many periods of a tumbling hoop.
 
-use crate::{FEW_ULPS, assert_level, assert_slope, data, number, numbers};
+use super::{FEW_ULPS, assert_level, assert_slope, data, number, numbers};
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;

@@ -1,6 +1,6 @@
 //! A motion that ends: the tilt of a spinning coin, with a loss that grows without bound.
 
-use crate::{FEW_ULPS, ROUNDOFF, TOY, assert_level, assert_slope, number, relative, rows};
+use super::{FEW_ULPS, ROUNDOFF, TOY, assert_level, assert_slope, number, relative, rows};
 use mechanics::integrate::{Dop853, Failure, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::spinning_coin::{Loss, SpinDown, SpinningCoin};

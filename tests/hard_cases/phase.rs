@@ -1,6 +1,6 @@
 //! The phase Ωt after a long time: one rounding, and many.
 
-use crate::{ROUNDOFF, assert_level, assert_slope, machine, number, rows};
+use super::{ROUNDOFF, assert_level, assert_slope, machine, number, rows};
 use mechanics::scenes::laundromat::Machine;
 use nalgebra::Complex;
 

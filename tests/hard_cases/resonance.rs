@@ -1,6 +1,6 @@
 //! At resonance and one rounding beside it.
 
-use crate::{FEW_ULPS, machine};
+use super::{FEW_ULPS, machine};
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
 

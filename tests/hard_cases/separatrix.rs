@@ -1,6 +1,6 @@
 //! A free hoop next to its middle axis: what no stepping method can keep.
 
-use crate::{FEW_ULPS, ROUNDOFF, assert_level, assert_slope, number, numbers, rows};
+use super::{FEW_ULPS, ROUNDOFF, assert_level, assert_slope, number, numbers, rows};
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;

@@ -1,6 +1,6 @@
 //! Steps and tolerances at the edge of rounding, and steps that heavy damping forces to be short.
 
-use crate::{ROUNDOFF, assert_slope, machine};
+use super::{ROUNDOFF, assert_slope, machine};
 use mechanics::integrate::{Dop853, rk4};
 use mechanics::scenes::laundromat::Shaft;
 use std::f64::consts::TAU;

@@ -1,7 +1,7 @@
 //! Division by what vanishes: a shaft that passes the origin of its polar coordinates, a wheel that almost falls flat, a
 //! top that passes the pole of its angles.
 
-use crate::{FEW_ULPS, ROUNDOFF, assert_level, assert_slope, machine, number, numbers, relative, rows};
+use super::{FEW_ULPS, ROUNDOFF, assert_level, assert_slope, machine, number, numbers, relative, rows};
 use mechanics::attitude::rotation_between;
 use mechanics::euler::Turning;
 use mechanics::integrate::{Dop853, Failure, Taylor, Work, rk4};

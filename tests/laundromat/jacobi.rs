@@ -1,6 +1,6 @@
 //! The Jacobi integral: what it is, what dampers do to it, and that it stays.
 
-use crate::unit_machine;
+use super::unit_machine;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
 

@@ -1,7 +1,7 @@
 //! Equations (22) to (30): small disturbances in polar coordinates.
 
+use super::{ROUNDING, letters, machines, washer};
 use crate::printed::corrected_holds_and_printed_fails;
-use crate::{ROUNDING, letters, machines, washer};
 use mechanics::scenes::laundromat::Machine;
 use nalgebra::{Complex, Matrix4, SVector};
 use num_dual::{DualNum, DualSVec64, jacobian};

@@ -1,7 +1,7 @@
 //! Equations (6) to (15): the motion and how it is written down.
 
+use super::{ROUNDING, WASHER, letters, machines, newton, washer};
 use crate::printed::corrected_holds_and_printed_fails;
-use crate::{ROUNDING, WASHER, letters, machines, newton, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Polar, Shaft};

@@ -1,8 +1,8 @@
 //! Equations (32) and (33), and the orbit that one mode makes.
 
-use crate::linear::{numerical_modes, separated};
+use super::linear::{numerical_modes, separated};
+use super::{letters, washer};
 use crate::printed::corrected_holds_and_printed_fails;
-use crate::{letters, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{Machine, Shaft};

@@ -1,7 +1,7 @@
 //! A slow passage through the resonance without damping: Fresnel's integral, by Simpson's rule, against the closed
 //! form of the ramp, which is Faddeeva's function.
 
-use crate::WASHER;
+use super::WASHER;
 use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;

@@ -1,6 +1,6 @@
 //! The damper on the radius alone: its force, and its matrix, which is the derivative of the motion.
 
-use crate::machines;
+use super::machines;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Polar, Shaft};
 use nalgebra::{Complex, Matrix4, Vector4};
 

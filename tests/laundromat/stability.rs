@@ -1,7 +1,7 @@
 //! Equations (21) and (31): what is stable, and why.
 
-use crate::linear::{eigenvalues, scale};
-use crate::{ROUNDING, letters, machines, newton, washer};
+use super::linear::{eigenvalues, scale};
+use super::{ROUNDING, letters, machines, newton, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Polar, Shaft};

@@ -1,7 +1,7 @@
 //! Equations (16) to (20): steady motion, self-centring, and what the motor pays.
 
+use super::{ROUNDING, WASHER, letters, machines, washer};
 use crate::printed::corrected_holds_and_printed_fails;
-use crate::{ROUNDING, WASHER, letters, machines, washer};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};

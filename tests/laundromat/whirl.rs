@@ -1,6 +1,6 @@
 //! Friction that turns with the drum: what it does to the roots, when it makes the shaft whirl, and the whole motion.
 
-use crate::{ROUNDING, letters, machines, newton, washer};
+use super::{ROUNDING, letters, machines, newton, washer};
 use approx::assert_relative_eq;
 use mechanics::scenes::laundromat::{Machine, Rotor, Shaft};
 use nalgebra::Complex;

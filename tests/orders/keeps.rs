@@ -1,6 +1,6 @@
 //! Every method keeps, of a free body, what the table says, and nothing else that the table knows of.
 
-use crate::{Run, brick, run};
+use super::{Run, brick, run};
 use mechanics::euler::Turning;
 use mechanics::integrate::METHODS;
 use mechanics::integrate::methods::Kept;

@@ -1,6 +1,6 @@
 //! RK4 and DOP853 on nonlinear problems with exact solutions: their orders, between the steps too, and their work.
 
-use crate::{LOOSE, assert_order, method, observed};
+use super::{LOOSE, assert_order, method, observed};
 use mechanics::integrate::methods::Cost;
 use mechanics::integrate::{Dop853, rk4};
 use mechanics::measure::{Counter, max_error};

@@ -1,6 +1,6 @@
 //! The table of methods: every entry is measured.
 
-use crate::{DURATION, Run, assert_order, brick, method, observed, run};
+use super::{DURATION, Run, assert_order, brick, method, observed, run};
 use mechanics::attitude::rotation_between;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;

@@ -1,6 +1,6 @@
 //! Bodies, free tops and their scenes.
 
-use crate::{any, between};
+use super::{any, between};
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
 use mechanics::euler::Turning;

@@ -1,6 +1,6 @@
 //! The washing machine.
 
-use crate::{any, between};
+use super::{any, between};
 use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Polar, Shaft};
 use nalgebra::Complex;
 

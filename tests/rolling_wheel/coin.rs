@@ -1,8 +1,8 @@
 //! The spinning coin, a wheel whose centre rests: equations (91) and (95) to (97) by the whole body with its contact
 //! force, which knows neither that the centre rests nor how the axes turn.
 
-use crate::whole_body::{State, arm, axle, frame, placed, solve};
-use crate::{GRAVITY, MASS, RADIUS, parameters};
+use super::whole_body::{State, arm, axle, frame, placed, solve};
+use super::{GRAVITY, MASS, RADIUS, parameters};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
 use mechanics::rolling::MomentFactors;

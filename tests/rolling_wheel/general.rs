@@ -1,7 +1,7 @@
 //! The general motion: against the whole body with its contact force, against its constants, and against references.
 
-use crate::whole_body::{State, axle, placed, solve, solve_slowed};
-use crate::{GRAVITY, MASS, RADIUS, parameters, wheel};
+use super::whole_body::{State, axle, placed, solve, solve_slowed};
+use super::{GRAVITY, MASS, RADIUS, parameters, wheel};
 use approx::assert_relative_eq;
 use mechanics::integrate::{Dop853, Taylor};
 use mechanics::nalgebra::Complex;

@@ -1,9 +1,9 @@
 //! A flywheel in the wheel, and where a slow loss carries a circle: against the whole body with its force at the
 //! contact, against the balance of energy, and against limits.
 
-use crate::general::{as_the_whole_body, start};
-use crate::whole_body::{State, axle, placed, solve_with};
-use crate::{GRAVITY, MASS, RADIUS, parameters};
+use super::general::{as_the_whole_body, start};
+use super::whole_body::{State, axle, placed, solve_with};
+use super::{GRAVITY, MASS, RADIUS, parameters};
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
 use mechanics::rolling::{MomentFactors, Rolling};
@@ -45,7 +45,7 @@ fn on_felt(size: f64, state: &State) -> Vector3<f64> {
 fn on(brake: Brake, size: f64, steady: &SteadyRolling, lean: f64) -> Vector3<f64> {
     let omega = steady.omega();
     let state = placed(lean, 0.0, omega.into(), Complex::new(0.0, 0.0));
-    crate::whole_body::frame(lean, 0.0).transpose() * brake(size, &state)
+    super::whole_body::frame(lean, 0.0).transpose() * brake(size, &state)
 }
 
 /// Lean and b/a of the whole body at times, from a steady start.

@@ -1,8 +1,8 @@
 //! Which circles are stable, and how a disc falls: judged by the whole body with its force at the contact, and by
 //! eigenvalues of its equations.
 
-use crate::whole_body::{State, axle, frame, placed, solve};
-use crate::{GRAVITY, MASS, RADIUS, parameters, wheel};
+use super::whole_body::{State, axle, frame, placed, solve};
+use super::{GRAVITY, MASS, RADIUS, parameters, wheel};
 use approx::assert_relative_eq;
 use mechanics::integrate::{Dop853, Taylor};
 use mechanics::rolling::{MomentFactors, Rolling};

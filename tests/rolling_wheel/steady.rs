@@ -1,8 +1,8 @@
 //! Steady rolling, equations (72) to (90) and (5).
 
+use super::whole_body::{arm, axle, frame, placed, solve};
+use super::{GRAVITY, MASS, RADIUS, wheel};
 use crate::printed::corrected_holds_and_printed_fails;
-use crate::whole_body::{arm, axle, frame, placed, solve};
-use crate::{GRAVITY, MASS, RADIUS, wheel};
 use approx::assert_relative_eq;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeTop;

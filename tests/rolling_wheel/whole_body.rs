@@ -2,7 +2,7 @@
 //! instant from nine linear equations: Newton's, Euler's, and that the material point of contact has no acceleration
 //! but that of rolling on.
 
-use crate::{GRAVITY, MASS, RADIUS};
+use super::{GRAVITY, MASS, RADIUS};
 use mechanics::rolling::MomentFactors;
 use nalgebra::{Complex, Matrix3, Quaternion, SMatrix, SVector, UnitQuaternion, Vector3};
 use std::ops::AddAssign;

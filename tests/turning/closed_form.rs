@@ -1,6 +1,6 @@
 //! The free symmetric top in closed form.
 
-use crate::{between, turning};
+use super::{between, turning};
 use approx::assert_relative_eq;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::Turning;

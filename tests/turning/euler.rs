@@ -1,6 +1,6 @@
 //! Euler's equations and the rate of the quaternion.
 
-use crate::{attitude, moments, turning, vector};
+use super::{attitude, moments, turning, vector};
 use approx::assert_relative_eq;
 use mechanics::attitude::quaternion_rate;
 use mechanics::euler::{self, FreeSeries, Turning};

@@ -1,6 +1,6 @@
 //! Moments of bodies by adding up their mass.
 
-use crate::{ROUNDING, attitude, between, turning, vector};
+use super::{ROUNDING, attitude, between, turning, vector};
 use approx::assert_relative_eq;
 use mechanics::InvalidQuantity;
 use mechanics::free_rotation::FreeSymmetricTop;

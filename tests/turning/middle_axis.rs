@@ -1,6 +1,6 @@
 //! Rotation about the middle axis: what grows, and the half turn.
 
-use crate::moments;
+use super::moments;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;

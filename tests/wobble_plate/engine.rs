@@ -1,7 +1,7 @@
 //! The pistons, and the balance of the engine.
 
+use super::{ROUNDING, between, engine, numbers, pistons, plate, summed_momentum, thin};
 use crate::printed::corrected_holds_and_printed_fails;
-use crate::{ROUNDING, between, engine, numbers, pistons, plate, summed_momentum, thin};
 use approx::assert_relative_eq;
 use mechanics::Rule;
 use mechanics::scenes::wobble_plate::{Engine, in_room};

@@ -1,6 +1,6 @@
 //! The plate: moments, momentum, its lean, and the torque of the bearings.
 
-use crate::{ROUNDING, elements, numbers, plate, summed_momentum, thin};
+use super::{ROUNDING, elements, numbers, plate, summed_momentum, thin};
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
 use mechanics::scenes::wobble_plate::{LargestMomentumAngle, in_room};

@@ -7,8 +7,6 @@ mod linear;
 mod motion;
 mod orbit;
 mod passage;
-#[path = "../printed/mod.rs"]
-mod printed;
 mod radial;
 mod stability;
 mod steady;

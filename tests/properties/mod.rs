@@ -2,12 +2,10 @@
 //! because the cases are numbers over a hundred decades and a failing one is printed whole; there is nothing
 //! to shrink.
 
-#[path = "../common/mod.rs"]
-mod common;
 mod free_tops;
 mod laundromat;
 
-use common::between;
+use crate::common::between;
 
 /// A number of any size and sign that `f64` has, zero and the ends of the range more often than fair.
 fn any(random: &mut fastrand::Rng) -> f64 {

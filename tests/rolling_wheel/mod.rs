@@ -3,8 +3,6 @@
 
 mod coin;
 mod general;
-#[path = "../printed/mod.rs"]
-mod printed;
 mod sinking;
 mod stability;
 mod start;

@@ -3,13 +3,11 @@
 
 mod any_body;
 mod closed_form;
-#[path = "../common/mod.rs"]
-mod common;
 mod euler;
 mod inertia;
 mod middle_axis;
 
-use common::between;
+use crate::common::between;
 use mechanics::euler::Turning;
 use mechanics::inertia::PrincipalMoments;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};

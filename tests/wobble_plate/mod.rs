@@ -1,14 +1,10 @@
 //! The wobble plate: equations (34) to (45), (1) and (2), each by a route that shares no code with it.
 
-#[path = "../common/mod.rs"]
-mod common;
 mod engine;
 mod plate;
-#[path = "../printed/mod.rs"]
-mod printed;
 mod unbalance;
 
-use common::between;
+use crate::common::between;
 use mechanics::scenes::wobble_plate::{Engine, PistonParameters, Pistons, Plate, PlateParameters};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;

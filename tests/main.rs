@@ -1,0 +1,31 @@
+//! The tests of the library, each file a module: one program, since each of its own would compile again what all need.
+
+mod air_drag;
+mod bad_input;
+mod ball;
+mod braked_disk;
+mod coin_toss;
+mod common;
+mod dop853;
+mod eulers_disk;
+mod faddeeva;
+mod geometric;
+mod hard_cases;
+mod judged;
+mod laundromat;
+mod laundromat_motor;
+mod laundromat_reference;
+mod measure;
+mod motion;
+mod orders;
+mod pinned_hoop;
+mod printed;
+mod printed_form;
+mod properties;
+mod rolling_wheel;
+mod space_station;
+mod spinning_coin;
+mod taylor;
+mod top;
+mod turning;
+mod wobble_plate;
