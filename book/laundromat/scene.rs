@@ -364,8 +364,8 @@ impl Motion for Washer {
 
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
         let ([force, _, swing], grips) = (self.plots(moment.room), self.grips(moment));
-        let places = grips.iter().copied().chain(self.bodies(moment).into_iter().map(|body| body.0));
-        match places.skip(grip).next() {
+        let mut places = grips.iter().copied().chain(self.bodies(moment).into_iter().map(|body| body.0));
+        match places.nth(grip) {
             Some(from) if (to.x - from.x).abs() >= 0.25 || (grip >= grips.len() && from != to) => (),
             _ => return Vec::new(), // a touch
         }
