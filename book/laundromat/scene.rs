@@ -365,8 +365,10 @@ impl Motion for Washer {
     fn drag(&self, grip: usize, to: Point, moment: &Moment) -> Vec<(&'static str, f64)> {
         let ([force, _, swing], grips) = (self.plots(moment.room), self.grips(moment));
         let mut places = grips.iter().copied().chain(self.bodies(moment).into_iter().map(|body| body.0));
+        let moved =
+            |from: Point| if grip < grips.len() { (to.x - from.x).abs() } else { (to - from).length() };
         match places.nth(grip) {
-            Some(from) if (to.x - from.x).abs() >= 0.25 || (grip >= grips.len() && from != to) => (),
+            Some(from) if moved(from) >= 0.25 => (),
             _ => return Vec::new(), // a touch
         }
         if grip >= grips.len() {

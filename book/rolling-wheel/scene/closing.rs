@@ -10,7 +10,7 @@ pub(crate) const SCENE: Scene = Scene {
     name: "closing",
     title: "A circle that closes",
     description: "A disc leans and rolls on a table. Something slows its turning: the track of its contact is a spiral that winds inwards until the disc lies flat. Beside it two \
-                  plots against time: the radius of the circle falls to nothing, and the speed of the centre stays nearly what it was.",
+                  plots against time: the radius of the circle falls to nothing, and the speed of the centre rises a little before it falls.",
     question: "Something takes away the turning of a disc. Does its centre become slower?",
     size: [[640.0, 440.0], [380.0, 530.0]],
     view: None,

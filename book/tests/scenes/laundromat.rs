@@ -129,6 +129,8 @@ fn a_tub_that_is_pulled_and_let_go_swings_out_as_far_as_the_hand_drew_it() {
             let mut hand = washer(&[("spin", 0.0), ("damping", 0.0)]);
             hand.draw(1.0, room);
             let rest = hand.body();
+            assert!(hand.pull(rest + from, rest + from + at(0.1, -0.1)), "nothing is held");
+            assert_eq!(hand.value("kick"), -1.0, "a hand that trembles kicks nothing");
             assert!(hand.pull(rest + from, rest + from + to), "nothing is held");
             assert_eq!(hand.value("kick"), 1.0);
             assert!((hand.body() - rest).length() < 1e-9, "it has its velocity, and is still there");
