@@ -397,11 +397,11 @@ class Scene {
     const [azimuth = 0, elevation = 0] = this.angles.map((angle) => (angle * Math.PI) / 180);
     picture.draw(machine.text(machine.run.draw(now, azimuth, elevation, picture.svg.matches(".narrow"))));
     this.#sing();
-    // While it plays, the slider goes on when one can see it: each time it does the panel is laid out.
-    if (!this.isPlaying || Math.abs(now - this.time.value) > this.duration / 500) this.time.value = now;
-    this.clock.data = written(now, this.digits, "s");
-    if (this.isPlaying && moment - this.#read < 100) return; // nobody reads numbers that change faster
+    // Nobody reads numbers that change faster; and each time one does the panel is laid out.
+    if (this.isPlaying && moment - this.#read < 100) return;
     this.#read = moment;
+    this.time.value = now;
+    this.clock.data = written(now, this.digits, "s");
     const values = machine.text(machine.run.readings(now)).split("\n");
     this.readings.forEach((place, index) => {
       if (this.#shown[index] !== values[index]) write(place, values[index]);
@@ -514,6 +514,7 @@ class Scene {
     this.#setPlaying(true);
   }
   #setPlaying(isPlaying) {
+    if (isPlaying) markFar();
     this.#isAtStill = false;
     this.isPlaying = isPlaying;
     this.#before = null;
@@ -798,6 +799,21 @@ function whenNear(element, act) {
   }, { rootMargin: "100% 0px" });
   watch.observe(element);
 }
+
+/** Marks the parts of the page that are farther from the screen than its height, again whenever it has been scrolled by half
+ *  of that: for each picture that changes Chromium goes through the whole page, and its formulas take longer than the
+ *  picture. Far parts are spared that (`live.css`). Not scenes; nor code with its answers, whose margins reach out of it. */
+function markFar() {
+  if (Math.abs(scrollY - markedAt) < innerHeight / 2) return;
+  if (markedAt === -Infinity) addEventListener("scroll", markFar, { passive: true });
+  markedAt = scrollY;
+  const parts = [...document.querySelectorAll("main > :not(.scene, .answering, :has(.scene))")];
+  if (parts.length > 999) return; // all pages in one: marked at once they hold Chromium up for a minute
+  const boxes = parts.map((part) => part.getBoundingClientRect());
+  const isFar = ({ top, bottom }) => bottom < -innerHeight || top > 2 * innerHeight;
+  parts.forEach((part, index) => part.classList.toggle("far", isFar(boxes[index])));
+}
+let markedAt = -Infinity;
 
 const scenes = [...document.querySelectorAll("figure.scene[data-module]")].map((figure) => new Scene(figure));
 for (const scene of scenes) whenNear(scene.figure, () => scene.wake());

@@ -16,9 +16,11 @@ const named = (node) => {
 const shown = (node) => node.getClientRects().length > 0 && node.checkVisibility({ visibilityProperty: true });
 
 // What axe finds. It does not know that a formula is text that is read aloud, so a head of formulas looks empty to it.
-window.audit = async (rules) => {
+// Of given rules alone, if there are any; without others.
+window.audit = async (only, without) => {
   axe.configure({ rules: [{ id: 'empty-table-header', selector: 'th:not(:has(math))' }] });
-  const found = await axe.run(document, { resultTypes: ['violations'], ...(rules.length > 0 && { runOnly: rules }) });
+  const rules = Object.fromEntries(without.map((rule) => [rule, { enabled: false }]));
+  const found = await axe.run(document, { resultTypes: ['violations'], rules, ...(only.length > 0 && { runOnly: only }) });
   return found.violations.flatMap(({ id, nodes }) => nodes.map(({ target, html, any, all, none }) => {
     const why = [...any, ...all, ...none][0]?.message ?? '';
     return `${id}: ${target.join(' ')}: ${why} (${html.slice(0, 120)})`;

@@ -13,6 +13,11 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// How long a page may take to arrive: that of all pages weighs seven megabytes, and other browsers load beside it.
 const ARRIVAL: Duration = Duration::from_secs(180);
 
+/// Whether all is asked that can be asked, which takes too long at every change: `BOOK_NIGHT`.
+pub(crate) fn is_night() -> bool {
+    env::var_os("BOOK_NIGHT").is_some()
+}
+
 /// The browser that also prints; `None` where there is none, which in CI is a failure.
 pub(crate) fn program() -> Option<PathBuf> {
     let found = press::paper::browser();
@@ -103,7 +108,7 @@ impl Browser {
         let session = attached["sessionId"].as_str().unwrap().to_owned();
         self.events.clear();
         let mut page = Page { browser: self, session, target: target["targetId"].clone() };
-        for domain in ["Page", "Runtime", "Log", "Network", "Accessibility"] {
+        for domain in ["Page", "Runtime", "Log", "Network"] {
             page.tell(&format!("{domain}.enable"), json!({}));
         }
         page.resize([width, height]);

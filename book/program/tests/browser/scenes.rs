@@ -14,7 +14,7 @@ mod paper;
 mod server;
 
 use super::site;
-use driver::{Browser, Page};
+use driver::{Browser, Page, is_night};
 use live::{Control, Form, Kind, Moment, Player, Room, Scene};
 use pages::scenes::SCENES;
 use serde_json::{Value, json};
@@ -229,9 +229,14 @@ impl Shown<'_> {
     fn set(&mut self, settings: &[(&str, f64)], time: f64) {
         let all: String = settings.iter().map(|(name, value)| format!("{name}={value}&")).collect();
         let hash = format!("#scene-{}?{all}t={time}", self.scene.name);
-        self.get(&format!("location.hash = '{hash}'"));
-        self.settle();
-        self.settle();
+        // The scene hears of it first, and draws before the frame that is waited for.
+        self.get(&format!(
+            "new Promise((done) => {{ \
+             const next = () => requestAnimationFrame(() => setTimeout(done)); \
+             if (location.hash === '{hash}') return next(); \
+             addEventListener('hashchange', next, {{ once: true }}); \
+             location.hash = '{hash}'; }})"
+        ));
     }
 
     /// The values of the controls as the figure's own link gives them.
@@ -353,7 +358,15 @@ enum Means {
 /// others each control has its turn, since all are made alike.
 fn in_turn(scene: usize, control: usize) -> Vec<(Means, f64)> {
     let all = [(Means::Mouse, 0.8), (Means::Touch, 0.3), (Means::Keys, 0.0)];
-    if scene == 0 { all.to_vec() } else { vec![all[(scene + control) % all.len()]] }
+    one_of(scene, control, &all)
+}
+
+/// Of the cases of a control one, another in each scene and for each control; all of them in the first scene, and at night.
+fn one_of<T: Copy>(scene: usize, control: usize, cases: &[T]) -> Vec<T> {
+    if scene == 0 || is_night() || cases.is_empty() {
+        return cases.to_vec();
+    }
+    vec![cases[(scene + control) % cases.len()]]
 }
 
 /// Clicks, taps, or strikes a key on an element.
@@ -431,7 +444,8 @@ fn on_the_page_of_all_pages_each_scene_wakes_when_it_comes_near() {
     assert_eq!(page.get("document.querySelectorAll('figure.scene').length"), scenes().len());
     let awake = page.get("document.querySelectorAll('figure.scene.awake').length");
     assert_eq!(awake, 0, "the first page has none");
-    for Place { scene, figure, .. } in scenes() {
+    // Some of them, since all wake alike, and each frame of so long a page takes half a second.
+    for Place { scene, figure, .. } in scenes().into_iter().step_by(6) {
         let mut shown = Shown { page, scene, figure };
         shown.come_near();
         shown.wait_for_change();
@@ -708,11 +722,11 @@ fn hands_turn_the_view_and_draw_the_grips() {
 fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
     let Some(mut browser) = open("links") else { return };
     let mut links = 0;
-    for place in scenes() {
+    for (turn, place) in scenes().into_iter().enumerate() {
         let scene = place.scene;
         // The end of each slider, one after another, is the worst that a link can bring.
         let mut shown = place.still(&mut browser, WIDE, "");
-        for control in scene.controls {
+        for (index, control) in scene.controls.iter().enumerate() {
             // Beyond its ends a link finds the nearer one, and a button that was never pressed.
             let cases = match control.kind {
                 Kind::Slider { from, to, .. } => vec![(from, from), (to, to), (from - 7.0, from)],
@@ -724,7 +738,7 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
                 Kind::Button(_) => vec![(-1.0, -1.0), (0.0, 0.0), (-7.0, -1.0)],
                 Kind::Kept => Vec::new(),
             };
-            for (asked, given) in cases {
+            for (asked, given) in one_of(turn, index, &cases) {
                 // At the beginning: later, an unstable motion shows how its rounding grew.
                 shown.set(&[(control.name, asked)], 0.0);
                 shown.agrees();
@@ -1164,7 +1178,7 @@ fn arrow_keys_step_the_time_of_a_scene_and_turn_no_page() {
 fn nothing_moves_on_the_page_whatever_a_scene_is_set_to() {
     let Some(mut browser) = open("heights") else { return };
     let mut moved = Vec::new();
-    for place in scenes() {
+    for (turn, place) in scenes().into_iter().enumerate() {
         for size in [[360, 740], [1366, 768]] {
             let mut shown = place.still(&mut browser, size, "");
             let height = format!("Math.round({}.getBoundingClientRect().height)", place.figure);
@@ -1179,9 +1193,9 @@ fn nothing_moves_on_the_page_whatever_a_scene_is_set_to() {
                 shown.click(&format!(".presets button:nth-of-type({})", index + 1));
                 held(&mut shown, preset.words);
             }
-            for control in place.scene.controls {
+            for (index, control) in place.scene.controls.iter().enumerate() {
                 if let Kind::Slider { from, to, .. } | Kind::LogSlider { from, to, .. } = control.kind {
-                    for value in [from, 0.5 * (from + to), to] {
+                    for value in one_of(turn, index, &[from, 0.5 * (from + to), to]) {
                         shown.set(&[(control.name, value)], 0.0);
                         held(&mut shown, control.name);
                     }
@@ -1190,6 +1204,45 @@ fn nothing_moves_on_the_page_whatever_a_scene_is_set_to() {
         }
     }
     assert!(moved.is_empty(), "{moved:#?}");
+}
+
+#[test]
+fn what_is_far_from_a_scene_that_plays_is_spared_and_stays_where_it_is() {
+    let Some(mut browser) = open("far") else { return };
+    // Where each part of the page begins and how high it is; and the end of the page.
+    let boxes = "[...document.querySelectorAll('main > *')].flatMap((part) => { \
+                 const box = part.getBoundingClientRect(); return [box.top + scrollY, box.height]; }) \
+                 .concat(document.documentElement.scrollHeight)";
+    let numbers = |shown: &mut Shown<'_>| -> Vec<f64> {
+        shown.get(boxes).as_array().expect("boxes").iter().filter_map(Value::as_f64).collect()
+    };
+    for name in ["laundromat", "rolling-wheel", "clocks"] {
+        let place = scenes().into_iter().find(|place| place.scene.name == name).expect("the scene");
+        for size in [WIDE, PHONE] {
+            let mut shown = place.empty(&mut browser, size);
+            shown.prefer("prefers-reduced-motion", "reduce");
+            place.wake(&mut shown, &place.address);
+            shown.settle();
+            let before = numbers(&mut shown);
+            shown.click(".play");
+            shown.wait_for_motion();
+            let after = numbers(&mut shown);
+            assert_eq!(before.len(), after.len(), "{name}");
+            let off = before.iter().zip(&after).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
+            assert!(off < 0.5, "{name} at {size:?}: {off} px");
+            let spared = |shown: &mut Shown<'_>| shown.number("document.querySelectorAll('main > .far').length");
+            assert!(spared(&mut shown) > 50.0, "{name}");
+            // They are there when the reader comes.
+            shown.go_to_the_end();
+            shown.settle();
+            let end = "document.querySelector('main > :last-child')";
+            assert_eq!(shown.get(&format!("{end}.matches('.far')")), false, "{name}");
+            assert!(spared(&mut shown) > 50.0, "{name}");
+            let off = shown.number(&format!("{end}.getBoundingClientRect().bottom - innerHeight"));
+            assert!(off < 0.0, "{name} at {size:?}: the end is {off} px too low");
+            shown.has_no_faults();
+        }
+    }
 }
 
 #[test]
