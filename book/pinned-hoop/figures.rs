@@ -228,7 +228,7 @@ pub(crate) fn hoop_pendulum(id: &str) -> Outcome {
         let place = match degrees {
             60.0 => (90.0, 0.25),
             80.0 => (90.0, 0.49),
-            _ => (153.0, 0.45),
+            _ => (178.0, 0.3),
         };
         plot.label(
             place,

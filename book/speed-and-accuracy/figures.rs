@@ -99,7 +99,7 @@ fn name_series(plot: &mut Plot<'_>, values: &[(f64, f64)], name: &str, hue: Hue)
             for &place in &places {
                 let label = Label::new(name, TYPE)?.placed(place, side, gap);
                 let room = label.bounds.grown(1.5);
-                let inside = room.left > frame.left && room.right < frame.right + 8.0;
+                let inside = room.left > frame.left && room.right < frame.right + 2.0;
                 let inside = inside && room.top > frame.top && room.bottom < frame.bottom;
                 let is_line = |role: Role| !matches!(role, Role::Area(Fill::Face, _));
                 let touched = plot.drawing().items().iter().filter(|item| is_line(item.role)).any(|item| {

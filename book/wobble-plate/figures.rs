@@ -566,7 +566,8 @@ pub(crate) fn any_faults(id: &str) -> Outcome {
         }
     }
     plot.label((7.4, 7.4), Side::AboveRight, "all heavy", Hue::Purple)?;
-    plot.label((3.6, 0.0), Side::Over, "one heavy", Hue::Purple)?;
+    plot.label((3.4, 0.8), Side::Over, "one", Hue::Purple)?;
+    plot.label((3.4, -0.8), Side::Over, "heavy", Hue::Purple)?;
     plot.label((0.0, -8.4), Side::Over, "one aside", Hue::Purple)?;
     Ok(drawing)
 }

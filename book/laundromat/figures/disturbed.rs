@@ -94,7 +94,7 @@ pub(crate) fn frames(id: &str) -> Outcome {
     .into_iter()
     .enumerate()
     {
-        let mut drawing = Drawing::new("", 280.0, 300.0).titled(&format!("One kick, {text}"), words);
+        let mut drawing = Drawing::new("", 280.0, 244.0).titled(&format!("One kick, {text}"), words);
         let origin = at(140.0, 132.0);
         let mut plot = Plot::plane(&mut drawing, origin, 108.0 / (0.87 * radius), 1.1 * radius)?;
         plot.curve(name, ways[panel].iter().copied(), Stroke::Orbit, Hue::Ink);
@@ -115,7 +115,7 @@ pub(crate) fn frames(id: &str) -> Outcome {
             drawing.line(origin + at(-8.0, -22.0), origin + at(-1.0, -6.0), Stroke::Dotted, Hue::Muted);
         }
         drawing.dot(origin, 3.4, Hue::Ink);
-        drawing.label(at(140.0, 270.0), Side::Over, text, Hue::Ink)?;
+        drawing.label(at(140.0, 226.0), Side::Over, text, Hue::Ink)?;
         panels.push(drawing);
     }
     Ok(Drawing::panels(id, panels))

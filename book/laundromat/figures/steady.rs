@@ -116,7 +116,7 @@ pub(crate) fn centring(id: &str) -> Outcome {
         let spin = Axis::log(1.0, 1000.0, 1).titled(r"spin $\Omega/\omega_0$");
         let radius = Axis::log(1e-6, 1.0, 2).titled(r"$r_\text{cm}/b$ at high spin");
         let inset = room.of(Rect::new(330.0, 44.0, 226.0, 96.0), Rect::new(58.0, 364.0, 316.0, 150.0));
-        let mut plot = Plot::new(&mut drawing, inset, room.of(spin.titled(""), spin), radius)?;
+        let mut plot = Plot::new(&mut drawing, inset, spin, radius)?;
         let high = |damping: f64| {
             log_steps(SQRT_2, 1000.0, 900)
                 .map(|ratio| Ok((ratio, true_radius(&washing_machine(damping, ratio)?)?)))
