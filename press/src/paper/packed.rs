@@ -1,12 +1,13 @@
-//! A PDF whose objects are packed.
+//! A PDF whose objects are packed, and whose curves have the digits that can be seen.
 //!
 //! Chromium writes what a reader is told of each word, a hundred thousand small objects, as they are: two thirds of
-//! the book. PDF 1.5 has streams of objects, which are compressed.
+//! the book. PDF 1.5 has streams of objects, which are compressed. Places it writes with nine digits.
 
 use flate2::Compression;
+use flate2::read::ZlibDecoder;
 use flate2::write::ZlibEncoder;
 use std::collections::BTreeSet;
-use std::io::Write as _;
+use std::io::{Read as _, Write as _};
 
 /// How many objects share a stream: a viewer unpacks all for one.
 const TOGETHER: usize = 200;
@@ -31,7 +32,10 @@ pub(super) fn packed(pdf: &[u8]) -> Option<Vec<u8>> {
         let body = &body[..last(body, b"\nendobj")?];
         if body.ends_with(b"endstream") {
             places[id] = (1, u32::try_from(out.len()).ok()?, 0);
-            out.extend(object);
+            match content(body) {
+                Some(content) => stream(&mut out, id, "", rounded(&content).as_bytes()),
+                None => out.extend(object),
+            }
         } else {
             small.push((id, body));
         }
@@ -50,14 +54,23 @@ pub(super) fn packed(pdf: &[u8]) -> Option<Vec<u8>> {
     }
     let start = out.len();
     places.push((1, u32::try_from(start).ok()?, 0));
+    // Each row less the one above it, which the 2 before it says: so their bytes are much alike.
+    let mut above = [0; 6];
     let rows = places.iter().flat_map(|(kind, place, index)| {
         let [a, b, c, d] = place.to_be_bytes();
-        [*kind, a, b, c, d, *index]
+        let row = [*kind, a, b, c, d, *index];
+        let less = std::array::from_fn::<u8, 6, _>(|k| row[k].wrapping_sub(above[k]));
+        above = row;
+        std::iter::once(2).chain(less)
     });
     let rows: Vec<u8> = rows.collect();
     let kept =
         kept.trim_start().trim_start_matches("/Size ").trim_start_matches(|c: char| c.is_ascii_digit());
-    let words = format!("/Type /XRef /W [1 4 1] /Size {}{}", places.len(), kept.replace('\n', " "));
+    let words = format!(
+        "/Type /XRef /W [1 4 1] /DecodeParms <</Predictor 12 /Columns 6>> /Size {}{}",
+        places.len(),
+        kept.replace('\n', " ")
+    );
     stream(&mut out, places.len() - 1, &words, &rows);
     out.extend(format!("startxref\n{start}\n%%EOF\n").bytes());
     Some(out)
@@ -69,6 +82,57 @@ fn offsets(pdf: &[u8], table: usize) -> Option<Vec<usize>> {
     let count: usize = number(rows)?;
     let rows = &rows[first(rows, b"\n")? + 1..];
     rows.chunks(20).take(count).map(number).collect()
+}
+
+/// What a stream draws: a page, or a letter. Others have more to say of themselves, such as fonts and pictures.
+fn content(body: &[u8]) -> Option<String> {
+    let start = first(body, b" stream\n")?;
+    let words = std::str::from_utf8(&body[..start]).ok()?.strip_prefix("<</Filter /FlateDecode\n/Length ")?;
+    let length: usize = words.strip_suffix(">>")?.parse().ok()?;
+    let mut content = String::new();
+    ZlibDecoder::new(body.get(start + 8..start + 8 + length)?).read_to_string(&mut content).ok()?;
+    Some(content)
+}
+
+/// A content with the places of its lines, curves and words to a hundredth of a pixel, those of letters to one of the
+/// two thousand parts of their height. What scales others keeps all its digits.
+fn rounded(content: &str) -> String {
+    let is_letter = content.lines().next().is_some_and(|line| line.ends_with(" d1"));
+    let digits = |value: f64| {
+        if is_letter {
+            0
+        } else if value.abs() < 1.0 {
+            3
+        } else {
+            2
+        }
+    };
+    let mut out = String::with_capacity(content.len());
+    for line in content.split_inclusive('\n') {
+        let (numbers, act) = line.rsplit_once(' ').unwrap_or(("", line));
+        if !["m", "l", "c", "v", "y", "re", "Tm"].contains(&act.trim_end()) {
+            out += line;
+            continue;
+        }
+        for number in numbers.split(' ') {
+            match number.parse::<f64>() {
+                Ok(value) if number.contains('.') => {
+                    let digits = digits(value);
+                    let written = format!("{value:.digits$}");
+                    let short = if digits > 0 {
+                        written.trim_end_matches('0').trim_end_matches('.')
+                    } else {
+                        &written
+                    };
+                    out += if short == "-0" { "0" } else { short };
+                }
+                _ => out += number,
+            }
+            out.push(' ');
+        }
+        out += act;
+    }
+    out
 }
 
 /// Writes an object that is a compressed stream.
@@ -94,4 +158,35 @@ fn first(text: &[u8], word: &[u8]) -> Option<usize> {
 
 fn last(text: &[u8], word: &[u8]) -> Option<usize> {
     text.windows(word.len()).rposition(|part| part == word)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_rounded_and_scales_and_words_are_not() {
+        let page = ".23999999 0 0 -.23999999 0 841.91998 cm\nBT\n1 0 0 -1 164.12345 214024 Tm\n(1.23456 c) Tj\nET\n\
+                    -.0001 .123456 m\n10.999999 -20.125 3 4.5 6 7.004 c\n.12345 .5 .25 rg\nf\n";
+        let expected = ".23999999 0 0 -.23999999 0 841.91998 cm\nBT\n1 0 0 -1 164.12 214024 Tm\n(1.23456 c) Tj\nET\n\
+                        0 0.123 m\n11 -20.12 3 4.5 6 7 c\n.12345 .5 .25 rg\nf\n";
+        assert_eq!(rounded(page), expected);
+        let letter = "1255 0 -161 -1832 1355 296 d1\n922 128.757568 m\n-.4 10.5 l\nf";
+        assert_eq!(rounded(letter), "1255 0 -161 -1832 1355 296 d1\n922 129 m\n0 10 l\nf");
+    }
+
+    #[test]
+    fn only_what_draws_is_opened() {
+        let mut object = Vec::new();
+        stream(&mut object, 7, "", b"1.234567 2 m\n");
+        let body = object.strip_prefix(b"7 0 obj\n").unwrap();
+        let body = [
+            b"<</Filter /FlateDecode\n".as_slice(),
+            &body[body.iter().position(|&b| b == b'L').unwrap() - 1..],
+        ]
+        .concat();
+        assert_eq!(content(&body).as_deref(), Some("1.234567 2 m\n"));
+        let other = [b"<</Length1 9\n".as_slice(), &body[2..]].concat();
+        assert_eq!(content(&other), None);
+    }
 }

@@ -128,7 +128,11 @@ fn axe_finds_nothing_and_nothing_is_cut_off_or_covered() {
         page.get(&format!("{AXE}; true"));
         let place = format!("{name}, light, {width} px");
         let is_all = CHOICE.contains(&name.as_str()) || is_night();
-        found.append(&mut faults(page, &place, &format!("audit([], {})", if is_all { "[]" } else { OF_COLOUR })));
+        found.append(&mut faults(
+            page,
+            &place,
+            &format!("audit([], {})", if is_all { "[]" } else { OF_COLOUR }),
+        ));
         found.append(&mut faults(page, &place, "untold()"));
         found.append(&mut faults(page, &place, "disordered()"));
         if width == PHONE {
