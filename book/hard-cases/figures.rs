@@ -327,6 +327,7 @@ pub(crate) fn hard_losses(id: &str) -> Outcome {
             let corners = [(0.0, 0.28), (end, 0.28), (end, -0.28), (0.0, -0.28)];
             let corners = corners.map(|(x, up)| plot.at((x, row + up)));
             plot.drawing().polygon(corners.to_vec(), Fill::Side, Hue::Muted);
+            plot.drawing().polyline(&corners, Stroke::Outline, Hue::Muted); // seen in dark themes too
             if let Some(evaluations) = case.evaluations {
                 let words = format!("{:.0} 000 evaluations", evaluations / 1e3);
                 plot.label((end, *row), Side::Right, &words, Hue::Muted)?;

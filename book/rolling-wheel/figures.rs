@@ -114,7 +114,7 @@ pub(crate) fn wheel_circle(id: &str) -> Outcome {
     stage.curve(upright.hiding(Hiding::Omitted), Stroke::Reference, Hue::Muted)?;
     stage.angle(contact, Vector3::z(), axes[1], 2.25, r"$\theta$", Hue::Ink)?;
     stage.curve(Curve::segment(centre, contact)?, Stroke::Outline, Hue::Muted)?;
-    stage.label(centre - axes[1] * 0.6, Side::Left, "$a$", Hue::Ink)?;
+    stage.label(centre - axes[1] * 0.48, Side::Left, "$a$", Hue::Ink)?;
     // To the left on the page, where it is clear of the wheel.
     let end = Vector3::new(-0.565 * b, -0.825 * b, cos);
     stage.curve(Curve::segment([0.0, 0.0, cos], end)?, Stroke::Outline, Hue::Muted)?;
