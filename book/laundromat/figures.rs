@@ -29,6 +29,7 @@ pub(crate) const FIGURES: &[Figure] = figures![
     disturbed::frames,
     disturbed::annulus,
     disturbed::landscape,
+    disturbed::petals,
     motor::motor_line,
     motor::motor_hysteresis,
     parts::machine,

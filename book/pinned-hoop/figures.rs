@@ -21,6 +21,7 @@ pub(crate) const FIGURES: &[Figure] = figures![
     tumble,
     pendulum::twice_the_angle,
     hoop_pendulum,
+    pendulum::swing_at_sixty,
     flip,
     paths::herpolhode,
     paths::hoop_and_sphere,

@@ -24,6 +24,7 @@ pub(crate) const FIGURES: &[Figure] = figures![
     potential,
     wobble::contact_track,
     wobble::mirrored_film,
+    wobble::two_wells,
     any_wheel::ledge,
     any_wheel::tip_of_shape,
     any_wheel::ways_down,

@@ -15,7 +15,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// All figures of this chapter.
 pub(crate) const FIGURES: &[Figure] =
-    figures![station, equal_speed, crew_sky, two_arrows, station_views, cones_roll, nodding];
+    figures![station, equal_speed, crew_sky, two_arrows, station_views, cones_roll, nodding, tube_sky];
 
 /// Mass, kg, radius, m, spin, rad/s, and impulse, N·s, of the chapter.
 const MASS: f64 = 4e5;
@@ -562,4 +562,63 @@ pub(crate) fn nodding(id: &str) -> Outcome {
         plot.drawing().label(at(14.0, top - 42.0), Side::Right, title, Hue::Ink)?;
     }
     Ok(drawing)
+}
+
+/// The sky of a struck tube, as its camera sees it: what an exercise asks to sketch.
+pub(crate) fn tube_sky(id: &str) -> Outcome {
+    let moments = PrincipalMoments::symmetric(1.0, 0.4)?;
+    let start =
+        Turning { world_from_body: UnitQuaternion::identity(), omega_body: Vector3::new(0.001, 0.0, 1.0) };
+    let tube = FreeSymmetricTop::new(moments, start)?;
+    let momentum = moments.angular_momentum(&start.omega_body);
+    let lean = (momentum.x / momentum.z).atan();
+    let place = |direction: &Vector3<f64>| (direction.y / lean, direction.x / lean);
+    // How a direction of the room is seen on board.
+    let seen = |time: f64, direction: Vector3<f64>| -> Result<(f64, f64), InvalidQuantity> {
+        Ok(place(&(tube.at(time)?.world_from_body.inverse() * direction)))
+    };
+    let sky = |title: &str, text: &str| Drawing::new("", 260.0, 290.0).titled(title, text);
+    let (origin, scale) = (at(130.0, 130.0), 56.0);
+    let draw_cross = |drawing: &mut Drawing| {
+        for step in [at(5.0, 0.0), at(0.0, 5.0)] {
+            drawing.line(origin - step, origin + step, Stroke::Vector, Hue::Ink);
+        }
+    };
+
+    let mut arrows = sky(
+        "Where omega and L lie in the sky of a tube",
+        "A cross, and two dotted circles about it. Above the cross, on the small circle, lies omega; farther up, on the large one, L. Both go round counter-clockwise on the picture.",
+    );
+    for (name, direction, hue) in [
+        (r"$\boldsymbol{\omega}$", start.omega_body, Hue::Orange),
+        (r"$\boldsymbol{L}$", momentum, Hue::Green),
+    ] {
+        let plot = Plot::plane(&mut arrows, origin, scale * 1.7, 1.2)?;
+        let tip = plot.at(place(&direction.normalize()));
+        let radius = (tip - origin).length();
+        arrows.circle(origin, radius, Role::Line(Stroke::Dotted, Hue::Muted));
+        // The sense in which L goes round; ω lies on the same side all the time.
+        let (from, to) = (seen(0.0, momentum.normalize())?, seen(0.1, momentum.normalize())?);
+        let sense = (from.0 * to.1 - from.1 * to.0).signum();
+        kit::angle(&mut arrows, origin, radius, FRAC_PI_2 + 0.25 * sense, 0.9 * sense, Heads::End, hue);
+        arrows.dot(tip, 4.5, hue);
+        arrows.label(tip, Side::AboveRight, name, hue)?;
+    }
+    draw_cross(&mut arrows);
+    arrows.label(at(130.0, 268.0), Side::Over, "(a) the arrows", Hue::Ink)?;
+
+    let mut star = sky(
+        "The way of the star that stood on the cross",
+        "A spiral that sets out from the cross and winds outwards counter-clockwise for one round, and inwards for another, to the cross again.",
+    );
+    let nod = TAU / tube.precession_rate();
+    let way = linear_steps(0.0, nod, 600).map(|time| seen(time, Vector3::z()));
+    let way = way.collect::<Result<Vec<_>, InvalidQuantity>>()?;
+    let mut plot = Plot::plane(&mut star, origin, scale, 2.2)?;
+    plot.curve("star", way.iter().copied(), Stroke::Curve, Hue::Ink);
+    let [from, to] = [way[116], way[120]].map(|value| plot.at(value));
+    head(&mut star, to, to - from, 1.0, Hue::Ink);
+    draw_cross(&mut star);
+    star.label(at(130.0, 268.0), Side::Over, "(b) the star", Hue::Ink)?;
+    Ok(Drawing::panels(id, vec![arrows, star]))
 }

@@ -18,6 +18,7 @@ pub(crate) const FIGURES: &[Figure] = figures![
     by_hand::cross,
     by_hand::corner,
     by_hand::high_spot,
+    by_hand::brick_momentum,
     split,
     by_hand::carousel,
     wobbles,

@@ -171,6 +171,47 @@ pub(crate) fn annulus(id: &str) -> Outcome {
     Ok(Drawing::panels(id, panels))
 }
 
+/// A free circle as large as the steady one, run through with the drum and against it: what an exercise asks to sketch.
+pub(crate) fn petals(id: &str) -> Outcome {
+    let machine = washing_machine(0.0, 3.0)?;
+    let steady = machine.steady()?.amplitude();
+    let mut panels = Vec::new();
+    for (sense, name, words, text) in [
+        (
+            1.0,
+            "hearts",
+            "with the drum",
+            "The path of the shaft: two heart-shaped loops that overlap, one the mirror image of the other. Both pass through O, marked by a cross. An arrow shows how \
+             it sets out, counter-clockwise.",
+        ),
+        (
+            -1.0,
+            "petals",
+            "against it",
+            "The path of the shaft: a flower of four petals that meet in O, marked by a cross. An arrow shows how it sets out from the tip of the right petal, counter-clockwise.",
+        ),
+    ] {
+        let velocity = steady * Complex::new(0.0, machine.spin() + sense * NATURAL);
+        let motion = machine.transient(Shaft { position: steady * 2.0, velocity })?;
+        let path = linear_steps(0.0, TAU / NATURAL, 800).map(|time| {
+            let place = motion.at(time)?.position / steady;
+            Ok((place.re, place.im))
+        });
+        let path = path.collect::<Result<Values, InvalidQuantity>>()?;
+        let mut drawing = Drawing::new("", 260.0, 284.0).titled(&format!("The free circle {words}"), text);
+        let origin = at(130.0, 124.0);
+        let mut plot = Plot::plane(&mut drawing, origin, 54.0, 2.1)?;
+        plot.curve(name, path, Stroke::Curve, Hue::Ink);
+        let start = plot.at((2.0, 0.0));
+        cross(&mut drawing, origin, 5.0);
+        kit::arrow(&mut drawing, start, start - at(0.0, 34.0), Hue::Ink);
+        drawing.dot(start, 4.0, Hue::Ink);
+        drawing.label(at(130.0, 264.0), Side::Over, words, Hue::Ink)?;
+        panels.push(drawing);
+    }
+    Ok(Drawing::panels(id, panels))
+}
+
 /// Where the shaft starts when one mode of the steady motion is excited with the size ε₀, a part of the steady radius.
 fn disturbed(machine: &Machine, mode: Mode, size: f64) -> Result<Shaft, InvalidQuantity> {
     let amplitude = machine.steady()?.amplitude();

@@ -94,3 +94,39 @@ pub(crate) fn wait_plateau(id: &str) -> Outcome {
     plot.label((-1.4, 1.075), Side::Left, "$k' =$", Hue::Muted)?;
     Ok(drawing)
 }
+
+/// A hoop pinned at 60° over one period: what an exercise asks to sketch.
+pub(crate) fn swing_at_sixty(id: &str) -> Outcome {
+    let hoop = pinning(Shape::Hoop, 60.0)?;
+    let top = hoop.free_motion()?;
+    let period = top.period().ok_or("it swings")?;
+    let rate = hoop.omega_after().norm();
+    let mut drawing = Drawing::new(id, 390.0, 420.0).titled(
+        "The swing of a hoop that was pinned at sixty degrees",
+        "Three plots over one period, one below the other. Omega 1 over W is a wave from a half to minus a half and back. Omega 2 over W stays between minus 0.87, at the ends and in the \
+         middle of the period, and minus one. Chi swings from 60 degrees to 120 and back.",
+    );
+    let values = linear_steps(0.0, 1.0, 400).map(|part| Ok((part, top.at(part * period)?.omega_body)));
+    let values = values.collect::<Result<Vec<_>, InvalidQuantity>>()?;
+    let rows = [
+        ("tangent", r"$\omega_1/W$", Axis::linear(-0.5, 0.5, 0.5), Hue::Orange),
+        ("diameter", r"$\omega_2/W$", Axis::linear(-1.0, 0.0, 0.5), Hue::Orange),
+        ("angle", r"$\chi$, degrees", Axis::linear(60.0, 120.0, 30.0), Hue::Ink),
+    ];
+    for (row, (name, title, axis, hue)) in rows.into_iter().enumerate() {
+        let time = Axis::linear(0.0, 1.0, 0.25);
+        let time = if row == 2 { time.titled("time, in periods") } else { time.marked(&[]).minor(0.25) };
+        let frame = Rect::new(58.0, 34.0 + 122.0 * row as f64, 316.0, 78.0);
+        let mut plot = Plot::new(&mut drawing, frame, time, axis.titled(title))?;
+        let curve = values.iter().map(|(part, omega)| {
+            let value = match row {
+                0 => omega.x / rate,
+                1 => omega.y / rate,
+                _ => (-omega.y).atan2(omega.x).to_degrees(),
+            };
+            (*part, value)
+        });
+        plot.curve(name, curve, Stroke::Curve, hue);
+    }
+    Ok(drawing)
+}

@@ -3,12 +3,13 @@
 use super::{placed, wheel};
 use drawing::kit::{Heads, Marker};
 use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage, View};
-use drawing::{Drawing, Fill, Hue, Side, Stroke, at};
-use figures::{Cause, Outcome, Plot, in_both, linear_steps};
+use drawing::{Drawing, Fill, Hue, Rect, Side, Stroke, at};
+use figures::{Axis, Cause, Outcome, Plot, in_both, linear_steps};
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{MomentFactors, Rolling};
 use mechanics::scenes::rolling_wheel::Wobble;
 use nalgebra::{UnitQuaternion, Vector3};
+use std::f64::consts::FRAC_PI_2;
 
 /// A disc that is kicked on its circle, and the first moment at which its lean is largest.
 fn reversal(lean: f64, b: f64, kick: f64) -> Result<(Wobble, f64), Cause> {
@@ -104,4 +105,46 @@ pub(crate) fn mirrored_film(id: &str) -> Outcome {
         stage.write(&mut drawing);
         Ok(drawing)
     })
+}
+
+/// The potentials of two coins that roll straight, one too slow to stay upright: what an exercise asks to sketch.
+pub(crate) fn two_wells(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 390.0, 330.0).titled(
+        "The potentials of a slow coin and of a fast one",
+        "The potential above that of the upright, in thousandths of m g a, against the lean from minus 40 to 40 degrees. That of the fast coin is a single well with its bottom at the upright. That of \
+         the slow one has a low top there and a well on either side, and is as high again as the top at 32.4 degrees on both sides, at dots on a dashed line.",
+    );
+    let disc = wheel(MomentFactors::DISK)?;
+    // In speeds √(ga) of a euro coin, 0.338 m/s.
+    let root = (9.81_f64 * 0.5 * 0.02325).sqrt();
+    let height = |speed: f64, lean: f64| {
+        let constants = disc.constants(&Rolling { omega_3: speed / root, ..Rolling::UPRIGHT });
+        let at = |lean: f64| disc.potential(&constants, FRAC_PI_2 - lean);
+        1e3 * (at(lean) - at(0.0))
+    };
+    let lean = Axis::linear(-40.0, 40.0, 20.0).minor(5.0).titled(r"lean $\theta$, degrees");
+    let potential =
+        Axis::linear(-15.0, 45.0, 15.0).minor(5.0).titled(r"$V$ above the upright, in $mga/1000$");
+    let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 320.0, 246.0), lean, potential)?;
+    plot.level(0.0, Stroke::Reference);
+    let slow = 0.5 * root;
+    for (name, speed, stroke, hue) in
+        [("fast", 0.24, Stroke::Curve, Hue::Muted), ("slow", slow, Stroke::Heavy, Hue::Ink)]
+    {
+        let values =
+            linear_steps(-40.0, 40.0, 400).map(|degrees| (degrees, height(speed, degrees.to_radians())));
+        plot.curve(name, values, stroke, hue);
+    }
+    // Where the slow coin turns back, by bisection.
+    let (mut inside, mut beyond) = (0.4, 0.7);
+    for _ in 0..50 {
+        let middle = 0.5 * (inside + beyond);
+        *(if height(slow, middle) < 0.0 { &mut inside } else { &mut beyond }) = middle;
+    }
+    let turns = f64::to_degrees(inside);
+    plot.markers(&[(-turns, 0.0), (turns, 0.0)], Marker::Disc, Hue::Ink);
+    plot.label((turns, 0.0), Side::BelowRight, &format!("${turns:.1}°$"), Hue::Ink)?;
+    plot.label((0.0, -8.0), Side::Over, "17 cm/s", Hue::Ink)?;
+    plot.label((0.0, 22.0), Side::Over, "24 cm/s", Hue::Muted)?;
+    Ok(drawing)
 }

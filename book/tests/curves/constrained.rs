@@ -1,7 +1,7 @@
 //! The pinned hoop, the rolling wheel and the spinning coin: what the library says of them where no figure samples it.
 
 use crate::{curve, lies_on, passes};
-use mechanics::integrate::{Direction, Dop853, Outcome, Taylor};
+use mechanics::integrate::{Direction, Dop853, Outcome, Taylor, rk4};
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::pinned_hoop::{Pin, Pinning, PinningParameters, Shape};
 use mechanics::scenes::rolling_wheel::Wheel;
@@ -48,6 +48,20 @@ fn the_portrait_is_that_of_a_pendulum_let_go_at_the_angle_of_each_pin() {
     }
     lies_on("hoop-pendulum", "over-above", |degrees| rate(degrees, 0.45 * 0.45));
     lies_on("hoop-pendulum", "over-below", |degrees| -rate(degrees, 0.45 * 0.45));
+}
+
+#[test]
+fn the_swing_at_sixty_degrees_is_that_of_the_pendulum_step_by_step() {
+    let hoop = hoop(60.0);
+    let (rate, period) = (hoop.omega_after().norm(), hoop.free_motion().unwrap().period().unwrap());
+    let pendulum = |_t: f64, &[chi, turn]: &[f64; 2]| [turn, 0.25 * rate * rate * (2.0 * chi).sin()];
+    let chi = |part: f64| {
+        let start = [60_f64.to_radians(), 0.0];
+        rk4(pendulum, 0.0, start, part * period, 400).expect("it swings")[0]
+    };
+    lies_on("swing-at-sixty", "angle", |part| chi(part).to_degrees());
+    lies_on("swing-at-sixty", "tangent", |part| chi(part).cos());
+    lies_on("swing-at-sixty", "diameter", |part| -chi(part).sin());
 }
 
 #[test]
@@ -120,6 +134,34 @@ fn the_turn_rate_and_the_potential_of_a_disc_are_those_of_the_library() {
     let start = Rolling { tilt: FRAC_PI_2 - 0.3, omega_2: 0.45, omega_3: 0.9, ..Rolling::UPRIGHT };
     let constants = disc.constants(&start);
     lies_on("potential", "potential", |lean| disc.potential(&constants, FRAC_PI_2 - lean.to_radians()));
+}
+
+#[test]
+fn the_slow_coin_turns_back_where_its_potential_is_as_high_as_the_upright() {
+    let disc = wheel(0.25, 0.5);
+    let curve_of = |name| curve("two-wells", name);
+    // Nudged, it leans as far as this, step by step.
+    let start = Rolling { omega_1: 1e-4, omega_3: 0.5, ..Rolling::UPRIGHT };
+    let times: Vec<f64> = (1..=6000).map(|k| 0.01 * f64::from(k)).collect();
+    let rates = |t: f64, state: &[f64; 8]| disc.rates(t, state);
+    let (path, _) = Dop853::new(1e-12).unwrap().sample(rates, 0.0, start.to_array(), &times).unwrap();
+    let farthest =
+        path.iter().map(|state| Rolling::from_array(*state).lean().to_degrees()).fold(0.0, f64::max);
+    assert!((farthest - 32.4).abs() < 0.05, "{farthest}");
+    for lean in [-farthest, 0.0, farthest] {
+        assert!(curve_of("slow").distance((lean, 0.0)) < 0.5, "{lean}");
+    }
+    // And where its lean changes quickest, the well is as deep as this costs.
+    let deepest = path
+        .iter()
+        .map(|state| Rolling::from_array(*state))
+        .max_by(|one, other| one.omega_1.abs().total_cmp(&other.omega_1.abs()))
+        .expect("states");
+    // The energy of the lean, ½ (I₁ + m a²) ω₁².
+    let depth = 1e3 * 0.5 * 1.25 * deepest.omega_1.powi(2);
+    assert!(curve_of("slow").distance((deepest.lean().to_degrees(), -depth)) < 0.5, "{deepest:?} {depth}");
+    let fast = curve_of("fast").values();
+    assert!(fast.iter().all(|(_, height)| *height > -1e-6));
 }
 
 #[test]

@@ -189,6 +189,16 @@ fn after_a_small_blow_the_axis_runs_on_half_the_circle_and_the_star_on_a_line() 
 }
 
 #[test]
+fn the_star_over_a_tube_is_the_difference_of_two_arrows_that_turn_in_one_sense() {
+    // By eq:nodding-rate the one turns with σ = −0.6 ω₃, and the other with −(Λ − σ) = −ω₃.
+    let star = (0..300).map(|step| {
+        let angle = 2.5 * TAU * f64::from(step) / 300.0;
+        (angle.sin() - (0.6 * angle).sin(), (0.6 * angle).cos() - angle.cos())
+    });
+    passes("tube-sky", "star", star);
+}
+
+#[test]
 fn spin_and_wobble_decay_exponentially_and_as_powers_of_each_other() {
     for (ratio, name) in [(2.0, "2"), (1.0, "1"), (0.5, "0.5")] {
         lies_on("tangent", &format!("ratio-{name}"), |t: f64| 0.3 * (-(1.0 - 1.0 / ratio) * t).exp());

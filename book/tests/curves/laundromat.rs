@@ -65,6 +65,18 @@ fn one_mode_fills_its_ring_and_no_more() {
 }
 
 #[test]
+fn two_circles_as_large_make_hearts_or_petals() {
+    for (name, sense) in [("hearts", 1.0), ("petals", -1.0)] {
+        let sum = (0..200).map(|step| {
+            let angle = TAU * f64::from(step) / 200.0;
+            let [(one, up), (other, aside)] = [(3.0 * angle).sin_cos(), (sense * angle).sin_cos()];
+            (up + aside, one + other)
+        });
+        passes("petals", name, sum);
+    }
+}
+
+#[test]
 fn the_ramps_lie_on_their_closed_form() {
     for per_square in [0.1, 0.01, 0.001] {
         let machine = machine(0.02, 0.0);

@@ -8,7 +8,7 @@ use figures::Outcome;
 use mechanics::attitude::angle_between;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
-use mechanics::inertia::PrincipalMoments;
+use mechanics::inertia::{Body, PrincipalMoments};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
@@ -226,5 +226,57 @@ pub(crate) fn quarter_turn(id: &str) -> Outcome {
     kit::angle(&mut drawing, origin, 44.0, 0.0, FRAC_PI_2, Heads::End, Hue::Ink);
     drawing.label(origin + Point::polar(46.0, FRAC_PI_4), Side::AboveRight, "90°", Hue::Ink)?;
     drawing.dot(origin, 3.0, Hue::Ink);
+    Ok(drawing)
+}
+
+/// A brick that turns about its diagonal: what an exercise asks to draw.
+pub(crate) fn brick_momentum(id: &str) -> Outcome {
+    let mut drawing = Drawing::new(id, 340.0, 270.0).titled(
+        "The angular momentum of a brick that turns about its diagonal",
+        "A brick, its long edge to the right. From its middle the angular velocity points through the corner at the right, far and above. The angular momentum leaves it by 33 degrees, away from the \
+         long edge and towards the two short ones.",
+    );
+    let half = Vector3::new(1.0, 0.5, 0.3); // in 10 cm
+    let omega = half.normalize();
+    let momentum = Body::cuboid(1.0, [2.0, 1.0, 0.6])?.moments().angular_momentum(&omega).normalize();
+    let mut stage = Stage::new(Camera::new(View {
+        target: [0.25, 0.0, 0.2],
+        azimuth: -1.25,
+        elevation: 0.42,
+        distance: 9.0,
+        centre: at(160.0, 140.0),
+        scale: 96.0,
+    })?);
+    let far = Vector3::new(-1.0, 1.0, -1.0); // the corner that cannot be seen
+    for axis in 0..3 {
+        for (one, other) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+            let mut corner = Vector3::zeros();
+            corner[(axis + 1) % 3] = one;
+            corner[(axis + 2) % 3] = other;
+            let [from, to] = [-1.0, 1.0].map(|end| {
+                let mut corner = corner;
+                corner[axis] = end;
+                corner
+            });
+            let is_hidden = from == far || to == far;
+            let edge = Curve::segment(from.component_mul(&half), to.component_mul(&half))?;
+            let stroke = if is_hidden { Stroke::Dotted } else { Stroke::Curve };
+            stage.curve(edge.hiding(Hiding::Ignored), stroke, Hue::Blue)?;
+        }
+    }
+    for (place, side, name) in [
+        ([0.0, -0.5, -0.3], Side::Below, "20 cm"),
+        ([1.0, 0.0, -0.3], Side::BelowRight, "10 cm"),
+        ([-1.0, -0.5, 0.0], Side::Left, "6 cm"),
+    ] {
+        stage.label(place, side, name, Hue::Blue)?;
+    }
+    stage.named_vector([0.0; 3], omega * 1.7, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+    stage.named_vector([0.0; 3], momentum * 1.5, r"$\boldsymbol{L}$", Hue::Green)?;
+    let arc = Curve::between([0.0; 3], omega, momentum, 0.95)?;
+    stage.curve(arc.hiding(Hiding::Ignored), Stroke::Outline, Hue::Ink)?;
+    let degrees = format!("{:.0}°", angle_between(&omega, &momentum).to_degrees());
+    stage.label((omega + momentum).normalize() * 1.15, Side::Over, &degrees, Hue::Ink)?;
+    stage.write(&mut drawing);
     Ok(drawing)
 }
