@@ -804,7 +804,7 @@ function whenNear(element, act) {
  *  of that: for each picture that changes Chromium goes through the whole page, and its formulas take longer than the
  *  picture. Far parts are spared that (`live.css`). Not scenes; nor code with its answers, whose margins reach out of it. */
 function markFar() {
-  if (Math.abs(scrollY - markedAt) < innerHeight / 2) return;
+  if (Math.abs(scrollY - markedAt) < innerHeight / 2) return; // they would be nearly the same
   if (markedAt === -Infinity) addEventListener("scroll", markFar, { passive: true });
   markedAt = scrollY;
   const parts = [...document.querySelectorAll("main > :not(.scene, .answering, :has(.scene))")];

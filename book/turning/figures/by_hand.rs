@@ -1,5 +1,5 @@
 //! What the page works out by hand: where the high spot is, a cross of four balls, a plate held at a corner, a ride on
-//! the carousel, a quarter turn by two mirrors.
+//! the carousel, a quarter turn by two mirrors; and the brick that an exercise asks to draw.
 
 use drawing::kit::{self, Heads};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};

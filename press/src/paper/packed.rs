@@ -94,19 +94,11 @@ fn content(body: &[u8]) -> Option<String> {
     Some(content)
 }
 
-/// A content with the places of its lines, curves and words to a hundredth of a pixel, those of letters to one of the
-/// two thousand parts of their height. What scales others keeps all its digits.
+/// What is drawn, with the places of lines, curves and words to a hundredth of a pixel, or a thousandth if they are less
+/// than one; those of a letter are whole numbers, of which its height has some two thousand. What scales others keeps all
+/// its digits.
 fn rounded(content: &str) -> String {
     let is_letter = content.lines().next().is_some_and(|line| line.ends_with(" d1"));
-    let digits = |value: f64| {
-        if is_letter {
-            0
-        } else if value.abs() < 1.0 {
-            3
-        } else {
-            2
-        }
-    };
     let mut out = String::with_capacity(content.len());
     for line in content.split_inclusive('\n') {
         let (numbers, act) = line.rsplit_once(' ').unwrap_or(("", line));
@@ -117,7 +109,7 @@ fn rounded(content: &str) -> String {
         for number in numbers.split(' ') {
             match number.parse::<f64>() {
                 Ok(value) if number.contains('.') => {
-                    let digits = digits(value);
+                    let digits = if is_letter { 0 } else { 2 + usize::from(value.abs() < 1.0) };
                     let written = format!("{value:.digits$}");
                     let short = if digits > 0 {
                         written.trim_end_matches('0').trim_end_matches('.')
@@ -177,16 +169,14 @@ mod tests {
 
     #[test]
     fn only_what_draws_is_opened() {
-        let mut object = Vec::new();
-        stream(&mut object, 7, "", b"1.234567 2 m\n");
-        let body = object.strip_prefix(b"7 0 obj\n").unwrap();
-        let body = [
-            b"<</Filter /FlateDecode\n".as_slice(),
-            &body[body.iter().position(|&b| b == b'L').unwrap() - 1..],
-        ]
-        .concat();
-        assert_eq!(content(&body).as_deref(), Some("1.234567 2 m\n"));
-        let other = [b"<</Length1 9\n".as_slice(), &body[2..]].concat();
-        assert_eq!(content(&other), None);
+        let mut packer = ZlibEncoder::new(Vec::new(), Compression::best());
+        packer.write_all(b"1.234567 2 m\n").unwrap();
+        let packed = packer.finish().unwrap();
+        let body = |words: &str| {
+            let head = format!("<<{words}/Filter /FlateDecode\n/Length {}>> stream\n", packed.len());
+            [head.as_bytes(), &packed, b"\nendstream"].concat()
+        };
+        assert_eq!(content(&body("")).as_deref(), Some("1.234567 2 m\n"));
+        assert_eq!(content(&body("/Length1 9\n")), None, "a font");
     }
 }
