@@ -52,7 +52,7 @@ fn band(plot: &mut Plot<'_>, values: &[(f64, f64)], most: f64, words: &str) -> R
     let top = plot.at((values[0].0, most)).y;
     let corners =
         [(frame.left, frame.bottom), (frame.right, frame.bottom), (frame.right, top), (frame.left, top)];
-    plot.drawing().polygon(corners.map(|(x, y)| at(x, y)).to_vec(), Fill::Face, Hue::Muted);
+    plot.drawing().polygon(corners.map(|(x, y)| at(x, y)).to_vec(), Fill::Ground, Hue::Muted);
     plot.drawing().line(at(frame.left, top), at(frame.right, top), Stroke::Outline, Hue::Ink);
     let middle = at(frame.left + 2.0, 0.5 * (top + frame.bottom));
     plot.drawing().label_on_face(middle, Side::Right, words, Hue::Ink)?;

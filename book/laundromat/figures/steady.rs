@@ -109,7 +109,8 @@ pub(crate) fn centring(id: &str) -> Outcome {
         plot.drawing().circle(common, 4.5, Role::Area(Fill::Solid, Hue::Ink));
         plot.label((SQRT_2, 1.0), Side::AboveRight, "one point for every damping", Hue::Ink)?;
         plot.label((0.84, 3.3), Side::Left, room.of(r"$\Gamma/\omega_0 = 0.1$", "$0.1$"), Hue::Ink)?;
-        plot.label((0.74, 2.3), Side::Left, "$0.3$", Hue::Ink)?;
+        let (beside, side) = room.of(((0.87, 2.05), Side::Over), ((0.74, 2.3), Side::Left));
+        plot.label(beside, side, "$0.3$", Hue::Ink)?;
         plot.label((0.4, 1.2), Side::Above, "$1$", Hue::Ink)?;
         plot.label((0.5, 0.5), Side::Over, room.of("spring alone", "spring"), Hue::Muted)?;
 
