@@ -2,10 +2,10 @@
 //! common mistakes, and what its teaching notes put to the vote. Nothing on them is written for them.
 
 use super::{Paper, Sheet};
-use crate::html::{self, Element};
 use anyhow::{Context as _, Result, ensure};
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
+use html::Element;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
@@ -146,23 +146,15 @@ fn bare(choice: &str) -> String {
     words.trim_end_matches([',', '.']).to_owned() + tie
 }
 
-/// The questions of `**Vote.** *Question* (A) one, (B) another. B: why. *Next question* (A) …`; `None` if they are not so.
+/// The questions of `**Vote.** *Question* (A) one, (B) another. **B**: why. *Next question* (A) …`; `None` if they are not so.
 fn votes(paragraph: &str) -> Option<Vec<Vote<'_>>> {
     const FIRST: &str = "</em> (A) ";
     let ends: Vec<usize> = paragraph.match_indices(FIRST).map(|(end, _)| end).collect();
     let starts: Vec<usize> = ends.iter().map(|end| paragraph[..*end].rfind("<em>")).collect::<Option<_>>()?;
     let vote = |n: usize| {
         let rest = &paragraph[ends[n] + FIRST.len()..*starts.get(n + 1).unwrap_or(&paragraph.len())];
-        let last = [" (D) ", " (C) ", " (B) "].iter().find_map(|mark| rest.find(mark))?;
-        // The full stop may be tied to a formula, within an element.
-        let is_answer = |at: &usize| {
-            let mut letters = rest[at + 1..].chars();
-            rest[..*at].trim_end_matches("</span>").ends_with(['.', '?'])
-                && matches!(letters.next(), Some('A'..='D'))
-                && letters.next().is_some_and(|c| ":.,; ".contains(c))
-        };
-        let at = rest[last..].match_indices(' ').map(|(at, _)| last + at).find(is_answer)?;
-        let (mut choices, mut left) = (Vec::new(), &rest[..at]);
+        let at = rest.find("<strong>")?;
+        let (mut choices, mut left) = (Vec::new(), rest[..at].trim_end());
         for mark in [" (B) ", " (C) ", " (D) "] {
             if let Some((one, more)) = left.split_once(mark) {
                 choices.push(bare(one));
@@ -170,6 +162,7 @@ fn votes(paragraph: &str) -> Option<Vec<Vote<'_>>> {
             }
         }
         choices.push(bare(left));
+        (choices.len() > 1).then_some(())?;
         Some(Vote { question: &paragraph[starts[n] + 4..ends[n]], choices, answer: rest[at..].trim() })
     };
     (0..ends.len()).map(vote).collect::<Option<Vec<_>>>().filter(|votes| !votes.is_empty())
@@ -207,7 +200,7 @@ impl Paper {
         let notes = self.sheets.iter().find_map(|sheet| section(sheet, &format!("sec-notes-{chapter}")));
         for paragraph in Parts::of(notes.unwrap_or_default()).says("Vote.") {
             let votes = votes(paragraph)
-                .context("a vote is written `**Vote.** *Question* (A) one, (B) another. B: why.`")?;
+                .context("a vote is written `**Vote.** *Question* (A) one, (B) another. **B**: why.`")?;
             for Vote { question, choices, answer } in votes {
                 let choices: String = choices.iter().map(|choice| format!("<li>{choice}</li>")).collect();
                 let vote = format!(
@@ -275,22 +268,24 @@ mod tests {
 
     #[test]
     fn votes_are_read_and_others_refused() {
-        let two = "<strong>Vote.</strong> <em>It is</em> (A) 0.5 (or so), (B) two, (C) three. B: why. A adds <em>two</em>. \
-                   <em>And?</em> (A) <span>x,</span> (B) <span>y.</span> A, by all.";
+        let two = "<strong>Vote.</strong> <em>It is</em> (A) 0.5 (or so), (B) two, (C) three. <strong>B</strong>: why. A adds <em>two</em>. \
+                   <em>And?</em> (A) <span>x,</span> (B) <span>y.</span> <strong>A</strong>, by all.";
         let vote = |question, choices: &[&str], answer| Vote {
             question,
             choices: choices.iter().map(|one| (*one).to_owned()).collect(),
             answer,
         };
         let expected = [
-            vote("It is", &["0.5 (or so)", "two", "three"], "B: why. A adds <em>two</em>."),
-            vote("And?", &["<span>x</span>", "<span>y</span>"], "A, by all."),
+            vote("It is", &["0.5 (or so)", "two", "three"], "<strong>B</strong>: why. A adds <em>two</em>."),
+            vote("And?", &["<span>x</span>", "<span>y</span>"], "<strong>A</strong>, by all."),
         ];
         assert_eq!(votes(two).as_deref(), Some(&expected[..]));
         for wrong in [
             "<em>It is</em> one or two.",
             "<em>It is</em> (A) one, (B) two, and why.",
-            "(A) one, (B) two. B: why.",
+            "<em>It is</em> (A) one, (B) two. B: why.",
+            "<em>It is</em> (A) one. <strong>A</strong>: why.",
+            "(A) one, (B) two. <strong>B</strong>: why.",
         ] {
             assert_eq!(votes(wrong), None, "{wrong}");
         }
