@@ -1,6 +1,6 @@
 //! Spinning down in air: equations (53) to (58), (3) and (4), and where the axis goes.
 
-use crate::common::between;
+use crate::common::{any, between};
 use crate::printed::corrected_holds_and_printed_fails;
 use approx::assert_relative_eq;
 use mechanics::attitude::rotation_between;
@@ -53,7 +53,7 @@ fn written_out<D: DualNum<Primitive = f64> + Copy>(
 
 fn simulated(moments: PrincipalMoments, drag: Drag, start: Vector3<f64>, time: f64) -> Vector3<f64> {
     let rates = |_: f64, omega: &[f64; 3]| written_out(moments, drag, *omega);
-    Vector3::from(Dop853::new(1e-13).unwrap().solve(rates, 0.0, start.into(), time).unwrap().state)
+    Vector3::from(Dop853::new(1e-13).unwrap().solve(any(rates), 0.0, start.into(), time).unwrap().state)
 }
 
 #[test]
@@ -246,7 +246,7 @@ fn the_wobble_goes_round_a_finite_number_of_times() {
         // Turn of ω₁ + iω₂ in a simulation of the logarithm: its imaginary part has the rate σ(t).
         let rates = |_: f64, &[w3, _]: &[f64; 2]| [-drag.axial / i3 * w3, w3 * (i3 - i1) / i1];
         let late = 40.0 * i3 / drag.axial;
-        let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, [start.z, 0.0], late).unwrap();
+        let end = Dop853::new(1e-13).unwrap().solve(any(rates), 0.0, [start.z, 0.0], late).unwrap();
         assert_relative_eq!(
             top.total_body_turns(),
             (end.state[1] / TAU).abs(),
@@ -274,7 +274,8 @@ fn the_attitude_is_that_of_eulers_equations_with_seven_numbers() {
         let samples = thrown.sample(&times).unwrap();
         let rates = euler::turning_rates(moments, |_, turning| top.torque_body(&turning.omega_body));
         let begin = Turning { world_from_body, omega_body: start };
-        let (states, _) = Dop853::new(1e-13).unwrap().sample(rates, 0.0, begin.to_array(), &times).unwrap();
+        let (states, _) =
+            Dop853::new(1e-13).unwrap().sample(any(rates), 0.0, begin.to_array(), &times).unwrap();
         for (sample, state) in samples.iter().zip(states) {
             let judge = Turning::from_array(state);
             assert!(rotation_between(&sample.world_from_body, &judge.world_from_body) < 1e-10);
@@ -298,7 +299,7 @@ fn a_long_bodys_quick_spin_costs_no_steps() {
     assert!(thrown.at(10.0).is_ok());
     let rates = euler::turning_rates(moments, |_, turning| top.torque_body(&turning.omega_body));
     let begin = Turning { world_from_body: UnitQuaternion::identity(), omega_body: top.at(0.0).unwrap() };
-    let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, begin.to_array(), 1.0).unwrap();
+    let end = Dop853::new(1e-13).unwrap().solve(any(rates), 0.0, begin.to_array(), 1.0).unwrap();
     let judge = Turning::from_array(end.state);
     assert!(rotation_between(&thrown.at(1.0).unwrap().world_from_body, &judge.world_from_body) < 1e-9);
 }

@@ -1,6 +1,7 @@
 //! The ball on a cloth, on a turning table and in a hole, against Newton's and Euler's laws for the whole ball in the
 //! room: one point touches, and its force is what sliding friction gives, or what keeps it from slipping.
 
+use crate::common::any;
 use approx::assert_relative_eq;
 use mechanics::InvalidQuantity;
 use mechanics::integrate::Dop853;
@@ -113,7 +114,7 @@ fn ball_slide_is_that_of_newton_and_euler_and_ends_when_they_say() {
         assert!(start.iter().zip(hit).all(|(found, given)| (found - given).abs() < 5e-14), "{start:?}");
         let solver = Dop853::new(1e-13).unwrap();
         for part in [0.1, 0.5, 0.9, 0.999] {
-            let end = solver.solve(sliding(ball(factor), 0.2), 0.0, start, part * time).unwrap();
+            let end = solver.solve(any(sliding(ball(factor), 0.2)), 0.0, start, part * time).unwrap();
             let (end, found) = (from_array(&end.state), shot.at(part * time).unwrap());
             assert!(difference(&ball(factor), &end, &found) < STEPPED, "{factor} {part}: {end:?} {found:?}");
             // The slip that is left, along its first direction.
@@ -245,7 +246,7 @@ fn ball_table_motion_is_that_of_newton_and_euler() {
             let gravity = Vector3::new(slope.sin(), 0.0, -slope.cos()) * GRAVITY;
             let rates = rolling(ball(factor), Wall::Plane(rate), gravity);
             let start = to_array(&roll.at(0.0).unwrap());
-            let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, start, 3.0).unwrap();
+            let end = Dop853::new(1e-13).unwrap().solve(any(rates), 0.0, start, 3.0).unwrap();
             let (end, found) = (from_array(&end.state), roll.at(3.0).unwrap());
             let size = end.centre.norm().max(1.0);
             assert!(
@@ -318,7 +319,7 @@ fn ball_hole_motion_is_that_of_newton_and_euler() {
             let roll = hole(factor).roll(start).unwrap();
             let rates = rolling(ball(factor), Wall::Cylinder, Vector3::z() * -GRAVITY);
             let first = roll.at(0.0).unwrap();
-            let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, to_array(&first), 2.0).unwrap();
+            let end = Dop853::new(1e-13).unwrap().solve(any(rates), 0.0, to_array(&first), 2.0).unwrap();
             let (end, found) = (from_array(&end.state), roll.at(2.0).unwrap());
             assert!(
                 difference(&ball(factor), &end, &found) < 20.0 * STEPPED,

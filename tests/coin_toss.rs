@@ -1,5 +1,6 @@
 //! The coin toss: equations (46) and (47), which face shows when, and the bias of a tossed coin.
 
+use crate::common::any;
 use approx::assert_relative_eq;
 use mechanics::euler::{self, Turning};
 use mechanics::inertia::{Body, Cylinder, PrincipalMoments};
@@ -34,7 +35,7 @@ fn simulated_turnings(moments: PrincipalMoments, omega_1: f64, omega_3: f64, tim
         omega_body: Vector3::new(omega_1, 0.0, omega_3),
     };
     let free = euler::turning_rates(moments, |_, _| Vector3::zeros());
-    let (states, _) = Dop853::new(1e-13).unwrap().sample(free, 0.0, start.to_array(), times).unwrap();
+    let (states, _) = Dop853::new(1e-13).unwrap().sample(any(free), 0.0, start.to_array(), times).unwrap();
     states.into_iter().map(Turning::from_array).collect()
 }
 

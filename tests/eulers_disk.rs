@@ -1,6 +1,7 @@
 //! Euler's disk on a film of air: the Taylor series against the rates, the rates against Newton's and Euler's laws, and
 //! what is lost.
 
+use crate::common::any;
 use mechanics::integrate::{Dop853, Failure, Taylor};
 use mechanics::nalgebra::Complex;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
@@ -58,7 +59,7 @@ fn the_energy_that_is_lost_is_the_work_of_the_film() {
     };
     let start = rough();
     let begin: [f64; 9] = std::array::from_fn(|i| if i < 8 { start.to_array()[i] } else { 0.0 });
-    let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, begin, 2.0).unwrap().state;
+    let end = Dop853::new(1e-13).unwrap().solve(any(rates), 0.0, begin, 2.0).unwrap().state;
     let ours = sinking(&disk, start, 1e-16).at(2.0).unwrap();
     let lost = disk.energy(&start) - disk.energy(&ours);
     assert!(lost > 0.05 * MASS && (lost / end[8] - 1.0).abs() < 1e-10, "{lost} {}", end[8]);

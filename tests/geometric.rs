@@ -1,6 +1,7 @@
 //! The methods that only turn: splittings against the closed form and over many turns, the Lie-group method under
 //! torques.
 
+use crate::common::any;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
@@ -152,7 +153,7 @@ fn the_lie_group_method_has_order_four_under_any_torque() {
     let start = turning(Vector3::new(0.4, -0.3, 2.0));
     for (from, to) in [(0.5, 8.0), (3.0, -2.0)] {
         let rates = euler::turning_rates(brick(), shaken);
-        let judge = Dop853::new(1e-14).unwrap().solve(rates, from, start.to_array(), to).unwrap();
+        let judge = Dop853::new(1e-14).unwrap().solve(any(rates), from, start.to_array(), to).unwrap();
         let judge = Turning::from_array(judge.state);
         let pairs = [80, 113, 160, 226, 320, 452, 640].map(|steps: usize| {
             let found = commutator_free(&brick(), shaken, from, start, to, steps).unwrap();

@@ -1,6 +1,7 @@
 //! The washing machine with a motor of limited torque, against its equations of motion written out in the room, against
 //! reference values, and against long simulations.
 
+use crate::common::any;
 use mechanics::integrate::Dop853;
 use mechanics::nalgebra::{Complex, Matrix3, Vector3};
 use mechanics::scenes::laundromat::{DrivenMachine, DrivenState, Machine, MachineParameters, Motor};
@@ -71,7 +72,7 @@ fn simulated(parameters: MachineParameters, motor: Motor, start: DrivenState, ti
     let DrivenState { position, velocity, spin } = start;
     let start = [position.re, position.im, 0.0, velocity.re, velocity.im, spin];
     let [x, y, phi, vx, vy, spin] =
-        Dop853::new(1e-10).expect("a tolerance").solve(rates, 0.0, start, time).expect("a motion").state;
+        Dop853::new(1e-10).expect("a tolerance").solve(any(rates), 0.0, start, time).expect("a motion").state;
     let back = Complex::from_polar(1.0, -phi);
     DrivenState { position: Complex::new(x, y) * back, velocity: Complex::new(vx, vy) * back, spin }
 }
@@ -79,8 +80,9 @@ fn simulated(parameters: MachineParameters, motor: Motor, start: DrivenState, ti
 /// The same by the library's rates.
 fn settled(drive: &DrivenMachine, start: DrivenState, time: f64) -> DrivenState {
     let solver = Dop853::new(1e-9).expect("a tolerance");
-    let end =
-        solver.solve(|time, state| drive.rates(time, state), 0.0, start.to_array(), time).expect("a motion");
+    let end = solver
+        .solve(any(|time, state| drive.rates(time, state)), 0.0, start.to_array(), time)
+        .expect("a motion");
     DrivenState::from_array(end.state)
 }
 

@@ -1,6 +1,7 @@
 //! The pinned hoop: equations (59) to (71), each by a route that shares no code with it, and the free motion
 //! afterwards.
 
+use crate::common::any;
 use crate::printed::corrected_holds_and_printed_fails;
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
@@ -366,7 +367,7 @@ fn stepped(degrees: f64, times: &[f64]) -> Vec<Turning> {
     let (_, omega_body, _) = snapped(Shape::Hoop, degrees);
     let start = Turning { world_from_body: UnitQuaternion::identity(), omega_body };
     let rates = euler::turning_rates(moments, |_, _| Vector3::zeros());
-    let (states, _) = Dop853::new(1e-13).unwrap().sample(rates, 0.0, start.to_array(), times).unwrap();
+    let (states, _) = Dop853::new(1e-13).unwrap().sample(any(rates), 0.0, start.to_array(), times).unwrap();
     states.into_iter().map(Turning::from_array).collect()
 }
 
@@ -467,7 +468,7 @@ fn the_growth_rate_is_that_of_the_pendulum_and_a_ball_has_none() {
             euler::rates(&moments, &Vector3::from(*omega), &Vector3::zeros()).into()
         };
         let solver = Dop853::new(1e-13).unwrap();
-        let (states, _) = solver.sample(rates, 0.0, body.omega_after().into(), &[50.0, 60.0]).unwrap();
+        let (states, _) = solver.sample(any(rates), 0.0, body.omega_after().into(), &[50.0, 60.0]).unwrap();
         let growth = (states[1][1] / states[0][1]).ln() / 10.0;
         assert_relative_eq!(growth, body.growth_rate(), max_relative = 1e-5);
     }
@@ -492,7 +493,7 @@ fn a_ball_does_not_linger_and_its_diameter_keeps_its_angle() {
     let rates = euler::turning_rates(moments, |_, _| Vector3::zeros());
     let end = 0.7 * PI / gap; // eq:ball-turn
     let times = [0.25 * end, 0.5 * end, end];
-    let (states, _) = Dop853::new(1e-13).unwrap().sample(rates, 0.0, start.to_array(), &times).unwrap();
+    let (states, _) = Dop853::new(1e-13).unwrap().sample(any(rates), 0.0, start.to_array(), &times).unwrap();
     let momentum = moments.angular_momentum(&start.omega_body);
     for (state, part) in states.into_iter().map(Turning::from_array).zip([0.25, 0.5, 1.0]) {
         let expected = start.omega_body.x * (0.5 * PI * part).cos();

@@ -1,5 +1,6 @@
 //! The struck space station: equations (48) to (52), the printed ones that fail, and what the station does afterwards.
 
+use crate::common::any;
 use crate::printed::corrected_holds_and_printed_fails;
 use approx::assert_relative_eq;
 use mechanics::attitude::angle_between;
@@ -135,7 +136,7 @@ fn simulated(struck: &StruckStation, times: &[f64]) -> Vec<Turning> {
     let moments = Body::hoop(mass, radius).unwrap().moments();
     let start = struck.at(0.0).unwrap();
     let free = euler::turning_rates(moments, |_, _| Vector3::zeros());
-    let (states, _) = Dop853::new(1e-13).unwrap().sample(free, 0.0, start.to_array(), times).unwrap();
+    let (states, _) = Dop853::new(1e-13).unwrap().sample(any(free), 0.0, start.to_array(), times).unwrap();
     states.into_iter().map(Turning::from_array).collect()
 }
 

@@ -1,6 +1,7 @@
 //! The spinning coin: equations (92) to (94) and (98), each by a route that shares no code with it; (91) and (95) to
 //! (97) are with the rolling wheel's whole body. And where the laws of its end stop.
 
+use crate::common::any;
 use approx::assert_relative_eq;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
@@ -98,7 +99,7 @@ fn eq98_the_figure_turns_slowly_as_simulated_for_a_whole_turn() {
         let time = TAU / coin.turn_rate();
         let begin = Turning { world_from_body: start, omega_body };
         let rates = euler::turning_rates(moments, torque);
-        let end = Dop853::new(1e-13).unwrap().solve(rates, 0.0, begin.to_array(), time).unwrap();
+        let end = Dop853::new(1e-13).unwrap().solve(any(rates), 0.0, begin.to_array(), time).unwrap();
         let end = Turning::from_array(end.state);
         assert!(rotation_between(&end.world_from_body, &coin.attitude(1.0)) < 1e-8);
         // Seen along the upward normal the face has turned forwards by 2π(1 − sin θ).

@@ -1,5 +1,6 @@
 //! The top under gravity: every formula by a route that shares no code with it, and the reference values.
 
+use crate::common::any;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::Turning;
 use mechanics::free_rotation::FreeSymmetricTop;
@@ -146,7 +147,7 @@ fn the_whole_body_stepped_with_its_weight_goes_the_same_way() {
         }
         // Another integrator, on the rates that the library gives.
         let end =
-            Dop853::new(1e-13).unwrap().solve(top.rates(), 0.0, motion.start().to_array(), 1.0).unwrap();
+            Dop853::new(1e-13).unwrap().solve(any(top.rates()), 0.0, motion.start().to_array(), 1.0).unwrap();
         let (found, truth) = (motion.at(1.0).unwrap(), Turning::from_array(end.state));
         assert!(rotation_between(&found.world_from_body, &truth.world_from_body) < 3e-9, "{release:?}");
     }
@@ -263,7 +264,7 @@ fn without_spin_the_axis_is_a_spherical_pendulum() {
     let start = motion.start();
     let (e, v) = (start.axis_3_world(), start.omega_world().cross(&start.axis_3_world()));
     let end =
-        Dop853::new(1e-13).unwrap().solve(bead, 0.0, [e.x, e.y, e.z, v.x, v.y, v.z], 2.0).unwrap().state;
+        Dop853::new(1e-13).unwrap().solve(any(bead), 0.0, [e.x, e.y, e.z, v.x, v.y, v.z], 2.0).unwrap().state;
     let found = motion.at(2.0).unwrap().axis_3_world();
     assert!((found - Vector3::new(end[0], end[1], end[2])).norm() < 1e-9);
 }

@@ -2,6 +2,7 @@
 
 use super::Sign::{Any, NotNegative, Positive};
 use super::{Setter, every_number_is_checked};
+use crate::common::any;
 use mechanics::integrate::{Direction, Dop853, Failure, Taylor, rk4};
 use mechanics::scenes::laundromat::{LockedState, Machine, MachineParameters, Shaft};
 use mechanics::{InvalidQuantity, Rule};
@@ -215,7 +216,7 @@ fn integrations_refuse_intervals_and_states_that_are_not_finite() {
     let solver = Dop853::new(1e-9).unwrap();
     for (start, end) in [(0.0, f64::NAN), (f64::NEG_INFINITY, 0.0), (0.0, f64::INFINITY)] {
         let failures = [
-            solver.solve(still, start, [1.0], end).unwrap_err(),
+            solver.solve(any(still), start, [1.0], end).unwrap_err(),
             rk4(still, start, [1.0], end, 5).unwrap_err(),
         ];
         for failure in failures {
@@ -227,7 +228,7 @@ fn integrations_refuse_intervals_and_states_that_are_not_finite() {
         }
     }
     let failures = [
-        solver.solve(still, 0.0, [f64::NAN], 1.0).unwrap_err(),
+        solver.solve(any(still), 0.0, [f64::NAN], 1.0).unwrap_err(),
         rk4(still, 0.0, [f64::NAN], 1.0, 5).unwrap_err(),
     ];
     for failure in failures {
@@ -241,7 +242,7 @@ fn integrations_refuse_intervals_and_states_that_are_not_finite() {
 
 #[test]
 fn an_interval_of_no_length_is_no_work() {
-    let end = Dop853::new(1e-9).unwrap().solve(still, 2.0, [7.0], 2.0).unwrap();
+    let end = Dop853::new(1e-9).unwrap().solve(any(still), 2.0, [7.0], 2.0).unwrap();
     assert_eq!((end.time, end.state, end.work.evaluations), (2.0, [7.0], 0));
 }
 
@@ -257,7 +258,7 @@ fn sample_times_must_be_in_order() {
         (vec![-0.5, 0.0], 0),
         (vec![2e-200, 1e-200, 3e-200], 1),
     ] {
-        let failure = solver.sample(still, 0.0, [1.0], &times).unwrap_err();
+        let failure = solver.sample(any(still), 0.0, [1.0], &times).unwrap_err();
         let Failure::SampleTime { index, time } = failure else { panic!("{times:?}: {failure}") };
         assert!(index >= culprit && (time.is_nan() || time == times[index]), "{times:?}: {failure}");
         assert!(failure.to_string().contains("must lie in the interval and not before its predecessor"));
@@ -267,17 +268,18 @@ fn sample_times_must_be_in_order() {
 #[test]
 fn an_event_that_is_not_a_number_is_a_failure() {
     let solver = Dop853::new(1e-9).unwrap();
-    let at_once = solver.solve_until(still, 0.0, [1.0], 1.0, |_, _| f64::NAN, Direction::Either).unwrap_err();
+    let at_once =
+        solver.solve_until(any(still), 0.0, [1.0], 1.0, |_, _| f64::NAN, Direction::Either).unwrap_err();
     assert!(matches!(at_once, Failure::EventNotANumber { .. }));
     let later = |t: f64, _: &[f64; 1]| (0.5 - t).sqrt();
-    let failure = solver.solve_until(still, 0.0, [1.0], 1.0, later, Direction::Either).unwrap_err();
+    let failure = solver.solve_until(any(still), 0.0, [1.0], 1.0, later, Direction::Either).unwrap_err();
     assert!(matches!(failure, Failure::EventNotANumber { time, .. } if time < 0.5));
     // Finite at both ends of a step, and not in between.
     let within = |t: f64, _: &[f64; 1]| {
         if t == 0.0 || t == 1.0 { t - 0.5 } else { f64::NAN }
     };
     let one_step = solver.with_first_step(1.0).unwrap();
-    let failure = one_step.solve_until(still, 0.0, [1.0], 1.0, within, Direction::Rising).unwrap_err();
+    let failure = one_step.solve_until(any(still), 0.0, [1.0], 1.0, within, Direction::Rising).unwrap_err();
     assert!(matches!(failure, Failure::EventNotANumber { time: 0.0, .. }));
 }
 
@@ -294,6 +296,6 @@ fn lengths_of_steps_that_mean_nothing_are_refused() {
     assert!(plain.with_first_step(f64::INFINITY).is_err());
     assert_eq!(plain.with_max_step(f64::INFINITY), Ok(plain));
     let swing = |_t: f64, &[x, v]: &[f64; 2]| [v, -x];
-    let failure = plain.with_max_evaluations(0).solve(swing, 0.0, [1.0, 0.0], 5.0).unwrap_err();
+    let failure = plain.with_max_evaluations(0).solve(any(swing), 0.0, [1.0, 0.0], 5.0).unwrap_err();
     assert!(matches!(failure, Failure::TooMuchWork { time: 0.0, .. }));
 }

@@ -1,6 +1,7 @@
 //! Length of the quaternion, energy and attitude over many periods of a tumbling hoop.
 
 use super::{FEW_ULPS, assert_level, assert_slope, data, number, numbers};
+use crate::common::any;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
 use mechanics::inertia::PrincipalMoments;
@@ -133,7 +134,7 @@ impl Tumbling {
 
     fn by_dop853(&self, row: &Row, tolerance: f64) -> Errors {
         let solver = Dop853::new(tolerance).unwrap();
-        let end = solver.solve(self.rates(), 0.0, self.start.to_array(), row.t).unwrap();
+        let end = solver.solve(any(self.rates()), 0.0, self.start.to_array(), row.t).unwrap();
         self.errors(&end.state, row)
     }
 }

@@ -1,6 +1,7 @@
 //! Steps and tolerances at the edge of rounding, and steps that heavy damping forces to be short.
 
 use super::{ROUNDOFF, assert_slope, machine};
+use crate::common::any;
 use mechanics::integrate::{Dop853, rk4};
 use mechanics::scenes::laundromat::Shaft;
 use std::f64::consts::TAU;
@@ -29,7 +30,7 @@ fn smaller_steps_help_until_rounding_and_then_they_hurt() {
         assert!(error > 3.0 * best && error < ROUNDOFF * roundings, "{steps}: {error:e}");
     }
     // Order eight arrives with less than a fortieth of the evaluations.
-    let end = Dop853::new(1e-15).unwrap().solve(oscillator, 0.0, [1.0, 0.0], TAU).unwrap();
+    let end = Dop853::new(1e-15).unwrap().solve(any(oscillator), 0.0, [1.0, 0.0], TAU).unwrap();
     let [x, v] = end.state;
     assert!((x - TAU.cos()).hypot(v + TAU.sin()) < 1e-15 && 40 * end.work.evaluations < 4 * 10_000);
 }
@@ -41,7 +42,8 @@ fn tighter_tolerances_help_until_rounding_and_then_only_cost() {
     let exact = machine.transient(Shaft::AT_REST).unwrap().at(end).unwrap().position;
     let solve = |tolerance: f64| {
         let solver = Dop853::new(tolerance).unwrap();
-        let end = solver.solve(|t, y: &[f64; 4]| machine.cartesian_rates(t, y), 0.0, [0.0; 4], end).unwrap();
+        let end =
+            solver.solve(any(|t, y: &[f64; 4]| machine.cartesian_rates(t, y)), 0.0, [0.0; 4], end).unwrap();
         ((Shaft::from_array(end.state).position - exact).norm(), end.work.evaluations)
     };
     let errors: Vec<(f64, f64)> = (4..=11).map(|n| 10_f64.powi(-n)).map(|t| (t, solve(t).0)).collect();
@@ -63,7 +65,7 @@ fn heavy_damping_costs_steps_in_proportion_whatever_the_tolerance() {
         let evaluations = |tolerance: f64| {
             let rates = |t: f64, y: &[f64; 4]| machine.cartesian_rates(t, y);
             let solver = Dop853::new(tolerance).unwrap();
-            solver.solve(rates, 0.0, [1.0, 0.0, 0.0, 0.0], 100.0).unwrap().work.evaluations as f64
+            solver.solve(any(rates), 0.0, [1.0, 0.0, 0.0, 0.0], 100.0).unwrap().work.evaluations as f64
         };
         let [coarse, fine] = [1e-4, 1e-8].map(evaluations);
         assert!((0.8..1.25).contains(&(coarse / fine)), "Γ = {damping}: {coarse} and {fine}");

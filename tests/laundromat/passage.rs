@@ -2,6 +2,7 @@
 //! form of the ramp, which is Faddeeva's function.
 
 use super::WASHER;
+use crate::common::any;
 use mechanics::integrate::Dop853;
 use mechanics::scenes::laundromat::{Machine, MachineParameters, Shaft};
 use nalgebra::Complex;
@@ -109,8 +110,10 @@ fn the_chapters_machine_stays_below_four_centimetres_from_33_and_below_six_with_
         };
         let end = 30.0 / acceleration + 0.5;
         let times: Vec<f64> = (0..=4000).map(|n| end * f64::from(n) / 4000.0).collect();
-        let (states, _) =
-            Dop853::new(1e-10).expect("a solver").sample(rates, 0.0, [0.0; 4], &times).expect("a motion");
+        let (states, _) = Dop853::new(1e-10)
+            .expect("a solver")
+            .sample(any(rates), 0.0, [0.0; 4], &times)
+            .expect("a motion");
         states.iter().map(|[x, y, ..]| x.hypot(*y)).fold(0.0, f64::max)
     };
     assert!(largest(90.0, 33.0) > 0.04 && largest(90.0, 33.4) < 0.04); // "a little over 33"

@@ -1,6 +1,7 @@
 //! Equations (16) to (20): steady motion, self-centring, and what the motor pays.
 
 use super::{ROUNDING, WASHER, letters, machines, washer};
+use crate::common::any;
 use crate::printed::corrected_holds_and_printed_fails;
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
@@ -17,8 +18,10 @@ fn d((w0, _, gamma, spin): (f64, f64, f64, f64)) -> f64 {
 /// Where a simulation of forty decay times from rest ends up, in the frame of the load: z e^{−iΩt}.
 fn settled(machine: &Machine) -> Complex<f64> {
     let t = 80.0 / machine.damping_rate();
-    let end =
-        Dop853::new(1e-13).unwrap().solve(|t, y| machine.cartesian_rates(t, y), 0.0, [0.0; 4], t).unwrap();
+    let end = Dop853::new(1e-13)
+        .unwrap()
+        .solve(any(|t, y| machine.cartesian_rates(t, y)), 0.0, [0.0; 4], t)
+        .unwrap();
     Shaft::from_array(end.state).position * Complex::from_polar(1.0, -machine.spin() * t)
 }
 

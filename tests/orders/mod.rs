@@ -4,6 +4,7 @@ mod keeps;
 mod runge_kutta;
 mod table;
 
+use crate::common::any;
 use mechanics::euler::{self, FreeSeries, Turning};
 use mechanics::geometric::{Splitting, commutator_free};
 use mechanics::inertia::PrincipalMoments;
@@ -71,7 +72,7 @@ fn run(name: &str) -> (Run, [usize; 8]) {
                 let h = (duration / steps as f64).abs();
                 let solver =
                     Dop853::new(LOOSE).unwrap().with_first_step(h).unwrap().with_max_step(h).unwrap();
-                solver.solve(free(), 0.0, start.to_array(), duration).unwrap().state
+                solver.solve(any(free()), 0.0, start.to_array(), duration).unwrap().state
             },
             [40, 48, 58, 70, 84, 100, 120, 144],
         ),

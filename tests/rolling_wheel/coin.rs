@@ -3,6 +3,7 @@
 
 use super::whole_body::{State, arm, axle, frame, placed, solve};
 use super::{GRAVITY, MASS, RADIUS, parameters};
+use crate::common::any;
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
 use mechanics::rolling::MomentFactors;
@@ -29,7 +30,7 @@ fn coins() -> impl Iterator<Item = (MomentFactors, SpinningCoin)> {
 fn rolled(moments: MomentFactors, coin: &SpinningCoin, times: &[f64]) -> Vec<State> {
     let start = placed(FRAC_PI_2 - coin.tilt(), 0.0, coin.omega().into(), Complex::new(0.0, 0.0));
     let rates = |_: f64, state: &State| solve(moments, state).0;
-    Dop853::new(1e-13).unwrap().sample(rates, 0.0, start, times).unwrap().0
+    Dop853::new(1e-13).unwrap().sample(any(rates), 0.0, start, times).unwrap().0
 }
 
 /// A dozen moments of one round of the contact.

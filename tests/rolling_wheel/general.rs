@@ -2,6 +2,7 @@
 
 use super::whole_body::{State, axle, placed, solve, solve_slowed};
 use super::{GRAVITY, MASS, RADIUS, parameters, wheel};
+use crate::common::any;
 use approx::assert_relative_eq;
 use mechanics::integrate::{Dop853, Taylor};
 use mechanics::nalgebra::Complex;
@@ -56,11 +57,11 @@ pub(crate) fn as_the_whole_body(
     judge: impl FnMut(f64, &State) -> State,
 ) -> Option<(Rolling, State)> {
     let solver = Dop853::new(1e-12).unwrap();
-    let reduced = Rolling::from_array(solver.solve(reduced, 0.0, state.to_array(), 0.6).ok()?.state);
+    let reduced = Rolling::from_array(solver.solve(any(reduced), 0.0, state.to_array(), 0.6).ok()?.state);
     if reduced.lean().abs() > 1.4 {
         return None;
     }
-    let judge = solver.solve(judge, 0.0, whole(state), 0.6).unwrap().state;
+    let judge = solver.solve(any(judge), 0.0, whole(state), 0.6).unwrap().state;
     assert_relative_eq!(reduced.lean(), (-axle(&judge).z).asin(), epsilon = 1e-8);
     assert_relative_eq!(reduced.centre.re, judge[0], epsilon = 1e-8);
     assert_relative_eq!(reduced.centre.im, judge[1], epsilon = 1e-8);
@@ -102,7 +103,7 @@ fn a_wheel_that_slows_down_is_the_whole_body_with_that_torque_and_loses_its_powe
         // The power, from the energy a moment later and a moment before.
         let h = 1e-4;
         let energy = |time: f64| {
-            let end = Dop853::new(1e-12).unwrap().solve(rates, 0.0, state.to_array(), time).unwrap();
+            let end = Dop853::new(1e-12).unwrap().solve(any(rates), 0.0, state.to_array(), time).unwrap();
             wheel.energy(&Rolling::from_array(end.state))
         };
         let square = state.omega_1.powi(2) + state.omega_2.powi(2) + state.omega_3.powi(2);
@@ -120,7 +121,8 @@ fn energy_and_both_constants_stay() {
         let wheel = Wheel::new(parameters(MOMENTS[n % 5])).unwrap();
         let state = start(&mut random);
         let solver = Dop853::new(1e-13).unwrap();
-        let Ok(end) = solver.solve(|t, y: &[f64; 8]| wheel.rates(t, y), 0.0, state.to_array(), 2.0) else {
+        let Ok(end) = solver.solve(any(|t, y: &[f64; 8]| wheel.rates(t, y)), 0.0, state.to_array(), 2.0)
+        else {
             continue;
         };
         let end = Rolling::from_array(end.state);
@@ -214,7 +216,7 @@ fn a_wheel_that_wobbles_about_the_upright_goes_straight_on() {
     let time = 300.0 * wobble.period();
     let judge = Dop853::new(1e-14)
         .unwrap()
-        .solve(|t, y: &[f64; 8]| hoop.rates(t, y), 0.0, state.to_array(), time)
+        .solve(any(|t, y: &[f64; 8]| hoop.rates(t, y)), 0.0, state.to_array(), time)
         .unwrap()
         .state;
     assert!((wobble.at(time).unwrap().centre - Complex::new(judge[6], judge[7])).norm() < 1e-7);

@@ -4,6 +4,7 @@
 use super::general::{as_the_whole_body, start};
 use super::whole_body::{State, axle, placed, solve_with};
 use super::{GRAVITY, MASS, RADIUS, parameters};
+use crate::common::any;
 use approx::assert_relative_eq;
 use mechanics::integrate::Dop853;
 use mechanics::rolling::{MomentFactors, Rolling};
@@ -53,7 +54,7 @@ fn whole(moments: MomentFactors, brake: (Brake, f64), [lean, b]: [f64; 2], times
     let steady = of(moments).steady(lean, b * RADIUS).expect("a circle");
     let start = placed(lean, 0.0, steady.omega().into(), Complex::new(0.0, 0.0));
     let rates = |_: f64, s: &State| solve_with(moments, 0.0, brake.0(brake.1, s), s).0;
-    let (path, _) = Dop853::new(1e-11).unwrap().sample(rates, 0.0, start, times).unwrap();
+    let (path, _) = Dop853::new(1e-11).unwrap().sample(any(rates), 0.0, start, times).unwrap();
     let place = |state: &State| {
         let n = axle(state);
         let lean = (-n.z).asin();
@@ -73,7 +74,7 @@ fn drifted(moments: MomentFactors, brake: (Brake, f64), start: [f64; 2], times: 
         let sinking = steady.sinking(on(brake.0, brake.1, &steady, lean));
         [sinking.lean_rate, sinking.circle_rate / RADIUS]
     };
-    Dop853::new(1e-10).unwrap().sample(rates, 0.0, start, times).unwrap().0
+    Dop853::new(1e-10).unwrap().sample(any(rates), 0.0, start, times).unwrap().0
 }
 
 #[test]
@@ -163,7 +164,7 @@ fn nearly_straight_the_lean_grows_as_a_power_before_the_wheel_is_too_slow() {
         let rates = |_: f64, s: &State| solve_with(moments, 0.0, against_all(size, s), s).0;
         let time = (1.0 + i3) / (size * rate()) * (first / (1.25 * slowest)).ln();
         let solver = Dop853::with_tolerances(1e-11, 1e-13).unwrap();
-        let end = solver.solve(rates, 0.0, start, time).unwrap().state;
+        let end = solver.solve(any(rates), 0.0, start, time).unwrap().state;
         let n = Vector3::new(end[10], end[11], end[12]).dot(&axle(&end));
         assert_relative_eq!(n, 1.25 * slowest, max_relative = 1e-3);
         // eq:straight-lean
@@ -194,7 +195,7 @@ fn on_felt_the_lean_grows_less_if_the_friction_moves_ahead_with_the_push() {
             };
             let time = (first - last) * (1.0 + i3) * RADIUS / (ahead * GRAVITY);
             let solver = Dop853::with_tolerances(1e-11, 1e-13).unwrap();
-            let end = solver.solve(rates, 0.0, start, time).unwrap().state;
+            let end = solver.solve(any(rates), 0.0, start, time).unwrap().state;
             let n = Vector3::new(end[10], end[11], end[12]).dot(&axle(&end));
             assert_relative_eq!(n, last, max_relative = 1e-3);
             (-axle(&end).z).asin() / lean
@@ -248,7 +249,9 @@ fn widest(moments: MomentFactors, flywheel: f64, spin: f64) -> f64 {
     let times: Vec<f64> = (1..=300).map(|k| 0.1 / rate() * f64::from(k)).collect();
     let rates = |_: f64, s: &State| solve_with(moments, flywheel * UNIT, Vector3::zeros(), s).0;
     // What falls flat stops the solver; it has fallen.
-    let Ok((path, _)) = Dop853::new(1e-10).unwrap().sample(rates, 0.0, start, &times) else { return 1.0 };
+    let Ok((path, _)) = Dop853::new(1e-10).unwrap().sample(any(rates), 0.0, start, &times) else {
+        return 1.0;
+    };
     path.iter().map(|state| (-axle(state).z).asin().abs()).fold(0.0, f64::max)
 }
 
@@ -321,7 +324,7 @@ fn the_straighter_a_disc_ran_the_wider_it_swings_when_it_is_too_slow() {
         let rates = wheel.slowed_rates(0.05 * rate());
         let times: Vec<f64> = (1..=1000).map(|k| 0.05 / rate() * f64::from(k)).collect();
         let solver = Dop853::with_tolerances(1e-10, 1e-13).unwrap();
-        let (path, _) = solver.sample(rates, 0.0, start.to_array(), &times).unwrap();
+        let (path, _) = solver.sample(any(rates), 0.0, start.to_array(), &times).unwrap();
         let (mut highest, mut back) = (0.0_f64, 0.0_f64);
         for lean in path.iter().map(|state| Rolling::from_array(*state).lean()).take_while(|lean| *lean < 1.3)
         {

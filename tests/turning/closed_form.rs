@@ -1,6 +1,7 @@
 //! The free symmetric top in closed form.
 
 use super::{between, turning};
+use crate::common::any;
 use approx::assert_relative_eq;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::Turning;
@@ -30,7 +31,7 @@ fn matrix_motion(moments: &PrincipalMoments, start: &Turning, time: f64, toleran
     };
     let axes = start.world_from_body.to_rotation_matrix();
     let state: [f64; 9] = axes.matrix().as_slice().try_into().unwrap();
-    let end = Dop853::new(tolerance).unwrap().solve(rates, 0.0, state, time).unwrap();
+    let end = Dop853::new(tolerance).unwrap().solve(any(rates), 0.0, state, time).unwrap();
     Matrix3::from_column_slice(&end.state)
 }
 
@@ -94,7 +95,8 @@ fn wobbles_in_a_turn_are_the_ratio_of_the_moments_over_a_cosine() {
         let momentum = start.angular_momentum_world(&moments).normalize();
         let free = mechanics::euler::turning_rates(moments, |_, _| Vector3::zeros());
         let times: Vec<f64> = (0..=200).map(|k| TAU * f64::from(k) / 200.0).collect();
-        let (states, _) = Dop853::new(1e-12).unwrap().sample(free, 0.0, start.to_array(), &times).unwrap();
+        let (states, _) =
+            Dop853::new(1e-12).unwrap().sample(any(free), 0.0, start.to_array(), &times).unwrap();
         let aside = momentum.cross(&Vector3::z());
         let ahead = aside.cross(&momentum);
         let azimuths = states.into_iter().map(Turning::from_array).map(|state| {

@@ -1,6 +1,7 @@
 //! Euler's equations and the rate of the quaternion.
 
 use super::{attitude, moments, turning, vector};
+use crate::common::any;
 use approx::assert_relative_eq;
 use mechanics::attitude::quaternion_rate;
 use mechanics::euler::{self, FreeSeries, Turning};
@@ -57,7 +58,7 @@ fn a_torque_does_work_on_the_angular_velocity() {
     let start = turning(&mut random, 3.0);
     let torque = Vector3::new(0.3, -0.2, 0.5);
     let driven = euler::turning_rates(moments, move |_, turning| turning.world_from_body.inverse() * torque);
-    let end = Dop853::new(1e-13).unwrap().solve(driven, 0.0, start.to_array(), 2.0).unwrap();
+    let end = Dop853::new(1e-13).unwrap().solve(any(driven), 0.0, start.to_array(), 2.0).unwrap();
     let end = Turning::from_array(end.state);
     let change = end.angular_momentum_world(&moments) - start.angular_momentum_world(&moments);
     assert_relative_eq!(change, torque * 2.0, epsilon = 1e-10);

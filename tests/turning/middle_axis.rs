@@ -1,6 +1,7 @@
 //! Rotation about the middle axis: what grows, and the half turn.
 
 use super::moments;
+use crate::common::any;
 use mechanics::attitude::rotation_between;
 use mechanics::euler::{self, Turning};
 use mechanics::free_rotation::FreeTop;
@@ -13,7 +14,7 @@ use std::f64::consts::PI;
 fn stepped(moments: &PrincipalMoments, start: [f64; 3], time: f64) -> [f64; 3] {
     let rates =
         |_: f64, omega: &[f64; 3]| euler::rates(moments, &Vector3::from(*omega), &Vector3::zeros()).into();
-    Dop853::new(1e-13).unwrap().solve(rates, 0.0, start, time).unwrap().state
+    Dop853::new(1e-13).unwrap().solve(any(rates), 0.0, start, time).unwrap().state
 }
 
 /// Two neighbouring motions, one of them steady: over one radian their distance along the next axis is multiplied by
@@ -90,7 +91,7 @@ fn the_flip_is_a_half_turn_in_a_frame_that_turns_steadily() {
         }
         seen += 1;
         let free = euler::turning_rates(body, |_, _| Vector3::zeros());
-        let end = Dop853::new(1e-13).unwrap().solve(free, 0.0, start.to_array(), time).unwrap();
+        let end = Dop853::new(1e-13).unwrap().solve(any(free), 0.0, start.to_array(), time).unwrap();
         let end = Turning::from_array(end.state);
         let line = Vector3::new(cos, 0.0, -sin);
         let expected = UnitQuaternion::from_scaled_axis(Vector3::z() * time)
@@ -151,7 +152,7 @@ fn half_a_period_is_half_a_turn_about_the_axis_that_is_circled() {
         let start = upright_start(body, momentum);
         let half = 0.5 * FreeTop::new(body, start).unwrap().period().unwrap();
         let free = euler::turning_rates(body, |_, _| Vector3::zeros());
-        let end = Dop853::new(1e-13).unwrap().solve(free, 0.0, start.to_array(), half).unwrap();
+        let end = Dop853::new(1e-13).unwrap().solve(any(free), 0.0, start.to_array(), half).unwrap();
         let end = Turning::from_array(end.state);
         // Undo the start and the half turn: what is left turns about the upright.
         let rest = end.world_from_body
