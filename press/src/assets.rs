@@ -1,7 +1,7 @@
 //! What the pages show: the figures of the book and the tables of the library, as its build script has rendered them,
 //! and its live scenes.
 
-use crate::{Book, html};
+use crate::Book;
 use anyhow::{Context as _, Result, anyhow};
 use live::{Kind, Player};
 use std::collections::BTreeSet;

@@ -30,7 +30,6 @@ pub mod read;
 pub mod site;
 
 mod colours;
-mod html;
 mod mdbook;
 mod new;
 mod serve;

@@ -14,13 +14,13 @@ mod slides;
 pub use pdf::{browser, numbers, print};
 
 use crate::book::Page;
-use crate::html::{self, Edits, Element, escaped};
 use crate::mdbook;
 use crate::read::disk;
 use crate::site::licence::Licence;
 use crate::site::package::Package;
 use crate::site::{solutions, version_stamp};
 use anyhow::{Context as _, Result, ensure};
+use html::{Edits, Element, escaped};
 use mdbook_driver::config::Config;
 use sheet::{Kind, Sheet};
 use std::collections::{BTreeMap, BTreeSet};

@@ -2,9 +2,9 @@
 
 use super::Paper;
 use super::sheet::Kind;
-use crate::html::{self, VOID, attribute, escaped, text};
 use anyhow::{Context as _, Result};
-use html5gum::{StartTag, Token};
+use html::{StartTag, Token};
+use html::{VOID, attribute, escaped, text};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs::{self, File};

@@ -2,8 +2,8 @@
 
 use super::page_number;
 use crate::book::Page;
-use crate::html::{self, Edits, Element};
 use crate::site::exercises::ANSWER;
+use html::{Edits, Element};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 

@@ -1,11 +1,11 @@
 //! Where the library's comments name the equations of the book, and the links from there to the pages and back.
 
 use crate::book::files;
-use crate::html::{Edits, tokens};
 use crate::read::items::LabelKind;
 use crate::read::label_syntax;
 use crate::site::rustdoc::FOLDER;
-use html5gum::Token;
+use html::Token;
+use html::{Edits, tokens};
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fs, io};

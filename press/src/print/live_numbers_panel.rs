@@ -3,9 +3,9 @@
 //! It is printed with the values of the text; the page's script keeps it true when a reader changes them.
 
 use crate::book::script;
-use crate::html::{breakable, escaped, prose};
 use dialect::live_numbers::{Answers, Live, Of, Remark, Value};
-use live::numbers::with_power;
+use html::{breakable, escaped};
+use live::numbers::{tied, with_power};
 
 /// The panel of the snippet with this number among those of the book.
 pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> String {
@@ -23,7 +23,7 @@ pub(crate) fn panel(answers: &Answers<'_>, snippet: usize, chapter: &str) -> Str
         .map(|words| {
             format!(
                 "<li class=\"holds\"><span class=\"sign\"></span><b>holds</b><span>: {}</span><span class=\"by\"></span></li>\n",
-                prose(words)
+                escaped(&tied(words))
             )
         })
         .collect();

@@ -2,10 +2,10 @@
 
 use crate::assets::Scene;
 use crate::fault::{Faults, nearest};
-use crate::html::escaped;
 use crate::read::items::Words;
 use crate::read::label_syntax::is_name;
 use dialect::markdown::options;
+use html::escaped;
 use live::{Control, Kind};
 use pulldown_cmark::{Event, Parser, Tag, TagEnd};
 use std::collections::BTreeSet;

@@ -1,11 +1,11 @@
 //! Raw HTML on a page: a few elements that load and run nothing, each closed where it was opened.
 
 use crate::fault::Reporter;
-use crate::html::{self, VOID};
 use crate::read::control_characters;
 use crate::read::font_coverage::Face;
 use crate::read::items::{Item, LabelKind, PlacedItem};
-use html5gum::{StartTag, Token};
+use html::VOID;
+use html::{StartTag, Token};
 
 /// The elements that a page may write itself; for everything else there is Markdown, or there should not be any.
 const ELEMENTS: [&str; 14] =

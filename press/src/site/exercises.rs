@@ -1,8 +1,8 @@
 //! Exercises as their page shows them: grade and minutes at the head, and below each its answer and its solution, which
 //! unfold in place. The page of solutions has them whole, for paper and for those who read them in a row.
 
-use crate::html::{Edits, Element, elements, named, words};
 use crate::read::exercise_times::GRADES;
+use html::{Edits, Element, elements, named, words};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -84,7 +84,7 @@ fn unfolding(solution: &str, page: &str) -> String {
 fn without_anchors(solution: &str, page: &str) -> String {
     let drawings = named(solution, &["svg"]);
     let mut edits = Edits::default();
-    for element in elements(solution, |_| true) {
+    for element in elements(solution, &|_| true) {
         if element.is("p", "turn") || element.is("div", "answers") || element.is("details", "origin") {
             edits.remove(element.whole.clone());
         } else if !drawings.iter().any(|drawing| drawing.holds(&element)) {

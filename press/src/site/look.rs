@@ -1,7 +1,7 @@
 //! The style sheets and scripts of the theme in the site: at addresses that say what they are, the sheets as one.
 
-use crate::html::{Edits, named};
 use crate::site::theme;
+use html::{Edits, named};
 use mdbook_renderer::config::Config;
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};

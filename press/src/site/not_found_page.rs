@@ -1,6 +1,6 @@
 //! The page for addresses at which there is none.
 
-use crate::html::escaped;
+use html::escaped;
 use mdbook_renderer::book::BookItem;
 use std::fmt::Write as _;
 

@@ -2,8 +2,8 @@
 //! it belongs to.
 
 use crate::book;
-use crate::html::{self, Edits, escaped};
 use crate::site::licence::Licence;
+use html::{Edits, escaped};
 use std::path::Path;
 use std::{fs, io};
 

@@ -2,7 +2,6 @@
 
 use crate::assets::Rendered;
 use crate::fault::{self, Faults, Lines};
-use crate::html::{self, Edits, escaped};
 use crate::mdbook::For;
 use crate::print::code_links;
 use crate::site::licence::Licence;
@@ -14,6 +13,7 @@ use crate::site::{
     trails, wasm,
 };
 use anyhow::{Context as _, Error, Result, anyhow, ensure};
+use html::{Edits, escaped};
 use mdbook_renderer::RenderContext;
 use std::collections::BTreeMap;
 use std::io::Read;

@@ -3,8 +3,8 @@
 //! comes at once. Two things are not in our hands. What does not compile never runs, and leaves the whole site
 //! of before. And plain `mdbook build` renders in that very folder.
 
-use crate::html::escaped;
 use crate::mdbook::For;
+use html::escaped;
 use mdbook_preprocessor::config::Config;
 use std::path::{Path, PathBuf};
 use std::{fs, io};

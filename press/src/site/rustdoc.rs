@@ -1,9 +1,9 @@
 //! The documentation of the library, and the pages of it to which a snippet leads.
 
 use crate::book::files;
-use crate::html::{self, Edits};
 use crate::site::package::{Library, Package, cargo};
 use anyhow::{Result, ensure};
+use html::Edits;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::SystemTime;

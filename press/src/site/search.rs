@@ -5,11 +5,11 @@
 //! is elasticlunr's, so that mdBook's scripts search it; only what they cut off at both ends of a word, anything but
 //! Latin letters, is kept, so that `ω` is a word. Solutions and hints are not found, but their exercises.
 
-use crate::html::{attribute, text, tokens};
 use anyhow::{Context as _, Result};
 use elasticlunr::lang::{English, Language};
 use elasticlunr::{IndexBuilder, Pipeline};
-use html5gum::{StartTag, Token};
+use html::{StartTag, Token};
+use html::{attribute, text, tokens};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::book::BookItem;
 use serde_json::{Value, json};

@@ -3,7 +3,7 @@
 //! mdBook's script adds them when it has seen the whole page. Until then the list below them would stand higher, and
 //! jump. So each page brings a copy, which the theme shows until mdBook's own comes.
 
-use crate::html::{Edits, Element, named};
+use html::{Edits, Element, named};
 use std::fmt::Write as _;
 
 /// The page with its headings in the template of the theme that has the class `headings`.

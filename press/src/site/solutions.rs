@@ -4,7 +4,6 @@
 //! What is left out are whole pages: those on which a solution stands. They are checked and tested all the same.
 
 use crate::book::{resolve, slashed};
-use crate::html;
 use anyhow::{Context as _, Result};
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::config::Config;

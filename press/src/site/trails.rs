@@ -2,7 +2,7 @@
 //! ("Exercises") say too little.
 
 use crate::book::{part, slashed};
-use crate::html::{Edits, escaped, named};
+use html::{Edits, escaped, named};
 use live::numbers::BLANK;
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::collections::BTreeMap;

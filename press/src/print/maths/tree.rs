@@ -1,6 +1,6 @@
 //! MathML as a tree that can be changed.
 
-use crate::html::escaped;
+use html::escaped;
 use roxmltree::{Document, ParsingOptions};
 
 /// An element, or a text between elements.

@@ -2,8 +2,8 @@
 
 use super::Printer;
 use crate::book::{Page, relative};
-use crate::html::escaped;
 use crate::read::items::{Item, Label, LabelKind, Mention, PlacedItem};
+use html::escaped;
 use std::collections::BTreeMap;
 
 /// Label → the pages that mention it, each once, by their order, and whether an id stands where the page does.

@@ -2,10 +2,10 @@
 
 use super::Printer;
 use crate::book::script;
-use crate::html::escaped;
 use crate::print::scenes;
 use crate::read::font_coverage;
 use crate::read::items::{Label, LabelKind, Words};
+use html::escaped;
 
 impl Printer<'_, '_> {
     pub(super) fn figure(&mut self, label: &Label, caption: &Words<'_>) -> Option<String> {

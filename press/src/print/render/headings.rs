@@ -2,8 +2,8 @@
 
 use super::Printer;
 use crate::book::relative;
-use crate::html::escaped;
 use crate::read::items::{Label, LabelKind};
+use html::escaped;
 use live::numbers::BLANK;
 
 impl Printer<'_, '_> {

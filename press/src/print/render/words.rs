@@ -3,11 +3,11 @@
 use super::Printer;
 use super::references::Reference;
 use crate::colours::Quantity;
-use crate::html::{breakable, escaped, prose};
 use crate::print::nonbreaking;
 use crate::read::items::{Item, PlacedItem, Words};
 use crate::read::label_syntax;
-use live::numbers::with_power;
+use html::{breakable, escaped};
+use live::numbers::{tied, with_power};
 use pulldown_cmark::{CowStr, Event, Tag, html::push_html};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -75,7 +75,7 @@ impl Printer<'_, '_> {
         // What is wrong with them is said where the page is read.
         for PlacedItem { range, item } in label_syntax::mentions(text, &(0..text.len()), false, |_, _| {}) {
             let Item::Mention(mention) = item else { continue };
-            out.push_str(&prose(&text[done..range.start]));
+            out.push_str(&escaped(&tied(&text[done..range.start])));
             let before = format!("{before}{}", &text[..range.start]);
             match self.mention(&mention, &before, offset) {
                 Some(Reference { words, target, title }) => {
@@ -87,7 +87,7 @@ impl Printer<'_, '_> {
             }
             done = range.end;
         }
-        out + &prose(&text[done..])
+        out + &escaped(&tied(&text[done..]))
     }
 }
 

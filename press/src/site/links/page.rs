@@ -1,7 +1,7 @@
 //! One built page of the site, read.
 
-use crate::html::{attribute, text, tokens};
-use html5gum::{StartTag, Token};
+use html::{StartTag, Token};
+use html::{attribute, text, tokens};
 use std::collections::BTreeSet;
 
 /// What one built page holds.

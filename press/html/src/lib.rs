@@ -1,23 +1,21 @@
 //! HTML, written, read and edited. What no edit touches stays as it is, byte for byte.
+//!
+//! The press reads each page of a site some twenty times. All that is generic in the reader is compiled here, in a crate of
+//! its own, which is optimised; the rest of the press is not, and is compiled in a third of the time.
 
-use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
-use live::numbers::tied;
+use html5gum::{DefaultEmitter, StringReader, Tokenizer};
+pub use html5gum::{StartTag, Token};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Text in which nothing is markup any more.
-pub(crate) fn escaped(text: &str) -> String {
+pub fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// The same, its numbers tied to their units.
-pub(crate) fn prose(text: &str) -> String {
-    escaped(&tied(text))
-}
-
 /// Code with places where a line may end: before a dot, and behind a bracket, a comma, an underscore or a slash.
-pub(crate) fn breakable(code: &str) -> String {
+pub fn breakable(code: &str) -> String {
     let mut out = String::with_capacity(2 * code.len());
     let mut letters = code.chars().peekable();
     while let Some(c) = letters.next() {
@@ -31,62 +29,76 @@ pub(crate) fn breakable(code: &str) -> String {
 
 /// An element and where its parts stand in the HTML that holds it.
 #[derive(Debug, Clone)]
-pub(crate) struct Element {
-    pub(crate) name: String,
+pub struct Element {
+    /// Its name, in lower case.
+    pub name: String,
     /// The value of each attribute, and its place from the name to the closing quote.
     attributes: BTreeMap<String, (String, Range<usize>)>,
-    pub(crate) start_tag: Range<usize>,
+    /// Its start tag.
+    pub start_tag: Range<usize>,
     /// What is between its tags.
-    pub(crate) inside: Range<usize>,
+    pub inside: Range<usize>,
     /// The element with its tags.
-    pub(crate) whole: Range<usize>,
+    pub whole: Range<usize>,
 }
 
 impl Element {
     /// The value of an attribute.
-    pub(crate) fn get(&self, attribute: &str) -> Option<&str> {
+    pub fn get(&self, attribute: &str) -> Option<&str> {
         self.attributes.get(attribute).map(|(value, _)| value.as_str())
     }
 
     /// Where an attribute with its value stands.
-    pub(crate) fn place(&self, attribute: &str) -> Option<Range<usize>> {
+    pub fn place(&self, attribute: &str) -> Option<Range<usize>> {
         self.attributes.get(attribute).map(|(_, place)| place.clone())
     }
 
     /// Whether an element has this name and, among its classes, this one.
-    pub(crate) fn is(&self, name: &str, class: &str) -> bool {
+    pub fn is(&self, name: &str, class: &str) -> bool {
         self.name == name && self.get("class").is_some_and(|all| all.split(' ').any(|one| one == class))
     }
 
     /// Whether another element stands between its tags.
-    pub(crate) fn holds(&self, other: &Self) -> bool {
+    pub fn holds(&self, other: &Self) -> bool {
         self.inside.start <= other.whole.start && other.whole.end <= self.inside.end
     }
 }
 
 /// What HTML consists of, in its order: tags, texts, comments.
-pub(crate) fn tokens(html: &str) -> impl Iterator<Item = Token<usize>> {
+#[derive(Debug)]
+pub struct Tokens<'a>(Tokenizer<StringReader<'a>, DefaultEmitter<usize>>);
+
+impl Iterator for Tokens<'_> {
+    type Item = Token<usize>;
+
+    fn next(&mut self) -> Option<Token<usize>> {
+        self.0.next().map(|Ok(token)| token)
+    }
+}
+
+/// What some HTML consists of.
+pub fn tokens(html: &str) -> Tokens<'_> {
     let mut emitter = DefaultEmitter::new_with_span();
     emitter.naively_switch_states(true); // what stands in a script or a style sheet is no HTML
-    Tokenizer::new_with_emitter(html, emitter).map(|Ok(token)| token)
+    Tokens(Tokenizer::new_with_emitter(html, emitter))
 }
 
 /// Bytes of a token as text.
-pub(crate) fn text(bytes: &[u8]) -> String {
+pub fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
 /// The value of an attribute of a tag.
-pub(crate) fn attribute(tag: &StartTag<usize>, name: &str) -> Option<String> {
+pub fn attribute(tag: &StartTag<usize>, name: &str) -> Option<String> {
     tag.attributes.get(name.as_bytes()).map(|value| text(value))
 }
 
 /// The elements of HTML that have no end tag.
-pub(crate) const VOID: [&str; 13] =
+pub const VOID: [&str; 13] =
     ["area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"];
 
 /// The elements whose start tags are `wanted`, in the order of these.
-pub(crate) fn elements(html: &str, wanted: impl Fn(&StartTag<usize>) -> bool) -> Vec<Element> {
+pub fn elements(html: &str, wanted: &dyn Fn(&StartTag<usize>) -> bool) -> Vec<Element> {
     let mut found: Vec<Element> = Vec::new();
     // The names of the elements that are open, and which of them are in `found`.
     let mut open: Vec<(Vec<u8>, Option<usize>)> = Vec::new();
@@ -141,12 +153,12 @@ fn attributes(html: &str, tag: &StartTag<usize>) -> BTreeMap<String, (String, Ra
 }
 
 /// The elements with one of these names.
-pub(crate) fn named(html: &str, names: &[&str]) -> Vec<Element> {
-    elements(html, |tag| names.iter().any(|name| name.as_bytes() == &**tag.name))
+pub fn named(html: &str, names: &[&str]) -> Vec<Element> {
+    elements(html, &|tag| names.iter().any(|name| name.as_bytes() == &**tag.name))
 }
 
 /// All ids, in the order of their elements.
-pub(crate) fn ids(html: &str) -> impl Iterator<Item = String> {
+pub fn ids(html: &str) -> impl Iterator<Item = String> {
     tokens(html).filter_map(|token| match token {
         Token::StartTag(tag) => attribute(&tag, "id"),
         _ => None,
@@ -154,7 +166,7 @@ pub(crate) fn ids(html: &str) -> impl Iterator<Item = String> {
 }
 
 /// The words of some HTML, without its tags.
-pub(crate) fn words(html: &str) -> String {
+pub fn words(html: &str) -> String {
     let texts = tokens(html).filter_map(|token| match token {
         Token::String(words) => Some(text(&words)),
         _ => None,
@@ -164,23 +176,26 @@ pub(crate) fn words(html: &str) -> String {
 
 /// What is to be changed in some HTML.
 #[derive(Debug, Default)]
-pub(crate) struct Edits(Vec<(Range<usize>, String)>);
+pub struct Edits(Vec<(Range<usize>, String)>);
 
 impl Edits {
-    pub(crate) fn replace(&mut self, place: Range<usize>, by: impl Into<String>) {
+    /// Puts other HTML in a place.
+    pub fn replace(&mut self, place: Range<usize>, by: impl Into<String>) {
         self.0.push((place, by.into()));
     }
 
-    pub(crate) fn insert(&mut self, at: usize, html: impl Into<String>) {
+    /// Puts HTML before what stands at a place.
+    pub fn insert(&mut self, at: usize, html: impl Into<String>) {
         self.replace(at..at, html);
     }
 
-    pub(crate) fn remove(&mut self, place: Range<usize>) {
+    /// Takes away what stands in a place.
+    pub fn remove(&mut self, place: Range<usize>) {
         self.replace(place, "");
     }
 
     /// The HTML with all changes. A change within a place that is replaced goes with it.
-    pub(crate) fn applied(mut self, html: &str) -> String {
+    pub fn applied(mut self, html: &str) -> String {
         self.0.sort_by_key(|(place, _)| (place.start, !place.is_empty(), Reverse(place.end)));
         let mut out = String::with_capacity(html.len());
         let mut done = 0;
@@ -197,7 +212,7 @@ impl Edits {
 
 /// HTML whose links lead nowhere where `is_dead` says so of their targets: they are only words then. A line that does
 /// nothing but lead to a solution, or to a hint, loses the link, and goes with its last one.
-pub(crate) fn unlinked(html: &str, is_dead: impl Fn(&str) -> bool) -> String {
+pub fn unlinked(html: &str, is_dead: impl Fn(&str) -> bool) -> String {
     let found = named(html, &["a", "p"]);
     let lines: Vec<&Element> = found.iter().filter(|element| element.is("p", "turn")).collect();
     let (mut edits, mut alive) = (Edits::default(), Vec::new());
