@@ -9,8 +9,6 @@ pub(crate) fn between(random: &mut fastrand::Rng, low: f64, high: f64) -> f64 {
 
 /// Rates of any kind as one type. So an integrator is compiled once for each number of components and not once for each
 /// test, which halves the time that compiling the tests takes.
-pub(crate) fn any<'a, const N: usize>(
-    rates: impl Rates<N> + 'a,
-) -> Box<dyn FnMut(f64, &[f64; N]) -> [f64; N] + 'a> {
+pub(crate) fn any<'a, const N: usize>(rates: impl Rates<N> + 'a) -> Box<dyn Rates<N> + 'a> {
     Box::new(rates)
 }
