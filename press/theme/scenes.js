@@ -802,8 +802,10 @@ function whenNear(element, act) {
 
 /** Marks the parts of the page that are farther from the screen than its height, again whenever it has been scrolled by half
  *  of that: for each picture that changes Chromium goes through the whole page, and its formulas take longer than the
- *  picture. Far parts are spared that (`live.css`). Not scenes; nor code with its answers, whose margins reach out of it. */
+ *  picture. Far parts are spared that (`live.css`). Not scenes; nor code with its answers, whose margins reach out of it. A page
+ *  that nobody has touched stays whole, so that a program that takes its picture gets all of it. */
 function markFar() {
+  if (!isTouched) return;
   if (Math.abs(scrollY - markedAt) < innerHeight / 2) return; // they would be nearly the same
   if (markedAt === -Infinity) addEventListener("scroll", markFar, { passive: true });
   markedAt = scrollY;
@@ -814,6 +816,11 @@ function markFar() {
   parts.forEach((part, index) => part.classList.toggle("far", isFar(boxes[index])));
 }
 let markedAt = -Infinity;
+let isTouched = false;
+for (const kind of ["pointermove", "pointerdown", "keydown", "wheel"]) addEventListener(kind, () => {
+  isTouched = true;
+  if (scenes.some(({ isPlaying }) => isPlaying)) markFar();
+}, { once: true, passive: true });
 
 const scenes = [...document.querySelectorAll("figure.scene[data-module]")].map((figure) => new Scene(figure));
 for (const scene of scenes) whenNear(scene.figure, () => scene.wake());

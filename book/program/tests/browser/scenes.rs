@@ -1226,12 +1226,15 @@ fn what_is_far_from_a_scene_that_plays_is_spared_and_stays_where_it_is() {
             let before = numbers(&mut shown);
             shown.click(".play");
             shown.wait_for_motion();
+            let spared =
+                |shown: &mut Shown<'_>| shown.number("document.querySelectorAll('main > .far').length");
+            assert_eq!(spared(&mut shown), 0.0, "{name}: nobody has touched the page");
+            shown.mouse("mouseMoved", [5.0, 5.0]);
+            shown.settle();
             let after = numbers(&mut shown);
             assert_eq!(before.len(), after.len(), "{name}");
             let off = before.iter().zip(&after).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
             assert!(off < 0.5, "{name} at {size:?}: {off} px");
-            let spared =
-                |shown: &mut Shown<'_>| shown.number("document.querySelectorAll('main > .far').length");
             assert!(spared(&mut shown) > 50.0, "{name}");
             // They are there when the reader comes.
             shown.go_to_the_end();
