@@ -34,8 +34,16 @@ pub fn blanks(text: &str) -> impl Iterator<Item = usize> + '_ {
         let word = || text[..at].rsplit(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
         matches!(bytes[at], b' ' | b'\n') && is_number && NUMBERED.contains(&word())
     };
+    // Between the thousands of a number: behind one to three digits, and before three.
+    let digits =
+        |digits: &mut dyn Iterator<Item = &u8>| digits.take_while(|byte| byte.is_ascii_digit()).count();
+    let is_inside = move |at: usize| {
+        matches!(bytes[at], b' ' | b'\n')
+            && (1..=3).contains(&digits(&mut bytes[..at].iter().rev()))
+            && digits(&mut bytes[at + 1..].iter()) == 3
+    };
     (1..bytes.len()).filter(move |&at| {
-        bytes[at - 1].is_ascii_digit() && unit(&text[at..]).is_some()
+        bytes[at - 1].is_ascii_digit() && (unit(&text[at..]).is_some() || is_inside(at))
             || bytes[at - 1].is_ascii_alphabetic() && names(at)
     })
 }
@@ -56,6 +64,7 @@ pub fn unit(text: &str) -> Option<usize> {
 /// ```
 /// use live::numbers::tied;
 /// assert_eq!(tied("every 0.31 s, at 30 rad/s of 2 turns"), "every 0.31\u{a0}s, at 30\u{a0}rad/s of 2 turns");
+/// assert_eq!(tied("12 345 678 of 90 000 in 2026"), "12\u{a0}345\u{a0}678 of 90\u{a0}000 in 2026");
 /// assert_eq!(tied("of 3 axes axis 3 is the axle"), "of 3 axes axis\u{a0}3 is the axle");
 /// ```
 pub fn tied(text: &str) -> String {

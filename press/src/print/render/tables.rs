@@ -134,7 +134,7 @@ fn first_text<'a>(cell: &'a Cell<'_>) -> &'a str {
 fn digits(text: &str) -> Option<Column> {
     let unsigned = |text: &str| text.trim_start_matches(['-', '−']).to_owned();
     let count = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()).then_some(text.len());
-    let number = unsigned(text.trim());
+    let number = unsigned(text.trim()).replace([' ', '\u{a0}'], ""); // between thousands
     let (mantissa, power) = number.split_once('e').unwrap_or((&number, ""));
     let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     count(whole).filter(|&length| length > 0)?;
