@@ -214,9 +214,8 @@ impl Slowing {
         let [from, to] = RATIOS;
         // Where C₁/I₁ is so many times C₃/I₃.
         let line = |times: f64| [(from, times / from), (to, times / to)];
-        for (end, hue) in [(DRAGS[1], Hue::Blue), (DRAGS[0], Hue::Orange)] {
-            map.area([(from, end), line(1.0)[0], line(1.0)[1], (to, end)], Fill::Ground, hue);
-        }
+        let lowest = DRAGS[0];
+        map.area([(from, lowest), line(1.0)[0], line(1.0)[1], (to, lowest)], Fill::Ground, Hue::Muted);
         map.curve(line(1.0), Stroke::Border, Hue::Ink);
         // eq:tangent-power with two drags: a tenth of the tangent costs so much of the spin.
         for (left, name) in [(0.5, "50 %"), (0.9, "90 %")] {
@@ -232,9 +231,9 @@ impl Slowing {
                 at_end(&mut map, (to, 80.0), "left")?;
             }
         }
-        let (ratio, words) = room.of((0.021, "wobble dies first"), (0.008, "wobble dies"));
-        map.label((ratio, 900.0), Side::Right, words, Hue::Blue)?;
-        map.label((0.0025, 0.3), Side::Right, room.of("spin dies first", "spin dies"), Hue::Orange)?;
+        let (ratio, words) = room.of((0.021, "wobble dies first"), (0.004, "wobble dies"));
+        map.label((ratio, 900.0), Side::Right, words, Hue::Ink)?;
+        map.label((0.0025, 0.3), Side::Right, room.of("spin dies first", "spin dies"), Hue::Ink)?;
         map.grip((self.ratio, self.drag_ratio()), Hue::Pink);
         Ok(())
     }
@@ -278,14 +277,14 @@ fn at_end(map: &mut Graph<'_>, value: (f64, f64), text: &str) -> Result<(), Caus
 
 /// The map of fates.
 fn map(room: Room) -> Plot<'static> {
-    let frame = room.of(Rect::new(390.0, 34.0, 180.0, 150.0), Rect::new(44.0, 340.0, 98.0, 126.0));
+    let frame = room.of(Rect::new(390.0, 34.0, 180.0, 150.0), Rect::new(44.0, 340.0, 90.0, 126.0));
     let y = Axis::log(DRAGS[0], DRAGS[1], 1).titled(r"$C_1/C_3$");
     Plot { frame, x: Axis::log(RATIOS[0], RATIOS[1], 1).titled(r"$I_3/I_1$"), y }
 }
 
 /// The plane of the angular momentum as the body has it.
 fn parts(room: Room) -> Plot<'static> {
-    let frame = room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(206.0, 364.0, 102.0, 102.0));
+    let frame = room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(212.0, 364.0, 102.0, 102.0));
     let x = Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ across");
     Plot { frame, x, y: Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ along the axis") }
 }

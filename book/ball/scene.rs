@@ -288,10 +288,8 @@ impl Rolls {
             let curve = all.iter().map(|(time, curves)| (*time, curves[index].0));
             graph.curve(curve.take_while(|(time, _)| *time <= moment.time), Stroke::Curve, hue);
             graph.dot((moment.time, value), 4.0, hue);
-            let (place, sides) = match &self.place {
-                Place::Cloth(_) => (all.len() / 12, [Side::Above, Side::Below]),
-                _ => (0, [Side::AboveRight, Side::BelowRight]),
-            };
+            let place = if matches!(self.place, Place::Cloth(_)) { all.len() / 6 } else { 0 };
+            let sides = [Side::AboveRight, Side::BelowRight];
             if let Some((time, first)) = all.get(place)
                 && !name.is_empty()
             {

@@ -91,7 +91,7 @@ fn before_the_snap(id: &str) -> Outcome {
     drawing.label(top - at(0.0, 60.0), Side::Left, r"$\boldsymbol{\omega}_0$", Hue::Orange)?;
     momentum_at(&mut drawing, pin)?;
     drawing.dot(pin, 4.5, Hue::Pink);
-    drawing.label(pin + at(2.0, 12.0), Side::Right, "$A$", Hue::Pink)?;
+    drawing.label(pin + at(6.0, 12.0), Side::Right, "$A$", Hue::Pink)?;
     // ω₀ × r at A.
     let into = hoop.omega_before().cross(&-hoop.centre()).z < 0.0;
     let mark = if into { Marker::Into } else { Marker::Out };

@@ -223,7 +223,7 @@ pub(crate) fn turn_rate(id: &str) -> Outcome {
     }
     plot.markers(&bounds, Marker::Disc, Hue::Ink);
     plot.label((0.8, 3.85), Side::Right, "lean", Hue::Muted)?;
-    plot.label((-0.19, 0.35), Side::Right, "bounds", Hue::Ink)?;
+    plot.label((-0.19, 0.45), Side::Right, "bounds", Hue::Ink)?;
     Ok(drawing)
 }
 

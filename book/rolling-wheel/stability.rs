@@ -18,7 +18,7 @@ pub(crate) const SCENE: Scene = Scene {
     view: None,
     still: 6.6,
     controls: &[
-        Control::log_slider("turn", "its turn at first, in that of steady rolling", [1e-4, 0.9], "", 0.001),
+        Control::log_slider("turn", "its turn at first, over that of steady rolling", [1e-4, 0.9], "", 0.001),
         Control::choice("wheel", "what falls", &["a disc", "a hoop"]),
     ],
     presets: &[

@@ -605,7 +605,7 @@ pub(crate) fn tube_sky(id: &str) -> Outcome {
         arrows.label(tip, Side::AboveRight, name, hue)?;
     }
     draw_cross(&mut arrows);
-    arrows.label(at(130.0, 268.0), Side::Over, "(a) the arrows", Hue::Ink)?;
+    arrows.label(at(130.0, 268.0), Side::Over, r"(a) $\boldsymbol\omega$ and $\boldsymbol L$", Hue::Ink)?;
 
     let mut star = sky(
         "The way of the star that stood on the cross",

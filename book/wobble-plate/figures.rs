@@ -365,7 +365,11 @@ pub(crate) fn residual(id: &str) -> Outcome {
             let path: Vec<Point> = path.iter().map(|&(x, y)| middle + at(x, -y) * scale).collect();
             plot.drawing().polyline(&path, Stroke::Outline, Hue::Purple);
             if *part != 0.5 {
-                let [before, tip] = [path[10], path[11]];
+                // On a side, and not where a slim one turns back.
+                let on_side = |n: &usize| (path[*n] - middle).length();
+                let side =
+                    (1..path.len()).min_by(|n, other| on_side(n).total_cmp(&on_side(other))).unwrap_or(1);
+                let [before, tip] = [path[side - 1], path[side]];
                 kit::head(plot.drawing(), tip, tip - before, 0.8, Hue::Purple);
             }
             plot.drawing().dot(middle, 2.0, Hue::Ink);

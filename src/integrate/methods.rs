@@ -79,7 +79,7 @@ impl fmt::Display for Kept {
             Self::UnitLength => "unit length",
             Self::AngularMomentum => "angular momentum",
             Self::Volume => "volume",
-            Self::WayBack => "way back",
+            Self::WayBack => "reversibility",
         })
     }
 }

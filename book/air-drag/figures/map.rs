@@ -106,7 +106,7 @@ pub(crate) fn fates(id: &str) -> Outcome {
             ),
             (spheroid(3.0)?, Sign::Spheroid(3.0), at(-4.0, 6.0), Side::BelowLeft, "$3$"),
             (spheroid(1.0)?, Sign::Spheroid(1.0), at(-6.0, 8.0), Side::BelowLeft, "$1$"),
-            (spheroid(0.4)?, Sign::Spheroid(0.4), at(14.0, 3.0), Side::Right, r"$\tfrac25$"),
+            (spheroid(0.4)?, Sign::Spheroid(0.4), at(14.0, 3.0), Side::Right, "$0.4$"),
         ] {
             let place = plot.at(place);
             sign(plot.drawing(), place, &form);

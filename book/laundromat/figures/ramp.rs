@@ -282,7 +282,7 @@ pub(crate) fn overshoot(id: &str) -> Outcome {
     );
     let root =
         Axis::linear(0.0, 0.2, 0.1).minor(0.02).titled(r"root of the acceleration $\sqrt\alpha/\omega_0$");
-    let factor = Axis::linear(1.1, 1.3, 0.1).minor(0.02).titled("largest swing over what is left");
+    let factor = Axis::linear(1.1, 1.3, 0.1).minor(0.02).titled("largest swing over Lewis’s amplitude");
     let mut plot = Plot::new(&mut drawing, Rect::new(50.0, 34.0, 270.0, 214.0), root, factor)?;
     let line = [0.0, 0.2].map(|root| (root, OVERSHOOT + 0.75 * FRAC_PI_2.sqrt().recip() * root));
     plot.curve("line", line, Stroke::DashedCurve, Hue::Muted);

@@ -11,7 +11,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "A circle that closes",
     description: "A disc leans and rolls on a table. Something slows its turning: the track of its contact is a spiral that winds inwards until the disc lies flat. Beside it two \
                   plots against time: the radius of the circle falls to nothing, and the speed of the centre rises a little before it falls.",
-    question: "Something takes away the turning of a disc. Does its centre become slower?",
+    question: "Something slows the rotation of a disc. Does its centre become slower?",
     size: [[640.0, 440.0], [380.0, 530.0]],
     view: None,
     still: 3.2,
@@ -68,7 +68,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             let time = Axis::linear(0.0, end, nice_step(end / 4.0));
             let left = stage(moment.room).right + 40.0;
             let frames = [[left, 40.0, 170.0, 130.0], [44.0, 340.0, 130.0, 130.0]];
-            let circle = Axis::linear(0.0, 4.0, 1.0).titled(r"circle $b/a$");
+            let circle = Axis::linear(0.0, 5.0, 1.0).titled(r"circle $b/a$");
             let mut graph = moment.graph(drawing, frames, time.titled("time, s"), circle)?;
             graph.curve(until(|state| now(state).0), Stroke::Curve, Hue::Ink);
             graph.dot((moment.time, now(&state).0), 4.0, Hue::Ink);

@@ -79,7 +79,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             map.label((1.4, 17.6), Side::Right, "hoop", Hue::Muted)?;
             map.label((2.2, 30.0), Side::Right, "stays small", Hue::Ink)?;
             map.label((1.6, 4.0), Side::Right, "grows", Hue::Ink)?;
-            map.dot(kicked.place, 5.0, Hue::Pink);
+            map.dot(kicked.place, 5.0, Hue::Blue);
             let frames = [[376.0, 40.0, 240.0, 220.0], [48.0, 370.0, 310.0, 210.0]];
             let times = linear_steps(0.0, FILM, 240);
             let leans =
@@ -94,8 +94,8 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
                 lean.titled("its lean after a weak kick, °"),
             )?;
             graph.level(kicked.place.1, Stroke::Reference, Hue::Muted);
-            graph.curve(leans, Stroke::Curve, Hue::Pink);
-            graph.dot((moment.time, kicked.lean(moment.time)?), 5.0, Hue::Pink);
+            graph.curve(leans, Stroke::Curve, Hue::Blue);
+            graph.dot((moment.time, kicked.lean(moment.time)?), 5.0, Hue::Blue);
             Ok(())
         },
     }))

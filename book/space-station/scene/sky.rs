@@ -88,7 +88,7 @@ pub(super) fn draw_sky(
         for (place, name, hue, is_shown) in [
             (pole + outwards * beyond, r"$\boldsymbol{\omega}$", Hue::Orange, inside(pole)),
             (
-                momentum - outwards * 12.0, // towards the middle, where the rim does not cut it
+                momentum + outwards.quarter_turned() * 12.0, // beside it: the cross and the star may lie on the line
                 r"$\boldsymbol{L}$",
                 Hue::Green,
                 inside(momentum) && reach > 26.0,

@@ -307,8 +307,8 @@ pub(crate) fn lid(id: &str) -> Outcome {
     drawing.label(centre + at(5.0, 0.75 * weight), Side::Right, r"weight, $mg$", Hue::Purple)?;
     drawing.dot(centre, 3.6, Hue::Ink);
     drawing.label(centre + at(0.0, -14.0), Side::Above, r"falls with $\tfrac45g$", Hue::Ink)?;
-    kit::arrow(&mut drawing, contact, contact - at(0.0, carried * weight + 16.0), Hue::Pink);
-    drawing.label(contact - at(0.0, carried * weight + 20.0), Side::Above, r"$\tfrac15mg$", Hue::Pink)?;
+    kit::arrow(&mut drawing, contact, contact - at(0.0, carried * weight + 16.0), Hue::Purple);
+    drawing.label(contact - at(0.0, carried * weight + 20.0), Side::Above, r"$\tfrac15mg$", Hue::Purple)?;
     drawing.dot(contact, 4.5, Hue::Pink);
     drawing.label(contact + at(-6.0, 16.0), Side::Right, "hinge", Hue::Pink)?;
     Ok(drawing)
