@@ -288,13 +288,6 @@ impl Dop853 {
     }
 }
 
-/// The rates, on a page by one copy of their code for all stages.
-#[cfg_attr(target_arch = "wasm32", inline(never))]
-#[cfg_attr(not(target_arch = "wasm32"), inline(always))]
-fn evaluate<const N: usize>(rates: &mut impl Rates<N>, t: f64, y: &[f64; N]) -> [f64; N] {
-    rates(t, y)
-}
-
 /// Stages two to twelve, and the state at the end of the step.
 #[inline]
 fn stages<const N: usize>(
@@ -304,16 +297,16 @@ fn stages<const N: usize>(
     h: f64,
     k: &mut [[f64; N]; 16],
 ) -> [f64; N] {
-    k[1] = evaluate(rates, t + C[1] * h, &advance!(y, h, A[1], k; 0));
-    k[2] = evaluate(rates, t + C[2] * h, &advance!(y, h, A[2], k; 0, 1));
-    k[3] = evaluate(rates, t + C[3] * h, &advance!(y, h, A[3], k; 0, 2));
-    k[4] = evaluate(rates, t + C[4] * h, &advance!(y, h, A[4], k; 0, 2, 3));
-    k[5] = evaluate(rates, t + C[5] * h, &advance!(y, h, A[5], k; 0, 3, 4));
-    k[6] = evaluate(rates, t + C[6] * h, &advance!(y, h, A[6], k; 0, 3, 4, 5));
-    k[7] = evaluate(rates, t + C[7] * h, &advance!(y, h, A[7], k; 0, 3, 4, 5, 6));
-    k[8] = evaluate(rates, t + C[8] * h, &advance!(y, h, A[8], k; 0, 3, 4, 5, 6, 7));
-    k[9] = evaluate(rates, t + C[9] * h, &advance!(y, h, A[9], k; 0, 3, 4, 5, 6, 7, 8));
-    k[10] = evaluate(rates, t + C[10] * h, &advance!(y, h, A[10], k; 0, 3, 4, 5, 6, 7, 8, 9));
-    k[11] = evaluate(rates, t + C[11] * h, &advance!(y, h, A[11], k; 0, 3, 4, 5, 6, 7, 8, 9, 10));
+    k[1] = rates(t + C[1] * h, &advance!(y, h, A[1], k; 0));
+    k[2] = rates(t + C[2] * h, &advance!(y, h, A[2], k; 0, 1));
+    k[3] = rates(t + C[3] * h, &advance!(y, h, A[3], k; 0, 2));
+    k[4] = rates(t + C[4] * h, &advance!(y, h, A[4], k; 0, 2, 3));
+    k[5] = rates(t + C[5] * h, &advance!(y, h, A[5], k; 0, 3, 4));
+    k[6] = rates(t + C[6] * h, &advance!(y, h, A[6], k; 0, 3, 4, 5));
+    k[7] = rates(t + C[7] * h, &advance!(y, h, A[7], k; 0, 3, 4, 5, 6));
+    k[8] = rates(t + C[8] * h, &advance!(y, h, A[8], k; 0, 3, 4, 5, 6, 7));
+    k[9] = rates(t + C[9] * h, &advance!(y, h, A[9], k; 0, 3, 4, 5, 6, 7, 8));
+    k[10] = rates(t + C[10] * h, &advance!(y, h, A[10], k; 0, 3, 4, 5, 6, 7, 8, 9));
+    k[11] = rates(t + C[11] * h, &advance!(y, h, A[11], k; 0, 3, 4, 5, 6, 7, 8, 9, 10));
     advance!(y, h, B, k; 0, 5, 6, 7, 8, 9, 10, 11)
 }
