@@ -7,6 +7,9 @@ use dialect::markdown::options;
 use pulldown_cmark::{Event, Parser};
 use std::fmt::Write as _;
 
+/// The verdicts that have a square.
+const VERDICTS: [&str; 3] = ["right", "slip", "wrong"];
+
 /// The longest word that may stand in a column of numbers, in the place of one.
 const LONGEST: usize = 16;
 
@@ -53,7 +56,7 @@ impl Printer<'_, '_> {
             let number = number.strip_prefix("@source:")?.parse().ok()?;
             let target = self.mention(&Mention::Source(number), "", row[0].offset)?.target;
             let verdict =
-                verdict.split(|c: char| !c.is_alphabetic()).next().filter(|word| !word.is_empty())?;
+                verdict.split(|c: char| !c.is_alphabetic()).next().filter(|word| VERDICTS.contains(word))?;
             let _ = write!(
                 squares,
                 "<a class=\"{verdict}\" href=\"{target}\" title=\"({number}) of the source: {verdict}\">{number}</a> "
