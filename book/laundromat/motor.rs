@@ -68,7 +68,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             let taken = steady.iter().map(|(knob, spin)| (*spin, knob * (1.0 - spin / IDLE)));
             graph.curve(taken, Stroke::Curve, Hue::Purple);
             graph.curve([(0.0, knob), (IDLE, 0.0)], Stroke::DashedCurve, Hue::Purple);
-            graph.label((21.0, 8.6), Side::Right, "the motor gives (dashes)", Hue::Purple)?;
+            graph.label((21.0, 8.6), Side::Right, "the motor gives (dashed)", Hue::Purple)?;
             graph.label((21.0, 7.4), Side::Right, "the shaking takes", Hue::Purple)?;
             graph.dot((spin, knob * (1.0 - spin / IDLE)), 5.0, Hue::Ink);
             let frames = [[366.0, 34.0, 250.0, 200.0], [44.0, 318.0, 320.0, 200.0]];

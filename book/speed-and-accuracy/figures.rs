@@ -194,11 +194,10 @@ fn draw_problem(plot: &mut Plot<'_>, problem: &str, series: &[Series], named: bo
         for (order, words) in [(4.0, "order 4"), (8.0, "order 8")] {
             let (from, to) = ((1e-13, 0.3), (1e-7, 0.3 * 1e-6_f64.powf(1.0 / order)));
             plot.reference(from, to, Stroke::Reference);
-            if !named {
-                continue;
+            if named {
+                let label = Label::new(words, TYPE)?.placed(plot.at(to), Side::Right, 4.0);
+                plot.drawing().push(Role::Text(Hue::Muted), Shape::Label(label));
             }
-            let label = Label::new(words, TYPE)?.placed(plot.at(to), Side::Right, 4.0);
-            plot.drawing().push(Role::Text(Hue::Muted), Shape::Label(label));
         }
     }
     for (_, contestant, method, words) in NAMES.into_iter().filter(|name| named && name.0 == problem) {

@@ -365,11 +365,11 @@ pub(crate) fn residual(id: &str) -> Outcome {
             let path: Vec<Point> = path.iter().map(|&(x, y)| middle + at(x, -y) * scale).collect();
             plot.drawing().polyline(&path, Stroke::Outline, Hue::Purple);
             if *part != 0.5 {
-                // On a side, and not where a slim one turns back.
-                let on_side = |n: &usize| (path[*n] - middle).length();
-                let side =
-                    (1..path.len()).min_by(|n, other| on_side(n).total_cmp(&on_side(other))).unwrap_or(1);
-                let [before, tip] = [path[side - 1], path[side]];
+                // Where the path is nearest to the middle: a slim one turns back at its ends.
+                let distance = |n: &usize| (path[*n] - middle).length();
+                let nearest = (1..path.len()).min_by(|n, other| distance(n).total_cmp(&distance(other)));
+                let nearest = nearest.ok_or("a path without points")?;
+                let [before, tip] = [path[nearest - 1], path[nearest]];
                 kit::head(plot.drawing(), tip, tip - before, 0.8, Hue::Purple);
             }
             plot.drawing().dot(middle, 2.0, Hue::Ink);

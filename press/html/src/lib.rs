@@ -1,7 +1,8 @@
 //! HTML, written, read and edited. What no edit touches stays as it is, byte for byte.
 //!
-//! The press reads each page of a site some twenty times. All that is generic in the reader is compiled here, in a crate of
-//! its own, which is optimised; the rest of the press is not, and is compiled in a third of the time.
+//! The press reads each page of a site some twenty times, so this must be fast. It is a crate of its own so that it alone is
+//! optimised, and the press is compiled quickly. [`Tokens`] settles what is generic in the reader; else the press would
+//! compile that again, slow.
 
 use html5gum::{DefaultEmitter, StringReader, Tokenizer};
 pub use html5gum::{StartTag, Token};

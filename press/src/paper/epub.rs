@@ -3,8 +3,7 @@
 use super::Paper;
 use super::sheet::Kind;
 use anyhow::{Context as _, Result};
-use html::{StartTag, Token};
-use html::{VOID, attribute, escaped, text};
+use html::{StartTag, Token, VOID, attribute, escaped, text};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::fs::{self, File};

@@ -4,8 +4,7 @@ use crate::fault::Reporter;
 use crate::read::control_characters;
 use crate::read::font_coverage::Face;
 use crate::read::items::{Item, LabelKind, PlacedItem};
-use html::VOID;
-use html::{StartTag, Token};
+use html::{StartTag, Token, VOID};
 
 /// The elements that a page may write itself; for everything else there is Markdown, or there should not be any.
 const ELEMENTS: [&str; 14] =

@@ -8,8 +8,7 @@
 use anyhow::{Context as _, Result};
 use elasticlunr::lang::{English, Language};
 use elasticlunr::{IndexBuilder, Pipeline};
-use html::{StartTag, Token};
-use html::{attribute, text, tokens};
+use html::{StartTag, Token, attribute, text, tokens};
 use mdbook_renderer::RenderContext;
 use mdbook_renderer::book::BookItem;
 use serde_json::{Value, json};

@@ -80,6 +80,11 @@ pub(super) const CASES: &[Case] = &[
         ],
     ),
     (
+        "a table that says something else of the source has none",
+        "# A\n\n$$\na\n$$ {#eq:x source=19}\n\nSo.\n\n| equation | says | true |\n|---|---|---|\n| @source:19 | $x$ | the root |\n\nTable: T.\n",
+        &["\nSo.\n\n<div class='table-wrapper'>"],
+    ),
+    (
         "words have the colour of their quantity",
         "# A\n\nThe [angular *momentum*]{.momentum}, [so] and [$x$]{.spin}.\n\n\
          | a |\n|---|\n| [$x$ *so*]{.spin}, [b] |\n\nTable: [L]{.momentum}].\n",

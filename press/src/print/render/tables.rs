@@ -4,6 +4,7 @@ use super::Printer;
 use crate::read::items::{Cell, Mention, Table, Words};
 use crate::read::tables;
 use dialect::markdown::options;
+use live::numbers::{BLANK, tied};
 use pulldown_cmark::{Event, Parser};
 use std::fmt::Write as _;
 
@@ -137,7 +138,7 @@ fn first_text<'a>(cell: &'a Cell<'_>) -> &'a str {
 fn digits(text: &str) -> Option<Column> {
     let unsigned = |text: &str| text.trim_start_matches(['-', '−']).to_owned();
     let count = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()).then_some(text.len());
-    let number = unsigned(text.trim()).replace([' ', '\u{a0}'], ""); // between thousands
+    let number = unsigned(&tied(text.trim())).replace(BLANK, ""); // those between thousands
     let (mantissa, power) = number.split_once('e').unwrap_or((&number, ""));
     let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     count(whole).filter(|&length| length > 0)?;
@@ -171,6 +172,7 @@ mod tests {
         let rooms = |rooms: &[&str]| Some(rooms.iter().map(|&room| room.to_owned()).collect::<Vec<_>>());
         let columns = set("| 1 | a |\n| 2.25 | 1 |\n| – | 2 |\n| none | 3 |\n| −0.5 | 4 |\n");
         assert_eq!(columns, [rooms(&["<span\".00", "", "<span\".00", "", "<span\"0"]), rooms(&[""; 5])]);
+        assert_eq!(set("| 1 000.5 | 5 6 |\n| 12 345 | 7 |\n"), [rooms(&["", "<span\".0"]), None]);
         assert_eq!(set("| 200 turns | $1$ |\n| 7 | 2 |\n| 8 | 3 |\n"), [None, None]);
         let columns = set("| −4.77e−1 | none |\n| 2.2e-16 | 1 |\n");
         assert_eq!(columns, [rooms(&["<sup\"0", "<span\"0"]), None]);

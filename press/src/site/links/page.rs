@@ -1,7 +1,6 @@
 //! One built page of the site, read.
 
-use html::{StartTag, Token};
-use html::{attribute, text, tokens};
+use html::{StartTag, Token, attribute, text, tokens};
 use std::collections::BTreeSet;
 
 /// What one built page holds.
