@@ -23,7 +23,7 @@ pub(crate) const SCENE: Scene = Scene {
                   part below grey. Below, the height of the normal through one precession, which dips below zero in the middle, and a curve of the probability of the same \
                   face against the angle theta L between the normal and L, with a dot for this toss.",
     question: "A thumb tumbles the coin 38 times a second. How fast must it twist the coin as well, if heads, and nothing but heads, is to be seen from above?",
-    size: [[640.0, 520.0], [380.0, 872.0]],
+    size: [[640.0, 520.0], [380.0, 600.0]],
     view: Some([-0.55, 0.42]),
     still: 0.0366,
     controls: &[
@@ -192,7 +192,7 @@ impl Throw {
         let attitude = self.attitude(moment.time)?;
         let normal = attitude * Vector3::z();
         let moment = &if self.from_above { moment.seen_from(-FRAC_PI_2, FRAC_PI_2) } else { *moment };
-        let (centre, scale) = moment.room.of((at(212.0, 158.0), 84.0), (at(225.0, 148.0), 76.0));
+        let (centre, scale) = moment.room.of((at(212.0, 158.0), 84.0), (at(222.0, 126.0), 66.0));
         let mut stage = Stage::new(moment.camera([0.0; 3], 9.0, centre, scale)?);
         draw_coin(&self.moments, &mut stage, &attitude, &moment.towards_eye().into())?;
         self.draw_path(&mut stage, 1.4, Stroke::Outline)?;
@@ -202,7 +202,7 @@ impl Throw {
         stage.named_vector([0.0; 3], normal * 1.4, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
         stage.write(drawing);
         let (name, hue) = if normal.z >= 0.0 { ("heads", Hue::Blue) } else { ("tails", Hue::Muted) };
-        let below = moment.room.of(at(212.0, 314.0), at(225.0, 284.0));
+        let below = moment.room.of(at(212.0, 314.0), at(222.0, 244.0));
         drawing.label(below, Side::Left, "seen from above:", Hue::Ink)?;
         drawing.label(below, Side::Right, name, hue)?;
         Ok(())
@@ -235,7 +235,7 @@ impl Throw {
     /// The same toss from the side and at full speed, where the eye sees several images of the coin at once.
     fn draw_full_speed(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let flight = Flight::new(FLIGHT)?;
-        let (x, [hand, top]) = moment.room.of((40.0, [270.0, 48.0]), (40.0, [250.0, 46.0]));
+        let (x, [hand, top]) = moment.room.of((40.0, [270.0, 48.0]), (40.0, [212.0, 40.0]));
         let highest = FLIGHT.speed * FLIGHT.speed / (2.0 * FLIGHT.gravity);
         let page_y = |time: f64| hand - (hand - top) * flight.height(time).clamp(0.0, highest) / highest;
         drawing.line(at(x, hand), at(x, top), Stroke::Dotted, Hue::Muted);
@@ -261,7 +261,7 @@ impl Throw {
 
     /// The height of the normal through a precession, and at which parts of it coins were caught.
     fn draw_heights(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let frames = [[48.0, 364.0, 320.0, 104.0], [48.0, 562.0, 310.0, 100.0]];
+        let frames = [[48.0, 364.0, 320.0, 104.0], [48.0, 474.0, 310.0, 80.0]];
         let x = Axis::linear(0.0, 1.0, 0.25).titled("part of a precession");
         let y = Axis::linear(-1.0, 1.0, 1.0).titled(r"height of the normal, $n_z$");
         let mut graph = moment.graph(drawing, frames, x, y)?;
@@ -287,7 +287,7 @@ impl Throw {
             drawing.label_set(place, Side::Above, 3.0, 13.0, "its middle", Role::Text(Hue::Green))?;
         }
         if made > 0 {
-            let above = moment.room.of(at(368.0, 348.0), at(358.0, 546.0));
+            let above = moment.room.of(at(368.0, 348.0), at(358.0, 458.0));
             drawing.note(above, Side::Left, "bars: the catches", Hue::Muted)?;
         }
         Ok(())
@@ -333,13 +333,13 @@ const REACH: f64 = 1.4;
 
 /// The eye that looks at the sphere.
 fn sphere(moment: &Moment) -> Result<Camera, Flaw> {
-    let (centre, scale) = moment.room.of((at(490.0, 160.0), 112.0), (at(190.0, 412.0), 92.0));
+    let (centre, scale) = moment.room.of((at(490.0, 160.0), 112.0), (at(92.0, 352.0), 70.0));
     moment.camera([0.0; 3], 9.0, centre, scale)
 }
 
 /// The plot of probabilities: its frame on the page, `θ_L` to the right and p upwards.
 fn probability(room: Room) -> Plot<'static> {
-    let frame = room.of(Rect::new(444.0, 364.0, 170.0, 104.0), Rect::new(60.0, 744.0, 220.0, 84.0));
+    let frame = room.of(Rect::new(444.0, 364.0, 170.0, 104.0), Rect::new(262.0, 302.0, 100.0, 100.0));
     let x = Axis::linear(0.0, 90.0, 45.0).titled(r"$\theta_L$, degrees");
     Plot { frame, x, y: Axis::linear(0.5, 1.0, 0.25).titled(r"heads, $p$") }
 }

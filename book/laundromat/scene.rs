@@ -22,7 +22,7 @@ pub(crate) const SCENE: Scene = Scene {
                   stands to one side of the fixed point O. Beside it three plots: the force on the floor against the spin, the angle from the shaft to the load against the \
                   spin, and the distance of the shaft from O against time.",
     question: "A flash shows the fast drum just when its centre is farthest to the right. Where is the load: on the right, on the left, or a quarter turn ahead?",
-    size: [[640.0, 440.0], [380.0, 864.0]],
+    size: [[640.0, 440.0], [380.0, 580.0]],
     view: Some([-FRAC_PI_2, 1.0]),
     still: 0.62,
     controls: &[
@@ -220,7 +220,7 @@ impl Washer {
         let [force, lead, swing] = room
             .of(
                 [[438.0, 40.0, 188.0, 112.0], [438.0, 186.0, 188.0, 58.0], [438.0, 326.0, 188.0, 66.0]],
-                [[52.0, 466.0, 312.0, 110.0], [52.0, 612.0, 312.0, 56.0], [52.0, 750.0, 312.0, 66.0]],
+                [[46.0, 366.0, 190.0, 84.0], [46.0, 484.0, 190.0, 48.0], [284.0, 366.0, 86.0, 166.0]],
             )
             .map(|[left, top, width, height]| Rect::new(left, top, width, height));
         let end = self.course.end;
@@ -266,14 +266,15 @@ impl Washer {
             drawing.label(place + at(0.0, 2.0), Side::Right, "seen on", Hue::Muted)?;
             drawing.label(place + at(0.0, 20.0), Side::Right, "the drum", Hue::Muted)?;
         }
-        let bottom = room.of(at(10.0, 424.0), at(10.0, 402.0));
+        let bottom = room.of(at(10.0, 424.0), at(10.0, 324.0));
         let mass = bottom + at(66.0, 0.0);
         kit::marker(drawing, bottom, Marker::Ring, Hue::Ink);
         drawing.label(bottom + at(4.0, 0.0), Side::Right, "shaft", Hue::Ink)?;
         kit::marker(drawing, mass, Marker::Mass, Hue::Ink);
         drawing.label(mass + at(4.0, 0.0), Side::Right, "centre of mass", Hue::Ink)?;
-        let scale = bottom + room.of(at(186.0, 0.0), at(-10.0, 21.0));
-        drawing.label(scale, Side::Right, "swings drawn 5 times as large", Hue::Muted)?;
+        let scale = bottom + at(186.0, 0.0);
+        let text = room.of("swings drawn 5 times as large", "swings 5 times as large");
+        drawing.label(scale, Side::Right, text, Hue::Muted)?;
         Ok(())
     }
 

@@ -11,7 +11,7 @@ pub(crate) const SCENE: Scene = Scene {
     description: "Three drums, seen from above, go round a fixed point O together. The load of the slow one lies outwards; that of the one at resonance a quarter turn ahead; that \
                   of the fast one inwards, towards O.",
     question: "Three drums, each filmed so that it turns once in four seconds. How much damping does it take to move the load of each?",
-    size: [[640.0, 270.0], [380.0, 610.0]],
+    size: [[640.0, 270.0], [380.0, 186.0]],
     view: None,
     still: 0.5,
     controls: &[Control::log_slider("damping", r"damping, $\Gamma/\omega_0$", [0.02, 2.0], "", 0.3)],
@@ -51,20 +51,20 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             let names = [r"$\Omega = \tfrac12\omega_0$", r"$\Omega = \omega_0$", r"$\Omega = 3\,\omega_0$"];
             for (place, (steady, name)) in all.iter().zip(names).enumerate() {
                 let place = place as f64;
-                let origin =
-                    moment.room.of(at(112.0 + 208.0 * place, 112.0), at(190.0, 100.0 + 200.0 * place));
+                let size = moment.room.of(1.0, 0.6);
+                let origin = moment.room.of(at(112.0 + 208.0 * place, 112.0), at(62.0 + 128.0 * place, 66.0));
                 let turned = TAU * moment.time / TURN;
-                let shaft = origin + Point::polar(30.0, turned);
-                let load = shaft + Point::polar(50.0, turned + steady.phase());
-                drawing.disc(shaft, 60.0, Hue::Blue);
-                drawing.circle(origin, 30.0, Role::Line(Stroke::Reference, Hue::Ink));
-                drawing.line(origin, origin + Point::polar(74.0, turned), Stroke::Hatch, Hue::Ink);
+                let shaft = origin + Point::polar(30.0 * size, turned);
+                let load = shaft + Point::polar(50.0 * size, turned + steady.phase());
+                drawing.disc(shaft, 60.0 * size, Hue::Blue);
+                drawing.circle(origin, 30.0 * size, Role::Line(Stroke::Reference, Hue::Ink));
+                drawing.line(origin, origin + Point::polar(74.0 * size, turned), Stroke::Hatch, Hue::Ink);
                 drawing.line(shaft, load, Stroke::Vector, Hue::Blue);
-                kit::angle(drawing, shaft, 20.0, turned, steady.phase(), Heads::None, Hue::Ink);
-                drawing.dot(load, 8.0, Hue::Blue);
+                kit::angle(drawing, shaft, 20.0 * size, turned, steady.phase(), Heads::None, Hue::Ink);
+                drawing.dot(load, moment.room.of(8.0, 6.0), Hue::Blue);
                 kit::marker(drawing, shaft, Marker::Ring, Hue::Ink);
                 kit::marker(drawing, origin, Marker::Plus, Hue::Ink);
-                let below = moment.room.of(at(0.0, 128.0), at(150.0, 0.0));
+                let below = at(0.0, moment.room.of(128.0, 98.0));
                 drawing.label(origin + below, Side::Over, name, Hue::Ink)?;
             }
             Ok(())

@@ -15,7 +15,7 @@ pub(crate) const SCENE: Scene = Scene {
     description: "Four spheres with axis 1 of a book, and on each the way of the angular momentum by another method: the closed form and turns go round the axis on a small \
                   circle, and so does RK4; by Euler’s method the way spirals outwards. Below, the wobble against the time: three waves stay as they are, the fourth grows.",
     question: "Four programs follow the same book. Make their steps longer, and then shorter. Which of them goes wrong, and in which way?",
-    size: [[640.0, 400.0], [380.0, 620.0]],
+    size: [[640.0, 400.0], [380.0, 550.0]],
     view: None,
     still: 90.0,
     controls: &[Control::log_slider("step", "length of a step", [0.05, 3.0], "s", 0.1)],
@@ -95,7 +95,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             for (place, (look, path)) in runs.iter().enumerate() {
                 let (column, row) = moment.room.of((place, 0), (place % 2, place / 2));
                 let (left, apart) = moment.room.of((84.0, 158.0), (95.0, 190.0));
-                let centre = at(left + apart * column as f64, 84.0 + 196.0 * row as f64);
+                let centre = at(left + apart * column as f64, 84.0 + 180.0 * row as f64);
                 let eye = moment.seen_from(0.5, 0.3);
                 let mut stage = Stage::new(eye.camera([0.0; 3], 9.0, centre, 58.0)?);
                 stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
@@ -110,7 +110,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
                 stage.write(drawing);
                 drawing.label(centre + at(0.0, 78.0), Side::Over, look.name, look.hue)?;
             }
-            let frames = [[44.0, 232.0, 580.0, 120.0], [44.0, 448.0, 320.0, 122.0]];
+            let frames = [[44.0, 232.0, 580.0, 120.0], [44.0, 394.0, 320.0, 110.0]];
             let time = Axis::linear(0.0, LASTS, 60.0).titled("time, s");
             let angle = Axis::linear(0.0, 90.0, 30.0).titled("wobble, degrees");
             let mut graph = moment.graph(drawing, frames, time, angle)?;

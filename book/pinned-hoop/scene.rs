@@ -16,7 +16,7 @@ pub(crate) const SCENE: Scene = Scene {
                   dot that climbs as time goes on.",
     question: "The pin catches the hoop a degree from the place where the rim is fastest, and makes a door of it. What becomes of this door? And what changes if the pin is \
                ten times more accurate: 89°, 89.9°, 89.99°?",
-    size: [[640.0, 505.0], [360.0, 640.0]],
+    size: [[640.0, 505.0], [360.0, 594.0]],
     view: Some([-0.9, 0.3]),
     still: 15.0,
     controls: &[
@@ -134,17 +134,17 @@ fn times_of_path(period: f64) -> impl Iterator<Item = f64> {
 
 /// The pendulum: its middle and its length, px.
 fn pendulum(room: Room) -> (Point, f64) {
-    room.of((at(268.0, 416.0), 46.0), (at(186.0, 378.0), 38.0))
+    room.of((at(268.0, 416.0), 46.0), (at(170.0, 344.0), 38.0))
 }
 
 /// The plane of the hoop at the snap: its centre and radius, px.
 fn plane(room: Room) -> (Point, f64) {
-    room.of((at(82.0, 420.0), 46.0), (at(62.0, 384.0), 36.0))
+    room.of((at(82.0, 420.0), 46.0), (at(56.0, 350.0), 36.0))
 }
 
 /// How long it waits, against how far the pin is from a right angle.
 fn plot(room: Room, shape: Shape) -> Plot<'static> {
-    let frame = room.of(Rect::new(412.0, 325.0, 200.0, 130.0), Rect::new(42.0, 500.0, 290.0, 92.0));
+    let frame = room.of(Rect::new(412.0, 325.0, 200.0, 130.0), Rect::new(42.0, 460.0, 290.0, 88.0));
     let x = Axis::log(GAPS[0], 100.0, 2).titled(r"$90° - \theta$, degrees");
     let most = if shape == Shape::Disk { 90.0 } else { 60.0 };
     Plot { frame, x, y: Axis::linear(0.0, most, 0.5 * most).titled("wait, s") }
@@ -153,7 +153,7 @@ fn plot(room: Room, shape: Shape) -> Plot<'static> {
 impl Pinned {
     /// The body in the room, with the pin in the origin.
     fn draw_body(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (centre, scale) = moment.room.of((at(175.0, 165.0), 78.0), (at(180.0, 155.0), 70.0));
+        let (centre, scale) = moment.room.of((at(175.0, 165.0), 78.0), (at(180.0, 146.0), 66.0));
         let mut stage = Stage::new(moment.camera([0.0; 3], 12.0, centre, scale)?);
         let now = self.top.at(moment.time)?;
         let room = self.upright * now.world_from_body;
@@ -213,7 +213,7 @@ impl Pinned {
     }
 
     fn sphere_alone(moment: &Moment) -> Result<Stage, Cause> {
-        let (centre, scale) = moment.room.of((at(498.0, 140.0), 88.0), (at(292.0, 372.0), 42.0));
+        let (centre, scale) = moment.room.of((at(498.0, 140.0), 88.0), (at(294.0, 338.0), 42.0));
         let mut stage = Stage::new(moment.seen_from(-1.0, 0.3).camera([0.0; 3], 8.0, centre, scale)?);
         stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
         Ok(stage)
@@ -245,7 +245,7 @@ impl Pinned {
         stage.label_shifted(-Vector3::y(), at(0.0, 2.0), Side::BelowRight, name, Hue::Ink)?;
         let mut drawing = Drawing::new("", 0.0, 0.0);
         stage.write(&mut drawing);
-        let below = room.of(at(498.0, 262.0), at(292.0, 440.0));
+        let below = room.of(at(498.0, 262.0), at(294.0, 406.0));
         drawing.label(below, Side::Over, r"$\boldsymbol{L}_A$ in the body", Hue::Green)?;
         Ok(drawing.items().to_vec())
     }

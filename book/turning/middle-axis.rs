@@ -16,7 +16,7 @@ pub(crate) const SCENE: Scene = Scene {
                   between axis 2 and the momentum against the turns: it stays near zero for a turn, rises to 180 degrees, stays there for twice as long, and falls back.",
     question: "A bat is thrown to turn about its middle axis, and the throw misses the axis a little. How small must the miss be, if the bat is not to turn over within two \
                turns?",
-    size: [[640.0, 420.0], [380.0, 660.0]],
+    size: [[640.0, 420.0], [380.0, 590.0]],
     view: None,
     still: 0.74,
     controls: &[Control::log_slider("miss", r"the throw misses by $\epsilon$", [1e-4, 10.0], "°", 0.1)],
@@ -99,8 +99,8 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
 
             // On board.
             let eye = moment.seen_from(0.75, 0.4);
-            let centre = room.of(at(470.0, 150.0), at(190.0, 400.0));
-            let mut stage = Stage::new(eye.camera([0.0; 3], 14.0, centre, 100.0)?);
+            let centre = room.of(at(470.0, 150.0), at(190.0, 366.0));
+            let mut stage = Stage::new(eye.camera([0.0; 3], 14.0, centre, room.of(100.0, 80.0))?);
             stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Blue)?;
             let axes = [r"$\hat{\mathbf{1}}$", r"$\hat{\mathbf{2}}$", r"$\hat{\mathbf{3}}$"];
             for (axis, name) in [Vector3::x(), Vector3::y(), Vector3::z()].into_iter().zip(axes) {
@@ -111,7 +111,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             stage.dot_in_front(momentum(top, moment.time)?, 5.0, Hue::Green)?;
             stage.write(drawing);
 
-            let frames = [[48.0, 328.0, 560.0, 50.0], [48.0, 568.0, 310.0, 50.0]];
+            let frames = [[48.0, 328.0, 560.0, 50.0], [48.0, 498.0, 310.0, 50.0]];
             let x = Axis::linear(0.0, *turns, if *turns > 6.0 { 2.0 } else { 1.0 }).titled("turns");
             let y = Axis::linear(0.0, 180.0, 90.0).titled(r"angle of axis 2 and $\boldsymbol{L}$, degrees");
             let mut graph = moment.graph(drawing, frames, x, y)?;

@@ -14,7 +14,7 @@ pub(crate) const SCENE: Scene = Scene {
                   axis of the plate and the angular velocity omega lean away from it on opposite sides, each on a circle. Beside it the plane of the three arrows. Below, \
                   the swings of the axis to the right and to the left against time, with a line at each passage of the stripe.",
     question: "While the plate turns once, how often does its axis swing to the right and back? And when it has grown into a long can?",
-    size: [[640.0, 480.0], [380.0, 716.0]],
+    size: [[640.0, 480.0], [380.0, 436.0]],
     view: Some([-1.35, 0.36]),
     still: 0.0,
     controls: &[
@@ -187,7 +187,7 @@ impl Throw {
     /// The body and its arrows in the room or as it sees them.
     fn draw_room(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let now = self.top.at(moment.time)?;
-        let (centre, scale) = moment.room.of((at(205.0, 182.0), 97.0), (at(190.0, 174.0), 88.0));
+        let (centre, scale) = moment.room.of((at(205.0, 182.0), 97.0), (at(122.0, 150.0), 72.0));
         let mut stage = Stage::new(moment.camera([0.0, 0.0, 0.35], 8.0, centre, scale)?);
         if !self.on_board {
             stage.ground([-1.2, -0.9], [1.2, 0.9], -1.1, 0.3)?;
@@ -265,7 +265,7 @@ impl Throw {
     fn draw_swing(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let window = moment.room.of(DURATION, 0.5 * DURATION);
         let from = window * (moment.time / window).floor().clamp(0.0, DURATION / window - 1.0);
-        let frame = moment.room.of(Rect::new(40.0, 394.0, 580.0, 44.0), Rect::new(40.0, 624.0, 322.0, 44.0));
+        let frame = moment.room.of(Rect::new(40.0, 394.0, 580.0, 44.0), Rect::new(40.0, 346.0, 322.0, 44.0));
         let time = Axis::linear(from, from + window, 0.5).titled("time, s");
         let mut graph = Graph::new(drawing, frame, time, Axis::linear(-1.0, 1.0, 2.0))?;
         let [_, spin] = self.rates();
@@ -301,7 +301,7 @@ impl Throw {
 
 /// The plane of the arrows: its frame on the page, spin about a diameter to the right and about the axis upwards.
 fn plane(room: Room) -> Plot<'static> {
-    let frame = room.of(Rect::new(450.0, 40.0, 130.0, 260.0), Rect::new(130.0, 366.0, 90.0, 180.0));
+    let frame = room.of(Rect::new(450.0, 40.0, 130.0, 260.0), Rect::new(272.0, 84.0, 64.0, 128.0));
     let x = Axis::linear(0.0, MOST, 5.0).titled(r"$\omega_1$, rad/s");
     Plot { frame, x, y: Axis::linear(0.0, 2.0 * MOST, 10.0).titled(r"along $\hat{\mathbf{3}}$, rad/s") }
 }

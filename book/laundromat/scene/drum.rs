@@ -45,7 +45,7 @@ impl<'a> Drum<'a> {
     ) -> Result<Self, Cause> {
         let posts = (TUB + 0.4 + widest * METRE).max(2.5);
         let eye = moment.azimuth + if on_drum { state.azimuth } else { 0.0 };
-        let (centre, scale) = moment.room.of((at(196.0, 216.0), 186.0), (at(190.0, 204.0), 178.0));
+        let (centre, scale) = moment.room.of((at(196.0, 216.0), 186.0), (at(190.0, 144.0), 142.0));
         let seen = moment.seen_from(eye, moment.elevation);
         let camera = seen.camera([0.0; 3], 14.0, centre, scale / posts)?;
         let shaft = state.shaft.position * METRE;

@@ -12,7 +12,7 @@ pub(crate) const SCENE: Scene = Scene {
     description: "A map of circles and leans. A shaded tongue rises from small leans to a tip near 19 degrees, that of a disc; a thin curve bounds that of a hoop. A dot stands inside \
                   the tongue, for a disc that leans by 12 degrees. Beside it the lean of that disc against time, after a weak kick: it swings far away.",
     question: "A disc that leans by 12° is lost after the weakest kick, one that leans by 26° is not. Is that so on every circle? And how far down can the safe one lean?",
-    size: [[640.0, 330.0], [380.0, 640.0]],
+    size: [[640.0, 330.0], [380.0, 540.0]],
     view: None,
     still: 2.4,
     controls: &[
@@ -67,7 +67,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
         words,
         readings: |kicked, time| Ok(vec![kicked.lean(time)?]),
         draw: |kicked, moment, drawing| {
-            let frames = [[50.0, 40.0, 260.0, 220.0], [48.0, 40.0, 310.0, 210.0]];
+            let frames = [[50.0, 40.0, 260.0, 220.0], [48.0, 34.0, 310.0, 180.0]];
             let circle = Axis::linear(0.0, 4.0, 1.0).titled(r"circle $b/a$");
             let lean = Axis::linear(0.0, 40.0, 10.0).titled(r"lean $\theta$, °");
             let mut map = moment.graph(drawing, frames, circle, lean)?;
@@ -80,7 +80,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             map.label((2.2, 30.0), Side::Right, "stays small", Hue::Ink)?;
             map.label((1.6, 4.0), Side::Right, "grows", Hue::Ink)?;
             map.dot(kicked.place, 5.0, Hue::Blue);
-            let frames = [[376.0, 40.0, 240.0, 220.0], [48.0, 370.0, 310.0, 210.0]];
+            let frames = [[376.0, 40.0, 240.0, 220.0], [48.0, 304.0, 310.0, 190.0]];
             let times = linear_steps(0.0, FILM, 240);
             let leans =
                 times.map(|time| Ok((time, kicked.lean(time)?))).collect::<Result<Vec<_>, Cause>>()?;

@@ -82,8 +82,8 @@ fn a_slight_wobble_of_a_flat_body_is_two_to_one_and_of_a_ball_one_to_one() {
 fn the_floor_stays_above_the_plot() {
     for room in [Room::Wide, Room::Narrow] {
         let drawing = Hand::with("turning", &[]).draw(0.0, room);
-        // The plot below it has a line of words above its frame: on a phone that of the plane, otherwise that of time.
-        let title = drawing.axes()[room.of(1, 0)].frame.top - 22.0;
+        // The plot of time below it has a line of words above its frame.
+        let title = drawing.axes()[1].frame.top - 22.0;
         let floors = drawing.items().iter().filter(|item| item.role == Role::Area(Fill::Floor, Hue::Ink));
         let corners = floors.flat_map(|item| item.shape.points());
         let lowest = corners.map(|corner| corner.y).fold(0.0, f64::max);
