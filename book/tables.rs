@@ -15,9 +15,9 @@ pub(crate) fn methods() -> String {
         let adapts = if *adaptive { "yes" } else { "no" };
         let kept: Vec<String> = keeps.iter().map(ToString::to_string).collect();
         let kept = if kept.is_empty() { "nothing".to_owned() } else { kept.join(", ") };
-        format!("| {name} | {order} | {dense} | {cost} | {adapts} | {kept} |\n")
+        format!("| {name} | {order} | {kept} | {cost} | {adapts} | {dense} |\n")
     };
-    "| method | order | dense output | a step costs | adapts | keeps, of a free body |\n|---|---|---|---|---|---|\n"
+    "| method | order | keeps, of a free body | a step costs | adapts | dense output |\n|---|---|---|---|---|---|\n"
         .to_owned()
         + &METHODS.iter().map(row).collect::<String>()
 }

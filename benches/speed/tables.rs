@@ -8,7 +8,7 @@ fn rows(csv: &str) -> impl Iterator<Item = Vec<&str>> {
 /// What is left after a million periods.
 pub(crate) fn long_run(csv: &str) -> String {
     let mut text = String::from(
-        "| after a million periods | evaluations or turns | length − 1 | energy, relative | attitude, rad |\n|---|---|---|---|---|\n",
+        "| after a million periods | attitude, rad | length − 1 | energy, relative | evaluations or turns |\n|---|---|---|---|---|\n",
     );
     for row in rows(csv) {
         let [method, setting, "1000000", work, length, energy, attitude] = row[..] else { continue };
@@ -25,7 +25,7 @@ pub(crate) fn long_run(csv: &str) -> String {
             work.parse().map_or_else(|_| "?".into(), |count: f64| format!("{count:.1e}"))
         };
         // A minus sign, which does not let a line end behind it.
-        let line = format!("| {name} | {work} | {length} | {energy} | {attitude} |\n").replace('-', "−");
+        let line = format!("| {name} | {attitude} | {length} | {energy} | {work} |\n").replace('-', "−");
         text.push_str(&line);
     }
     text

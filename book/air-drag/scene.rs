@@ -18,7 +18,7 @@ pub(crate) const SCENE: Scene = Scene {
                   the axis upwards: its tip follows a curve that comes to the origin upright.",
     question: "In the end a pencil turns end over end. Is this rotation faster than at the start, when it was only a slight wobble? And which dies first, the wobble or the \
                spin?",
-    size: [[640.0, 470.0], [360.0, 520.0]],
+    size: [[640.0, 470.0], [360.0, 532.0]],
     view: Some([-1.25, 0.3]),
     still: 10.0,
     controls: &[
@@ -38,7 +38,7 @@ pub(crate) const SCENE: Scene = Scene {
         preset("a rough rim", &[("ratio", 2.0), ("drag", 0.1)]),
         preset("neither flat nor long", &[("ratio", 1.0)]),
         preset("a pencil", &[("ratio", 0.0024), ("drag", 81.0), ("lean", 6.0)]),
-        preset("a straw through it", &[("ratio", 0.002), ("drag", 810.0), ("lean", 20.0)]),
+        preset("a straw through it", &[("ratio", 0.0018), ("drag", 810.0), ("lean", 20.0)]),
     ],
     readings: &[
         reading("spin that is left", Form::Fixed(1), "%"),
@@ -55,7 +55,7 @@ pub(crate) const SCENE: Scene = Scene {
 };
 
 /// The map: I₃/I₁ to the right, C₁/C₃ upwards.
-const RATIOS: [f64; 2] = [0.002, 2.0];
+const RATIOS: [f64; 2] = [0.0015, 2.0];
 const DRAGS: [f64; 2] = [0.05, 2000.0];
 /// The quicker of the two decays, 1/s: air as thick as that takes.
 const DECAY: f64 = 1.0 / 8.0;
@@ -199,7 +199,7 @@ impl Slowing {
             if moment.rightward(arrow - momentum) > 0.0 { Side::Right } else { Side::Left }
         };
         if angle_between(&axis, &momentum) > 0.12 {
-            stage.label(axis * TIP, side(&axis), r"$\hat{\mathbf{3}}$", Hue::Ink)?;
+            stage.label_shifted(axis * TIP, at(0.0, -10.0), side(&axis), r"$\hat{\mathbf{3}}$", Hue::Ink)?;
         }
         if angle_between(&spin, &axis).min(angle_between(&spin, &momentum)) > 0.08 {
             stage.label(spin * 1.3, side(&spin), r"$\boldsymbol{\omega}$", Hue::Orange)?;
@@ -231,9 +231,14 @@ impl Slowing {
                 at_end(&mut map, (to, 80.0), "left")?;
             }
         }
-        let (ratio, words) = room.of((0.021, "wobble dies first"), (0.004, "wobble dies"));
-        map.label((ratio, 900.0), Side::Right, words, Hue::Ink)?;
-        map.label((0.0025, 0.3), Side::Right, room.of("spin dies first", "spin dies"), Hue::Ink)?;
+        match room {
+            Room::Wide => map.label((1.8, 900.0), Side::Left, "wobble dies", Hue::Ink)?,
+            Room::Narrow => {
+                map.label((1.8, 1100.0), Side::Left, "wobble", Hue::Ink)?;
+                map.label((1.8, 330.0), Side::Left, "dies", Hue::Ink)?;
+            }
+        }
+        map.label((0.0025, 0.3), Side::Right, "spin dies", Hue::Ink)?;
         map.grip((self.ratio, self.drag_ratio()), Hue::Pink);
         Ok(())
     }
@@ -277,14 +282,14 @@ fn at_end(map: &mut Graph<'_>, value: (f64, f64), text: &str) -> Result<(), Caus
 
 /// The map of fates.
 fn map(room: Room) -> Plot<'static> {
-    let frame = room.of(Rect::new(390.0, 34.0, 180.0, 150.0), Rect::new(44.0, 340.0, 90.0, 126.0));
+    let frame = room.of(Rect::new(390.0, 34.0, 180.0, 150.0), Rect::new(44.0, 352.0, 90.0, 126.0));
     let y = Axis::log(DRAGS[0], DRAGS[1], 1).titled(r"$C_1/C_3$");
     Plot { frame, x: Axis::log(RATIOS[0], RATIOS[1], 1).titled(r"$I_3/I_1$"), y }
 }
 
 /// The plane of the angular momentum as the body has it.
 fn parts(room: Room) -> Plot<'static> {
-    let frame = room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(212.0, 364.0, 102.0, 102.0));
+    let frame = room.of(Rect::new(390.0, 268.0, 150.0, 150.0), Rect::new(212.0, 376.0, 102.0, 102.0));
     let x = Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ across");
     Plot { frame, x, y: Axis::linear(0.0, 1.0, 0.5).titled(r"$\boldsymbol{L}$ along the axis") }
 }

@@ -190,19 +190,19 @@ pub(crate) fn ball_hole(id: &str) -> Outcome {
     let (axis, radius, ball) = (at(140.0, 160.0), 118.0, 36.0);
     drawing.circle(axis, radius, Role::Line(Stroke::Curve, Hue::Muted));
     let gap = radius - ball;
-    let way: Vec<Point> = linear_steps(0.85, 1.2, 40)
+    let way: Vec<Point> = linear_steps(0.52, 1.05, 40)
         .map(|angle| axis + at(gap * f64::cos(angle), -gap * f64::sin(angle)))
         .collect();
     drawing.polyline(&way, Stroke::Outline, Hue::Ink);
     let [before, tip] = [way[way.len() - 3], way[way.len() - 1]];
     kit::head(&mut drawing, tip, tip - before, 0.8, Hue::Ink);
-    let places = [(at(1.0, 0.0), r"$\omega_2$"), (at(0.0, -1.0), r"$\omega_1$")];
-    for (outward, name) in places {
+    let places = [(at(1.0, 0.0), Side::Right, r"$\omega_2$"), (at(0.0, -1.0), Side::Left, r"$\omega_1$")];
+    for (outward, side, name) in places {
         let centre = axis + outward * gap;
         drawing.line(axis, centre + outward * 66.0, Stroke::Reference, Hue::Muted);
         drawing.circle(centre, ball, Role::Line(Stroke::Curve, Hue::Blue));
         kit::arrow(&mut drawing, centre, centre + at(0.0, -62.0), Hue::Orange);
-        drawing.label(centre + at(-4.0, -56.0), Side::Left, name, Hue::Orange)?;
+        drawing.label(centre + at(0.0, -56.0), side, name, Hue::Orange)?;
         drawing.dot(axis + outward * radius, 3.5, Hue::Pink);
     }
     Ok(drawing)
@@ -224,7 +224,7 @@ pub(crate) fn ball_swing(id: &str) -> Outcome {
     let round = TAU / (1.0 / 0.032_65);
     let frame = Rect::new(50.0, 36.0, 330.0, 165.0);
     let rounds = Axis::linear(0.0, 4.0, 1.0).titled("rounds");
-    let height = Axis::linear(-7.0, 1.0, 2.0).marked(&[(0.0, "0"), (-2.0, "−2"), (-4.0, "−4"), (-6.0, "−6")]);
+    let height = Axis::linear(-7.6, 1.0, 2.0).marked(&[(0.0, "0"), (-2.0, "−2"), (-4.0, "−4"), (-6.0, "−6")]);
     let mut plot = Plot::new(&mut drawing, frame, rounds, height.titled("height of the centre, cm"))?;
     plot.reference((0.0, 0.0), (4.0, 0.0), Stroke::Reference);
     let curve = |roll: HoleRoll, to: f64| {
@@ -238,7 +238,7 @@ pub(crate) fn ball_swing(id: &str) -> Outcome {
     plot.curve("pushed", curve(pushed, back)?, Stroke::Outline, Hue::Ink);
     plot.markers(&[(back / round, 0.0)], Marker::Disc, Hue::Blue);
     plot.label((back / round, 0.1), Side::Above, "out", Hue::Ink)?;
-    plot.label((0.75, -6.45), Side::Over, "pushed down", Hue::Ink)?;
+    plot.label((0.75, -6.65), Side::Over, "pushed down", Hue::Ink)?;
     plot.label((2.8, -5.9), Side::Over, "from level", Hue::Ink)?;
     Ok(drawing)
 }

@@ -45,16 +45,18 @@ pub(crate) const SCENE: Scene = Scene {
     ],
     readings: &[
         reading(r"speed of the centre, $v$", Form::Fixed(3), "m/s"),
-        reading(r"at which its spin would roll, $w$", Form::Fixed(3), "m/s"),
+        reading(r"speed at which its spin would roll, $w$", Form::Fixed(3), "m/s"),
         reading(r"slip, $u$", Form::Fixed(3), "m/s"),
         reading("spin about the normal", Form::Fixed(1), "rad/s"),
-        reading("change of what is kept", Form::Power(1), ""),
+        reading("drift of what friction cannot change", Form::Power(1), ""),
     ],
     symbols: formulas![r"\boldsymbol{v}", r"\boldsymbol{u}", r"\boldsymbol{\omega}", "v", "w"],
     start: |settings| Ok(Box::new(Rolls::new(settings)?)),
 };
 
 const GRAVITY: f64 = 9.81;
+/// A corner of the cloth and of the table, as they are drawn.
+const CORNER: [f64; 2] = [1.4, 1.0];
 /// Radius of the ball, m: for billiards and for the table, and in the hole.
 const BILLIARD: f64 = 0.028_6;
 const GOLF: f64 = 0.021_35;
@@ -191,9 +193,9 @@ impl Rolls {
             Ok(stage.curve(curve.hiding(Hiding::Ignored), stroke, Hue::Muted)?)
         };
         match &self.place {
-            Place::Cloth(_) => stage.ground([-1.6, -1.2], [1.6, 1.2], 0.0, 0.4)?,
+            Place::Cloth(_) => stage.ground(CORNER.map(|x: f64| -x), CORNER, 0.0, 0.4)?,
             Place::Table(_, rate) => {
-                stage.ground([-1.6, -1.2], [1.6, 1.2], 0.0, 0.4)?;
+                stage.ground(CORNER.map(|x| -x), CORNER, 0.0, 0.4)?;
                 // Marks on the table, which go round with it.
                 for n in 0..6 {
                     let (sin, cos) = (rate * moment.time + TAU * f64::from(n) / 6.0).sin_cos();
@@ -234,21 +236,25 @@ impl Rolls {
         let slip = self.slip(&state, moment.time)?;
         let fastest = self.path[0].1.velocity.norm().max(0.2);
         let length = 0.6 / fastest.max(self.slip(&self.path[0].1, 0.0)?.norm());
-        let mut arrow =
-            |from: Vector3<f64>, along: Vector3<f64>, name: &str, hue: Hue| -> Result<(), Cause> {
-                // What would leave the picture is drawn shorter.
-                let along = along * (0.6 / along.norm().max(0.6));
-                if along.norm() > 0.03 {
-                    let curve = Curve::segment(from, from + along)?.hiding(Hiding::Ignored);
-                    stage.arrow(curve, Stroke::Vector, Heads::End, hue)?;
-                    stage.label(from + along, Side::Right, name, hue)?;
-                }
-                Ok(())
-            };
-        arrow(centre, state.velocity * length, r"$\boldsymbol{v}$", Hue::Ink)?;
+        let mut arrow = |from: Vector3<f64>,
+                         along: Vector3<f64>,
+                         side: Side,
+                         name: &str,
+                         hue: Hue|
+         -> Result<(), Cause> {
+            // What would leave the picture is drawn shorter.
+            let along = along * (0.6 / along.norm().max(0.6));
+            if along.norm() > 0.03 {
+                let curve = Curve::segment(from, from + along)?.hiding(Hiding::Ignored);
+                stage.arrow(curve, Stroke::Vector, Heads::End, hue)?;
+                stage.label(from + along, side, name, hue)?;
+            }
+            Ok(())
+        };
+        arrow(centre, state.velocity * length, Side::Above, r"$\boldsymbol{v}$", Hue::Ink)?;
         let spin = state.omega * (self.ball.radius() * length);
-        arrow(centre, spin, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        arrow(touch, slip * length, r"$\boldsymbol{u}$", Hue::Pink)?;
+        arrow(centre, spin, Side::Above, r"$\boldsymbol{\omega}$", Hue::Orange)?;
+        arrow(touch, slip * length, Side::Below, r"$\boldsymbol{u}$", Hue::Pink)?;
         stage.dot_in_front(touch, 3.5, Hue::Pink)?;
         Ok(())
     }

@@ -127,7 +127,7 @@ pub(crate) fn toss(id: &str) -> Outcome {
             stage.angle([0.0; 3], normal, momentum, 0.7, r"$\theta_L$", Hue::Ink)?;
         }
         stage.write(&mut drawing);
-        let name = if time == 0.0 { "at the start: heads" } else { "half a precession later: tails" };
+        let name = if time == 0.0 { "at the start: heads" } else { "half a round later: tails" };
         drawing.label(at(150.0, 304.0), Side::Over, name, Hue::Ink)?;
         Ok(drawing)
     };

@@ -48,7 +48,7 @@ pub(crate) const SCENE: Scene = Scene {
         reading("precessions", Form::Fixed(2), ""),
         reading(r"part of the circle above, $p$", Form::Fixed(4), ""),
         reading("tosses", Form::Fixed(0), ""),
-        reading("part of them heads", Form::Fixed(4), ""),
+        reading("part that were heads", Form::Fixed(4), ""),
         reading(r"drift of $\boldsymbol{L}$", Form::Power(1), ""),
     ],
     symbols: formulas![r"\boldsymbol{L}", r"\hat{\mathbf{3}}", r"n_z", r"\theta_L", r"p"],

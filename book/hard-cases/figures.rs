@@ -324,7 +324,7 @@ pub(crate) fn hard_losses(id: &str) -> Outcome {
         }
         for (case, (row, _)) in groups.iter().flat_map(|(_, group)| group).zip(&marks) {
             let end = case.obvious.map_or(16.0, lost);
-            let corners = [(0.0, 0.28), (end, 0.28), (end, -0.28), (0.0, -0.28)];
+            let corners = [(0.0, 0.4), (end, 0.4), (end, -0.4), (0.0, -0.4)];
             let corners = corners.map(|(x, up)| plot.at((x, row + up)));
             plot.drawing().polygon(corners.to_vec(), Fill::Side, Hue::Muted);
             plot.drawing().polyline(&corners, Stroke::Outline, Hue::Muted); // seen in dark themes too
@@ -391,7 +391,7 @@ pub(crate) fn hard_cancellation(id: &str) -> Outcome {
         // The four lie on one line, so that no name can stand beside its own.
         let place = at(plot.frame().right - 132.0, plot.frame().top + 6.0 + 20.0 * row);
         kit::marker(plot.drawing(), place, marker, hue);
-        plot.drawing().label(place, Side::Right, name, hue)?;
+        plot.drawing().label_set(place, Side::Right, 10.0, 13.0, name, Role::Text(hue))?;
     }
     plot.label((2e-9, 1.5e3), Side::Right, "slope −2", Hue::Muted)?;
     Ok(drawing)
@@ -563,7 +563,8 @@ pub(crate) fn hard_drift(id: &str) -> Outcome {
     let error = Axis::log(LEAST, 10.0, 2).titled("error");
     let mut plot = Plot::new(&mut drawing, FRAME, time, error)?;
     band(&mut plot, &of(|one| one.closed).collect::<Vec<_>>(), 2e-15, "closed form: length, energy")?;
-    plot.curve("attitude", of(|one| one.attitude), Stroke::Heavy, Hue::Ink);
+    let attitude = of(|one| one.attitude).take_while(|one| one.1 < 1.0);
+    plot.curve("attitude", attitude, Stroke::Heavy, Hue::Ink);
     plot.curve("energy", of(|one| one.energy), Stroke::Curve, Hue::Muted);
     plot.curve("length", of(|one| one.length), Stroke::Orbit, Hue::Muted);
     plot.label((4e2, 2e-1), Side::Left, "attitude", Hue::Ink)?;

@@ -108,7 +108,9 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
                 }
                 stage.dot_in_front(aim(book, &path[reached - 1]).0, 4.0, look.hue)?;
                 stage.write(drawing);
-                drawing.label(centre + at(0.0, 78.0), Side::Over, look.name, look.hue)?;
+                drawing.label(centre + at(0.0, 76.0), Side::Over, look.name, look.hue)?;
+                let sample = centre + at(-16.0, 90.0); // how its curve is drawn below
+                drawing.line(sample, sample + at(32.0, 0.0), look.stroke, look.hue);
             }
             let frames = [[44.0, 232.0, 580.0, 120.0], [44.0, 394.0, 320.0, 110.0]];
             let time = Axis::linear(0.0, LASTS, 60.0).titled("time, s");

@@ -186,8 +186,6 @@ pub(crate) fn speed_of_b(id: &str) -> Outcome {
     plot.curve("stated", stated, Stroke::DashedCurve, Hue::Muted);
     plot.markers(&[(3_f64.atan().to_degrees(), 0.0)], Marker::Ring, Hue::Ink);
     plot.label((44.0, 0.99), Side::AboveRight, r"at $\theta - 90°$", Hue::Ink)?;
-    plot.label((60.5, 0.42), Side::Over, "squares", Hue::Muted)?;
-    plot.label((61.5, 0.34), Side::Over, "added", Hue::Muted)?;
     plot.label((37.0, 0.55), Side::BelowLeft, r"$B$, at $\theta + 90°$", Hue::Ink)?;
     plot.label((62.5, 0.07), Side::Left, "$71.57°$", Hue::Ink)?;
     Ok(drawing)
@@ -422,7 +420,7 @@ pub(crate) fn flip(id: &str) -> Outcome {
         plot.markers(&[(time, top.at(time)?.omega_body.x)], Marker::Disc, Hue::Orange);
     }
     plot.label((36.0, 0.26), Side::Right, r"$\omega_1$, tangent", Hue::Orange)?;
-    plot.label((33.0, -0.24), Side::Right, r"$\omega_2$, diameter", Hue::Orange)?;
+    plot.label((57.0, 0.07), Side::Over, r"$\omega_2$, diameter", Hue::Orange)?;
     Ok(drawing)
 }
 

@@ -223,7 +223,6 @@ pub(crate) fn turn_rate(id: &str) -> Outcome {
     }
     plot.markers(&bounds, Marker::Disc, Hue::Ink);
     plot.label((0.8, 3.85), Side::Right, "lean", Hue::Muted)?;
-    plot.label((-0.19, 0.45), Side::Right, "bounds", Hue::Ink)?;
     Ok(drawing)
 }
 
@@ -344,7 +343,7 @@ pub(crate) fn potential(id: &str) -> Outcome {
     let ends = marks.map(|(lean, energy)| plot.at((lean, energy + 0.012)));
     kit::dimension(plot.drawing(), ends[0], ends[1], Heads::Both, Hue::Ink);
     plot.label((4.8, energy + 0.012), Side::Above, "the lean swings", Hue::Ink)?;
-    plot.markers(&marks, Marker::Disc, Hue::Ink);
+    plot.markers(&marks[1..], Marker::Disc, Hue::Ink);
     plot.label((24.0, energy), Side::AboveRight, "energy $E$", Hue::Muted)?;
     plot.label((-15.0, 1.65), Side::Right, r"$V(\theta)$", Hue::Ink)?;
     // The marble, as it rests on the curve at its farthest.

@@ -33,7 +33,7 @@ pub(crate) const SCENE: Scene = Scene {
         Control::choice("wheel", "wheel", &["disc", "hoop", "weights on the axle"]),
         Control::slider("reach", "how far out the weights are, in radii", [0.2, 2.0, 0.01], "", 1.0)
             .when("wheel", [2.0, 2.0]),
-        Control::slider("loss", "what slows its turning", [0.0, 0.5, 0.01], "1/s", 0.0),
+        Control::slider("loss", r"loss, $\Gamma$", [0.0, 0.5, 0.01], "1/s", 0.0),
         Control::kept("heading"),
         Control::kept("roll"),
     ],

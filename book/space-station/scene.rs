@@ -40,7 +40,7 @@ pub(crate) const SCENE: Scene = Scene {
         preset("twice as hard", &[("impulse", 3.6)]),
         preset("a push on the hub", &[("place", 0.0)]),
         preset("fire where it struck, after 13.96 s", &[("fire", 13.963)]),
-        preset("fire after one nod, at 176.5°", &[("fire", 6.846), ("thruster", 176.5)]),
+        preset("fire after one nod, 176.5° round the rim", &[("fire", 6.846), ("thruster", 176.5)]),
     ],
     readings: &[
         reading("nods, counted in the room", Form::Fixed(2), ""),

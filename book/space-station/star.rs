@@ -12,7 +12,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "The star that stood on the cross",
     description: "A camera’s picture of the sky about a cross, which is the axis of the station. An arrow leads from the cross to L, another as long from there to a star. The star \
                   has drawn a line through the cross, to and fro, which turns slowly. Below, its distance from the cross against time: arches that come back to zero.",
-    question: "How often is the star back on the cross in one old turn, and how often has L gone round? Then make the body longer.",
+    question: "How often is the star back on the cross in one old turn, and how often has the angular momentum gone round? Then make the body longer.",
     size: [[640.0, 330.0], [380.0, 570.0]],
     view: None,
     still: 9.0,
@@ -37,7 +37,7 @@ pub(crate) const SCENE: Scene = Scene {
         reading("the star is off the cross by", Form::Fixed(1), "°"),
         reading(r"rounds of $\boldsymbol L$ on board", Form::Fixed(2), ""),
     ],
-    symbols: formulas![r"\boldsymbol{L}"],
+    symbols: formulas![r"\boldsymbol{L}", r"\theta_L"],
     start,
 };
 
@@ -78,7 +78,9 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
         of: Sky { top, momentum, lean, ratio, turns, step, way },
         run: Run { duration: turns * TAU / SPIN, pace: 1.5 * turns, repeats: false },
         words: format!(
-            "In one old turn the star is back on the cross {nods:.2} times, and L goes round the cross {:.2} times.",
+            "The star is back on the cross every {:.2} old turns: in one it nods {nods:.2} times, and the angular \
+             momentum goes round the cross {:.2} times.",
+            1.0 / nods,
             (ratio - 1.0).abs()
         ),
         readings: |sky, time| {
@@ -106,7 +108,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             drawing.label(tip + (tip - cross).unit() * 13.0, Side::Over, r"$\boldsymbol{L}$", Hue::Green)?;
             let frames = [[350.0, 50.0, 260.0, 200.0], [60.0, 344.0, 290.0, 170.0]];
             let turns = Axis::linear(0.0, sky.turns, sky.step).titled("old turns");
-            let away = Axis::linear(0.0, 2.2, 1.0).titled("from the cross, in leans of L");
+            let away = Axis::linear(0.0, 2.2, 1.0).titled(r"distance from the cross, in $\theta_L$");
             let mut graph = moment.graph(drawing, frames, turns, away)?;
             let arches = sky.way.iter().enumerate();
             let arches = arches.map(|(n, (x, y))| (sky.turns * n as f64 / 400.0, x.hypot(*y)));

@@ -254,7 +254,7 @@ pub(crate) fn speed_problems(id: &str) -> Outcome {
                 error = error.titled("largest error");
             }
             let mut plot = Plot::new(&mut drawing, frame, error, time)?;
-            draw_problem(&mut plot, problem, series, room == Room::Wide)?;
+            draw_problem(&mut plot, problem, series, room == Room::Wide || *problem == "hoop")?;
             let title = Label::new(problem, room.of(14.0, TYPE))?;
             let title = title.placed(at(frame.right, frame.top - 9.0), Side::Left, 0.0);
             drawing.push(Role::Text(Hue::Ink), Shape::Label(title));

@@ -285,7 +285,7 @@ pub(crate) fn swept_cap(id: &str) -> Outcome {
     let [then, now] = [0.0, 1.0].map(|turns| coin.attitude(turns) * Vector3::y());
     let angle = Curve::between(normal(0.0), then, now, 0.17)?.hiding(Hiding::Ignored);
     stage.arrow(angle, Stroke::Outline, Heads::End, Hue::Ink)?;
-    stage.label_shifted(top, at(0.0, 2.0), Side::Above, r"$2\pi(1 - \cos\alpha)$", Hue::Blue)?;
+    stage.label_shifted(top, at(0.0, 2.0), Side::Above, r"$2\pi(1 - \cos\alpha)$", Hue::Ink)?;
     stage.label_shifted(normal(0.0), at(0.0, 2.0), Side::Below, r"$\hat{\mathbf{n}}$", Hue::Blue)?;
     stage.write(&mut drawing);
     Ok(drawing)

@@ -1,6 +1,6 @@
 //! The figures of the chapter "The top under gravity".
 
-use drawing::kit::{Heads, Marker};
+use drawing::kit::{self, Heads, Marker};
 use drawing::space::{Camera, Curve, Hiding, Solid, Stage, View};
 use drawing::{Drawing, Hue, Rect, Side, Stroke, at};
 use figures::{Axis, Cause, Figure, Outcome, Plot, figures, linear_steps};
@@ -64,7 +64,7 @@ pub(crate) fn top_torque(id: &str) -> Outcome {
     draw_top(&mut stage, axis)?;
     let tip = axis * 1.55;
     let round = Curve::circle([0.0, 0.0, tip.z], Vector3::z(), tip.xy().norm())?.hiding(Hiding::Ignored);
-    stage.curve(round, Stroke::Pale, Hue::Green)?;
+    stage.curve(round, Stroke::Outline, Hue::Green)?;
     let segment = |from: Vector3<f64>, to: Vector3<f64>| -> Result<Curve, Cause> {
         Ok(Curve::segment(from, to)?.hiding(Hiding::Ignored))
     };
@@ -143,15 +143,15 @@ pub(crate) fn top_well(id: &str) -> Outcome {
 /// What the tip draws: waves, cusps, loops.
 pub(crate) fn top_tracks(id: &str) -> Outcome {
     let panel = |name: &str, precession: f64, words: &str| -> Outcome {
-        let mut drawing = Drawing::new("", 250.0, 280.0).titled(
+        let mut drawing = Drawing::new("", 250.0, 244.0).titled(
             words,
             &format!(
                 "From above: the tip of the axis goes round the vertical between two dotted circles and draws {name}."
             ),
         );
         let motion = let_go(precession)?;
-        let mut plot = Plot::plane(&mut drawing, at(125.0, 128.0), 135.0, 0.86)?;
-        let duration = 5.2 * motion.nod_period().ok_or("it nods")?;
+        let mut plot = Plot::plane(&mut drawing, at(125.0, 112.0), 135.0, 0.8)?;
+        let duration = 4.9 * motion.nod_period().ok_or("it nods")?;
         let tip = |time: f64| -> Result<(f64, f64), Cause> {
             let tip = motion.at(time)?.axis_3_world();
             Ok((tip.x, tip.y))
@@ -162,9 +162,11 @@ pub(crate) fn top_tracks(id: &str) -> Outcome {
             plot.curve(name, circle, Stroke::Dotted, Hue::Muted);
         }
         let values = linear_steps(0.0, duration, 700).map(tip).collect::<Result<Vec<_>, Cause>>()?;
+        let [before, end] = [values[values.len() - 8], values[values.len() - 1]].map(|tip| plot.at(tip));
         plot.curve(name, values, Stroke::Curve, Hue::Ink);
         plot.markers(&[tip(0.0)?], Marker::Disc, Hue::Ink);
-        drawing.label(at(125.0, 268.0), Side::Over, words, Hue::Muted)?;
+        kit::head(&mut drawing, end, end - before, 1.0, Hue::Ink);
+        drawing.label(at(125.0, 228.0), Side::Over, words, Hue::Muted)?;
         Ok(drawing)
     };
     let panels = vec![

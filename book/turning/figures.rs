@@ -131,6 +131,7 @@ fn hoop(drawing: &mut Drawing, middle: Point, top: &FreeSymmetricTop, quarters: 
     drawing.dot(axis, 3.0, Hue::Ink);
     drawing.dot(place(now.omega_world().normalize()), 6.0, Hue::Orange);
     let mark = now.world_from_body * (Vector3::new(-hoop, 0.0, theta.cos()));
+    drawing.circle(place(mark), 5.5, Role::Area(Fill::Page, Hue::Pink));
     drawing.dot(place(mark), 4.0, Hue::Pink);
     if quarters == 0.0 {
         drawing.label(middle + at(0.0, 50.0), Side::Over, "from above", Hue::Muted)?;
@@ -540,12 +541,12 @@ pub(crate) fn possible_moments(id: &str) -> Outcome {
     ] {
         let place = over_largest(body.moments());
         plot.markers(&[place], Marker::Disc, Hue::Blue);
-        let clear_of_the_edge = at(if name == "pencil" { 12.0 } else { 0.0 }, 0.0);
+        let clear_of_the_edge = at(if name == "pencil" { 20.0 } else { 0.0 }, 0.0);
         let place = plot.at(place) + clear_of_the_edge;
         plot.drawing().label_on_face(place, side, name, Hue::Ink)?;
     }
     let place = plot.at((0.71, 0.31));
-    plot.drawing().label_on_face(place, Side::Right, "flat bodies", Hue::Blue)?;
+    plot.drawing().label_on_face(place, Side::Right, "thin plates", Hue::Blue)?;
     let line = [(0.69, 0.31), (0.715, 0.31)].map(|value| plot.at(value));
     plot.drawing().line(line[0], line[1], Stroke::Outline, Hue::Blue);
     let nothing = (2.0 / 9.0, 3.0 / 9.0);

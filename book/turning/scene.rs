@@ -236,7 +236,7 @@ impl Throw {
         let [origin, omega, momentum] =
             [(0.0, 0.0), (across, spin), (across, self.ratio * spin)].map(|values| graph.at(values));
         let drawing = graph.drawing();
-        drawing.line(momentum, omega, Stroke::Reference, Hue::Ink);
+        drawing.line(momentum, omega, Stroke::Reference, Hue::Orange);
         for (tip, hue) in [(momentum, Hue::Green), (omega, Hue::Orange)] {
             if (tip - origin).length() > 1.0 {
                 kit::arrow(drawing, origin, tip, hue);
@@ -256,7 +256,7 @@ impl Throw {
         }
         if gap.abs() > 56.0 {
             let middle = momentum.towards(omega, 0.5);
-            drawing.label(middle, Side::Right, r"$-\sigma\,\hat{\mathbf{3}}$", Hue::Ink)?;
+            drawing.label(middle, Side::Right, r"$-\sigma\,\hat{\mathbf{3}}$", Hue::Orange)?;
         }
         Ok(())
     }

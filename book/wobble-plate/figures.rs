@@ -356,7 +356,8 @@ pub(crate) fn residual(id: &str) -> Outcome {
         let words = room.of(["greatest in a turn", "least in a turn"], ["greatest", "least"]);
         label(&mut plot, (1.5, 38.0), Side::AboveLeft, words[0], Hue::Purple)?;
         label(&mut plot, (1.98, alone), Side::AboveLeft, words[1], Hue::Purple)?;
-        label(&mut plot, (1.24, 2.2), Side::Right, room.of("three or more", "three"), Hue::Purple)?;
+        label(&mut plot, (1.62, 26.5), Side::Over, "one or two", Hue::Purple)?;
+        label(&mut plot, (1.24, 2.2), Side::Right, "three or more", Hue::Purple)?;
         plot.label((0.02, alone), Side::AboveRight, "the plate alone", Hue::Ink)?;
         // The small pictures stand above their masses, all to one scale.
         let scale = 0.9;

@@ -210,10 +210,8 @@ pub(crate) fn axis_path(id: &str) -> Outcome {
         plot.curve("axis", axis.iter().copied(), Stroke::Axis, Hue::Ink);
         plot.markers(&axis[..1], Marker::Disc, Hue::Ink);
         let marks: Vec<Point> = rounds.iter().map(|&place| plot.at(place)).collect();
-        for (count, place) in marks.into_iter().enumerate() {
-            if count > 0 {
-                plot.drawing().dot(place, 2.2, Hue::Ink);
-            }
+        for place in marks {
+            plot.drawing().dot(place, 2.2, Hue::Ink);
         }
         let [before, here] = [plot.at(axis[112]), plot.at(axis[124])];
         kit::head(plot.drawing(), here, here - before, 1.0, Hue::Ink);

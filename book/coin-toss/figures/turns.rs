@@ -63,10 +63,12 @@ pub(crate) fn euler_turns(id: &str) -> Outcome {
         let other = [r"$\hat{\mathbf{x}}$", r"$\hat{\mathbf{z}}$", r"$\hat{\boldsymbol{n}}$"][turn];
         let side = [Side::BelowLeft, Side::Above, Side::Below][turn];
         stage.label(from * 1.4, side, other, Hue::Muted)?;
-        let arc = Curve::between([0.0; 3], from, to, radius)?.hiding(Hiding::Ignored);
+        let short = from.lerp(&to, 0.93); // its head stays clear of the axis
+        let arc = Curve::between([0.0; 3], from, short, radius)?.hiding(Hiding::Ignored);
         stage.arrow(arc, Stroke::Outline, Heads::End, Hue::Ink)?;
         let middle = (from + to).normalize() * radius;
-        stage.label(middle, if turn == 1 { Side::Above } else { Side::Below }, letter, Hue::Ink)?;
+        let side = [Side::Below, Side::Above, Side::BelowRight][turn];
+        stage.label(middle, side, letter, Hue::Ink)?;
         stage.write(&mut drawing);
         drawing.label(at(90.0, 232.0), Side::Over, name, Hue::Ink)?;
         panels.push(drawing);

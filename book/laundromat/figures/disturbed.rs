@@ -40,7 +40,7 @@ pub(crate) fn locked(id: &str) -> Outcome {
         plot.curve("free", returning.iter().copied(), Stroke::Heavy, Hue::Ink);
         plot.label((0.24, 3.8), Side::Right, "angle locked: it runs away", Hue::Muted)?;
         plot.label((0.55, 2.0), Side::AboveRight, "free: it returns", Hue::Ink)?;
-        plot.label((2.48, steady.radius() / b), Side::BelowLeft, "steady radius $r_0$", Hue::Muted)?;
+        plot.label((2.48, steady.radius() / b - 0.1), Side::BelowLeft, "steady radius $r_0$", Hue::Muted)?;
         Ok(drawing)
     })
 }

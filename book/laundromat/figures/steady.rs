@@ -68,7 +68,6 @@ pub(crate) fn steady(id: &str) -> Outcome {
             plot.curve(&format!("lead-{damping}"), values, stroke, Hue::Ink);
         }
         plot.label((0.5, 48.0), Side::Above, "$1$", Hue::Ink)?;
-        plot.label((1.0, 168.0), Side::Left, "$0.1$", Hue::Ink)?;
         Ok(drawing)
     })
 }
@@ -111,7 +110,7 @@ pub(crate) fn centring(id: &str) -> Outcome {
         plot.label((0.84, 3.3), Side::Left, room.of(r"$\Gamma/\omega_0 = 0.1$", "$0.1$"), Hue::Ink)?;
         let (beside, side) = room.of(((0.87, 2.05), Side::Over), ((0.74, 2.3), Side::Left));
         plot.label(beside, side, "$0.3$", Hue::Ink)?;
-        plot.label((0.4, 1.2), Side::Above, "$1$", Hue::Ink)?;
+        plot.label((0.4, 1.28), Side::Above, "$1$", Hue::Ink)?;
         plot.label((0.5, 0.5), Side::Over, room.of("spring alone", "spring"), Hue::Muted)?;
 
         let spin = Axis::log(1.0, 1000.0, 1).titled(r"spin $\Omega/\omega_0$");

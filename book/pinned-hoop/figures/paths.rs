@@ -40,7 +40,7 @@ fn from_the_hoop(id: &str) -> Outcome {
     curve("momentum-in-hoop", Hue::Green, &|omega| moments.angular_momentum(omega))?;
     plot.label((0.0, 0.12), Side::Over, r"tip of $\boldsymbol{\omega}$", Hue::Orange)?;
     plot.label((0.0, 0.47), Side::Over, r"tip of $\boldsymbol{L}_A$", Hue::Green)?;
-    let ends = [plot.at((-0.3, 0.0)), plot.at((0.3, 0.0))];
+    let ends = [plot.at((-0.2, 0.0)), plot.at((0.2, 0.0))];
     plot.drawing().line(ends[0], ends[1], Stroke::Vector, Hue::Blue);
     plot.markers(&[(0.0, 0.0)], Marker::Disc, Hue::Pink);
     plot.label((0.0, -0.02), Side::Below, "$A$", Hue::Pink)?;

@@ -15,7 +15,7 @@ pub(crate) const SCENE: Scene = Scene {
     size: [[640.0, 440.0], [380.0, 530.0]],
     view: None,
     still: 3.2,
-    controls: &[Control::slider("loss", "what slows its turning", [0.02, 0.4, 0.01], "1/s", 0.1)],
+    controls: &[Control::slider("loss", r"loss, $\Gamma$", [0.02, 0.4, 0.01], "1/s", 0.1)],
     presets: &[
         preset("the disc of the program", &[]),
         preset("slowed gently", &[("loss", 0.04)]),

@@ -11,7 +11,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "Where a weak kick grows",
     description: "A map of circles and leans. A shaded tongue rises from small leans to a tip near 19 degrees, that of a disc; a thin curve bounds that of a hoop. A dot stands inside \
                   the tongue, for a disc that leans by 12 degrees. Beside it the lean of that disc against time, after a weak kick: it swings far away.",
-    question: "A disc that leans by 12° is lost after the weakest kick, one that leans by 26° is not. Is that so on every circle? And how far down can the safe one lean?",
+    question: "A disc that leans by 12° is lost after the weakest kick, one that leans by 26° is not. Is that so on every circle? And how nearly upright may the safe one stand?",
     size: [[640.0, 330.0], [380.0, 540.0]],
     view: None,
     still: 2.4,
@@ -76,7 +76,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             map.area(below, Fill::Ground, Hue::Ink);
             map.curve(disc.iter().copied(), Stroke::Border, Hue::Ink);
             map.curve(hoop.iter().copied(), Stroke::Orbit, Hue::Muted);
-            map.label((1.4, 17.6), Side::Right, "hoop", Hue::Muted)?;
+            map.label((0.55, 19.6), Side::AboveRight, "hoop", Hue::Muted)?;
             map.label((2.2, 30.0), Side::Right, "stays small", Hue::Ink)?;
             map.label((1.6, 4.0), Side::Right, "grows", Hue::Ink)?;
             map.dot(kicked.place, 5.0, Hue::Blue);

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 const HEIGHT: &str = "height of the normal";
 const ABOVE: &str = "part of the circle";
 const TOSSES: &str = "tosses";
-const HEADS: &str = "part of them heads";
+const HEADS: &str = "part that were heads";
 
 #[test]
 fn heights_are_those_of_a_simulation() {

@@ -26,7 +26,7 @@ fn the_star_is_where_a_stepped_station_sees_it() {
         let omega = Turning::from_array(states[1]).omega_body;
         let round = omega.y.atan2(omega.x) / TAU;
         assert!((hand.reading(2.0, "rounds of") - round).abs() < 1e-9, "{lean}°, {ratio}");
-        let nods = number_behind(&hand.words(), "on the cross");
+        let nods = number_behind(&hand.words(), "it nods");
         let back = TAU / 0.45 / nods;
         let before = [0.99, 1.0, 1.01].map(|part| hand.reading(part * back, "the star is off"));
         assert!(before[1] < before[0] && before[1] < before[2], "{}", hand.words());

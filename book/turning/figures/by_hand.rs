@@ -105,8 +105,8 @@ pub(crate) fn cross(id: &str) -> Outcome {
         if radius < 1.0 {
             stage.label_shifted(Vector3::z() * radius, at(-6.0, 0.0), Side::Left, &text, hue)?;
         } else {
-            // Beyond the arc, between ω and L.
-            let part = (omega.normalize() + momentum.normalize()).normalize() * 1.36;
+            // Beyond its arc, between L and axis 3.
+            let part = (momentum.normalize() + Vector3::z()).normalize() * 1.28;
             stage.label(part, Side::Over, &text, hue)?;
         }
     }
@@ -166,7 +166,7 @@ pub(crate) fn carousel(id: &str) -> Outcome {
     let mut stage = Stage::new(Camera::new(View {
         target: [0.0, 0.0, 0.1],
         azimuth: -1.25,
-        elevation: 0.34,
+        elevation: 0.5,
         distance: 9.0,
         centre: at(170.0, 180.0),
         scale: 92.0,
@@ -188,8 +188,8 @@ pub(crate) fn carousel(id: &str) -> Outcome {
     stage.named_vector([0.0; 3], axis * 1.3, r"$\hat{\mathbf{3}}$", Hue::Ink)?;
     stage.turning([0.0, 0.0, floor + 0.03], Vector3::z(), 1.08, Hue::Orange)?;
     stage.label_shifted([1.08, 0.0, floor], at(2.0, 0.0), Side::Right, r"$\Lambda$", Hue::Orange)?;
-    stage.turning(axis * 0.72, -axis, 0.34, Hue::Orange)?;
-    stage.label_shifted(axis * 0.72, at(-33.0, 4.0), Side::Left, r"$-\sigma$", Hue::Orange)?;
+    stage.turning(axis * 0.78, -axis, 0.26, Hue::Orange)?;
+    stage.label_shifted(axis * 0.78, at(-27.0, 4.0), Side::Left, r"$-\sigma$", Hue::Orange)?;
     stage.write(&mut drawing);
     Ok(drawing)
 }
