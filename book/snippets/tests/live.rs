@@ -103,7 +103,7 @@ fn with_other_numbers_the_answers_are_those_of_the_equations() {
     let needed = 2.0 * (0.1 * 40_f64.to_radians().cos() / 0.05).powi(2) / 8.0;
     prints(plate, &[40.0, 0.05, 200.0], 0, needed);
     // eq:ratio-for-bias of a thin coin.
-    let coin = of("book/coin-toss/index.md", &["bias", "tosses"]);
+    let coin = of("book/coin-toss/index.md", &["same", "tosses"]);
     prints(coin, &[0.6, 1e4], 0, 0.5 * (-(std::f64::consts::PI * 0.6).cos()).sqrt());
     prints(coin, &[0.6, 1e4], 2, 0.1 / (0.25_f64 / 1e4).sqrt());
     // eq:struck-rate: 2P/ma.
