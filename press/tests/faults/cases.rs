@@ -20,6 +20,11 @@ pub(crate) const CASES: &[Case] = &[
     ("dollar", "# A\n\nIt costs \\$5.\n", &[]),
     ("dollar-in-code", "# A\n\n`$x` and\n\n```sh\necho $HOME @eq:none\n```\n", &[]),
     ("unknown-command", "# A\n\n$$\na = \\fraction{1}{2}\n$$\n", &[(4, "fraction")]),
+    (
+        "length-behind-a-line",
+        "# A\n\n$$\n\\begin{aligned}\na &= 1 \\\\[6pt]\nb &= 2\n\\end{aligned}\n$$\n",
+        &[(5, "`\\\\[…]` is not understood")],
+    ),
     ("unknown-inline", "# A\n\nline\nand $\\unknown$ here\n", &[(4, "unknown")]),
     ("stray-dollar", "# A\n\nIt costs $5.\n", &[(3, "a stray `$`")]),
     ("blank-line", "# A\n\n$$\na\n\n= b\n$$\n", &[(3, "a stray `$$`"), (7, "a stray `$$`")]),

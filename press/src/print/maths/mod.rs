@@ -119,6 +119,11 @@ impl Maths {
                 format!("the formula has {} bytes; more than {LONGEST} cannot be read: divide it", tex.len());
             return Err(MathsFault { offset: 0, message });
         }
+        // The converter would print the length.
+        if let Some(offset) = tex.find(r"\\[") {
+            let message = r"in the formula: `\\[…]` is not understood: end the line by `\\` alone".to_owned();
+            return Err(MathsFault { offset, message });
+        }
         let mathml = match self.converter.convert_with_local_state(tex, display) {
             Ok(result) => result.mathml.replace('\n', " "),
             Err(error) => {
