@@ -143,8 +143,8 @@ impl Rolled {
         Ok(())
     }
 
-    /// The track of the contact on a table with this middle and half this side: what is to come pale, the last seconds
-    /// heavy.
+    /// The track of the contact on a table with this middle and half this side: all of it pale, which stays as it is, and
+    /// over it what is past, the last seconds heavy.
     fn draw_track(
         &self,
         time: f64,
@@ -166,11 +166,11 @@ impl Rolled {
             self.contacts[from - 1..to].iter().map(|&contact| place(contact)).collect()
         };
         // How a wheel goes on that is slowed is what a reader is to guess.
-        let end = if self.loss == 0.0 { self.states.len() } else { reached };
-        let (coming, past) = (way(reached, end), way(1, recent));
+        let all = if self.loss == 0.0 { way(1, self.states.len()) } else { Vec::new() };
+        let past = way(1, recent);
         let mut heavy = way(recent, reached);
         heavy.push(place(here));
-        for (points, stroke) in [(coming, Stroke::Pale), (past, Stroke::Orbit), (heavy, Stroke::Curve)] {
+        for (points, stroke) in [(all, Stroke::Pale), (past, Stroke::Orbit), (heavy, Stroke::Curve)] {
             for piece in points.split(|point| point.x.is_nan()) {
                 drawing.polyline(piece, stroke, Hue::Pink);
             }

@@ -23,8 +23,8 @@ pub fn is_unit(word: &str) -> bool {
 }
 
 /// Words whose number is their name: `axis 3`.
-const NUMBERED: [&str; 9] =
-    ["axis", "axes", "simulator", "problem", "chapter", "section", "article", "volume", "page"];
+const NUMBERED: [&str; 10] =
+    ["axis", "axes", "simulator", "problem", "chapter", "chapters", "section", "article", "volume", "page"];
 
 /// Where in a run of text a blank stands between a number and its unit, or before a number that is a name.
 pub fn blanks(text: &str) -> impl Iterator<Item = usize> + '_ {
@@ -32,7 +32,9 @@ pub fn blanks(text: &str) -> impl Iterator<Item = usize> + '_ {
     let names = move |at: usize| {
         let is_number = bytes.get(at + 1).is_some_and(u8::is_ascii_digit);
         let word = || text[..at].rsplit(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
-        matches!(bytes[at], b' ' | b'\n') && is_number && NUMBERED.contains(&word())
+        matches!(bytes[at], b' ' | b'\n')
+            && is_number
+            && NUMBERED.iter().any(|name| name.eq_ignore_ascii_case(word()))
     };
     // Between the thousands of a number: behind one to three digits, and before three.
     let digits =
@@ -66,6 +68,7 @@ pub fn unit(text: &str) -> Option<usize> {
 /// assert_eq!(tied("every 0.31 s, at 30 rad/s of 2 turns"), "every 0.31\u{a0}s, at 30\u{a0}rad/s of 2 turns");
 /// assert_eq!(tied("12 345 678 of 90 000 in 2026"), "12\u{a0}345\u{a0}678 of 90\u{a0}000 in 2026");
 /// assert_eq!(tied("of 3 axes axis 3 is the axle"), "of 3 axes axis\u{a0}3 is the axle");
+/// assert_eq!(tied("Chapters 4 and 14"), "Chapters\u{a0}4 and 14");
 /// ```
 pub fn tied(text: &str) -> String {
     let mut out = String::with_capacity(text.len());

@@ -174,6 +174,8 @@ pub(crate) enum Item<'a> {
     Hint,
     /// A blank between a number and its unit.
     Blank,
+    /// A dash between two numbers, behind which no line ends.
+    Dash,
     /// `[`: words in the colour of a quantity begin.
     ColouredStart(Quantity),
     /// `]{.role}`: these words end.

@@ -104,6 +104,11 @@ pub(super) const CASES: &[Case] = &[
         ],
     ),
     (
+        "the ends of a range stay on one line, and of a clause they need not",
+        "# A\n\nPages 67–85, and 3 – or so.\n",
+        &["Pages~67–\u{2060}85, and 3 – or so."],
+    ),
+    (
         "many checks are folded into a block of their own, and few are not",
         "# A\n\n```rust\n# use x;\nlet a = 1;\n\nassert!(a);\nassert!(\n    a\n);\n# Ok(())\n```\n\n\
          ```rust\nlet a = 1;\nassert!(a);\n```\n",

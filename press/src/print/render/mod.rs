@@ -205,6 +205,7 @@ impl Printer<'_, '_> {
             Item::ColouredStart(quantity) => Some(format!("<span class=\"{}\">", quantity.class())),
             Item::ColouredEnd => Some("</span>".to_owned()),
             Item::Blank => Some(BLANK.to_owned()),
+            Item::Dash => Some("–\u{2060}".to_owned()),
             Item::NoteMark(name) => Some(self.note_mark(name)),
             Item::Note(note) => Some(self.note(note)),
             Item::NoteDefinition => Some(String::new()),

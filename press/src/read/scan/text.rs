@@ -64,8 +64,17 @@ impl Scan<'_, '_> {
         }
     }
 
-    /// Numbers in a run of text are not parted from their units.
+    /// Numbers in a run of text are not parted from their units, nor the ends of a range, `67–85`.
     fn blanks(&mut self, range: &Range<usize>) {
+        for (at, dash) in self.text[range.clone()].match_indices('–') {
+            let (at, end) = (range.start + at, range.start + at + dash.len());
+            let [before, after] = [&self.text[range.start..at], &self.text[end..range.end]];
+            if before.ends_with(|c: char| c.is_ascii_digit())
+                && after.starts_with(|c: char| c.is_ascii_digit())
+            {
+                self.place(at..end, Item::Dash);
+            }
+        }
         for at in numbers::blanks(&self.text[range.clone()]).map(|at| range.start + at) {
             self.place(at..at + 1, Item::Blank);
         }
