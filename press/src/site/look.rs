@@ -20,6 +20,7 @@ pub(crate) fn gather(site: &Path, config: &Config, pages: &mut BTreeMap<String, 
     }
     let mut moved = Vec::new();
     if !sheets.is_empty() {
+        let joined = lightened(&joined);
         let mut hasher = DefaultHasher::new();
         joined.hash(&mut hasher);
         let name = format!("css/look-{:08x}.css", hasher.finish() >> 32);
@@ -43,6 +44,26 @@ pub(crate) fn gather(site: &Path, config: &Config, pages: &mut BTreeMap<String, 
     }
     let Some(folder) = theme::FOLDER.split('/').next().map(|top| site.join(top)) else { return Ok(()) };
     if folder.is_dir() { fs::remove_dir_all(folder) } else { Ok(()) }
+}
+
+/// A style sheet without what only its authors need: comments and indentation, a third of what travels.
+fn lightened(sheet: &str) -> String {
+    let (mut out, mut rest) = (String::with_capacity(sheet.len()), sheet);
+    while let Some(at) = rest.find(['"', '\'', '/']) {
+        // Up to the end of a text or a comment, or just beyond a stroke that begins none.
+        let (kept, end) = match &rest[at..] {
+            comment if comment.starts_with("/*") => (at, comment.find("*/").map(|end| at + end + 2)),
+            stroke if stroke.starts_with('/') => (at + 1, Some(at + 1)),
+            text => {
+                let end = text[1..].find(&text[..1]).map(|end| at + end + 2);
+                (end.unwrap_or(rest.len()), end)
+            }
+        };
+        out += &rest[..kept];
+        rest = end.map_or("", |end| &rest[end..]);
+    }
+    out += rest;
+    out.lines().map(str::trim).filter(|line| !line.is_empty()).flat_map(|line| [line, "\n"]).collect()
 }
 
 /// What can stand in the margin.
@@ -86,7 +107,13 @@ fn of_theme(site: &Path, files: &[PathBuf]) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::with_kind;
+    use super::{lightened, with_kind};
+
+    #[test]
+    fn a_sheet_travels_without_comments_and_blanks_at_its_edges() {
+        let sheet = "/* Of a\n   book. */\n\na { /* b */\n    content: \"/* c */\" / '*/';\n    d: url(e/f); }\n/* open";
+        assert_eq!(lightened(sheet), "a {\ncontent: \"/* c */\" / '*/';\nd: url(e/f); }\n");
+    }
 
     #[test]
     fn a_page_says_that_it_is_the_cover_or_that_its_margin_is_empty() {
