@@ -131,11 +131,13 @@ function written(value, digits, unit = "") {
   return text.replace("-", Number(text) === 0 ? "" : "−") + (/^°?$/.test(unit) ? "" : "\u00a0") + unit;
 }
 
-/** Writes a number, which may be a power of ten, into an element; what was a text alone stays one, with other letters. */
+const texts = (node) => (node instanceof Text ? node : [...node.childNodes].flatMap(texts));
+/** Writes a number, which may be a power of ten, into an element; where the tags are as before, only the letters change. */
 function write(element, html) {
-  const [text, other] = element.childNodes;
-  if (text instanceof Text && !other && !/[<&]/.test(html)) text.data = html;
-  else element.innerHTML = html;
+  const [found, parts, tags] = [texts(element), html.split(/<.*?>/).filter(Boolean), html.match(/<.*?>/g)?.join()];
+  if (element.tags !== tags || found.length !== parts.length || html.includes("&")) element.innerHTML = html;
+  else found.forEach((text, index) => (text.data = parts[index]));
+  element.tags = tags;
 }
 
 /** A control: its name, its value at the start and now, and the elements that change it. */
@@ -300,7 +302,7 @@ class Scene {
     });
     this.presets = [...figure.querySelectorAll(".presets button")]
       .map((button) => ({ button, settings: new URLSearchParams(button.dataset.set) }));
-    this.readings = [...figure.querySelectorAll(".readings dd")];
+    this.readings = [...figure.querySelectorAll(".readings dd")].map((place) => place.appendChild(document.createElement("span")));
     // A formula in a label is a part of its name, which no browser hears by itself.
     for (const math of figure.querySelectorAll(".panel math")) math.ariaLabel = math.textContent;
     // Sliders say their values themselves; a clock that was read aloud would never stop.
@@ -404,7 +406,10 @@ class Scene {
     this.clock.data = written(now, this.digits, "s");
     const values = machine.text(machine.run.readings(now)).split("\n");
     this.readings.forEach((place, index) => {
-      if (this.#shown[index] !== values[index]) write(place, values[index]);
+      if (this.#shown[index] === values[index]) return;
+      write(place, values[index]);
+      const ofText = `${place.textContent.length + 2}ch`;
+      if (parseFloat(place.style.inlineSize || 0) < parseFloat(ofText)) place.style.inlineSize = ofText;
     });
     this.#shown = values;
     // Under a reader's hand the time does not speak by itself.

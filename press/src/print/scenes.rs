@@ -148,7 +148,7 @@ pub(crate) fn panel(drawn: &Scene, mut html: impl FnMut(&str) -> String) -> Stri
         "<div class=\"panel\">\n<div class=\"transport\"><button type=\"button\" class=\"play\">Play</button>\
          <button type=\"button\" class=\"step\">Step</button><button type=\"button\" class=\"reset\">Reset</button>{sound}\
          <output class=\"clock\" for=\"{id}-time\"></output>\
-         <input type=\"range\" class=\"time\" id=\"{id}-time\" min=\"0\" max=\"1\" step=\"any\" value=\"{}\" aria-label=\"time\">\
+         <span><input type=\"range\" class=\"time\" id=\"{id}-time\" min=\"0\" max=\"1\" step=\"any\" value=\"{}\" aria-label=\"time\"></span>\
          <select class=\"pace\" aria-label=\"pace\"><option value=\"0.25\">slowed 4 times</option><option value=\"0.5\">slowed 2 times</option>\
          <option value=\"1\" selected>as it is</option><option value=\"2\">2 times as fast</option></select></div>\n<div class=\"controls\">\n",
         scene.still

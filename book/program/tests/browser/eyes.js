@@ -43,7 +43,7 @@ window.unlike = (one, other) => {
 window.shows = (figure) => {
   const link = figure.querySelector('.share a');
   link.dispatchEvent(new Event('pointerdown'));
-  const readings = [...figure.querySelectorAll('.readings dd')].map((place) => place.innerHTML);
+  const readings = [...figure.querySelectorAll('.readings dd span')].map((place) => place.innerHTML);
   return [link.getAttribute('href'), figure.querySelector('.time').valueAsNumber, figure.querySelector('.says').textContent, readings];
 };
 // Elements as a page holds them.
