@@ -93,8 +93,8 @@ impl Drawing {
         Ok(out + "</svg>\n")
     }
 
-    /// Writes an element a line. On a page, a tint and the colour of the page under it are one element, which the
-    /// page's style sheet can mix; a file's cannot. In a file words are outlines: its reader may lack the font. (The
+    /// Writes an element a line. On a page, a tint, the colour of the page under it and the line about it are one element,
+    /// whose colours the page's style sheet can mix; a file's cannot. In a file words are outlines: its reader may lack the font. (The
     /// letters are known at compile time not to be wanted on a page, and a module of live scenes does not carry them.)
     fn write_items<const IS_PAGE: bool>(&self, out: &mut String) {
         let id = self.id.replace(':', "-");
@@ -102,14 +102,11 @@ impl Drawing {
         let mut index = 0;
         while let Some(item) = items.get(index) {
             if IS_PAGE && let Some(tint) = items.get(index + 1).filter(|tint| is_under(item, tint)) {
-                write_item::<IS_PAGE>(
-                    out,
-                    &id,
-                    index + 1,
-                    tint,
-                    &format!("{OPAQUE} {}", tint.role.classes()),
-                );
-                index += 2;
+                let edge = items.get(index + 2).filter(|edge| is_edge(edge, tint));
+                let line = edge.map_or(String::new(), |edge| edge.role.classes() + " ");
+                let class = format!("{line}{OPAQUE} {}", tint.role.classes());
+                write_item::<IS_PAGE>(out, &id, index + 1, tint, &class);
+                index += 2 + usize::from(edge.is_some());
                 continue;
             }
             // A floor's grid, or the ticks of an axis, are one element: a page that moves pays for each.
@@ -142,6 +139,15 @@ fn is_under(item: &Item, tint: &Item) -> bool {
     let alike = item.shape == tint.shape
         || matches!(tint.shape, Shape::Rounded { .. }) && item.shape == tint.shape.unshaded();
     areas && item.name.is_none() && alike
+}
+
+/// Whether an item is a line about an area, in its hue.
+fn is_edge(item: &Item, area: &Item) -> bool {
+    let alike = match (item.role, area.role) {
+        (Role::Line(_, hue), Role::Area(_, own)) => hue == own,
+        _ => false,
+    };
+    alike && item.name.is_none() && item.shape == area.shape
 }
 
 /// The tag that opens an SVG, with the words for those who cannot see it.

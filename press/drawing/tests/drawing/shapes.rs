@@ -269,7 +269,7 @@ fn rounded_bodies_are_shaded_by_a_gradient_of_their_own() {
 }
 
 #[test]
-fn a_tint_on_the_colour_of_the_page_is_one_element_of_a_page_and_two_of_a_file() {
+fn a_tint_on_the_colour_of_the_page_with_its_edge_is_one_element_of_a_page_and_three_of_a_file() {
     let mut drawing = Drawing::new("fig:coins", 100.0, 100.0);
     drawing.disc(at(30.0, 30.0), 20.0, Hue::Blue);
     // What is tinted apart from the page stays apart.
@@ -282,10 +282,12 @@ fn a_tint_on_the_colour_of_the_page_is_one_element_of_a_page_and_two_of_a_file()
     };
     let (page, file) = (drawing.to_svg(), drawing.to_standalone_svg());
     let apart = ["f-page f-ink", "f-face f-ink"];
-    let [coin, of_a_file] = [&["f-opaque f-face f-blue"][..], &["f-page f-blue", "f-face f-blue"]]
-        .map(|coin| [coin, &["f-line f-outline f-blue"]].concat());
-    assert_eq!(circles(&page.expect("no flaw")), [coin, apart.to_vec()].concat());
-    assert_eq!(circles(&file.expect("no flaw")), [of_a_file, apart.to_vec()].concat());
+    let [coin, of_a_file] = [
+        &["f-line f-outline f-blue f-opaque f-face f-blue"][..],
+        &["f-page f-blue", "f-face f-blue", "f-line f-outline f-blue"],
+    ];
+    assert_eq!(circles(&page.expect("no flaw")), [coin, &apart].concat());
+    assert_eq!(circles(&file.expect("no flaw")), [of_a_file, &apart].concat());
 }
 
 #[test]
