@@ -15,7 +15,7 @@ pub(crate) const SCENE: Scene = Scene {
                   contact and head.",
     question: "The contact has run once round its circle and is back: how does the head stand now, upright, turned with the contact, or against it? And as the coin goes \
                down, ever faster: does its contact reach the speed of sound?",
-    size: [[660.0, 440.0], [380.0, 592.0]],
+    size: [[660.0, 440.0], [380.0, 600.0]],
     view: Some([-FRAC_PI_2, 0.8]),
     still: 5.6,
     controls: &[
@@ -174,15 +174,15 @@ fn lowest(attitude: &UnitQuaternion<f64>) -> Vector3<f64> {
 
 /// Where the parts of the picture stand.
 fn stage(room: Room) -> Rect {
-    room.of(Rect::new(4.0, 4.0, 400.0, 432.0), Rect::new(4.0, 4.0, 372.0, 250.0))
+    room.of(Rect::new(4.0, 4.0, 400.0, 432.0), Rect::new(4.0, 4.0, 372.0, 258.0))
 }
 
 fn lengths(room: Room) -> Rect {
-    room.of(Rect::new(430.0, 30.0, 216.0, 130.0), Rect::new(20.0, 272.0, 340.0, 130.0))
+    room.of(Rect::new(430.0, 30.0, 216.0, 130.0), Rect::new(20.0, 280.0, 340.0, 130.0))
 }
 
 fn rates(room: Room) -> Plot<'static> {
-    let frame = room.of(Rect::new(474.0, 214.0, 172.0, 174.0), Rect::new(64.0, 434.0, 296.0, 110.0));
+    let frame = room.of(Rect::new(474.0, 214.0, 172.0, 174.0), Rect::new(64.0, 442.0, 296.0, 110.0));
     let x = Axis::log(1e-7, 1.6, 2).titled(r"tilt $\alpha$, rad");
     Plot { frame, x, y: Axis::log(1e-4, 1e5, 3).titled("rate, rad/s") }
 }
@@ -192,7 +192,7 @@ const TARGET: Vector3<f64> = Vector3::new(0.0, 0.0, 0.4);
 const DISTANCE: f64 = 9.0;
 
 fn camera(moment: &Moment) -> Result<Camera, Flaw> {
-    moment.camera(TARGET, DISTANCE, stage(moment.room).centre(), moment.room.of(132.0, 96.0))
+    moment.camera(TARGET, DISTANCE, stage(moment.room).centre(), moment.room.of(132.0, 82.0))
 }
 
 impl Spinning {
@@ -250,7 +250,7 @@ impl Spinning {
             None => format!("slowed down {} times", few(ROUND * self.start.turn_rate() / TAU)),
             Some(_) => "seen by a lamp that flashes once a round".into(),
         };
-        let place = at(frame.left + 8.0, frame.bottom - 12.0);
+        let place = at(frame.left + 8.0, moment.room.of(frame.top + 12.0, frame.bottom - 4.0));
         Ok(drawing.note(place, Side::Right, &how, Hue::Muted)?)
     }
 

@@ -187,7 +187,7 @@ impl Throw {
     /// The body and its arrows in the room or as it sees them.
     fn draw_room(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let now = self.top.at(moment.time)?;
-        let (centre, scale) = moment.room.of((at(205.0, 182.0), 97.0), (at(122.0, 150.0), 72.0));
+        let (centre, scale) = moment.room.of((at(205.0, 182.0), 97.0), (at(116.0, 148.0), 63.0));
         let mut stage = Stage::new(moment.camera([0.0, 0.0, 0.35], 8.0, centre, scale)?);
         if !self.on_board {
             stage.ground([-1.2, -0.9], [1.2, 0.9], -1.1, 0.3)?;
@@ -205,23 +205,26 @@ impl Throw {
                 stage.curve(circle.hiding(Hiding::Omitted), Stroke::Outline, hue)?;
             }
         }
-        // Arrows that nearly coincide for good have their names beside them, the others beyond their tips.
-        let [to_momentum, to_omega] = [self.top.momentum_angle(), self.top.omega_angle()];
+        // The upright one has its name beyond its tip, those that go round it on the outside of their circles.
+        let outside = |stage: &Stage, arrow: &Vector3<f64>| -> Result<Point, Flaw> {
+            let middle = Vector3::z() * arrow.z;
+            let way = stage.camera().on_page(*arrow)? - stage.camera().on_page(middle)?;
+            Ok(if way.length() > 1.0 { way.unit() * 13.0 } else { at(13.0, 0.0) })
+        };
         for (arrow, hue) in arrows {
             let line = Curve::segment([0.0; 3], arrow)?;
             let line = if self.with_cones { line.hiding(Hiding::Ignored) } else { line };
             stage.arrow(line, Stroke::Vector, Heads::End, hue)?;
-            let (name, beside) = match hue {
-                Hue::Green => (r"$\boldsymbol{L}$", None),
-                Hue::Orange => (
-                    r"$\boldsymbol{\omega}$",
-                    Some(Side::Left).filter(|_| (to_momentum - to_omega).abs() < 0.2),
-                ),
-                _ => (r"$\hat{\mathbf{3}}$", Some(Side::Right).filter(|_| to_momentum.min(to_omega) < 0.2)),
+            let name = match hue {
+                Hue::Green => r"$\boldsymbol{L}$",
+                Hue::Orange => r"$\boldsymbol{\omega}$",
+                _ => r"$\hat{\mathbf{3}}$",
             };
-            match beside {
-                Some(side) => stage.label_shifted(arrow, at(0.0, 4.0), side, name, hue)?,
-                None => stage.named_vector(arrow * 0.99, arrow, name, hue)?,
+            if hue == upright {
+                stage.named_vector(arrow * 0.99, arrow, name, hue)?;
+            } else {
+                let aside = outside(&stage, &arrow)?;
+                stage.label_shifted(arrow, aside, Side::Over, name, hue)?;
             }
         }
         stage.write(drawing);
