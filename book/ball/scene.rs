@@ -45,10 +45,10 @@ pub(crate) const SCENE: Scene = Scene {
     ],
     readings: &[
         reading(r"speed of the centre, $v$", Form::Fixed(3), "m/s"),
-        reading(r"speed at which its spin would roll, $w$", Form::Fixed(3), "m/s"),
+        reading(r"its spin would roll at, $w$", Form::Fixed(3), "m/s"),
         reading(r"slip, $u$", Form::Fixed(3), "m/s"),
         reading("spin about the normal", Form::Fixed(1), "rad/s"),
-        reading("drift of what friction cannot change", Form::Power(1), ""),
+        reading("drift of what is conserved", Form::Power(1), ""),
     ],
     symbols: formulas![r"\boldsymbol{v}", r"\boldsymbol{u}", r"\boldsymbol{\omega}", "v", "w"],
     start: |settings| Ok(Box::new(Rolls::new(settings)?)),
