@@ -105,8 +105,8 @@ pub(super) const CASES: &[Case] = &[
     ),
     (
         "the ends of a range stay on one line, and of a clause they need not",
-        "# A\n\nPages 67–85, and 3 – or so.\n",
-        &["Pages~67–\u{2060}85, and 3 – or so."],
+        "# A\n\nOf 67–85, and 3 – or so.\n",
+        &["Of 67–\u{2060}85, and 3 – or so."],
     ),
     (
         "many checks are folded into a block of their own, and few are not",
