@@ -236,25 +236,20 @@ impl Rolls {
         let slip = self.slip(&state, moment.time)?;
         let fastest = self.path[0].1.velocity.norm().max(0.2);
         let length = 0.6 / fastest.max(self.slip(&self.path[0].1, 0.0)?.norm());
-        let mut arrow = |from: Vector3<f64>,
-                         along: Vector3<f64>,
-                         side: Side,
-                         name: &str,
-                         hue: Hue|
-         -> Result<(), Cause> {
+        let mut arrow = |from: Vector3<f64>, along: Vector3<f64>, label: (Side, &str), hue: Hue| {
             // What would leave the picture is drawn shorter.
             let along = along * (0.6 / along.norm().max(0.6));
             if along.norm() > 0.03 {
                 let curve = Curve::segment(from, from + along)?.hiding(Hiding::Ignored);
                 stage.arrow(curve, Stroke::Vector, Heads::End, hue)?;
-                stage.label(from + along, side, name, hue)?;
+                stage.label(from + along, label.0, label.1, hue)?;
             }
-            Ok(())
+            Ok::<_, Cause>(())
         };
-        arrow(centre, state.velocity * length, Side::Above, r"$\boldsymbol{v}$", Hue::Ink)?;
+        arrow(centre, state.velocity * length, (Side::Above, r"$\boldsymbol{v}$"), Hue::Ink)?;
         let spin = state.omega * (self.ball.radius() * length);
-        arrow(centre, spin, Side::Above, r"$\boldsymbol{\omega}$", Hue::Orange)?;
-        arrow(touch, slip * length, Side::Below, r"$\boldsymbol{u}$", Hue::Pink)?;
+        arrow(centre, spin, (Side::Above, r"$\boldsymbol{\omega}$"), Hue::Orange)?;
+        arrow(touch, slip * length, (Side::Below, r"$\boldsymbol{u}$"), Hue::Pink)?;
         stage.dot_in_front(touch, 3.5, Hue::Pink)?;
         Ok(())
     }

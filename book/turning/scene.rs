@@ -206,11 +206,6 @@ impl Throw {
             }
         }
         // The upright one has its name beyond its tip, those that go round it on the outside of their circles.
-        let outside = |stage: &Stage, arrow: &Vector3<f64>| -> Result<Point, Flaw> {
-            let middle = Vector3::z() * arrow.z;
-            let way = stage.camera().on_page(*arrow)? - stage.camera().on_page(middle)?;
-            Ok(if way.length() > 1.0 { way.unit() * 13.0 } else { at(13.0, 0.0) })
-        };
         for (arrow, hue) in arrows {
             let line = Curve::segment([0.0; 3], arrow)?;
             let line = if self.with_cones { line.hiding(Hiding::Ignored) } else { line };
@@ -223,7 +218,9 @@ impl Throw {
             if hue == upright {
                 stage.named_vector(arrow * 0.99, arrow, name, hue)?;
             } else {
-                let aside = outside(&stage, &arrow)?;
+                let middle = stage.camera().on_page(Vector3::z() * arrow.z)?;
+                let way = stage.camera().on_page(arrow)? - middle;
+                let aside = if way.length() > 1.0 { way.unit() * 13.0 } else { at(13.0, 0.0) };
                 stage.label_shifted(arrow, aside, Side::Over, name, hue)?;
             }
         }

@@ -94,8 +94,9 @@ impl Drawing {
     }
 
     /// Writes an element a line. On a page, a tint, the colour of the page under it and the line about it are one element,
-    /// whose colours the page's style sheet can mix; a file's cannot. In a file words are outlines: its reader may lack the font. (The
-    /// letters are known at compile time not to be wanted on a page, and a module of live scenes does not carry them.)
+    /// whose colours the page's style sheet can mix; a file's cannot. In a file words are outlines: its reader may lack the
+    /// font. (The letters are known at compile time not to be wanted on a page, and a module of live scenes does not carry
+    /// them.)
     fn write_items<const IS_PAGE: bool>(&self, out: &mut String) {
         let id = self.id.replace(':', "-");
         let items = self.items();
