@@ -16,14 +16,23 @@ pub(crate) const QUANTITIES: [Quantity; 5] = [
     Quantity { role: "force", hue: "purple" },
 ];
 
-impl Quantity {
-    /// The quantity that authors call so in `[words]{.role}`; if there is none, what there is.
-    pub(crate) fn of_role(role: &str) -> Result<Self, String> {
-        let known = || QUANTITIES.map(|quantity| quantity.role).join(", ");
-        let found = QUANTITIES.into_iter().find(|quantity| quantity.role == role);
-        found.ok_or_else(|| format!("no words are coloured as `{role}`, but as {}", known()))
-    }
+/// The role of words that only a reader at a screen can follow, “drag the ring”: paper leaves them out.
+const SCREEN: &str = "screen";
 
+/// The class of `[words]{.role}`: the colour of a quantity, or that they are for a screen alone. If there is no such role, those
+/// that there are.
+pub(crate) fn class_of(role: &str) -> Result<String, String> {
+    if role == SCREEN {
+        return Ok(SCREEN.to_owned());
+    }
+    let known = || QUANTITIES.map(|quantity| quantity.role).join(", ");
+    let found = QUANTITIES.into_iter().find(|quantity| quantity.role == role);
+    found.map(Quantity::class).ok_or_else(|| {
+        format!("no words are marked as `{role}`, but as {SCREEN}, or coloured as {}", known())
+    })
+}
+
+impl Quantity {
     /// The class of a page's elements that are to have its colour.
     pub(crate) fn class(self) -> String {
         format!("q-{}", self.role)

@@ -144,6 +144,7 @@ impl Paper {
         let mut body =
             if self.is_whole { self.title_page() + &self.contents(numbers) } else { String::new() };
         let mut running = String::new();
+        let titles: BTreeSet<&str> = self.sheets.iter().filter_map(Sheet::title_below).collect();
         for (n, sheets) in self.chapters().iter().enumerate() {
             let _ = write!(running, "{}", self.running_head(n, sheets[0]));
             let _ = writeln!(body, "<section class=\"folio\" style=\"page: chapter-{n}\">");
@@ -158,7 +159,7 @@ impl Paper {
                     body,
                     "<section class=\"{}\">\n{}\n</section>",
                     sheet.class(),
-                    moved(&sheet.for_pdf(numbers), site, &["img"])
+                    moved(&sheet.for_pdf(numbers, &titles), site, &["img"])
                 );
             }
             body += "</section>\n";
@@ -213,8 +214,11 @@ impl Paper {
     fn running_head(&self, n: usize, first: &Sheet) -> String {
         let number = first.number.map_or(String::new(), |number| format!("{number}\u{2002}"));
         let number = if first.kind == Kind::Solutions { String::new() } else { number };
-        let [book, chapter] =
-            [html::words(&self.settings.title), number + &first.plain_title()].map(|words| quoted(&words));
+        let (book, mut chapter) = (html::words(&self.settings.title), number + &first.plain_title());
+        if chapter == book {
+            chapter.clear(); // the cover, which has the title of the book
+        }
+        let [book, chapter] = [book, chapter].map(|words| quoted(&words));
         format!(
             "@page chapter-{n} {{ @top-left {{ content: {book}; }} @top-right {{ content: {chapter}; }} }}\n"
         )

@@ -1,7 +1,7 @@
 //! The book as an EPUB: the same sheets, each a file of XHTML.
 
 use super::Paper;
-use super::sheet::Kind;
+use super::sheet::{Kind, Sheet};
 use anyhow::{Context as _, Result};
 use html::{StartTag, Token, VOID, attribute, escaped, text};
 use std::collections::{BTreeMap, BTreeSet};
@@ -41,11 +41,9 @@ impl Paper {
             fs::create_dir_all(folder)?;
         }
         let names: Vec<String> = (0..self.sheets.len()).map(|n| format!("page-{n:02}.xhtml")).collect();
-        let places = self
-            .sheets
-            .iter()
-            .zip(&names)
-            .flat_map(|(sheet, name)| html::ids(&sheet.html).map(move |id| (id, name)));
+        let bodies: Vec<String> = self.sheets.iter().map(Sheet::unfolded).collect();
+        let places =
+            bodies.iter().zip(&names).flat_map(|(body, name)| html::ids(body).map(move |id| (id, name)));
         let places: BTreeMap<String, &String> = places.collect();
         let mut archive = ZipWriter::new(File::create(target)?);
         // The type of the file comes first, and readable.
@@ -62,8 +60,8 @@ impl Paper {
             self.settings.licence,
         );
         add(&mut archive, "book/title.xhtml", self.document(&html::words(&self.settings.title), &title))?;
-        for (sheet, name) in self.sheets.iter().zip(&names) {
-            let body = xhtml(&sheet.html, |id| places.get(id).map(|place| format!("{place}#{id}")));
+        for ((sheet, body), name) in self.sheets.iter().zip(&bodies).zip(&names) {
+            let body = xhtml(body, |id| places.get(id).map(|place| format!("{place}#{id}")));
             let body = format!("<section class=\"{}\">\n{body}\n</section>\n", sheet.class());
             roxmltree::Document::parse(&body)
                 .with_context(|| format!("“{}” is no XML", sheet.plain_title()))?;

@@ -110,21 +110,59 @@ impl Sheet {
         });
     }
 
+    /// The id of its title, if it stands below a chapter's first page: references to it are by its title.
+    pub(super) fn title_below(&self) -> Option<&str> {
+        let title = self.headings.first().filter(|_| self.is_leaf && self.kind == Kind::Text);
+        title.map(|heading| heading.id.as_str())
+    }
+
     /// Its HTML for a PDF: the lines that lead from exercises to hints and solutions, and back, and references to sections
-    /// have the numbers of pages.
-    pub(super) fn for_pdf(&self, numbers: &BTreeMap<String, usize>) -> String {
-        let found = html::named(&self.html, &["p", "a"]);
+    /// and to pages by their `titles` have the numbers of pages.
+    pub(super) fn for_pdf(&self, numbers: &BTreeMap<String, usize>, titles: &BTreeSet<&str>) -> String {
+        let html = self.unfolded();
+        let found = html::named(&html, &["p", "a"]);
         let mut edits = Edits::default();
         let lines: Vec<&Element> = found.iter().filter(|element| element.is("p", "turn")).collect();
         for link in found.iter().filter(|element| element.name == "a") {
             let Some(id) = link.get("href").and_then(|target| target.strip_prefix('#')) else { continue };
             if lines.iter().any(|line| line.holds(link)) {
                 edits.insert(link.inside.end, format!(", page {}", page_number(id, numbers)));
-            } else if self.html[link.inside.clone()].starts_with('§') {
+            } else if html[link.inside.clone()].starts_with(['§', '“'])
+                || titles.contains(id) && !link.is("a", "header")
+            {
                 edits.insert(link.inside.end, format!(", p.\u{a0}{}", page_number(id, numbers)));
             }
         }
-        edits.applied(&self.html)
+        edits.applied(&html)
+    }
+
+    /// Its HTML with what answers its guesses moved to the end: on paper nothing folds, and no answer stands below its question.
+    pub(super) fn unfolded(&self) -> String {
+        let html = &self.html;
+        let found = html::named(html, &["ol", "details", "summary"]);
+        let is_below = |details: &Element, choices: &Element| {
+            choices.whole.end <= details.whole.start
+                && html[choices.whole.end..details.whole.start].trim().is_empty()
+        };
+        let guesses = found.iter().filter(|choices| choices.name == "ol").filter_map(|choices| {
+            let details = found.iter().find(|found| found.name == "details" && is_below(found, choices))?;
+            let summary = found.iter().find(|found| found.name == "summary" && details.holds(found))?;
+            Some((choices.whole.end, details, summary.whole.end))
+        });
+        let name = self.headings.first().map_or(self.name.as_str(), |title| &title.id);
+        let (mut edits, mut answers) = (Edits::default(), String::new());
+        for (n, (asked, details, answer)) in (1..).zip(guesses) {
+            let id = format!("guess-{n}-{name}");
+            edits.insert(asked, format!("\n<p class=\"turn\"><a href=\"#{id}\">Answer</a></p>"));
+            edits.remove(details.whole.clone());
+            let answer = html[answer..details.inside.end].trim();
+            let _ = writeln!(answers, "<div class=\"guessed\" id=\"{id}\">\n{answer}\n</div>");
+        }
+        if !answers.is_empty() {
+            let (level, end) = (if self.is_leaf { 3 } else { 2 }, html.len());
+            edits.insert(end, format!("\n<h{level} class=\"hints\">The guess</h{level}>\n{answers}"));
+        }
+        edits.applied(html)
     }
 }
 

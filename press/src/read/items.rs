@@ -1,6 +1,5 @@
 //! What stands on a page that the press has to replace or check.
 
-use crate::colours::Quantity;
 use pulldown_cmark::Event;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -176,10 +175,10 @@ pub(crate) enum Item<'a> {
     Blank,
     /// A dash between two numbers, behind which no line ends.
     Dash,
-    /// `[`: words in the colour of a quantity begin.
-    ColouredStart(Quantity),
+    /// `[`: words of this class begin: in the colour of a quantity, or for a screen alone.
+    MarkedStart(String),
     /// `]{.role}`: these words end.
-    ColouredEnd,
+    MarkedEnd,
 }
 
 /// An item and the bytes of the page that it takes up.

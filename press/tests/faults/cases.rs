@@ -14,7 +14,7 @@ pub(crate) const CASES: &[Case] = &[
     (
         "coloured-unknown",
         "# A\n\nThe\n[spin]{.spins}.\n",
-        &[(4, "no words are coloured as `spins`, but as body, spin")],
+        &[(4, "no words are marked as `spins`, but as screen, or coloured as body, spin")],
     ),
     ("coloured-caption", "# A\n\n![The [spin]{.spin}.](fig:machine)[^a]\n\n[^a]: [L]{.momentum}\n", &[]),
     ("dollar", "# A\n\nIt costs \\$5.\n", &[]),

@@ -37,6 +37,27 @@ fn nothing_is_cut_off_on_a4() {
     }).map((row) => row.closest('figure').id)";
     assert!(page.number("document.querySelectorAll('.drawing.panels').length") > 20.0);
     assert_eq!(page.get(scales), json!([]), "panels of different scales");
+    // A section has the number by which references call it.
+    let numbers = "(() => {
+        let [chapter, section] = [0, 0];
+        const numbers = new Map();
+        for (const heading of document.querySelectorAll('main :is(.kicker, h1, h2, h3, h4)')) {
+            const { counterReset, counterIncrement } = getComputedStyle(heading);
+            chapter = Number(/chapter (-?\\d+)/.exec(counterReset)?.[1] ?? chapter);
+            section = Number(/section (-?\\d+)/.exec(counterReset)?.[1] ?? section);
+            section += Number(/section (-?\\d+)/.exec(counterIncrement)?.[1] ?? 0);
+            numbers.set(heading.id, `${chapter}.${section}`);
+        }
+        return [...document.querySelectorAll('main a[href^=\"#\"]')]
+            .map((link) => [/^§(\\d+\\.\\d+)/.exec(link.textContent)?.[1], link.hash.slice(1)])
+            .filter(([said]) => said)
+            .map(([said, id]) => [said, numbers.get(id), id]);
+    })()";
+    let numbers = page.get(numbers);
+    let numbers = numbers.as_array().unwrap();
+    assert!(numbers.len() > 300, "{}", numbers.len());
+    let wrong: Vec<_> = numbers.iter().filter(|number| number[0] != number[1]).collect();
+    assert!(wrong.is_empty(), "{} of {}: {wrong:?}", wrong.len(), numbers.len());
     // It would be seen.
     for wrong in [
         "<pre style='white-space: pre'>WIDE</pre>",
@@ -87,6 +108,16 @@ fn a_book_for_paper_holds_every_page_and_its_solutions_last() {
     let [asked, given] =
         [(text, "href=\"#hint-"), (hints, "id=\"hint-")].map(|(text, mark)| text.matches(mark).count());
     assert!(asked == given && asked >= 10, "{asked} {given}");
+    // What answers a guess stands at the end of its page, and no title has two names.
+    let [asked, given] = ["href=\"#guess-", "id=\"guess-"].map(|mark| html.matches(mark).count());
+    assert!(asked == given && asked == 31, "{asked} {given}");
+    let first = &html[at("<h1 id=\"the-coin-toss\"")..];
+    let first = &first[..first.find("</section>").unwrap()];
+    assert!(first.find("href=\"#guess-1-the-coin-toss\"").unwrap() < first.find("id=\"scene-").unwrap());
+    assert_eq!(first.rfind("<h2"), first.find("<h2 class=\"hints\">The guess"));
+    // A page is named with the sheet on which it stands.
+    let named = "“The middle axis”, p.\u{a0}<span class=\"on\" data-of=\"sec-middle-axis\">000</span></a>";
+    assert!(html.contains(named));
 }
 
 #[test]

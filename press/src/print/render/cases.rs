@@ -95,6 +95,11 @@ pub(super) const CASES: &[Case] = &[
         ],
     ),
     (
+        "words for a screen alone hold links and other brackets",
+        "# A\n\nSee [the tub [so] in [motion](https://a.example)]{.screen}.\n",
+        &["See <span class='screen'>the tub [so] in [motion](https://a.example)</span>."],
+    ),
+    (
         "a formula is tied to what stands beside it in text, tables and notes",
         "# A\n\nSo ($x$), 5 kg, *$x$.*[^a]\n\n| a |\n|---|\n| ($x$) |\n\nTable: T.\n\n[^a]: So ($x$), 5 kg.\n",
         &[

@@ -202,8 +202,8 @@ impl Printer<'_, '_> {
                 let title = if title.is_empty() { title } else { format!(" \"{}\"", escaped(&title)) };
                 Some(format!("{}[{words}]({target}{title})", self.way_back(mention)))
             }
-            Item::ColouredStart(quantity) => Some(format!("<span class=\"{}\">", quantity.class())),
-            Item::ColouredEnd => Some("</span>".to_owned()),
+            Item::MarkedStart(class) => Some(format!("<span class=\"{class}\">")),
+            Item::MarkedEnd => Some("</span>".to_owned()),
             Item::Blank => Some(BLANK.to_owned()),
             Item::Dash => Some("–\u{2060}".to_owned()),
             Item::NoteMark(name) => Some(self.note_mark(name)),

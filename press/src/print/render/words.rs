@@ -2,7 +2,7 @@
 
 use super::Printer;
 use super::references::Reference;
-use crate::colours::Quantity;
+use crate::colours;
 use crate::print::nonbreaking;
 use crate::read::items::{Item, PlacedItem, Words};
 use crate::read::label_syntax;
@@ -101,10 +101,9 @@ fn coloured(words: &Words<'_>) -> BTreeMap<usize, (String, usize)> {
                 let Some((start, (Event::Text(behind), _))) = open.pop().zip(next) else { continue };
                 let role =
                     behind.strip_prefix("{.").and_then(|rest| rest.split_once('}')).map(|(role, _)| role);
-                if let Some((role, quantity)) =
-                    role.and_then(|role| Some((role, Quantity::of_role(role).ok()?)))
+                if let Some((role, class)) = role.and_then(|role| Some((role, colours::class_of(role).ok()?)))
                 {
-                    tags.insert(start, (format!("<span class=\"{}\">", quantity.class()), 0));
+                    tags.insert(start, (format!("<span class=\"{class}\">"), 0));
                     tags.insert(n, ("</span>".to_owned(), "{.}".len() + role.len()));
                 }
             }

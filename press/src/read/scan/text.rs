@@ -1,7 +1,7 @@
 //! Runs of text, and what they hold that is no text.
 
 use super::Scan;
-use crate::colours::Quantity;
+use crate::colours;
 use crate::read::font_coverage::Face;
 use crate::read::items::Item;
 use crate::read::{control_characters, label_syntax};
@@ -21,7 +21,7 @@ impl Scan<'_, '_> {
         if self.surroundings.heading.is_none() && !self.behind_maths(range.start) {
             self.lost_labels(range);
             self.blanks(range);
-            self.coloured(range);
+            self.marked(range);
         }
     }
 
@@ -42,22 +42,24 @@ impl Scan<'_, '_> {
         }
     }
 
-    /// `[words]{.role}`: words in the colour of a quantity.
-    fn coloured(&mut self, range: &Range<usize>) {
+    /// `[words]{.role}`: words in the colour of a quantity, or for a screen alone. They may hold links.
+    fn marked(&mut self, range: &Range<usize>) {
         for (at, _) in self.text[range.clone()].match_indices("{.") {
             let at = range.start + at;
             let Some(words) = self.text[..at].strip_suffix(']') else { continue };
             let paragraph = self.text[..at].rfind("\n\n").map_or(0, |blank| blank + 2);
             let role = &self.text[at + 2..];
-            let (Some(open), Some(end)) = (words[paragraph.min(words.len())..].rfind('['), role.find('}'))
-            else {
-                continue;
-            };
+            let mut closed = 0;
+            let open = words[paragraph.min(words.len())..].rfind(|c| {
+                closed += i32::from(c == ']') - i32::from(c == '[');
+                closed < 0
+            });
+            let (Some(open), Some(end)) = (open, role.find('}')) else { continue };
             let open = paragraph + open;
-            match Quantity::of_role(&role[..end]) {
-                Ok(quantity) => {
-                    self.place(open..open + 1, Item::ColouredStart(quantity));
-                    self.place(at - 1..at + 2 + end + 1, Item::ColouredEnd);
+            match colours::class_of(&role[..end]) {
+                Ok(class) => {
+                    self.place(open..open + 1, Item::MarkedStart(class));
+                    self.place(at - 1..at + 2 + end + 1, Item::MarkedEnd);
                 }
                 Err(message) => self.fault(at, message),
             }
