@@ -134,8 +134,13 @@ fn stills(size: (f64, f64), cell: (f64, f64), down: bool) -> Outcome {
             stage.solid(solid, Hue::Blue)?;
             let reach = if body.flat { 1.1 } else { PENCIL.1 };
             let path = states.iter().map(|state| state.axis_3_world() * reach);
-            stage.arrow(Curve::smooth(path)?, Stroke::Outline, Heads::End, Hue::Ink)?;
+            let ring = Curve::smooth(path)?;
             let momentum = states[0].angular_momentum_world(&body.moments).normalize();
+            if 50.0 * reach * axis.cross(&momentum).norm() > 8.0 {
+                stage.arrow(ring, Stroke::Outline, Heads::End, Hue::Ink)?;
+            } else {
+                stage.curve(ring, Stroke::Outline, Hue::Ink)?; // smaller than the head of an arrow
+            }
             stage.vector([0.0; 3], momentum * 1.45, Hue::Green)?;
             if body.flat {
                 stage.vector([0.0; 3], axis * reach, Hue::Ink)?;

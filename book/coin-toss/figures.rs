@@ -508,7 +508,7 @@ fn sorted_people() -> Outcome {
         below += 2.0 / TAU.sqrt() * (-0.5 * middle * middle).exp() * width / FITTED_SPREAD;
     }
     plot.curve("spread", values, Stroke::Curve, Hue::Ink);
-    plot.label((33.0, 0.56), Side::Left, "a bell of twists", Hue::Ink)?;
+    plot.label((43.5, 0.58), Side::Left, "a bell of twists", Hue::Ink)?;
     plot.label((7.0, 0.517), Side::Over, "one $p$", Hue::Muted)?;
     Ok(drawing)
 }

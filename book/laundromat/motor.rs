@@ -11,7 +11,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "The knob of a weak motor",
     description: "Two plots. In one, torque against spin: a steep hill at the resonance, a valley behind it, and the falling line of the motor; a dot rests where the line \
                   meets the near side of the hill. In the other, spin against the knob: an S of steady speeds, and the way of the drum along its lower branch.",
-    question: "The knob stands at six newton metres. How fast does the drum turn in the end? Come to six from below, from above, and from rest.",
+    question: "The knob stands at six newton metres. How fast does the drum turn in the end, if it came to six from below, from above, or from rest?",
     size: [[640.0, 290.0], [380.0, 570.0]],
     view: None,
     still: 95.0,
@@ -68,8 +68,8 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             let taken = steady.iter().map(|(knob, spin)| (*spin, knob * (1.0 - spin / IDLE)));
             graph.curve(taken, Stroke::Curve, Hue::Purple);
             graph.curve([(0.0, knob), (IDLE, 0.0)], Stroke::DashedCurve, Hue::Purple);
-            graph.label((21.0, 8.6), Side::Right, "the motor gives (dashed)", Hue::Purple)?;
-            graph.label((21.0, 7.4), Side::Right, "the shaking takes", Hue::Purple)?;
+            graph.label((13.0, 8.6), Side::Right, "the motor gives (dashed)", Hue::Purple)?;
+            graph.label((13.0, 7.4), Side::Right, "the shaking takes", Hue::Purple)?;
             graph.dot((spin, knob * (1.0 - spin / IDLE)), 5.0, Hue::Ink);
             let frames = [[366.0, 34.0, 250.0, 200.0], [44.0, 318.0, 320.0, 200.0]];
             let mut graph = moment.graph(drawing, frames, torques.titled("knob, N·m"), spins)?;

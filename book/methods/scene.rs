@@ -14,7 +14,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "One book, by four methods",
     description: "Four spheres with axis 1 of a book, and on each the way of the angular momentum by another method: the closed form and turns go round the axis on a small \
                   circle, and so does RK4; by Euler’s method the way spirals outwards. Below, the wobble against the time: three waves stay as they are, the fourth grows.",
-    question: "Four programs follow the same book. Make their steps longer, and then shorter. Which of them goes wrong, and in which way?",
+    question: "Four programs follow the same book. Which of them goes wrong, and in which way, if their steps become longer?",
     size: [[640.0, 400.0], [380.0, 550.0]],
     view: None,
     still: 90.0,

@@ -19,7 +19,7 @@ pub(crate) const SCENE: Scene = Scene {
     description: "A disc leans inward and rolls round on a table. Its contact leaves a track beside the circle on which it would roll undisturbed. Beside it a map of \
                   circles and leans, with a shaded tongue of unstable ones and a dot for this one, and the potential of the lean, in which a marble rolls below the level of \
                   the energy.",
-    question: "A disc rolls round a small circle and is nudged. Is it safer nearly upright, or leaning well over? Choose a place on the map and kick it. And why do the \
+    question: "A disc rolls round a small circle and is nudged. Is it safer nearly upright, or leaning well over? And why do the \
                circles shrink when something slows the disc?",
     size: [[660.0, 440.0], [380.0, 550.0]],
     view: Some([-1.3, 0.6]),

@@ -12,7 +12,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "The star that stood on the cross",
     description: "A camera’s picture of the sky about a cross, which is the axis of the station. An arrow leads from the cross to L, another as long from there to a star. The star \
                   has drawn a line through the cross, to and fro, which turns slowly. Below, its distance from the cross against time: arches that come back to zero.",
-    question: "How often is the star back on the cross in one old turn, and how often has the angular momentum gone round? Then make the body longer.",
+    question: "How often is the star back on the cross in one old turn, and how often has the angular momentum gone round? And on a longer body?",
     size: [[640.0, 330.0], [380.0, 570.0]],
     view: None,
     still: 9.0,

@@ -168,7 +168,7 @@ const NAMES: [(&str, &str, &str, &str); 9] = [
     ("hoop", "mujoco", "engine with RK4", "MuJoCo"),
     ("disk", "mechanics", "half a wobble", "half a wobble"),
     ("rest", "mechanics", "Taylor", "Taylor"),
-    ("drag", "heyoka", "Taylor", "heyoka"),
+    ("station", "heyoka", "Taylor", "heyoka"),
 ];
 
 /// Draws error against time on one problem: the others as a band of grey with a line for each, the library over it.

@@ -11,7 +11,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "An arrow that never turns, and comes back turned",
     description: "A sphere with a shaded cap about its top. A dot, the normal of the coin, has gone part of the way round the edge of the cap and has left arrows behind, each of which \
                   shows where the head points. Below, the angle by which the arrow is turned against the first one, over the part of the round: a straight line.",
-    question: "The arrow never turns about the normal. By how much is it turned after a round? Try a coin that lies nearly flat, and one that stands nearly upright.",
+    question: "The arrow never turns about the normal. By how much is it turned after a round, if the coin lies nearly flat, and if it stands nearly upright?",
     size: [[640.0, 330.0], [380.0, 560.0]],
     view: None,
     still: 4.4,

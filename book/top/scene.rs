@@ -10,7 +10,7 @@ pub(crate) const SCENE: Scene = Scene {
     title: "A top is let go",
     description: "A top leans on its point. Its tip has left a track behind it; the angular momentum points along the axis. Beside it a well: the energy of the tilt against \
                   the tilt, with a marble in it.",
-    question: "A fast top leans and is let go, without a push. What does its tip draw? And what if you push it on, or back? Then take its spin away, bit by bit.",
+    question: "A fast top leans and is let go, without a push. What does its tip draw? And if it is pushed on, or back? And with less and less spin?",
     size: [[640.0, 420.0], [360.0, 560.0]],
     view: Some([-1.2, 0.45]),
     still: 0.85,

@@ -17,7 +17,7 @@ pub(crate) const SCENE: Scene = Scene {
     description: "A tilted round plate on an upright shaft. Four rods with pistons hang under it, and the frame below them stands on springs; it leans a little, and the end \
                   of the shaft draws a circle. Beside it a view along the shaft, with the angular momentum of the plate and that of the pistons. Below, the torque on the \
                   frame against the mass of the pistons.",
-    question: "How many pistons does it take until the frame stands still, and how heavy must they be? Then change the speed, and then the tilt: does it stay still?",
+    question: "How many pistons does it take until the frame stands still, and how heavy must they be? Does it stay still at another speed, and at another tilt?",
     size: [[640.0, 440.0], [380.0, 560.0]],
     view: Some([-1.15, 0.24]),
     still: 0.006,

@@ -87,12 +87,12 @@ pub(crate) fn pin_paths(id: &str) -> Outcome {
          below. For 90 degrees the path is the upright diameter.",
     );
     let (centre, radius) = (at(140.0, 144.0), 122.0);
-    drawing.circle(centre, radius, Role::Line(Stroke::Outline, Hue::Muted));
+    drawing.circle(centre, radius, Role::Line(Stroke::Dotted, Hue::Muted));
     for (degrees, stroke, hue) in [
         (30.0, Stroke::Outline, Hue::Ink),
         (45.0, Stroke::Curve, Hue::Ink),
         (60.0, Stroke::Curve, Hue::Muted),
-        (90.0, Stroke::Outline, Hue::Muted),
+        (90.0, Stroke::Curve, Hue::Muted),
     ] {
         let toss = leaning(degrees)?;
         let period = TAU / toss.precession_rate();
@@ -104,14 +104,11 @@ pub(crate) fn pin_paths(id: &str) -> Outcome {
     drawing.dot(centre, 3.5, Hue::Ink);
     for (place, text, hue) in [
         (at(0.52, 0.0), "$30°$", Hue::Ink),
-        (at(0.82, 0.42), "", Hue::Ink),
+        (at(0.433, -0.775), "$60°$", Hue::Muted),
         (at(-0.16, 0.0), "$90°$", Hue::Muted),
     ] {
-        if !text.is_empty() {
-            drawing.label(centre + place * radius, Side::Over, text, hue)?;
-        }
+        drawing.label(centre + place * radius, Side::Over, text, hue)?;
     }
-    drawing.label(centre + at(0.72, -0.9) * radius, Side::Right, "$60°$", Hue::Muted)?;
     drawing.label(centre + at(1.0, 0.0) * radius, Side::Right, "$45°$", Hue::Ink)?;
     Ok(drawing)
 }

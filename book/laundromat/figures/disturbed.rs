@@ -203,8 +203,8 @@ pub(crate) fn petals(id: &str) -> Outcome {
         let mut plot = Plot::plane(&mut drawing, origin, 54.0, 2.1)?;
         plot.curve(name, path, Stroke::Curve, Hue::Ink);
         let start = plot.at((2.0, 0.0));
-        cross(&mut drawing, origin, 5.0);
-        kit::arrow(&mut drawing, start, start - at(0.0, 34.0), Hue::Ink);
+        cross(&mut drawing, origin, 10.0);
+        kit::arrow(&mut drawing, start + at(8.0, 0.0), start + at(8.0, -34.0), Hue::Ink);
         drawing.dot(start, 4.0, Hue::Ink);
         drawing.label(at(130.0, 264.0), Side::Over, words, Hue::Ink)?;
         panels.push(drawing);

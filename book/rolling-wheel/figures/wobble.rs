@@ -124,7 +124,7 @@ pub(crate) fn two_wells(id: &str) -> Outcome {
     };
     let lean = Axis::linear(-40.0, 40.0, 20.0).minor(5.0).titled(r"lean $\theta$, degrees");
     let potential =
-        Axis::linear(-15.0, 45.0, 15.0).minor(5.0).titled(r"above the upright, $V$ in $mga/1000$");
+        Axis::linear(-15.0, 45.0, 15.0).minor(5.0).titled(r"$V$ above the upright, in $mga/1000$");
     let mut plot = Plot::new(&mut drawing, Rect::new(46.0, 34.0, 320.0, 246.0), lean, potential)?;
     plot.level(0.0, Stroke::Reference);
     let slow = 0.5 * root;
