@@ -32,7 +32,8 @@ fn suspension() -> Outcome {
         drawing.line(foot + across * 20.0, foot - across * 20.0, Stroke::Vector, Hue::Ink);
         drawing.line(shaft + way * tub, foot, Stroke::Vector, Hue::Ink);
         kit::spring(&mut drawing, wall + across * 14.0, foot + across * 14.0, 6, 13.0, 6.0, Hue::Ink);
-        kit::damper(&mut drawing, wall - across * 14.0, foot - across * 14.0, 22.0, 13.0, Hue::Ink);
+        let part = 22.0 / (foot - wall).length();
+        kit::damper(&mut drawing, wall - across * 14.0, foot - across * 14.0, part, 13.0, Hue::Ink);
     }
     drawing.circle(shaft, tub, Role::Area(Fill::Page, Hue::Muted));
     drawing.circle(shaft, tub, Role::Line(Stroke::Curve, Hue::Muted));

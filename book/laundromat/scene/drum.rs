@@ -126,21 +126,30 @@ impl<'a> Drum<'a> {
 
     /// The posts, and between them and the tub springs and, if they resist the whole velocity, dampers.
     fn draw_suspension(&self, drawing: &mut Drawing) {
-        for side in 0..4 {
-            let way = Complex::from_polar(1.0, FRAC_PI_4 + FRAC_PI_2 * f64::from(side));
-            let post = way * self.posts;
-            let [foot, head] = [FLOOR, MOUNT + 0.1].map(|height| self.land(post, height));
+        // What is alike is drawn together, and is one element of the page.
+        let ways = [0.0, 1.0, 2.0, 3.0].map(|side| Complex::from_polar(1.0, FRAC_PI_4 + FRAC_PI_2 * side));
+        let [feet, heads] =
+            [FLOOR, MOUNT + 0.1].map(|height| ways.map(|way| self.land(way * self.posts, height)));
+        for foot in feet {
             drawing.dot(foot, 4.5, Hue::Muted);
+        }
+        for (foot, head) in feet.into_iter().zip(heads) {
             drawing.line(foot, head, Stroke::Curve, Hue::Ink);
+        }
+        for head in heads {
             drawing.dot(head, 3.0, Hue::Ink);
-            let wall = self.shaft + way * TUB;
-            let aside = way * Complex::new(0.0, 0.13);
-            let [from, to] = [post, wall].map(|place| self.land(place + aside, MOUNT));
+        }
+        let [springs, dampers] = [0.13, -0.13].map(|aside| {
+            ways.map(|way| {
+                let aside = way * Complex::new(0.0, aside);
+                [way * self.posts, self.shaft + way * TUB].map(|place| self.land(place + aside, MOUNT))
+            })
+        });
+        for [from, to] in springs {
             kit::spring(drawing, from, to, 5, 8.0, 0.06 * (to - from).length(), Hue::Ink);
-            if !self.course.is_radial {
-                let [from, to] = [post, wall].map(|place| self.land(place - aside, MOUNT));
-                kit::damper(drawing, from, to, 0.42 * (to - from).length(), 8.0, Hue::Ink);
-            }
+        }
+        if !self.course.is_radial {
+            kit::dampers(drawing, &dampers, 0.42, 8.0, Hue::Ink);
         }
     }
 
@@ -148,12 +157,14 @@ impl<'a> Drum<'a> {
     fn draw_friction_on_board(&self, drawing: &mut Drawing) {
         let ring = self.posts - 0.3;
         drawing.polyline(&self.arc(ORIGIN, MOUNT, ring, 0.0, TAU), Stroke::Outline, Hue::Orange);
-        for side in [FRAC_PI_2, -FRAC_PI_2] {
+        let dampers = [FRAC_PI_2, -FRAC_PI_2].map(|side| {
             let way = Complex::from_polar(1.0, self.state.azimuth + side);
-            let [from, to] = [way * ring, self.shaft + way * TUB].map(|place| self.land(place, MOUNT));
+            [way * ring, self.shaft + way * TUB].map(|place| self.land(place, MOUNT))
+        });
+        for [from, _] in dampers {
             drawing.dot(from, 3.4, Hue::Orange);
-            kit::damper(drawing, from, to, 0.5 * (to - from).length(), 8.0, Hue::Orange);
         }
+        kit::dampers(drawing, &dampers, 0.5, 8.0, Hue::Orange);
     }
 
     /// The tub with the drum in it.
@@ -237,7 +248,7 @@ impl<'a> Drum<'a> {
         let [origin, middle] = [ORIGIN, shaft].map(|place| self.land(place, RIM));
         let length = (middle - origin).length();
         if self.course.is_radial && length > 30.0 {
-            kit::damper(drawing, origin, middle, 0.5 * length, 9.0, Hue::Ink);
+            kit::damper(drawing, origin, middle, 0.5, 9.0, Hue::Ink);
         }
         if shaft.norm() > 0.1 {
             let beyond = self.land(shaft * (1.0 + 0.62 / shaft.norm()), RIM);

@@ -22,17 +22,24 @@ impl Wheel {
         stage.solid(Solid::ring([0.0; 3], axis, 1.0, INNER, 2.0 * HALF_HEIGHT)?, Hue::Blue)?;
         stage.solid(Solid::sphere([0.0; 3], HUB)?, Hue::Blue)?;
         stage.write(drawing);
+        let mut spokes = Vec::new();
         for quarter in 0..4 {
             let (sin, cos) = (0.25 * TAU * (f64::from(quarter) + 0.5)).sin_cos();
             let outwards = self.attitude * Vector3::new(cos, sin, 0.0);
             let Some((from, to)) = self.seen_part(&outwards) else { continue };
             let side = outwards.cross(&self.sight).normalize() * 0.03;
             let corner = |along: f64, sign: f64| camera.on_page(outwards * along + side * sign);
-            let corners = [corner(from, 1.0)?, corner(to, 1.0)?, corner(to, -1.0)?, corner(from, -1.0)?];
-            drawing.polygon(corners.to_vec(), Fill::Page, Hue::Blue);
-            drawing.polygon(corners.to_vec(), Fill::Side, Hue::Blue);
-            drawing.line(corners[0], corners[1], Stroke::Outline, Hue::Blue);
-            drawing.line(corners[2], corners[3], Stroke::Outline, Hue::Blue);
+            spokes.push([corner(from, 1.0)?, corner(to, 1.0)?, corner(to, -1.0)?, corner(from, -1.0)?]);
+        }
+        // All spokes are one element of the page, and all their edges.
+        for fill in [Fill::Page, Fill::Side] {
+            for corners in &spokes {
+                drawing.polygon(corners.to_vec(), fill, Hue::Blue);
+            }
+        }
+        for [a, b, c, d] in spokes {
+            drawing.line(a, b, Stroke::Outline, Hue::Blue);
+            drawing.line(c, d, Stroke::Outline, Hue::Blue);
         }
         Ok(())
     }

@@ -9,6 +9,6 @@ mod portrait;
 
 pub(crate) use arrow::{HEAD, size};
 pub use arrow::{Heads, angle, arrow, dimension, head};
-pub use device::{damper, ground, spring};
+pub use device::{damper, dampers, ground, spring};
 pub use marker::{GRIP, Marker, grip, marker};
 pub use portrait::portrait;

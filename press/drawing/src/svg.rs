@@ -110,9 +110,12 @@ impl Drawing {
                 index += 2 + usize::from(edge.is_some());
                 continue;
             }
-            // A floor's grid, or the ticks of an axis, are one element: a page that moves pays for each.
-            let alike = |next: &&Item| is_plain_line(next) && next.role == item.role;
-            let count = items[index..].iter().take_while(alike).count();
+            // A floor's grid, the ticks of an axis or the spokes of a wheel are one element: a page that moves pays for each.
+            let alike = |place: &usize| {
+                let covers = items.get(place + 1).is_some_and(|tint| is_under(&items[*place], tint));
+                is_plain(&items[*place]) && items[*place].role == item.role && !covers
+            };
+            let count = (index..items.len()).take_while(alike).count();
             if count > 1 {
                 let class = item.role.classes();
                 let data = trace::all(items[index..index + count].iter().map(|item| &item.shape));
@@ -125,10 +128,14 @@ impl Drawing {
     }
 }
 
-/// Whether an item is a line that nobody asks for by its name.
-fn is_plain_line(item: &Item) -> bool {
-    let is_line = matches!(item.shape, Shape::Polyline(_) | Shape::Polygon(_));
-    is_line && item.name.is_none() && matches!(item.role, Role::Line(..))
+/// Whether an item is a line or a polygon that nobody asks for by its name. Glass is seen through glass, so each pane stays.
+fn is_plain(item: &Item) -> bool {
+    let is_plain = match item.shape {
+        Shape::Polyline(_) => matches!(item.role, Role::Line(..)),
+        Shape::Polygon(_) => !matches!(item.role, Role::Text(_) | Role::Area(Fill::Glass, _)),
+        _ => false,
+    };
+    is_plain && item.name.is_none()
 }
 
 /// Whether an item is the colour of the page under nothing but a tint, to hide what lies behind it.

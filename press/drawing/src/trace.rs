@@ -15,15 +15,23 @@ pub(crate) fn lines(points: &[Point]) -> String {
     trace.data
 }
 
-/// Polylines and polygons, one after another.
+/// Polylines and polygons, one after another. Polygons go round in one sense, so that where two overlap there is no hole.
 pub(crate) fn all<'a>(shapes: impl Iterator<Item = &'a Shape>) -> String {
     let mut trace = Trace::default();
     for shape in shapes {
-        if let Shape::Polyline(points) | Shape::Polygon(points) = shape {
-            trace.line(points);
-        }
-        if let Shape::Polygon(_) = shape {
-            trace.close();
+        match shape {
+            Shape::Polyline(points) => trace.line(points),
+            Shape::Polygon(points) => {
+                let next = points.iter().cycle().skip(1);
+                let doubled: f64 = points.iter().zip(next).map(|(a, b)| a.x * b.y - a.y * b.x).sum();
+                if doubled < 0.0 {
+                    trace.line(&points.iter().rev().copied().collect::<Vec<_>>());
+                } else {
+                    trace.line(points);
+                }
+                trace.close();
+            }
+            _ => {}
         }
     }
     trace.data

@@ -7,6 +7,9 @@ use html::{Edits, Element};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
+/// Of three lines at most, in letters: Chromium forgets about `widows` where such a paragraph follows its heading.
+const SHORT: usize = 290;
+
 /// What a page is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
@@ -123,6 +126,12 @@ impl Sheet {
         let found = html::named(&html, &["p", "a"]);
         let mut edits = Edits::default();
         let lines: Vec<&Element> = found.iter().filter(|element| element.is("p", "turn")).collect();
+        for paragraph in found.iter().filter(|element| element.name == "p" && element.get("class").is_none())
+        {
+            if html::words(&html[paragraph.inside.clone()]).chars().count() < SHORT {
+                edits.insert(paragraph.start_tag.start + "<p".len(), " class=\"short\"".to_owned());
+            }
+        }
         for link in found.iter().filter(|element| element.name == "a") {
             let Some(id) = link.get("href").and_then(|target| target.strip_prefix('#')) else { continue };
             if lines.iter().any(|line| line.holds(link)) {

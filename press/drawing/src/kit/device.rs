@@ -13,7 +13,7 @@ pub fn spring(drawing: &mut Drawing, from: Point, to: Point, turns: u32, width: 
     // A helix seen at a slant: each coil swings back a little along the axis, which makes the loops.
     let slant = 0.7 * radius;
     let coils = step.length() - 2.0 * lead - 2.0 * slant;
-    let steps = 48 * turns;
+    let steps = 16 * turns;
     let mut points = vec![from];
     for index in 0..=steps {
         let part = f64::from(index) / f64::from(steps);
@@ -25,22 +25,37 @@ pub fn spring(drawing: &mut Drawing, from: Point, to: Point, turns: u32, width: 
     drawing.polyline(&points, Stroke::Outline, hue);
 }
 
-/// A damper from a point to a point: a cylinder on the first end, `length` px long and `width` px across,
+/// A damper from a point to a point: a cylinder on the first end, `length` of the way long and `width` px across,
 /// open towards the second end, from which the rod with its piston comes.
 pub fn damper(drawing: &mut Drawing, from: Point, to: Point, length: f64, width: f64, hue: Hue) {
-    let step = to - from;
-    let along = step.unit();
-    let half = along.quarter_turned() * (0.5 * width);
-    let bottom = from + along * (0.5 * (step.length() - length));
-    let mouth = bottom + along * length;
-    let piston = bottom + along * (0.55 * length);
-    let inner = half * 0.72;
-    drawing.polygon(vec![bottom + half, mouth + half, mouth - half, bottom - half], Fill::Page, hue);
-    drawing.polygon(vec![bottom + half, piston + half, piston - half, bottom - half], Fill::Face, hue);
-    drawing.line(from, bottom, Stroke::Outline, hue);
-    drawing.polyline(&[mouth + half, bottom + half, bottom - half, mouth - half], Stroke::Outline, hue);
-    drawing.line(piston + inner, piston - inner, Stroke::Vector, hue);
-    drawing.line(piston, to, Stroke::Outline, hue);
+    dampers(drawing, &[[from, to]], length, width, hue);
+}
+
+/// Dampers that do not cover one another, each from a point to a point. On a page all their cylinders are one element, and so
+/// are all their lines.
+pub fn dampers(drawing: &mut Drawing, ends: &[[Point; 2]], length: f64, width: f64, hue: Hue) {
+    let part = |[from, to]: [Point; 2]| {
+        let step = to - from;
+        let half = step.unit().quarter_turned() * (0.5 * width);
+        let [bottom, mouth, piston] =
+            [0.0, 1.0, 0.55].map(|part| from + step * (0.5 * (1.0 - length) + part * length));
+        (half, bottom, mouth, piston)
+    };
+    for (half, bottom, mouth, _) in ends.iter().copied().map(part) {
+        drawing.polygon(vec![bottom + half, mouth + half, mouth - half, bottom - half], Fill::Page, hue);
+    }
+    for (half, bottom, _, piston) in ends.iter().copied().map(part) {
+        drawing.polygon(vec![bottom + half, piston + half, piston - half, bottom - half], Fill::Face, hue);
+    }
+    for (end, (half, bottom, mouth, piston)) in ends.iter().map(|end| (end, part(*end))) {
+        drawing.line(end[0], bottom, Stroke::Outline, hue);
+        drawing.polyline(&[mouth + half, bottom + half, bottom - half, mouth - half], Stroke::Outline, hue);
+        drawing.line(piston, end[1], Stroke::Outline, hue);
+    }
+    for (half, _, _, piston) in ends.iter().copied().map(part) {
+        let inner = half * 0.72;
+        drawing.line(piston + inner, piston - inner, Stroke::Vector, hue);
+    }
 }
 
 /// A fixed wall: a line of this length through a point, hatched on the side to which `behind` (rad) points.

@@ -68,7 +68,7 @@ fn everything() -> Drawing {
         Drawing::new("fig:all", 300.0, 200.0).titled("All & <more>", "Every \"part\" of the kit.");
     let (left, right) = (at(20.0, 100.0), at(180.0, 60.0));
     kit::spring(&mut drawing, left, right, 8, 12.0, 10.0, Hue::Ink);
-    kit::damper(&mut drawing, left, right, 40.0, 14.0, Hue::Ink);
+    kit::damper(&mut drawing, left, right, 0.24, 14.0, Hue::Ink);
     kit::ground(&mut drawing, left, 3.0, 40.0, Hue::Ink);
     kit::arrow(&mut drawing, left, right, Hue::Orange);
     kit::angle(&mut drawing, right, 30.0, 0.2, 4.0, Heads::Both, Hue::Ink);
@@ -288,6 +288,29 @@ fn a_tint_on_the_colour_of_the_page_with_its_edge_is_one_element_of_a_page_and_t
     ];
     assert_eq!(circles(&page.expect("no flaw")), [coin, &apart].concat());
     assert_eq!(circles(&file.expect("no flaw")), [of_a_file, &apart].concat());
+}
+
+#[test]
+fn polygons_that_follow_one_another_are_one_element_without_holes_but_panes_of_glass_stay_panes() {
+    let square = |left: f64| vec![at(left, 0.0), at(left + 20.0, 0.0), at(left + 20.0, 20.0), at(left, 20.0)];
+    let turned = |left: f64| square(left).into_iter().rev().collect();
+    let mut drawing = Drawing::new("fig:squares", 100.0, 100.0);
+    for fill in [Fill::Side, Fill::Glass] {
+        drawing.polygon(square(0.0), fill, Hue::Blue);
+        drawing.polygon(turned(10.0), fill, Hue::Blue);
+    }
+    // The second square of the colour of the page belongs to the tint on it.
+    drawing.polygon(square(0.0), Fill::Page, Hue::Blue);
+    drawing.polygon(square(50.0), Fill::Page, Hue::Blue);
+    drawing.polygon(square(50.0), Fill::Side, Hue::Blue);
+    let svg = drawing.to_svg().expect("no flaw");
+    let paths: Vec<&str> = svg.lines().filter(|line| line.starts_with("<path")).collect();
+    let classes = ["f-side", "f-glass", "f-glass", "f-page", "f-opaque f-side"];
+    let expected = classes.map(|class| format!("<path class=\"{class} f-blue\""));
+    assert_eq!(paths.len(), expected.len(), "{svg}");
+    assert!(paths.iter().zip(&expected).all(|(path, start)| path.starts_with(start)), "{svg}");
+    // Both go round in one sense.
+    assert!(paths[0].ends_with("d=\"M0 0l20 0 0 20-20 0zm10 0l20 0 0 20-20 0z\"/>"), "{}", paths[0]);
 }
 
 #[test]
