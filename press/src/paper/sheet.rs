@@ -123,7 +123,8 @@ impl Sheet {
     /// and to pages by their `titles` have the numbers of pages.
     pub(super) fn for_pdf(&self, numbers: &BTreeMap<String, usize>, titles: &BTreeSet<&str>) -> String {
         let html = self.unfolded();
-        let found = html::named(&html, &["p", "a"]);
+        let found = html::named(&html, &["p", "a", "span"]);
+        let cited: Vec<&Element> = found.iter().filter(|element| element.is("span", "citing")).collect();
         let mut edits = Edits::default();
         let lines: Vec<&Element> = found.iter().filter(|element| element.is("p", "turn")).collect();
         for paragraph in found.iter().filter(|element| element.name == "p" && element.get("class").is_none())
@@ -137,7 +138,9 @@ impl Sheet {
             if lines.iter().any(|line| line.holds(link)) {
                 edits.insert(link.inside.end, format!(", page {}", page_number(id, numbers)));
             } else if html[link.inside.clone()].starts_with(['§', '“'])
-                || titles.contains(id) && !link.is("a", "header")
+                || titles.contains(id)
+                    && !link.is("a", "header")
+                    && !cited.iter().any(|list| list.holds(link))
             {
                 edits.insert(link.inside.end, format!(", p.\u{a0}{}", page_number(id, numbers)));
             }
@@ -160,12 +163,16 @@ impl Sheet {
         });
         let name = self.headings.first().map_or(self.name.as_str(), |title| &title.id);
         let (mut edits, mut answers) = (Edits::default(), String::new());
-        for (n, (asked, details, answer)) in (1..).zip(guesses) {
+        let guesses: Vec<_> = guesses.collect();
+        let names = ["First guess", "Second guess", "Third guess"];
+        for (n, (asked, details, answer)) in (1..).zip(guesses.iter().copied()) {
             let id = format!("guess-{n}-{name}");
             edits.insert(asked, format!("\n<p class=\"turn\"><a href=\"#{id}\">Answer</a></p>"));
             edits.remove(details.whole.clone());
             let answer = html[answer..details.inside.end].trim();
-            let _ = writeln!(answers, "<div class=\"guessed\" id=\"{id}\">\n{answer}\n</div>");
+            let name = names.get(n - 1).filter(|_| guesses.len() > 1);
+            let name = name.map_or(String::new(), |name| format!("<p><strong>{name}</strong></p>\n"));
+            let _ = writeln!(answers, "<div class=\"guessed\" id=\"{id}\">\n{name}{answer}\n</div>");
         }
         if !answers.is_empty() {
             let (level, end) = (if self.is_leaf { 3 } else { 2 }, html.len());
