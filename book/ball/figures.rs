@@ -61,8 +61,8 @@ pub(crate) fn ball_carts(id: &str) -> Outcome {
     }
     kit::arrow(&mut carts, at(78.0, 74.0), at(168.0, 74.0), Hue::Ink);
     carts.label(at(170.0, 74.0), Side::Right, r"$\boldsymbol v$", Hue::Ink)?;
-    kit::arrow(&mut carts, at(223.0, 98.0), at(253.0, 98.0), Hue::Ink);
-    carts.label(at(255.0, 98.0), Side::Right, r"$\boldsymbol w$", Hue::Ink)?;
+    kit::arrow(&mut carts, at(223.0, 98.0), at(253.0, 98.0), Hue::Orange);
+    carts.label(at(255.0, 98.0), Side::Right, r"$\boldsymbol w$", Hue::Orange)?;
     kit::arrow(&mut carts, at(156.0, 120.0), at(128.0, 120.0), Hue::Purple);
     kit::arrow(&mut carts, at(156.0, 134.0), at(184.0, 134.0), Hue::Purple);
     carts.label(at(156.0, 117.0), Side::Above, r"$\boldsymbol F$", Hue::Purple)?;
