@@ -156,23 +156,26 @@ impl Sheet {
             choices.whole.end <= details.whole.start
                 && html[choices.whole.end..details.whole.start].trim().is_empty()
         };
-        let guesses = found.iter().filter(|choices| choices.name == "ol").filter_map(|choices| {
+        let choices = found.iter().filter(|found| found.name == "ol");
+        let guess = |choices: &Element| {
             let details = found.iter().find(|found| found.name == "details" && is_below(found, choices))?;
             let summary = found.iter().find(|found| found.name == "summary" && details.holds(found))?;
             Some((choices.whole.end, details, summary.whole.end))
-        });
+        };
+        let guesses: Vec<_> = choices.filter_map(guess).collect();
         let name = self.headings.first().map_or(self.name.as_str(), |title| &title.id);
         let (mut edits, mut answers) = (Edits::default(), String::new());
-        let guesses: Vec<_> = guesses.collect();
-        let names = ["First guess", "Second guess", "Third guess"];
-        for (n, (asked, details, answer)) in (1..).zip(guesses.iter().copied()) {
+        for (n, &(asked, details, answer)) in (1..).zip(&guesses) {
             let id = format!("guess-{n}-{name}");
             edits.insert(asked, format!("\n<p class=\"turn\"><a href=\"#{id}\">Answer</a></p>"));
             edits.remove(details.whole.clone());
             let answer = html[answer..details.inside.end].trim();
-            let name = names.get(n - 1).filter(|_| guesses.len() > 1);
-            let name = name.map_or(String::new(), |name| format!("<p><strong>{name}</strong></p>\n"));
-            let _ = writeln!(answers, "<div class=\"guessed\" id=\"{id}\">\n{name}{answer}\n</div>");
+            let which = if guesses.len() > 1 {
+                format!("<p><strong>Guess {n}</strong></p>\n")
+            } else {
+                String::new()
+            };
+            let _ = writeln!(answers, "<div id=\"{id}\">\n{which}{answer}\n</div>");
         }
         if !answers.is_empty() {
             let (level, end) = (if self.is_leaf { 3 } else { 2 }, html.len());

@@ -108,7 +108,7 @@ fn a_book_for_paper_holds_every_page_and_its_solutions_last() {
     let [asked, given] =
         [(text, "href=\"#hint-"), (hints, "id=\"hint-")].map(|(text, mark)| text.matches(mark).count());
     assert!(asked == given && asked >= 10, "{asked} {given}");
-    // What answers a guess stands at the end of its page, and no title has two names.
+    // What answers a guess stands at the end of its page.
     let [asked, given] = ["href=\"#guess-", "id=\"guess-"].map(|mark| html.matches(mark).count());
     assert!(asked == given && asked == 31, "{asked} {given}");
     let first = &html[at("<h1 id=\"the-coin-toss\"")..];

@@ -25,8 +25,8 @@ pub fn spring(drawing: &mut Drawing, from: Point, to: Point, turns: u32, width: 
     drawing.polyline(&points, Stroke::Outline, hue);
 }
 
-/// A damper from a point to a point: a cylinder on the first end, `length` of the way long and `width` px across,
-/// open towards the second end, from which the rod with its piston comes.
+/// A damper from a point to a point: a cylinder, `length` of the way long and `width` px across, open towards the second end,
+/// from which the rod with its piston comes.
 pub fn damper(drawing: &mut Drawing, from: Point, to: Point, length: f64, width: f64, hue: Hue) {
     dampers(drawing, &[[from, to]], length, width, hue);
 }
@@ -34,27 +34,25 @@ pub fn damper(drawing: &mut Drawing, from: Point, to: Point, length: f64, width:
 /// Dampers that do not cover one another, each from a point to a point. On a page all their cylinders are one element, and so
 /// are all their lines.
 pub fn dampers(drawing: &mut Drawing, ends: &[[Point; 2]], length: f64, width: f64, hue: Hue) {
-    let part = |[from, to]: [Point; 2]| {
+    let parts = ends.iter().map(|&[from, to]| {
         let step = to - from;
-        let half = step.unit().quarter_turned() * (0.5 * width);
-        let [bottom, mouth, piston] =
-            [0.0, 1.0, 0.55].map(|part| from + step * (0.5 * (1.0 - length) + part * length));
-        (half, bottom, mouth, piston)
-    };
-    for (half, bottom, mouth, _) in ends.iter().copied().map(part) {
+        let along = |part: f64| from + step * (0.5 * (1.0 - length) + part * length);
+        (step.unit().quarter_turned() * (0.5 * width), along(0.0), along(0.55), along(1.0))
+    });
+    let parts: Vec<_> = parts.collect();
+    for &(half, bottom, _, mouth) in &parts {
         drawing.polygon(vec![bottom + half, mouth + half, mouth - half, bottom - half], Fill::Page, hue);
     }
-    for (half, bottom, _, piston) in ends.iter().copied().map(part) {
+    for &(half, bottom, piston, _) in &parts {
         drawing.polygon(vec![bottom + half, piston + half, piston - half, bottom - half], Fill::Face, hue);
     }
-    for (end, (half, bottom, mouth, piston)) in ends.iter().map(|end| (end, part(*end))) {
-        drawing.line(end[0], bottom, Stroke::Outline, hue);
+    for (&[from, to], &(half, bottom, piston, mouth)) in ends.iter().zip(&parts) {
+        drawing.line(from, bottom, Stroke::Outline, hue);
         drawing.polyline(&[mouth + half, bottom + half, bottom - half, mouth - half], Stroke::Outline, hue);
-        drawing.line(piston, end[1], Stroke::Outline, hue);
+        drawing.line(piston, to, Stroke::Outline, hue);
     }
-    for (half, _, _, piston) in ends.iter().copied().map(part) {
-        let inner = half * 0.72;
-        drawing.line(piston + inner, piston - inner, Stroke::Vector, hue);
+    for &(half, _, piston, _) in &parts {
+        drawing.line(piston + half * 0.72, piston - half * 0.72, Stroke::Vector, hue);
     }
 }
 
