@@ -37,6 +37,8 @@ pub(crate) struct Browser {
     asked: u64,
     /// What has happened in its pages: `(session, event)`.
     events: Vec<(String, Value)>,
+    /// The session and the target of a page that nobody uses any more.
+    idle: Option<(String, Value)>,
 }
 
 impl Browser {
@@ -74,7 +76,7 @@ impl Browser {
             }
         });
         let input = child.stdin.take().expect("a pipe");
-        Some(Self { child, input, messages, profile, asked: 0, events: Vec::new() })
+        Some(Self { child, input, messages, profile, asked: 0, events: Vec::new(), idle: None })
     }
 
     /// Asks for something and waits for the answer; `Err` is what the browser says against it.
@@ -100,18 +102,22 @@ impl Browser {
         }
     }
 
-    /// A new page of a size, px, that is still empty.
-    pub(crate) fn page(&mut self, [width, height]: [u32; 2]) -> Page<'_> {
-        let target = self.ask("", "Target.createTarget", json!({ "url": "about:blank" })).unwrap();
-        let attach = json!({ "targetId": target["targetId"], "flatten": true });
-        let attached = self.ask("", "Target.attachToTarget", attach).unwrap();
-        let session = attached["sessionId"].as_str().unwrap().to_owned();
+    /// A page of a size, px, to which nothing has been said yet: that of before, if there was one, as each new one is a process
+    /// of its own that takes a third of a second to begin.
+    pub(crate) fn page(&mut self, size: [u32; 2]) -> Page<'_> {
+        let (session, target) = self.idle.take().unwrap_or_else(|| {
+            let target = self.ask("", "Target.createTarget", json!({ "url": "about:blank" })).unwrap();
+            let attach = json!({ "targetId": target["targetId"], "flatten": true });
+            let attached = self.ask("", "Target.attachToTarget", attach).unwrap();
+            let session = attached["sessionId"].as_str().unwrap().to_owned();
+            for domain in ["Page", "Runtime", "Log", "Network"] {
+                self.ask(&session, &format!("{domain}.enable"), json!({})).unwrap();
+            }
+            (session, target["targetId"].clone())
+        });
         self.events.clear();
-        let mut page = Page { browser: self, session, target: target["targetId"].clone() };
-        for domain in ["Page", "Runtime", "Log", "Network"] {
-            page.tell(&format!("{domain}.enable"), json!({}));
-        }
-        page.resize([width, height]);
+        let mut page = Page { browser: self, session, target, scripts: Vec::new() };
+        page.resize(size);
         page
     }
 }
@@ -133,13 +139,21 @@ pub(crate) struct Page<'a> {
     browser: &'a mut Browser,
     session: String,
     target: Value,
+    /// What runs before all of its documents.
+    scripts: Vec<Value>,
 }
 
 impl Drop for Page<'_> {
     fn drop(&mut self) {
-        if !thread::panicking() {
-            let _ = self.browser.ask("", "Target.closeTarget", json!({ "targetId": self.target }));
+        if thread::panicking() {
+            return;
         }
+        for script in std::mem::take(&mut self.scripts) {
+            self.tell("Page.removeScriptToEvaluateOnNewDocument", json!({ "identifier": script }));
+        }
+        self.tell("Emulation.setEmulatedMedia", json!({ "media": "", "features": [] }));
+        self.tell("Page.navigate", json!({ "url": "about:blank" }));
+        self.browser.idle = Some((std::mem::take(&mut self.session), self.target.take()));
     }
 }
 
@@ -152,7 +166,8 @@ impl Page<'_> {
 
     /// Runs a script at the beginning of each document that is opened from now on.
     pub(crate) fn before_all(&mut self, script: &str) {
-        self.tell("Page.addScriptToEvaluateOnNewDocument", json!({ "source": script }));
+        let added = self.tell("Page.addScriptToEvaluateOnNewDocument", json!({ "source": script }));
+        self.scripts.push(added["identifier"].clone());
     }
 
     /// Gives it another size, px.

@@ -45,8 +45,9 @@ fn answer(mut stream: TcpStream, folder: &Path) {
         body = alone(&String::from_utf8_lossy(&body), id.split(' ').next().unwrap_or_default()).into_bytes();
     }
     let head = format!(
-        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n",
-        body.len()
+        "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nCache-Control: max-age={}\r\nConnection: close\r\n\r\n",
+        body.len(),
+        if kind.starts_with("text/html") { 0 } else { 3600 } // scripts and letters stay the same
     );
     let _ = stream.write_all(&[head.into_bytes(), body].concat());
 }
