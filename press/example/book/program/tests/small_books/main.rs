@@ -218,14 +218,16 @@ fn plain_mdbook_prints_the_same_site() {
         eprintln!("skipped: there is no mdBook 0.5 on PATH");
         return;
     }
-    let folder = small_book("plain", GOOD);
-    let site = folder.join("target/book/html");
-    assert!(live(&folder).arg("build").status().unwrap().success());
-    let ours = files(&site);
-    let plain = Command::new("mdbook").arg("build").current_dir(&folder).output().unwrap();
+    // Of the example, as one module is compiled for it then, and not another for this test.
+    let (folder, example) = (folder("plain"), example());
+    let [ours, theirs] = ["ours", "theirs"].map(|name| folder.join(name));
+    assert!(live(&example).args(["build", "-d"]).arg(&ours).status().unwrap().success());
+    let mdbook =
+        |arguments: &[&str]| Command::new("mdbook").args(arguments).current_dir(&example).output().unwrap();
+    let plain = mdbook(&["build", "-d", theirs.to_str().unwrap()]);
     assert!(plain.status.success(), "{}", said(&plain));
-    let theirs = files(&site);
-    let tested = Command::new("mdbook").arg("test").current_dir(&folder).output().unwrap();
+    let [ours, theirs] = [ours, theirs].map(|site| files(&site.join("html")));
+    let tested = mdbook(&["test"]);
     assert!(tested.status.success(), "{}", said(&tested));
     // Only the name of the search's index may differ: in it is a sum over what mdBook's own index held.
     let [ours, theirs] = [ours, theirs].map(|site| {
