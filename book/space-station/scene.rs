@@ -165,7 +165,7 @@ impl Nodding {
             if let Ok(place) = camera.on_page(seen * star * 40.0)
                 && panel.grown(-4.0).contains(place)
             {
-                drawing.dot(place, 0.8, Hue::Muted);
+                drawing.polyline(&[place, place], Stroke::Curve, Hue::Muted); // a dot: all of them are one element
             }
         }
         // What points out of the wheel lies above its plane: from above it is painted last, from below first.

@@ -36,6 +36,8 @@ const unpack = async (packed) => {
 /** Compiled modules, by their addresses. */
 const modules = new Map();
 
+const UTF_8 = new TextDecoder();
+
 /** An instance of the module. Numbers go in, texts come out; a length below zero is that of an error. */
 class Machine {
   static async at(address) {
@@ -51,7 +53,7 @@ class Machine {
   /** The text that a call has left. */
   text(length) {
     const bytes = new Uint8Array(this.run.memory.buffer, this.run.text(), Math.abs(length));
-    const text = new TextDecoder().decode(bytes);
+    const text = UTF_8.decode(bytes);
     if (length < 0) throw new Trouble(text);
     return text;
   }
@@ -595,7 +597,7 @@ class Scene {
     const { figure, drawing } = this;
     if (this.hasFailed || !drawing.showPopover) return false;
     this.wake();
-    figure.style.minHeight = `${figure.offsetHeight}px`; // nothing moves where it was
+    figure.style.minHeight = getComputedStyle(figure).height; // nothing moves where it was
     const bar = document.createElement("p");
     bar.className = "peek";
     const watch = new IntersectionObserver((entries) => entries.at(-1).isIntersecting && this.unpeek());

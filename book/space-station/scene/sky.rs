@@ -11,7 +11,7 @@ const FIELD: f64 = 50.0 * TAU / 360.0;
 
 /// The stars; the last one stood on the cross before the blow.
 static STARS: LazyLock<Vec<Vector3<f64>>> =
-    LazyLock::new(|| directions(260).into_iter().chain([Vector3::z()]).collect());
+    LazyLock::new(|| directions(170).into_iter().chain([Vector3::z()]).collect());
 
 /// Directions spread evenly over the sky: steps of the golden angle, equal areas.
 pub(super) fn directions(count: u32) -> Vec<Vector3<f64>> {

@@ -966,11 +966,14 @@ fn a_link_is_copied_where_the_reader_stands_and_a_text_link_moves_no_picture_tha
     let is_beside = format!("{drawing}.matches(':popover-open')");
     // The browser holds what is in sight, should words above it take another line.
     let line = format!("Math.round({link}.getBoundingClientRect().top)");
-    let before = shown.number(&line);
+    let room = format!("{}.getBoundingClientRect().height", drum.figure);
+    let (before, height) = (shown.number(&line), shown.number(&room));
     shown.get(&click);
     shown.wait(&is_beside);
     shown.settle();
     assert_eq!(shown.number(&line), before, "nothing moves");
+    let off = shown.number(&room) - height;
+    assert!(off.abs() < 0.1, "the room of the picture is kept, and {off} px more");
     assert_eq!(shown.get(&format!("document.activeElement === {link}")), true, "the keys go on from there");
     let rect = format!("{drawing}.getBoundingClientRect()");
     let is_whole = format!("{rect}.top >= 0 && {rect}.bottom <= innerHeight && {rect}.height > 100");
