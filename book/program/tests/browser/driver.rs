@@ -103,7 +103,7 @@ impl Browser {
     }
 
     /// A page of a size, px, to which nothing has been said yet: that of before, if there was one, as each new one is a process
-    /// of its own that takes a third of a second to begin.
+    /// of its own that takes a fifth of a second to begin.
     pub(crate) fn page(&mut self, size: [u32; 2]) -> Page<'_> {
         let (session, target) = self.idle.take().unwrap_or_else(|| {
             let target = self.ask("", "Target.createTarget", json!({ "url": "about:blank" })).unwrap();
@@ -134,7 +134,8 @@ impl Drop for Browser {
     }
 }
 
-/// A page in a browser, which closes with it: a scene that nobody sees any more would go on moving.
+/// A page in a browser. At its end it is emptied, as a scene that nobody sees any more would go on moving, and forgets what it
+/// was told, for whoever has it next.
 pub(crate) struct Page<'a> {
     browser: &'a mut Browser,
     session: String,
@@ -152,6 +153,8 @@ impl Drop for Page<'_> {
             self.tell("Page.removeScriptToEvaluateOnNewDocument", json!({ "identifier": script }));
         }
         self.tell("Emulation.setEmulatedMedia", json!({ "media": "", "features": [] }));
+        self.tell("Emulation.setScriptExecutionDisabled", json!({ "value": false }));
+        self.tell("Network.setBlockedURLs", json!({ "urls": [] }));
         self.tell("Page.navigate", json!({ "url": "about:blank" }));
         self.browser.idle = Some((std::mem::take(&mut self.session), self.target.take()));
     }

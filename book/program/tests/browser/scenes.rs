@@ -18,7 +18,6 @@ use driver::{Browser, Page, is_night};
 use live::{Control, Form, Kind, Moment, Player, Room, Scene};
 use pages::scenes::SCENES;
 use serde_json::{Value, json};
-use std::collections::BTreeSet;
 use std::env;
 use std::ops::{Deref, DerefMut};
 use std::sync::OnceLock;
@@ -73,9 +72,14 @@ fn scenes() -> Vec<Place> {
     SCENES.iter().map(place).collect()
 }
 
+/// That of a name.
+fn named(name: &str) -> Place {
+    scenes().into_iter().find(|place| place.scene.name == name).expect("a scene of this name")
+}
+
 /// That of the laundromat.
 fn drum() -> Place {
-    scenes().into_iter().find(|place| place.scene.name == "laundromat").expect("the drum")
+    named("laundromat")
 }
 
 impl Place {
@@ -102,12 +106,7 @@ impl Place {
 
     /// The scene on its page, from which the text is left out, for a reader who asks for calm: it stands still.
     fn still<'a>(&self, browser: &'a mut Browser, size: [u32; 2], hash: &str) -> Shown<'a> {
-        self.calm(browser, size, &(self.alone() + hash))
-    }
-
-    /// The address of its page without the text and the other scenes.
-    fn alone(&self) -> String {
-        format!("{}?alone=scene-{}", self.address, self.scene.name)
+        self.calm(browser, size, &format!("{}?alone=scene-{}{hash}", self.address, self.scene.name))
     }
 
     /// An address of its page for a reader who asks for calm, and all that is folded open.
@@ -392,22 +391,17 @@ fn act(page: &mut Page<'_>, means: Means, element: &str, part: f64, key: &str) {
 #[test]
 fn scenes_wake_and_move_and_nothing_else_does() {
     let Some(mut browser) = open("wake") else { return };
-    let mut pages = BTreeSet::new();
     for (turn, place) in scenes().into_iter().enumerate() {
         let name = place.scene.name;
         let file = place.address.replace(address(), &format!("file://{}/", site().display()));
-        // From a folder the first two, since all modules come alike. Of a page with several scenes the others come alone.
-        let is_first = pages.insert(place.address.clone());
-        let own = if is_first || is_night() { place.address.clone() } else { place.alone() };
-        for page_address in [&own, &file].into_iter().take(if turn < 2 { 2 } else { 1 }) {
+        // From a folder the first two, since all modules come alike.
+        for page_address in [&place.address, &file].into_iter().take(if turn < 2 { 2 } else { 1 }) {
             let is_file = page_address.starts_with("file:");
             let mut shown = place.empty(&mut browser, WIDE);
             place.wake(&mut shown, page_address);
             shown.wait_for_change();
             shown.wait_for_motion();
-            if is_first {
-                assert_eq!(shown.get("shifted"), json!([]), "{name}: the page jumps");
-            }
+            assert_eq!(shown.get("shifted"), json!([]), "{name}: the page jumps");
             // Off the screen it sleeps.
             shown.go_to_the_end();
             shown.asks_for_no_frame("in its sleep");
@@ -484,8 +478,7 @@ fn modules_that_are_asked_for_at_once_come_to_their_own_scenes() {
     page.before_all(&on_modules("if ((late += 1) === 1) setTimeout(act, 500); else act();"));
     // Of two chapters, and both in sight.
     page.go(&format!("{}print.html?alone=scene-speeds,scene-clocks", address()));
-    let two = ["speeds", "clocks"]
-        .map(|name| scenes().into_iter().find(|place| place.scene.name == name).expect("the scene").figure);
+    let two = ["speeds", "clocks"].map(|name| named(name).figure);
     for figure in &two {
         page.get(&format!("document.body.prepend({figure})"));
     }
@@ -778,9 +771,8 @@ fn a_link_sets_a_scene_and_a_scene_gives_its_link() {
         );
         let count = shown.number(&format!("{text_links}.length")) as usize;
         // The press has checked what links name; here the first is followed, and one of the others.
-        let followed: Vec<usize> = (0..count).collect();
-        let others = one_of(turn, 0, followed.get(1..).unwrap_or_default());
-        for index in followed.first().copied().into_iter().chain(others) {
+        let others: Vec<usize> = (1..count).collect();
+        for index in (0..count.min(1)).chain(one_of(turn, 0, &others)) {
             let link = format!("{text_links}[{index}]");
             for before in [".reset", ".presets button:last-child"].into_iter().skip(usize::from(index > 0)) {
                 shown.click(before); // the words below the scene may come to take another line
@@ -1075,7 +1067,7 @@ fn a_scene_is_heard_when_it_is_asked_to_and_while_it_plays_in_sight() {
 fn a_body_is_drawn_by_the_mouse_and_lets_the_page_scroll_beside_it() {
     let Some(mut browser) = open("bodies") else { return };
     for name in ["rolling-wheel", "spinning-coin", "top"] {
-        let place_of = scenes().into_iter().find(|place| place.scene.name == name).expect("the scene");
+        let place_of = named(name);
         let mut shown = place_of.still(&mut browser, WIDE, "");
         let mut player = Player::new(place_of.scene).unwrap();
         let [azimuth, elevation] = place_of.scene.view.unwrap();
@@ -1235,7 +1227,7 @@ fn what_is_far_from_a_scene_that_plays_is_spared_and_stays_where_it_is() {
         shown.get(boxes).as_array().expect("boxes").iter().filter_map(Value::as_f64).collect()
     };
     for name in ["laundromat", "rolling-wheel", "clocks"] {
-        let place = scenes().into_iter().find(|place| place.scene.name == name).expect("the scene");
+        let place = named(name);
         for size in [WIDE, PHONE] {
             let mut shown = place.empty(&mut browser, size);
             shown.prefer("prefers-reduced-motion", "reduce");
@@ -1304,7 +1296,7 @@ fn a_kick_adds_to_the_motion_as_it_is_and_a_slider_does_not_throw_the_body() {
         ("laundromat", "kick", [("camera", 0.0), ("spin", 22.0)]),
         ("space-station", "fire", [("thruster", 90.0), ("impulse", 2.0)]),
     ] {
-        let place = scenes().into_iter().find(|place| place.scene.name == name).expect("the scene");
+        let place = named(name);
         let mut shown = place.still(&mut browser, WIDE, "");
         shown.set(&[&controls[..], &[(button, 0.5)]].concat(), 0.8);
         let readings = format!(
@@ -1345,7 +1337,7 @@ fn a_kick_adds_to_the_motion_as_it_is_and_a_slider_does_not_throw_the_body() {
     for (name, slider, settings) in
         [("laundromat", "spin", &[][..]), ("rolling-wheel", "lean", &[("kick", -1.0)])]
     {
-        let place = scenes().into_iter().find(|place| place.scene.name == name).expect("the scene");
+        let place = named(name);
         let mut shown = place.still(&mut browser, WIDE, "");
         shown.set(settings, 6.0);
         let corners = format!(

@@ -47,7 +47,7 @@ fn answer(mut stream: TcpStream, folder: &Path) {
     let head = format!(
         "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nCache-Control: max-age={}\r\nConnection: close\r\n\r\n",
         body.len(),
-        if kind.starts_with("text/html") { 0 } else { 3600 } // scripts and letters stay the same
+        if kind.starts_with("text/html") { 0 } else { 3600 } // scripts and fonts stay as they are
     );
     let _ = stream.write_all(&[head.into_bytes(), body].concat());
 }
