@@ -241,22 +241,11 @@ impl Nodding {
         Ok(())
     }
 
-    fn draw_waves(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        let mut graph = waves(moment.room).on(drawing)?;
-        let names = [
-            r"in the room, $\hat{\mathbf{3}}$ about $\boldsymbol{L}$",
-            r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$",
-        ];
-        let now = self.station.aside(moment.time)?;
-        for (index, hue) in [(0, Hue::Blue), (1, Hue::Orange)] {
-            let middle = MIDDLES[index];
-            graph.level(middle, Stroke::Dotted, Hue::Muted);
-            let wave = self.waves[index].iter().map(|&(time, aside)| (time, middle + 0.85 * aside));
-            graph.curve(wave, Stroke::Curve, hue);
-            let place = graph.at((0.0, middle + 1.0)) + at(12.0, -2.0);
-            graph.drawing().label_set(place, Side::AboveRight, 2.0, 13.0, names[index], Role::Text(hue))?;
-        }
+    /// Where the two waves are at a moment, and when the thrusters fire.
+    fn draw_places(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut graph = waves(moment.room).over(drawing);
         graph.upright(moment.time, Stroke::Outline, Hue::Muted);
+        let now = self.station.aside(moment.time)?;
         for (index, hue) in [(0, Hue::Blue), (1, Hue::Orange)] {
             graph.dot((moment.time, MIDDLES[index] + 0.85 * now[index] * self.scales[index]), 4.0, hue);
         }
@@ -332,8 +321,25 @@ impl Motion for Nodding {
         Run { duration: DURATION, pace: 3.0, repeats: true }
     }
 
+    fn draw_behind(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut graph = waves(room).on(drawing)?;
+        let names = [
+            r"in the room, $\hat{\mathbf{3}}$ about $\boldsymbol{L}$",
+            r"on board, $\boldsymbol{\omega}$ about $\hat{\mathbf{3}}$",
+        ];
+        for (index, hue) in [(0, Hue::Blue), (1, Hue::Orange)] {
+            let middle = MIDDLES[index];
+            graph.level(middle, Stroke::Dotted, Hue::Muted);
+            let wave = self.waves[index].iter().map(|&(time, aside)| (time, middle + 0.85 * aside));
+            graph.curve(wave, Stroke::Curve, hue);
+            let place = graph.at((0.0, middle + 1.0)) + at(12.0, -2.0);
+            graph.drawing().label_set(place, Side::AboveRight, 2.0, 13.0, names[index], Role::Text(hue))?;
+        }
+        Ok(())
+    }
+
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
-        self.draw_waves(moment, drawing)?;
+        self.draw_places(moment, drawing)?;
         self.draw_station(moment, drawing)?;
         let sky = moment.room.of((at(508.0, 126.0), 98.0), (at(86.0, 462.0), 80.0));
         draw_sky(&self.station, sky, moment.time, drawing)

@@ -132,6 +132,33 @@ fn shown(player: &mut Player) -> Vec<String> {
     all
 }
 
+/// Elements without the numbers by which shades are told apart: they count what was drawn before.
+fn unnumbered(elements: &str) -> String {
+    let mut parts = elements.split("-shade-");
+    let first = parts.next().unwrap_or_default().to_owned();
+    parts.fold(first, |all, part| all + part.trim_start_matches(|sign: char| sign.is_ascii_digit()))
+}
+
+#[test]
+fn what_is_written_once_stands_in_every_picture() {
+    for scene in all() {
+        let mut player = Player::new(scene).expect("it begins");
+        let [azimuth, elevation] = scene.view.unwrap_or_default();
+        let alike = |player: &mut Player, part: f64, room: Room| {
+            let moment = Moment { time: part * player.run().duration, azimuth, elevation, room };
+            let whole = player.draw(moment).expect("a picture").to_elements().expect("no flaw");
+            let elements = player.elements(moment).expect("a picture");
+            assert_eq!(unnumbered(&elements), unnumbered(&whole), "{} at {moment:?}", scene.name);
+        };
+        for (part, room) in [(0.3, Room::Wide), (0.7, Room::Wide), (0.7, Room::Narrow), (0.2, Room::Wide)] {
+            alike(&mut player, part, room);
+        }
+        for settings in scene.presets.iter().map(|preset| preset.settings) {
+            alike(&mut player.changed(settings).expect("an answer"), 0.1, Room::Wide);
+        }
+    }
+}
+
 #[test]
 fn a_control_does_something_unless_it_says_what_it_waits_for() {
     for scene in all() {

@@ -127,23 +127,24 @@ impl Drawing {
         }
     }
 
-    /// Moves each label that stands on an earlier one up or down, by the shorter way that leads off all of them and
-    /// stays on the page. One that has no such way stays. This is for pictures that move, in which names meet.
+    /// Moves each label from an item on that stands on an earlier one of these up or down, by the shorter way that leads
+    /// off all of them and stays on the page. One that has no such way stays. This is for pictures that move, in which
+    /// names meet.
     ///
     /// ```
     /// use drawing::{Drawing, Hue, Shape, Side, at};
     /// let mut drawing = Drawing::new("two-names", 100.0, 100.0);
     /// drawing.label(at(50.0, 50.0), Side::Over, "one", Hue::Ink)?;
     /// drawing.label(at(54.0, 54.0), Side::Over, "other", Hue::Ink)?;
-    /// drawing.part_labels();
+    /// drawing.part_labels(0);
     /// let [Shape::Label(one), Shape::Label(other)] = [0, 1].map(|k| &drawing.items()[k].shape) else { panic!() };
     /// assert!(!one.bounds.overlaps(&other.bounds) && other.bounds.top >= one.bounds.bottom);
     /// # Ok::<(), drawing::Flaw>(())
     /// ```
-    pub fn part_labels(&mut self) {
+    pub fn part_labels(&mut self, first: usize) {
         let page = self.frame();
         let mut placed: Vec<Rect> = Vec::new();
-        for item in &mut self.items {
+        for item in self.items.iter_mut().skip(first) {
             let Shape::Label(label) = &mut item.shape else { continue };
             let own = label.bounds;
             let mut best = 0.0_f64;

@@ -149,6 +149,11 @@ impl Plot<'_> {
         Graph::new(drawing, self.frame, self.x, self.y)
     }
 
+    /// To draw more over axes that are drawn already.
+    pub fn over<'b>(&self, drawing: &'b mut Drawing) -> Graph<'b> {
+        Graph { drawing, axes: Axes::new(self.frame, self.x.scale, self.y.scale) }
+    }
+
     /// Where a pair of values lies, px: where its grip is.
     pub fn point(&self, value: (f64, f64)) -> Point {
         Axes::new(self.frame, self.x.scale, self.y.scale).point(value)

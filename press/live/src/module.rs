@@ -131,7 +131,7 @@ pub fn repeats() -> bool {
 /// Draws a moment: the elements of the SVG, one a line.
 pub fn draw(time: f64, azimuth: f64, elevation: f64, is_narrow: bool) -> isize {
     let room = if is_narrow { Room::Narrow } else { Room::Wide };
-    with(|player| Ok(player.draw(Moment { time, azimuth, elevation, room })?.to_elements()?))
+    with(|player| player.elements(Moment { time, azimuth, elevation, room }))
 }
 
 /// The numbers beside the picture, as HTML, one a line.

@@ -17,6 +17,8 @@ pub struct Player {
     /// The moment that was drawn last, and its time if one was.
     seen: Moment,
     drawn: f64,
+    /// The elements of what is the same at every moment, and the room that they were written for.
+    behind: Option<(Room, String)>,
     /// What the reader has measured, with these settings and before.
     found: Vec<[f64; 3]>,
     /// From the hand to the place of the body that it holds.
@@ -60,7 +62,8 @@ impl Player {
         let motion = (scene.start)(&Settings { controls: scene.controls, values: &values })?;
         let [azimuth, elevation] = scene.view.unwrap_or_default();
         let seen = Moment { time: scene.still, azimuth, elevation, room: Room::Wide };
-        Ok(Self { scene, values, motion, seen, drawn: f64::NAN, found: Vec::new(), held: at(0.0, 0.0) })
+        let (drawn, behind, found, held) = (f64::NAN, None, Vec::new(), at(0.0, 0.0));
+        Ok(Self { scene, values, motion, seen, drawn, behind, found, held })
     }
 
     /// Takes over what the reader has measured in the same scene with other settings.
@@ -128,16 +131,44 @@ impl Player {
 
     /// The picture of a moment.
     pub fn draw(&mut self, moment: Moment) -> Result<Drawing, Cause> {
+        let mut drawing = self.sheet(moment.room, "");
+        self.draw_behind(moment.room, &mut drawing)?;
+        self.draw_front(moment, &mut drawing)?;
+        Ok(drawing)
+    }
+
+    /// The elements of the picture of a moment, one a line. What is the same at every moment is written once.
+    pub fn elements(&mut self, moment: Moment) -> Result<String, Cause> {
+        if self.behind.as_ref().is_none_or(|(room, _)| *room != moment.room) {
+            let mut behind = self.sheet(moment.room, "-behind");
+            self.draw_behind(moment.room, &mut behind)?;
+            self.behind = Some((moment.room, behind.to_elements()?));
+        }
+        let mut front = self.sheet(moment.room, "");
+        self.draw_front(moment, &mut front)?;
+        let behind = self.behind.as_ref().map_or("", |(_, elements)| elements);
+        Ok(behind.to_owned() + &front.to_elements()?)
+    }
+
+    fn sheet(&self, room: Room, layer: &str) -> Drawing {
+        let [width, height] = room.of(self.scene.size[0], self.scene.size[1]);
+        let id = format!("scene-{}{}{layer}", self.scene.name, room.of("", "-narrow"));
+        Drawing::new(&id, width, height).framed()
+    }
+
+    fn draw_behind(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
+        with_symbols(self.scene.symbols, || self.motion.draw_behind(room, drawing))
+    }
+
+    fn draw_front(&mut self, moment: Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let moment = Moment { elevation: moment.elevation.max(self.lowest_eye()), ..moment };
         let new = self.motion.found(self.drawn, moment.time).filter(|found| !self.found.contains(found));
         self.found.extend(new);
         (self.seen, self.drawn) = (moment, moment.time);
-        let [width, height] = moment.room.of(self.scene.size[0], self.scene.size[1]);
-        let id = format!("scene-{}{}", self.scene.name, moment.room.of("", "-narrow"));
-        let mut drawing = Drawing::new(&id, width, height).framed();
-        with_symbols(self.scene.symbols, || self.motion.draw(&moment, &mut drawing))?;
-        drawing.part_labels();
-        Ok(drawing)
+        let behind = drawing.items().len();
+        with_symbols(self.scene.symbols, || self.motion.draw(&moment, drawing))?;
+        drawing.part_labels(behind);
+        Ok(())
     }
 
     /// The picture that stands on the page until the scene wakes, and on paper.

@@ -84,6 +84,15 @@ pub trait Motion {
     /// How long it runs, and how fast.
     fn run(&self) -> Run;
 
+    /// Draws what stands behind all else and is the same at every time, from wherever one looks: the axes of a plot and the
+    /// curves that do not move. It is drawn once, where a picture has so much of it that it counts.
+    ///
+    /// # Errors
+    /// As for [`draw`](Self::draw).
+    fn draw_behind(&self, _room: Room, _drawing: &mut Drawing) -> Result<(), Cause> {
+        Ok(())
+    }
+
     /// Draws a moment.
     ///
     /// # Errors
