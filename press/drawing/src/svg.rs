@@ -100,13 +100,13 @@ impl Drawing {
     fn write_items<const IS_PAGE: bool>(&self, out: &mut String) {
         let id = self.id.replace(':', "-");
         let items = self.items();
-        let mut index = 0;
+        let (mut index, mut shades) = (0, 0);
         while let Some(item) = items.get(index) {
             if IS_PAGE && let Some(tint) = items.get(index + 1).filter(|tint| is_under(item, tint)) {
                 let edge = items.get(index + 2).filter(|edge| is_edge(edge, tint));
                 let line = edge.map_or(String::new(), |edge| edge.role.classes() + " ");
                 let class = format!("{line}{OPAQUE} {}", tint.role.classes());
-                write_item::<IS_PAGE>(out, &id, index + 1, tint, &class);
+                write_item::<IS_PAGE>(out, &id, &mut shades, tint, &class);
                 index += 2 + usize::from(edge.is_some());
                 continue;
             }
@@ -121,7 +121,7 @@ impl Drawing {
                 let data = trace::all(items[index..index + count].iter().map(|item| &item.shape));
                 let _ = writeln!(out, "<path class=\"{class}\" d=\"{data}\"/>");
             } else {
-                write_item::<IS_PAGE>(out, &id, index, item, &item.role.classes());
+                write_item::<IS_PAGE>(out, &id, &mut shades, item, &item.role.classes());
             }
             index += count.max(1);
         }
@@ -189,7 +189,7 @@ fn rows(seen: &[Rect]) -> (Vec<Point>, Rect) {
     (places, all)
 }
 
-fn write_item<const IS_PAGE: bool>(out: &mut String, id: &str, index: usize, item: &Item, class: &str) {
+fn write_item<const IS_PAGE: bool>(out: &mut String, id: &str, shades: &mut u32, item: &Item, class: &str) {
     let name = item.name.as_ref().map_or(String::new(), |name| format!(" id=\"{id}-{}\"", escaped(name)));
     let element = match &item.shape {
         Shape::Label(label) => return write_label::<IS_PAGE>(out, &name, item.role, label),
@@ -210,7 +210,8 @@ fn write_item<const IS_PAGE: bool>(out: &mut String, id: &str, index: usize, ite
             format!("<path{name} class=\"{class}\" d=\"{}\"/>", ellipse(*centre, *radii, *turn))
         }
         Shape::Rounded { centre, radii, turn, light } => {
-            let shade = format!("{id}-shade-{index}");
+            let shade = format!("{id}-shade-{shades}");
+            *shades += 1;
             let gradient = gradient(&shade, class, *centre, *radii, *turn, *light);
             let path = ellipse(*centre, *radii, *turn);
             format!("{gradient}\n<path{name} class=\"{class}\" fill=\"url(#{shade})\" d=\"{path}\"/>")
