@@ -127,9 +127,9 @@ impl Drawing {
         }
     }
 
-    /// Moves each label from an item on that stands on an earlier one of these up or down, by the shorter way that leads
-    /// off all of them and stays on the page. One that has no such way stays. This is for pictures that move, in which
-    /// names meet.
+    /// Moves each label that stands on an earlier one up or down, by the shorter way that leads off all of them and stays
+    /// on the page. One that has no such way stays. Labels before the item of index `first` are left out: they neither
+    /// move nor push. This is for pictures that move, in which names meet.
     ///
     /// ```
     /// use drawing::{Drawing, Hue, Shape, Side, at};

@@ -150,6 +150,7 @@ impl Player {
         Ok(behind.to_owned() + &front.to_elements()?)
     }
 
+    /// An empty drawing in the size of the scene. The name of a layer is a part of its ids, so that layers share none.
     fn sheet(&self, room: Room, layer: &str) -> Drawing {
         let [width, height] = room.of(self.scene.size[0], self.scene.size[1]);
         let id = format!("scene-{}{}{layer}", self.scene.name, room.of("", "-narrow"));

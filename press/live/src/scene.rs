@@ -85,7 +85,7 @@ pub trait Motion {
     fn run(&self) -> Run;
 
     /// Draws what stands behind all else and is the same at every time, from wherever one looks: the axes of a plot and the
-    /// curves that do not move. It is drawn once, where a picture has so much of it that it counts.
+    /// curves that do not move. A page draws it once for each setting, which saves time where there is much of it.
     ///
     /// # Errors
     /// As for [`draw`](Self::draw).
