@@ -6,7 +6,8 @@ use crate::long::{Long, PI, long, off_angle};
 use crate::search::{Case, Draw, keeps_its_promise, worse};
 use crate::top::{WAYS, made, upright, way};
 use mechanics::euler::Turning;
-use mechanics::scenes::top::{Top, TopParameters};
+use mechanics::scenes::top::{Top, TopMotion, TopParameters};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts;
 
 /// What the documentation promises of the tilts, of the nod and of the steady rates, relative.
@@ -17,7 +18,7 @@ const OF_STEADY: f64 = 1e-15;
 /// from how many times as large parts on it is a small one.
 const DIGITS: f64 = 4e-32;
 const SMALL: f64 = 1e15;
-/// The square of a tilt that counts as none.
+/// The square of half a tilt that counts as none.
 const NONE: f64 = 1e-60;
 
 /// The nodding in `s = tan² ½θ`, whose rate obeys `ṡ² = ¼(1 + s)P(s)` with `P = 4s(e + fs) − (B + As)²(1 + s)`. In units of I₁ the
@@ -29,6 +30,7 @@ struct Nodding {
     energies: [Long; 2], // f, e
     start: Long,         // s
     speed: Long,         // P at the start
+    parts: [Long; 2],    // of the coefficients of s and s², added up
     lost: f64,           // how many times as large the parts of B and e are
 }
 
@@ -59,9 +61,13 @@ impl Nodding {
         let turning = ((cos * w.y).abs() + (sin * w.x).abs()) * 2.0 / length;
         let lost =
             |parts: Long, rest: Long| if rest == long(0.0) { 0.0 } else { (parts / rest).abs().rounded() };
+        let (sum, hanging) = (momentum + a * above, across + beta * above);
+        let mixed = (sum * difference).abs() * 2.0;
+        let first = (across + beta * below) * 4.0 + mixed + difference * difference;
         Self {
-            momenta: [momentum + a * above, difference],
-            energies: [across + beta * above, energy],
+            momenta: [sum, difference],
+            energies: [hanging, energy],
+            parts: [first, hanging * 4.0 + mixed + sum * sum],
             start: below / above,
             speed: rise * rise * opened * opened * opened,
             lost: lost(turning + (a * below).abs(), difference) + lost(across + beta * below, energy),
@@ -70,9 +76,10 @@ impl Nodding {
 
     /// The same in 1/s: upside down.
     fn turned(self) -> Self {
-        let Self { momenta: [a, b], energies: [f, e], start, speed, lost } = self;
+        let Self { momenta: [a, b], energies: [f, e], start, speed, parts: [one, other], lost } = self;
         let speed = speed / (start * start * start);
-        Self { momenta: [b, a], energies: [e, f], start: long(1.0) / start, speed, lost }
+        let start = long(1.0) / start;
+        Self { momenta: [b, a], energies: [e, f], start, speed, parts: [other, one], lost }
     }
 
     /// The coefficients of P, that of s⁰ first.
@@ -139,27 +146,47 @@ impl Nodding {
         Turns { ends: [least, over], factors }
     }
 
+    /// How many times as large the parts of what decides where P has a root are, at s over `unit`.
+    fn lost_at(&self, s: Long, unit: Long) -> f64 {
+        let terms = |coefficients: [Long; 4]| {
+            let powers = [unit * unit * unit, s * unit * unit, s * s * unit, s * s * s];
+            coefficients.into_iter().zip(powers).map(|(own, power)| (own * power).abs().rounded())
+        };
+        let [first, second] = self.parts;
+        let none = long(0.0);
+        terms([none, first, second, none]).sum::<f64>() / terms(self.coefficients()).fold(0.0, f64::max)
+    }
+
     /// The tangents of half the least and half the greatest tilt, as opposite and adjacent side, and the nod's period, if
-    /// there is one, with how many times as large the parts of its square are.
-    fn judged(&self) -> (Tangents, Option<(Long, f64)>) {
+    /// there is one; each with how many times as large the parts of what decides it are.
+    fn judged(&self) -> (Tangents, [f64; 2], Option<(Long, f64)>) {
         let (none, one) = (long(0.0), long(1.0));
         let is_low = self.start > one; // or infinite, where it hangs
         let upright = if is_low { self.turned() } else { *self };
         let [_, c1, c2, c3] = upright.coefficients();
+        let (mut lost, mut opened) = ([0.0; 2], one);
         let (sides, [h, gap]) = if c1 == none && (upright.start == none || c2 == none) {
             // At rest, at a pole or without weight; it oscillates if it would come back.
             ([(upright.start.sqrt(), one); 2], [-c2; 2])
         } else {
             let Turns { ends: [least, over], factors: [g, n] } = upright.turns();
             let factors = [(g + n * over) * (one + least), (g * least + n) * (one + over)];
+            if least > none {
+                lost[0] = upright.lost_at(least, one);
+            }
+            if over > none {
+                lost[1] = upright.lost_at(one, over);
+            }
+            opened = one + over;
             ([(least.sqrt(), one), (one, over.sqrt())], factors)
         };
         let sides = if is_low { [sides[1], sides[0]].map(|(sin, cos)| (cos, sin)) } else { sides };
+        let lost = if is_low { [lost[1], lost[0]] } else { lost };
         // β(u₃ − u₁) and β(u₃ − u₂), times four.
-        let parts = upright.energies[0] * 4.0 - c3;
-        let nod =
-            (h > none && gap > none).then(|| (PI * 4.0 / mean(h.sqrt(), gap.sqrt()), (parts / h).rounded()));
-        (sides, nod)
+        let all = upright.energies[0] * 4.0 - c3;
+        let lost_by_nod = (all / h + upright.parts[0] * opened / gap).rounded();
+        let nod = (h > none && gap > none).then(|| (PI * 4.0 / mean(h.sqrt(), gap.sqrt()), lost_by_nod));
+        (sides, lost, nod)
     }
 }
 
@@ -174,7 +201,10 @@ fn mean(mut a: Long, mut b: Long) -> Long {
 /// By how much the tilts and the nod are off, of what is promised, the way the top goes, and what there is to say.
 fn judge(draw: &mut Draw<'_>) -> Option<([f64; 2], &'static str, String)> {
     let (top, start, motion) = if draw.below(20) == 0 { upright(draw)? } else { made(draw)? };
-    let (top, start) = (&top, &start);
+    Some(judged(&top, &start, &motion))
+}
+
+fn judged(top: &TopParameters, start: &Turning, motion: &TopMotion) -> ([f64; 2], &'static str, String) {
     // In a unit in which rates are about one.
     let beta = 2.0 * top.mass * top.arm * top.gravity / top.transverse;
     let largest = start.omega_body.norm().max(beta.sqrt());
@@ -182,12 +212,14 @@ fn judge(draw: &mut Draw<'_>) -> Option<([f64; 2], &'static str, String)> {
     let unit = TopParameters { gravity: top.gravity / rate / rate, ..*top };
     let scaled = Turning { omega_body: start.omega_body / rate, ..*start };
     let nodding = Nodding::new(&unit, &scaled);
-    let (sides, nod) = nodding.judged();
+    let (sides, lost_by_tilts, nod) = nodding.judged();
+    let lost_by_tilts = lost_by_tilts.map(|lost| lost + nodding.lost);
     let tilts = motion.tilts();
     let [least, most] = [0, 1].map(|n| {
         let (sin, cos) = sides[n];
-        let is_none = tilts[n] * tilts[n] < NONE && (sin * sin).rounded() < NONE * (cos * cos).rounded();
-        if is_none { 0.0 } else { off_angle(sides[n], 0.5 * tilts[n]) }
+        let half = 0.5 * tilts[n]; // of which `NONE` speaks
+        let is_none = half * half < NONE && (sin * sin).rounded() < NONE * (cos * cos).rounded();
+        if is_none { 0.0 } else { off_angle(sides[n], half) }
     });
     let (period, lost) = match (nod, motion.nod_period()) {
         (Some((nod, lost)), Some(found)) => (nod.off(found * rate), lost),
@@ -196,18 +228,16 @@ fn judge(draw: &mut Draw<'_>) -> Option<([f64; 2], &'static str, String)> {
     };
     let way = match way(top, start) {
         "fast" if motion.nod_period().is_none() => "on the separatrix",
-        _ if nodding.lost.max(lost) > SMALL => "a small difference",
+        _ if lost_by_tilts.into_iter().fold(lost, f64::max) > SMALL => "a small difference",
         way => way,
     };
     let said = format!(
-        "{top:?} {:?}: tilts {tilts:?} {least:e} {most:e}, nod {:?} {period:e}, lost {:e} {lost:e}",
+        "{top:?} {:?}: tilts {tilts:?} {least:e} {most:e}, nod {:?} {period:e}, lost {lost_by_tilts:?} {lost:e}",
         start.to_array(),
         motion.nod_period(),
-        nodding.lost,
     );
-    let ratios =
-        [worse(least, most) / (OF_TILTS + DIGITS * nodding.lost), period / (OF_NODS + DIGITS * lost)];
-    Some((ratios, way, said))
+    let [least, most] = [(least, 0), (most, 1)].map(|(off, n)| off / (OF_TILTS + DIGITS * lost_by_tilts[n]));
+    ([worse(least, most), period / (OF_NODS + DIGITS * lost)], way, said)
 }
 
 fn ways() -> Vec<&'static str> {
@@ -228,6 +258,66 @@ fn how_long_any_top_nods_has_all_its_digits() {
         let ([_, ratio], way, said) = judge(draw)?;
         Some(Case { ratio, way, said })
     });
+}
+
+#[test]
+fn where_small_differences_decide_between_which_tilts_a_top_nods_only_their_digits_are_lost() {
+    // Mass and I₁, I₃, gravity; quaternion; angular velocity.
+    let cases = [
+        // How far its energy is from that of rest upright is ½I₁ a(b − a), but for a thousandth.
+        (
+            [0.015_625, 0.015_625, 1.969_950_114_515_572_7e33],
+            [
+                0.967_840_115_516_792_9,
+                2.566_849_506_866_641_7e-13,
+                -6.671_890_850_975_735e-14,
+                0.251_566_116_153_270_57,
+            ],
+            [0.349_856_721_840_501_54, 0.627_526_484_367_593, 2_708_991_703_578.805_7],
+        ),
+        // The same, and the spin is the one that it needs to sleep, to 17 digits.
+        (
+            [3.814_697_265_625e-6, 1.144_409_179_687_5e-7, 137_299.780_576_492_2],
+            [
+                -0.648_849_542_182_507_8,
+                2.534_057_675_281_050_2e-9,
+                -1.253_052_626_332_137_3e-9,
+                -0.760_916_731_061_651_7,
+            ],
+            [-6.199_598_273_322_566e-11, -1.562_205_086_870_350_7e-11, 0.753_865_255_100_196_5],
+        ),
+        // Only the latter.
+        (
+            [9.536_743_164_062_5e-7, 9.536_743_164_062_5e-11, 4.922_886_567_178_721e-24],
+            [
+                0.290_080_610_450_597_63,
+                6.287_018_489_339_826e-11,
+                2.925_494_218_850_721_6e-11,
+                0.957_002_214_961_182_1,
+            ],
+            [6.998_704_404_449_228e-27, 6.261_174_780_015_277e-27, 1.354_222_343_972_339_1e-12],
+        ),
+        // Without weight, past the vertical at a distance that counts as none.
+        (
+            [68_719_476_736.0, 27_487_790_694.4, 0.0],
+            [
+                0.997_661_000_272_303_5,
+                6.832_330_706_699_033e-14,
+                4.681_250_324_328_944_5e-15,
+                0.068_355_896_129_499_05,
+            ],
+            [-0.015_856_140_816_684_12, 0.0, 0.0],
+        ),
+    ];
+    for ([transverse, axial, gravity], [w, i, j, k], omega) in cases {
+        let arm = 2_f64.powi(-30);
+        let top = TopParameters { mass: transverse, arm, transverse, axial, gravity };
+        let world_from_body = UnitQuaternion::new_unchecked(Quaternion::new(w, i, j, k));
+        let start = Turning { world_from_body, omega_body: Vector3::from(omega) };
+        let motion = Top::new(top).and_then(|top| top.motion(&start)).expect("a motion");
+        let (ratios, _, said) = judged(&top, &start, &motion);
+        assert!(ratios.into_iter().all(|ratio| ratio < 1.0), "{ratios:?} of the promise: {said}");
+    }
 }
 
 /// A top with I₁ and I₃, and its weight's torque: its arm is so short that it is a body for any I₃ up to 2I₁.

@@ -1,11 +1,11 @@
-//! What wheel and disk share: how they are drawn, the equations of motion of a disc on its edge, and what an ulp of the
+//! What wheel and disk share: how they are drawn, the equations of motion of a disc on its edge, and what a change of the
 //! start makes.
 //!
 //! The judge was derived with the normal *upward*: its axes 1 and 3 are the library's, reversed, and its heading
 //! differs by half a turn.
 
 use crate::long::{Long, PI, long};
-use crate::search::Draw;
+use crate::search::{Draw, worse};
 use crate::taylor::{System, Term};
 use mechanics::nalgebra::Complex;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
@@ -72,13 +72,12 @@ pub(crate) fn rolling(n: &Numbers) -> [Long; 8] {
     [n[0], -n[1], n[2], -n[3], n[4] - PI, -n[5], n[6] - s * cos, n[7] + c * cos]
 }
 
-/// The largest error of a state in parts of what is promised for this tolerance: 30 times what a change of start and
-/// time makes, and so many ulps of the numbers and of one in the units a, √(g/a) and rad, with those of the heading's
-/// way for the place.
+/// The largest error of a state in parts of what is promised for this tolerance: what a [`change`] of start and time makes,
+/// and such a part of the numbers and of one in the units a, √(g/a) and rad, with that of the heading's way for the place.
 pub(crate) fn worst_part(
     parameters: &DiskParameters,
     [given, found]: [&Rolling; 2],
-    (truth, change): (&Numbers, &[f64; 8]),
+    (truth, changed): &(Numbers, [f64; 8]),
     tolerance: f64,
 ) -> (f64, usize) {
     let (radius, rate) = (parameters.radius, (parameters.gravity / parameters.radius).sqrt());
@@ -86,7 +85,7 @@ pub(crate) fn worst_part(
     let scale = [1.0, rate, rate, rate, 1.0, 1.0, radius, radius];
     let turned = (truth[4] - given.heading).abs().rounded();
     // The centre is a cos α from the contact, so that a change of the tilt moves it too.
-    let way_gone = change[6].max(change[7]) + change[4] + change[0];
+    let way_gone = changed[6].max(changed[7]) + changed[4] + changed[0];
     let given = given.to_array();
     let mut worst = (0.0, 0);
     for (i, found) in found.to_array().into_iter().enumerate() {
@@ -96,10 +95,10 @@ pub(crate) fn worst_part(
         let whirls = truth[4].abs().rounded().max(truth[5].abs().rounded());
         let size = if i == 4 || i == 5 { size.max(whirls) } else { size };
         // A place has the rounding of the heading that led there.
-        let (size, change) =
-            if i < 6 { (size, change[i]) } else { (size + radius * turned, radius * way_gone) };
-        let allowed = (size + change / f64::EPSILON) * tolerance.max(f64::EPSILON);
-        let ratio = (true_value - found).abs().rounded() / allowed / PROMISE;
+        let (size, changed) =
+            if i < 6 { (size, changed[i]) } else { (size + radius * turned, radius * way_gone) };
+        let allowed = size * change(tolerance) + changed;
+        let ratio = (true_value - found).abs().rounded() / allowed;
         if ratio.is_nan() || ratio > worst.0 {
             worst = (ratio, i);
         }
@@ -107,9 +106,11 @@ pub(crate) fn worst_part(
     worst
 }
 
-/// Units in the last place, and how many times what such a unit makes of start and time; for a looser tolerance in its
-/// place.
-const PROMISE: f64 = 30.0;
+/// The part by which a number may be off, or start and time changed: thirty units in the last place, or times a looser
+/// tolerance.
+fn change(tolerance: f64) -> f64 {
+    30.0 * tolerance.max(f64::EPSILON)
+}
 
 impl Disc {
     /// Of this body, with the film's number.
@@ -120,10 +121,19 @@ impl Disc {
         Self { transverse, axial, gravity_over_radius, film: gravity_over_radius.sqrt() * film }
     }
 
-    /// The motion from a start, at times that run from zero in one direction. Momentum about the contact with axes that
-    /// follow the heading and the tilt β from lying flat: axis 1 level, 3 the upward normal, ω₃ − ω₂ cot β = φ̇.
-    /// Nothing if the judge gives up.
+    /// The motion from a start, at times that run from zero in one direction. Nothing if the judge gives up.
     pub(crate) fn motion(&self, start: &Numbers, times: &[Long]) -> Option<Vec<Numbers>> {
+        self.follow(start, times, |_, _| {})
+    }
+
+    /// The same; the time and the numbers where each step of the judge begins are told. Momentum about the contact with axes
+    /// that follow the heading and the tilt β from lying flat: axis 1 level, 3 the upward normal, ω₃ − ω₂ cot β = φ̇.
+    fn follow(
+        &self,
+        start: &Numbers,
+        times: &[Long],
+        mut begins: impl FnMut(Long, Numbers),
+    ) -> Option<Vec<Numbers>> {
         let &Self { transverse, axial, gravity_over_radius: gravity, film } = self;
         let (mut system, terms): (System, [Term; 12]) = System::new();
         let [tilt, w1, w2, w3, heading, spin, x, y, sin, cos, cos_heading, sin_heading] = terms;
@@ -162,34 +172,53 @@ impl Disc {
         system.rate(sin_heading, &[(one, s)]);
         let ((s, c), (sh, ch)) = (start[0].sin_cos(), start[4].sin_cos());
         let begin: Vec<Long> = start.iter().copied().chain([s, c, ch, sh]).collect();
-        let samples = system.attempt(&begin, times)?;
-        Some(samples.into_iter().map(|sample| std::array::from_fn(|i| sample[i])).collect())
+        let own = |state: &[Long]| std::array::from_fn(|i| state[i]);
+        let samples = system.follow(&begin, times, |time, state| begins(time, own(state)))?;
+        Some(samples.iter().map(|sample| own(sample)).collect())
     }
 
-    /// The numbers at a time, and by how much each changes if the first four of the start, and the time, change by a
-    /// unit in the last place: of their own, or of `least` where that is larger. Nothing if the judge gives up.
+    /// The numbers at a time, and by how much each changes if the first four of the start, and the time, change by
+    /// [`change`] for this tolerance: by such a part of their own, or with a looser tolerance than rounding, or if all are
+    /// `in_units`, of one in the units a, √(g/a) and rad where that is larger. Nothing if the judge gives up.
     pub(crate) fn with_conditioning(
         &self,
         start: &Numbers,
         time: f64,
-        least: [f64; 4],
+        tolerance: f64,
+        in_units: bool,
     ) -> Option<(Numbers, [f64; 8])> {
-        let ulp = f64::EPSILON;
-        let after = long(time) * (long(1.0) + ulp);
-        let mut samples = self.motion(start, &[long(time), after])?;
-        let (later, truth) = (samples.remove(1), samples.remove(0));
-        let mut change: [f64; 8] = std::array::from_fn(|i| (later[i] - truth[i]).abs().rounded());
-        // Two draws of signs, so that no two changes cancel twice.
+        let (part, is_loose) = (change(tolerance), tolerance > f64::EPSILON);
+        let truth = self.motion(start, &[long(time)])?.remove(0);
+        // All that is passed from a little before the time to a little after it: a disc may whirl round in between.
+        let largest = |start: &Numbers, part: f64| -> Option<[f64; 8]> {
+            let [early, late] = [-part, part].map(|part| long(time) * (long(1.0) + part));
+            let mut passed = Vec::new();
+            let ends = self.follow(start, &[early, late], |now, numbers| {
+                if now.abs() > early.abs() {
+                    passed.push(numbers);
+                }
+            })?;
+            passed.extend(ends);
+            let by = |i: usize| passed.iter().map(move |other| (other[i] - truth[i]).abs().rounded());
+            Some(std::array::from_fn(|i| by(i).fold(0.0, worse)))
+        };
+        let mut changed = largest(start, part)?;
+        let rate = self.gravity_over_radius.sqrt().rounded();
+        let least = if in_units || is_loose { [1.0, rate, rate, rate] } else { [0.0; 4] };
+        // Two draws of signs, so that no two changes cancel twice. What is no small change is not in proportion to it either,
+        // so it is tried both ways, and at all these times.
+        let (sides, around) = if is_loose { (&[part, -part][..], part) } else { (&[part][..], 0.0) };
         for signs in [[1.0, 1.0, 1.0, 1.0], [1.0, -1.0, 1.0, -1.0]] {
-            let mut moved = *start;
-            for i in 0..4 {
-                moved[i] = moved[i] + ulp * signs[i] * least[i].max(start[i].rounded().abs());
-            }
-            let there = self.motion(&moved, &[long(time)])?.remove(0);
-            for i in 0..8 {
-                change[i] += (there[i] - truth[i]).abs().rounded();
+            for side in sides {
+                let mut moved = *start;
+                for i in 0..4 {
+                    moved[i] = moved[i] + side * signs[i] * least[i].max(start[i].rounded().abs());
+                }
+                for (sum, own) in changed.iter_mut().zip(largest(&moved, around)?) {
+                    *sum += own;
+                }
             }
         }
-        Some((truth, change))
+        Some((truth, changed))
     }
 }

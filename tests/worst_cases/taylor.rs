@@ -89,6 +89,16 @@ impl System {
 
     /// The same, or nothing if it takes too many steps.
     pub(crate) fn attempt(&self, start: &[Long], times: &[Long]) -> Option<Vec<Vec<Long>>> {
+        self.follow(start, times, |_, _| {})
+    }
+
+    /// The same; the time and the state where each step begins are told.
+    pub(crate) fn follow(
+        &self,
+        start: &[Long],
+        times: &[Long],
+        mut begins: impl FnMut(Long, &[Long]),
+    ) -> Option<Vec<Vec<Long>>> {
         let mut samples: Vec<Vec<Long>> = Vec::new();
         let mut state = start.to_vec();
         let mut now = long(0.0);
@@ -97,6 +107,7 @@ impl System {
             if samples.len() == times.len() {
                 return Some(samples);
             }
+            begins(now, &state);
             let series = self.series(&state, unit);
             let part = step(&series[..self.states]);
             if part == 0.0 {

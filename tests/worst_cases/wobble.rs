@@ -101,16 +101,50 @@ fn a_wobble_is_as_good_as_its_start_and_its_time() {
             _ => draw.between(-2.0, 2.0),
         };
         let time = part * period;
-        let (truth, change) = Disc::new(&parameters, 0.0)
-            .with_conditioning(&numbers(&start, parameters.radius), time, [0.0; 4])
-            .expect("the judge follows it");
+        let disc = Disc::new(&parameters, 0.0);
+        let judged = disc.with_conditioning(&numbers(&start, parameters.radius), time, tolerance, false);
+        if judged.is_none() && tolerance > f64::EPSILON {
+            return None; // with another start it falls flat
+        }
+        let judged = judged.expect("the judge follows it");
         let ours = wobble.at(time).ok()?;
-        let (ratio, number) = worst_part(&parameters, [&start, &ours], (&truth, &change), tolerance);
+        let (ratio, number) = worst_part(&parameters, [&start, &ours], &judged, tolerance);
         let said = format!(
             "tolerance {tolerance:?}, {parameters:?}, {start:?}, t {time:?} of {period:?}: {ours:?}, number {number}"
         );
         Some(Case { ratio, way, said })
     });
+}
+
+#[test]
+fn a_loose_tolerance_is_kept_where_a_wheel_is_about_to_get_up_again() {
+    // Half a wobble on it lies flat for a moment, which the tolerance does not tell.
+    let (transverse, axial) = (0.004_641_761_168_695_769_5, 5.713_850_315_720_573e-8);
+    let moments = MomentFactors { transverse, axial };
+    let parameters = DiskParameters { mass: 1.0, radius: 1.0, moments, gravity: 1.0 };
+    let start = Rolling {
+        tilt: 0.212_474_084_228_909_12,
+        omega_1: 0.0,
+        omega_2: -4.051_957_908_866_689_3e-7,
+        omega_3: 8.839_238_215_916_064e-5,
+        ..Rolling::UPRIGHT
+    };
+    let wheel = Wheel::new(parameters).expect("a wheel");
+    for tolerance in [1e-4, 1e-6, 1e-9, 1e-16] {
+        let wobble = wobble(&wheel, start, tolerance).unwrap();
+        for part in [0.4, 0.5, 0.6] {
+            let time = part * wobble.period();
+            let ours = wobble.at(time).unwrap();
+            let disc = Disc::new(&parameters, 0.0);
+            let judged = disc.with_conditioning(&numbers(&start, 1.0), time, tolerance, false);
+            let judged = judged.expect("a motion");
+            let (ratio, number) = worst_part(&parameters, [&start, &ours], &judged, tolerance);
+            assert!(
+                ratio < 1.0,
+                "{tolerance:e}, {part}: {ratio} of the promise in number {number}: {ours:?}"
+            );
+        }
+    }
 }
 
 #[test]

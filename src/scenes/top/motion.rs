@@ -381,9 +381,10 @@ impl TopMotion {
     }
 
     /// The least and the greatest tilt, rad, each with a relative error below 1e-15 (`eq:top-cubic`); the worst that a
-    /// search found is 3e-16. How near to the vertical a top comes hangs on `b − a` and on how far its energy is from that
-    /// of rest upright. Where one of them vanishes to 15 digits or more, it has as many digits fewer than 32 itself, and
-    /// the tilt no more than that.
+    /// search found is 3e-16. How near to the vertical a top comes hangs on small differences: `b − a`; how far its
+    /// energy is from that of rest upright, and how far that is from `½I₁ a(b − a)`; and how far its spin is from the one
+    /// that it needs to sleep. Where one of them vanishes to 15 digits or more, it has as many digits fewer than 32 itself,
+    /// and the tilt no more than that.
     #[must_use]
     pub fn tilts(&self) -> [f64; 2] {
         self.numbers.tilts
@@ -391,8 +392,9 @@ impl TopMotion {
 
     /// How long a nod takes, from one greatest tilt to the next, s: `2K/κ` (`eq:top-nod`), with a relative error below
     /// 4e-16; the worst that a search found is 1.2e-16. Beside a top that stands upright with just the spin that it needs
-    /// to sleep, the nod hangs on a small difference and keeps the digits of that, as [`TopMotion::tilts`]. In steady precession that of a nod which is infinitely small. `None` where the top comes to rest upright
-    /// after an infinite time, or stands there where it cannot stay.
+    /// to sleep, the nod hangs on small differences and keeps the digits of those, as [`TopMotion::tilts`]. In steady
+    /// precession that of a nod which is infinitely small. `None` where the top comes to rest upright after an infinite time,
+    /// or stands there where it cannot stay.
     #[must_use]
     pub fn nod_period(&self) -> Option<f64> {
         self.numbers.nod
