@@ -72,10 +72,15 @@ const calm = matchMedia("(prefers-reduced-motion: reduce)");
 const areAlike = (some, other) =>
   some.length === other.length && some.every((part, place) => place % 2 === 1 || part === other[place]);
 
+/** The lines of a text, each of which ends with its own line feed. */
+const lines = (text) => text.split("\n").slice(0, -1);
+
 /** An SVG of the page: its still, and the nodes that take its place, one for each line of the module's drawing. */
 class Picture {
   #nodes = [];
   #isLive = false;
+  /** The lines of what stands behind at every moment, until settings change. */
+  behind = null;
 
   constructor(svg) {
     this.svg = svg;
@@ -89,7 +94,7 @@ class Picture {
   draw(text) {
     if (!this.#isLive) this.svg.replaceChildren(...this.words, ...this.#nodes.map(({ node }) => node));
     this.#isLive = true;
-    const all = text.trimEnd().split("\n");
+    const all = [...this.behind, ...lines(text)];
     // Where lines have come or gone, those behind them keep their nodes.
     const more = all.length - this.#nodes.length;
     const isOther = ({ parts }, index) => !(index < all.length && areAlike(parts, all[index].split('"')));
@@ -383,6 +388,7 @@ class Scene {
     const reached = this.machine.numbers(this.controls.length);
     this.controls.forEach((control, place) => control.isKept && (control.value = reached[place]));
     [this.#isChanged, this.#isNew] = [false, false];
+    for (const picture of this.pictures) picture.behind = null;
     [this.duration, this.pace, this.repeats] = [run.duration(), run.pace(), run.repeats() !== 0];
     this.#usual ??= this.duration;
     this.time.max = this.duration;
@@ -399,7 +405,9 @@ class Scene {
     const { machine, now, pictures } = this;
     const picture = (this.picture ??= pictures.find(({ svg }) => svg.getClientRects().length > 0) ?? pictures[0]);
     const [azimuth = 0, elevation = 0] = this.angles.map((angle) => (angle * Math.PI) / 180);
-    picture.draw(machine.text(machine.run.draw(now, azimuth, elevation, picture.svg.matches(".narrow"))));
+    const isNarrow = picture.svg.matches(".narrow");
+    picture.behind ??= lines(machine.text(machine.run.behind(isNarrow)));
+    picture.draw(machine.text(machine.run.draw(now, azimuth, elevation, isNarrow)));
     this.#sing();
     // Nobody reads numbers that change faster; and each time one does the panel is laid out.
     if (this.isPlaying && moment - this.#read < 100) return;

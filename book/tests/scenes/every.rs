@@ -133,14 +133,15 @@ fn shown(player: &mut Player) -> Vec<String> {
 }
 
 #[test]
-fn what_is_written_once_stands_in_every_picture() {
+fn what_stands_behind_is_the_same_in_every_picture() {
     for scene in all() {
         let mut player = Player::new(scene).expect("it begins");
         let [azimuth, elevation] = scene.view.unwrap_or_default();
         let alike = |player: &mut Player, part: f64, room: Room| {
             let moment = Moment { time: part * player.run().duration, azimuth, elevation, room };
             let whole = player.draw(moment).expect("a picture").to_elements().expect("no flaw");
-            let elements = player.elements(moment).expect("a picture");
+            let behind = player.behind(room).expect("what stands behind");
+            let elements = behind + &player.elements(moment).expect("a picture");
             assert_eq!(elements, whole, "{} at {moment:?}", scene.name);
         };
         for (part, room) in [(0.3, Room::Wide), (0.7, Room::Wide), (0.7, Room::Narrow), (0.2, Room::Wide)] {

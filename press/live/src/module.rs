@@ -128,10 +128,18 @@ pub fn repeats() -> bool {
     running().is_some_and(|run| run.repeats)
 }
 
-/// Draws a moment: the elements of the SVG, one a line.
+/// Draws what stands behind every moment: elements of the SVG, one a line.
+pub fn behind(is_narrow: bool) -> isize {
+    with(|player| player.behind(room(is_narrow)))
+}
+
+/// Draws a moment: the elements before those of [`behind`], one a line.
 pub fn draw(time: f64, azimuth: f64, elevation: f64, is_narrow: bool) -> isize {
-    let room = if is_narrow { Room::Narrow } else { Room::Wide };
-    with(|player| player.elements(Moment { time, azimuth, elevation, room }))
+    with(|player| player.elements(Moment { time, azimuth, elevation, room: room(is_narrow) }))
+}
+
+fn room(is_narrow: bool) -> Room {
+    if is_narrow { Room::Narrow } else { Room::Wide }
 }
 
 /// The numbers beside the picture, as HTML, one a line.
@@ -251,6 +259,7 @@ macro_rules! pages {
             duration() -> f64;
             pace() -> f64;
             repeats() -> bool;
+            behind(is_narrow: bool) -> isize;
             draw(time: f64, azimuth: f64, elevation: f64, is_narrow: bool) -> isize;
             readings(time: f64) -> isize;
             words(time: f64) -> isize;

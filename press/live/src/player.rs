@@ -17,8 +17,6 @@ pub struct Player {
     /// The moment that was drawn last, and its time if one was.
     seen: Moment,
     drawn: f64,
-    /// The elements of what is the same at every moment, and the room that they were written for.
-    behind: Option<(Room, String)>,
     /// What the reader has measured, with these settings and before.
     found: Vec<[f64; 3]>,
     /// From the hand to the place of the body that it holds.
@@ -62,8 +60,8 @@ impl Player {
         let motion = (scene.start)(&Settings { controls: scene.controls, values: &values })?;
         let [azimuth, elevation] = scene.view.unwrap_or_default();
         let seen = Moment { time: scene.still, azimuth, elevation, room: Room::Wide };
-        let (drawn, behind, found, held) = (f64::NAN, None, Vec::new(), at(0.0, 0.0));
-        Ok(Self { scene, values, motion, seen, drawn, behind, found, held })
+        let (drawn, found, held) = (f64::NAN, Vec::new(), at(0.0, 0.0));
+        Ok(Self { scene, values, motion, seen, drawn, found, held })
     }
 
     /// Takes over what the reader has measured in the same scene with other settings.
@@ -137,17 +135,18 @@ impl Player {
         Ok(drawing)
     }
 
-    /// The elements of the picture of a moment, one a line. What is the same at every moment is written once.
+    /// The elements of what stands behind the picture at every moment, one a line.
+    pub fn behind(&self, room: Room) -> Result<String, Cause> {
+        let mut behind = self.sheet(room, "-behind");
+        self.draw_behind(room, &mut behind)?;
+        Ok(behind.to_elements()?)
+    }
+
+    /// The elements of the picture of a moment, one a line, without what is [`behind`](Self::behind) it.
     pub fn elements(&mut self, moment: Moment) -> Result<String, Cause> {
-        if self.behind.as_ref().is_none_or(|(room, _)| *room != moment.room) {
-            let mut behind = self.sheet(moment.room, "-behind");
-            self.draw_behind(moment.room, &mut behind)?;
-            self.behind = Some((moment.room, behind.to_elements()?));
-        }
         let mut front = self.sheet(moment.room, "");
         self.draw_front(moment, &mut front)?;
-        let behind = self.behind.as_ref().map_or("", |(_, elements)| elements);
-        Ok(behind.to_owned() + &front.to_elements()?)
+        Ok(front.to_elements()?)
     }
 
     /// An empty drawing in the size of the scene. The name of a layer is a part of its ids, so that layers share none.

@@ -156,7 +156,8 @@ impl Firefox {
             // Of two points of a line that lie equally far from its chord rounding keeps one: a moment later, the other.
             let mut changes = [0.0, 1e-12, -1e-12, 1e-11, -1e-11, 1e-10, -1e-10].into_iter().map(|moment| {
                 let moment = Moment { time: time + moment, azimuth, elevation, room: Room::Narrow };
-                let own = player.elements(moment).expect("a picture");
+                let behind = player.behind(moment.room).expect("what stands behind");
+                let own = behind + &player.elements(moment).expect("a picture");
                 self.get(&format!("unlike(parsed({}), {drawn})", json!(own)))
             });
             let first = changes.next().expect("a comparison");
