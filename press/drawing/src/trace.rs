@@ -12,7 +12,7 @@ const FINENESS: f64 = 100.0;
 pub(crate) fn lines(points: &[Point]) -> String {
     let mut trace = Trace::default();
     trace.line(points);
-    trace.data
+    trace.finished()
 }
 
 /// Polylines and polygons, one after another. Polygons go round in one sense, so that where two overlap there is no hole.
@@ -34,7 +34,7 @@ pub(crate) fn all<'a>(shapes: impl Iterator<Item = &'a Shape>) -> String {
             _ => {}
         }
     }
-    trace.data
+    trace.finished()
 }
 
 /// The outline of letters.
@@ -43,23 +43,24 @@ pub(crate) fn outline(segments: &[Segment]) -> String {
     for segment in segments {
         match segment.letter {
             'z' => trace.close(),
-            letter => trace.draw(letter, &segment.points),
+            letter => trace.draw(letter as u8, &segment.points),
         }
     }
-    trace.data
+    trace.finished()
 }
 
 /// Every place is rounded as a step from where the path began, and written as a step from the place before: errors do
 /// not add up, and a letter that stands twice is written twice alike, which packs well.
 #[derive(Debug, Default)]
 struct Trace {
-    data: String,
+    /// ASCII: bytes are written faster than letters.
+    data: Vec<u8>,
     /// Where the path began.
     origin: Option<Point>,
     /// Where the pen is, and where it last came down, as steps from there.
     pen: [i64; 2],
     down: [i64; 2],
-    letter: char,
+    letter: u8,
     /// Whether the last number has a point, so that the point of the next one tells where it begins.
     is_broken: bool,
 }
@@ -68,19 +69,19 @@ impl Trace {
     /// Draws straight lines through points.
     fn line(&mut self, points: &[Point]) {
         for (index, &point) in points.iter().enumerate() {
-            self.draw(if index == 0 { 'm' } else { 'l' }, &[point]);
+            self.draw(if index == 0 { b'm' } else { b'l' }, &[point]);
         }
     }
 
     /// Draws through points of control to the last of `points`.
-    fn draw(&mut self, letter: char, points: &[Point]) {
+    fn draw(&mut self, letter: u8, points: &[Point]) {
         let hundredths = |value: f64| (value * FINENESS).round() as i64;
         let Some(origin) = self.origin else {
             let start = points[points.len() - 1];
             self.origin = Some(start);
-            self.data.push('M');
+            self.data.push(b'M');
             self.numbers(&[hundredths(start.x), hundredths(start.y)]);
-            self.letter = 'M';
+            self.letter = b'M';
             return;
         };
         let mut steps = ArrayVec::<i64, 6>::new();
@@ -91,10 +92,10 @@ impl Trace {
             steps.extend([place[0] - self.pen[0], place[1] - self.pen[1]]);
         }
         self.pen = place;
-        if letter == 'm' {
+        if letter == b'm' {
             self.down = place;
         }
-        if letter != self.letter || letter == 'm' {
+        if letter != self.letter || letter == b'm' {
             self.data.push(letter);
             self.letter = letter;
         }
@@ -102,9 +103,13 @@ impl Trace {
     }
 
     fn close(&mut self) {
-        self.data.push('z');
+        self.data.push(b'z');
         self.pen = self.down;
-        self.letter = 'z';
+        self.letter = b'z';
+    }
+
+    fn finished(self) -> String {
+        text(self.data)
     }
 
     fn numbers(&mut self, hundredths: &[i64]) {
@@ -112,8 +117,8 @@ impl Trace {
             let (whole, part) = (value.unsigned_abs() / 100, value.unsigned_abs() % 100);
             let begins_with_point = whole == 0 && part != 0 && value > 0;
             let is_apart = value < 0 || self.is_broken && begins_with_point;
-            if self.data.ends_with(|c: char| c.is_ascii_digit()) && !is_apart {
-                self.data.push(' ');
+            if self.data.last().is_some_and(u8::is_ascii_digit) && !is_apart {
+                self.data.push(b' ');
             }
             self.is_broken = part != 0;
             push_hundredths(&mut self.data, value);
@@ -123,45 +128,54 @@ impl Trace {
 
 /// Writes a number of hundredths, without zeros that say nothing. This is where most of the time of a moving
 /// picture would go if it were done by `format!`.
-fn push_hundredths(out: &mut String, hundredths: i64) {
-    if hundredths < 0 {
-        out.push('-');
+fn push_hundredths(out: &mut Vec<u8>, hundredths: i64) {
+    let mut digits = [0; 24]; // from the last to the first
+    let mut first = digits.len();
+    let mut put = |digit: u8| {
+        first -= 1;
+        digits[first] = digit;
+    };
+    let (mut whole, part) = (hundredths.unsigned_abs() / 100, (hundredths.unsigned_abs() % 100) as u8);
+    if part != 0 {
+        if part % 10 != 0 {
+            put(b'0' + part % 10);
+        }
+        put(b'0' + part / 10);
+        put(b'.');
     }
-    let (whole, part) = (hundredths.unsigned_abs() / 100, (hundredths.unsigned_abs() % 100) as u8);
     if whole != 0 || part == 0 {
-        let mut digits = [0; 20];
-        let (mut rest, mut first) = (whole, digits.len());
         loop {
-            first -= 1;
-            digits[first] = b'0' + (rest % 10) as u8;
-            rest /= 10;
-            if rest == 0 {
+            put(b'0' + (whole % 10) as u8);
+            whole /= 10;
+            if whole == 0 {
                 break;
             }
         }
-        out.extend(digits[first..].iter().map(|&digit| char::from(digit)));
     }
-    if part != 0 {
-        out.extend(['.', char::from(b'0' + part / 10)]);
-        if part % 10 != 0 {
-            out.push(char::from(b'0' + part % 10));
-        }
+    if hundredths < 0 {
+        put(b'-');
     }
+    out.extend_from_slice(&digits[first..]);
 }
 
 /// A number with two digits after the point, without zeros that say nothing.
 pub(crate) fn number(value: f64) -> String {
-    let mut out = String::new();
+    let mut out = Vec::new();
     let hundredths = (value * FINENESS).round() as i64;
     if hundredths.unsigned_abs() < 100 && hundredths != 0 {
         // With a zero before the point, as everywhere but in paths.
-        let sign = if hundredths < 0 { "-0" } else { "0" };
-        out.push_str(sign);
+        let sign: &[u8] = if hundredths < 0 { b"-0" } else { b"0" };
+        out.extend_from_slice(sign);
         push_hundredths(&mut out, hundredths.abs());
     } else {
         push_hundredths(&mut out, hundredths);
     }
-    out
+    text(out)
+}
+
+/// Bytes of ASCII as a text.
+fn text(ascii: Vec<u8>) -> String {
+    String::from_utf8(ascii).expect("digits, signs and letters of SVG")
 }
 
 #[cfg(test)]
