@@ -20,6 +20,7 @@ use base64::prelude::{BASE64_STANDARD, Engine as _};
 use dialect::live_numbers;
 use std::collections::{BTreeMap, BTreeSet};
 use std::hash::{DefaultHasher, Hash, Hasher};
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::OnceLock;
@@ -31,6 +32,9 @@ const FOLDER: &str = "target/live";
 const TARGET: &str = "wasm32-unknown-unknown";
 /// How long rustup is waited for, which fetches 20 MB.
 const PATIENCE: Duration = Duration::from_secs(300);
+
+/// What is said of what has failed.
+const CANNOT: &str = "the module of the pages cannot be made";
 
 /// What there is for a book.
 #[derive(Debug)]
@@ -103,8 +107,29 @@ impl Modules {
             Err(error) if wish == "require" => return Err(error),
             Err(error) => return Ok(Module::Missing(Some(error.to_string()))),
         };
-        let cannot = "the module of the pages cannot be made";
-        let version = Command::new(&compiler).arg("-vV").stdin(Stdio::null()).output().context(cannot)?;
+        let version = Command::new(&compiler).arg("-vV").stdin(Stdio::null()).output().context(CANNOT)?;
+        // While one is packed the next is compiled: each takes a few seconds, and most of the time one core.
+        thread::scope(|scope| {
+            let mut packing = Vec::new();
+            let all = self.compiled(&compiler, &version.stdout, most, |own| {
+                packing.push(scope.spawn(move || own.pack().context(CANNOT)));
+            });
+            for own in packing {
+                own.join().unwrap_or_else(|panic| resume_unwind(panic))?;
+            }
+            Ok(if all? { Module::Built } else { Module::Stale })
+        })
+    }
+
+    /// Compiles at most `most` of the modules that are not what they are made of, and gives each away to be packed. Whether
+    /// that were all.
+    fn compiled(
+        &self,
+        compiler: &Path,
+        version: &[u8],
+        most: usize,
+        mut done: impl FnMut(Compiled),
+    ) -> Result<bool> {
         let folder = self.root.join(FOLDER);
         let mut files = BTreeMap::new();
         let mut compiled = 0;
@@ -114,7 +139,7 @@ impl Modules {
             let known = fs::read_to_string(&stamp).unwrap_or_default();
             let mut seen = |sources: &str| {
                 let mut hasher = DefaultHasher::new();
-                (&version.stdout, live_text).hash(&mut hasher);
+                (version, live_text).hash(&mut hasher);
                 for source in sources.lines() {
                     let read = || fs::read(self.root.join(source)).unwrap_or_default();
                     (source, files.entry(source.to_owned()).or_insert_with(read)).hash(&mut hasher);
@@ -126,19 +151,16 @@ impl Modules {
                 continue;
             }
             if compiled == most {
-                return Ok(Module::Stale);
+                return Ok(false);
             }
             compiled += 1;
-            let wasm = self.compile(&folder, &compiler, chapter)?;
-            let sources = self.sources(&wasm).context(cannot)?;
-            let packed = fs::read(wasm).and_then(|wasm| packed(&wasm)).context(cannot)?;
-            let fresh = script.with_extension("new");
-            fs::write(&fresh, packed)
-                .and_then(|()| fs::rename(fresh, &script))
-                .and_then(|()| fs::write(stamp, format!("{}\n{sources}", seen(&sources))))
-                .context(cannot)?;
+            let wasm = self.compile(&folder, compiler, chapter)?;
+            let sources = self.sources(&wasm).context(CANNOT)?;
+            let made_of = format!("{}\n{sources}", seen(&sources));
+            let wasm = fs::read(wasm).context(CANNOT)?;
+            done(Compiled { wasm, script, made_of });
         }
-        Ok(Module::Built)
+        Ok(true)
     }
 
     /// What a module was compiled from, by the list that Cargo leaves beside it, and the manifests above: one a line,
@@ -185,6 +207,23 @@ impl Modules {
         let said = String::from_utf8_lossy(&run.stderr);
         ensure!(run.status.success(), "the module of the pages does not compile:\n{}", said.trim_end());
         Ok(folder.join(TARGET).join(format!("live/{}.wasm", self.package.replace('-', "_"))))
+    }
+}
+
+/// A module that is to be packed into a script, and what it was made of.
+struct Compiled {
+    wasm: Vec<u8>,
+    script: PathBuf,
+    made_of: String,
+}
+
+impl Compiled {
+    fn pack(self) -> io::Result<()> {
+        let Self { wasm, script, made_of } = self;
+        let fresh = script.with_extension("new");
+        fs::write(&fresh, packed(&wasm)?)?;
+        fs::rename(fresh, &script)?;
+        fs::write(script.with_extension("stamp"), made_of)
     }
 }
 
