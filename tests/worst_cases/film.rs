@@ -3,7 +3,7 @@
 use crate::rolling::{Disc, numbers, parameters, placed, worst_part};
 use crate::search::{Case, Draw, keeps_its_promise};
 use mechanics::integrate::Taylor;
-use mechanics::rolling::Rolling;
+use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
 use mechanics::scenes::spinning_coin::EulersDisk;
 use mechanics::{Error, Rule};
 
@@ -81,4 +81,29 @@ fn a_sinking_disk_is_as_good_as_its_start_its_time_and_its_tolerance() {
         let (ratio, number) = worst_part(&parameters, [&start, &ours], &judged, tolerance);
         Some(Case { ratio, way, said: format!("{said}: {ours:?}, number {number}") })
     });
+}
+
+#[test]
+fn a_loose_tolerance_is_kept_where_a_disk_stood_nearly_upright() {
+    // It falls from there, the further the larger what the tolerance leaves open.
+    let (radius, gravity) = (0.311_117_230_430_681_46, 16.030_483_322_782);
+    let parameters = DiskParameters { mass: 1.0, radius, moments: MomentFactors::DISK, gravity };
+    let start = Rolling {
+        tilt: 1.540_501_354_794_922,
+        omega_1: 0.064_485_428_113_457_37,
+        omega_2: 0.034_992_594_549_972_97,
+        omega_3: -0.136_210_772_148_521_12,
+        ..Rolling::UPRIGHT
+    };
+    let disk = EulersDisk::new(parameters, 0.0).expect("a disk");
+    let time = -4.101_532_025_448_462;
+    for tolerance in [1e-4, 1e-6, 1e-9, 1e-16] {
+        let sinking = disk.sinking(start, &Taylor::new(tolerance).expect("a tolerance")).expect("a motion");
+        let ours = sinking.at(time).expect("a state");
+        let judged =
+            Disc::new(&parameters, 0.0).with_conditioning(&numbers(&start, radius), time, tolerance, true);
+        let judged = judged.expect("a motion");
+        let (ratio, number) = worst_part(&parameters, [&start, &ours], &judged, tolerance);
+        assert!(ratio < 1.0, "{tolerance:e}: {ratio} of the promise in number {number}: {ours:?}");
+    }
 }
