@@ -226,11 +226,10 @@ impl Page<'_> {
         }
     }
 
-    /// Waits until the page has shown its present state and one more; not for ever, as a browser on a busy machine may
-    /// leave out to ask for the next.
+    /// Waits until the page has shown its present state and one more.
     pub(crate) fn settle(&mut self) {
         let twice = "requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done)))";
-        self.get(&format!("new Promise((done) => {{ {twice}; setTimeout(done, 10000); }})"));
+        self.get(&format!("new Promise((done) => {twice})"));
     }
 
     /// Moves, presses or releases the mouse at a point of the window.
