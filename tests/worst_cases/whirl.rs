@@ -50,9 +50,10 @@ fn judged(units: Units, [outer, inner, spin]: [f64; 3], start: Shaft, time: f64)
     let factor = (growth * time).exp();
     let [place, rate] = [start.position.norm() + circle, start.velocity.norm() + spin.abs() * circle];
     let turned = 1.0 + (spin.abs() + 1.0 + outer + inner) * time;
-    // How long a velocity lasts: it makes a distance of sin(qt)/q at most, where the roots are 2q apart.
-    let split = (rotor.roots()[0] - rotor.roots()[1]).norm() * units.time;
-    let lasts = time.min(2.0 / split).max(1.0);
+    // How long a velocity lasts: beside the growing root it makes a distance of |1 − e^{−dt}|/|d|, where the roots are d apart.
+    let apart = (rotor.roots()[0] - rotor.roots()[1]) * units.time;
+    let split = apart.norm();
+    let lasts = time.min((1.0 + (-apart.re.abs() * time).exp()) / split).max(1.0);
     let size = circle + (place + (rate + place * (outer + inner)) * lasts) * factor;
     let mut ratio = 0.0_f64;
     for (n, ours) in ours.to_array().into_iter().enumerate() {
@@ -98,7 +99,7 @@ fn a_circle_that_has_grown_and_roots_next_to_critical_damping_are_within_the_pro
     let grown = judged(Units::SI, [0.0, 0.3, 3.0], Shaft::AT_REST, 100.0);
     let moving = Shaft { velocity: Complex::new(0.0, 0.92), ..Shaft::AT_REST };
     let critical = judged(Units::SI, [1.995_925_7, 0.0, 0.0], moving, 298.56);
-    // Where the roots are complex and near each other a velocity makes twice the distance that it does where they are real.
+    // Of roots that differ in how fast they turn alone a velocity makes twice the distance that it does of real ones.
     let thrown = Shaft {
         position: Complex::new(-0.074_309_505_750_253_15, -0.057_492_050_045_007_53),
         velocity: Complex::new(-4.250_568_820_471_983, -0.052_454_225_298_097_7),

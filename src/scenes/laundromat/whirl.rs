@@ -187,8 +187,8 @@ const NEAR: f64 = 0.25;
 /// (`f64::EPSILON`) of the sum of the circle's radius, or near resonance what the circle has become by then, and of
 /// what the growing root has made of the start and of the circle, both of which it finds at first: of their distances,
 /// and of their velocities and Γ + Γᵢ times the distances, for as long as they last. That is the time, but not longer
-/// than two over the distance of the two roots, and not less than 1/ω₀. A velocity's error is at most |Ω| + ω₀ + Γ + Γᵢ
-/// times as large.
+/// than `(1 + e^{−ρt})/|d|`, where the two roots differ by d and their growth by ρ, and not less than 1/ω₀. A velocity's
+/// error is at most |Ω| + ω₀ + Γ + Γᵢ times as large.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RotorMotion {
     rotor: Rotor,
