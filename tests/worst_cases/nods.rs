@@ -31,7 +31,7 @@ struct Nodding {
     start: Long,         // s
     speed: Long,         // P at the start
     parts: [Long; 2],    // of the coefficients of s and s², added up
-    lost: f64,           // how many times as large the parts of B and e are
+    lost: f64,           // how many times as large the parts of B are
 }
 
 /// Where it turns: s at the least tilt, 1/s at the greatest, and what P is between them, `(s − s₁)(s₂ − s)(G/s₂ + N s₂)` over s₂.
@@ -59,8 +59,8 @@ impl Nodding {
         let opened = long(2.0) / above; // 1 + s
         let (difference, energy) = (momentum - a * below, across - beta * below);
         let turning = ((cos * w.y).abs() + (sin * w.x).abs()) * 2.0 / length;
-        let lost =
-            |parts: Long, rest: Long| if rest == long(0.0) { 0.0 } else { (parts / rest).abs().rounded() };
+        let parts = turning + (a * below).abs();
+        let lost = if difference == long(0.0) { 0.0 } else { (parts / difference).abs().rounded() };
         let (sum, hanging) = (momentum + a * above, across + beta * above);
         let mixed = (sum * difference).abs() * 2.0;
         let first = (across + beta * below) * 4.0 + mixed + difference * difference;
@@ -70,7 +70,7 @@ impl Nodding {
             parts: [first, hanging * 4.0 + mixed + sum * sum],
             start: below / above,
             speed: rise * rise * opened * opened * opened,
-            lost: lost(turning + (a * below).abs(), difference) + lost(across + beta * below, energy),
+            lost,
         }
     }
 
