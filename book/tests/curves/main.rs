@@ -21,8 +21,8 @@ use pages::figures::FIGURES;
 use roxmltree::Document;
 use std::sync::OnceLock;
 
-/// Thinning may move a curve by 0.06 px; reading two decimals costs 0.005 px, the coordinates 0.001 px,
-/// sampling the rest.
+/// Thinning and the cubic curves that are written may move a curve by 0.07 px; reading two decimals costs 0.005 px, the
+/// coordinates 0.001 px, sampling the rest.
 const PIXELS: f64 = 0.08;
 
 fn figures() -> &'static [Rendered] {
@@ -53,8 +53,10 @@ fn lines(part: &Drawing, stroke: Stroke, hue: Hue) -> Vec<&[Point]> {
 
 /// A curve over the axes of its plot.
 struct Curve {
-    /// Its corners, px.
-    points: Vec<(f64, f64)>,
+    /// Where its lines and its cubic curves end, px.
+    corners: Places,
+    /// These, and many points on each cubic curve.
+    points: Places,
     axes: Axes,
 }
 
@@ -71,14 +73,23 @@ fn curve(figure: &str, name: &str) -> Curve {
     let id = format!("{}-{name}", part.id().replace(':', "-"));
     let node =
         document.descendants().find(|node| node.attribute("id") == Some(&id)).expect("a path of this id");
-    Curve { points: corners(node.attribute("d").expect("a path")), axes: axes.clone() }
+    let (corners, points) = traced(node.attribute("d").expect("a path"));
+    Curve { corners, points, axes: axes.clone() }
 }
 
-/// The corners of a path that is written as its beginning and steps, `M48 90l2.08.14-3 1`.
-fn corners(data: &str) -> Vec<(f64, f64)> {
-    let mut numbers: Vec<String> = Vec::new();
+/// Points of a page, px.
+type Places = Vec<(f64, f64)>;
+
+/// The ends of the steps of a path, `M48 90l2.08.14-3 1c1 0 2 1 3 1`, and these with many points on each of its cubic Bézier
+/// curves.
+fn traced(data: &str) -> (Places, Places) {
+    let mut steps: Vec<(char, Vec<String>)> = Vec::new();
     let mut is_open = false;
     for sign in data.chars() {
+        if sign.is_ascii_alphabetic() {
+            steps.push((sign, Vec::new()));
+        }
+        let numbers = &mut steps.last_mut().expect("a path begins with a letter").1;
         let goes_on = match sign {
             '0'..='9' => is_open,
             '.' => is_open && numbers.last().is_some_and(|number| !number.contains('.')),
@@ -91,13 +102,28 @@ fn corners(data: &str) -> Vec<(f64, f64)> {
             _ => {}
         }
     }
-    let steps: Vec<f64> = numbers.iter().map(|number| number.parse().expect("a number")).collect();
-    let mut place = (0.0, 0.0);
-    let corner = |step: &[f64]| {
-        place = (place.0 + step[0], place.1 + step[1]);
-        place
-    };
-    steps.chunks_exact(2).map(corner).collect()
+    let (mut corners, mut points) = (vec![(0.0, 0.0)], Vec::new());
+    for (letter, numbers) in steps {
+        let numbers: Vec<f64> = numbers.iter().map(|number| number.parse().expect("a number")).collect();
+        for step in numbers.chunks_exact(if letter == 'c' { 6 } else { 2 }) {
+            let (x, y) = corners[corners.len() - 1];
+            if letter == 'c' {
+                let parts = (1..256).map(|n| f64::from(n) / 256.0);
+                points.extend(parts.map(|part| (x + bezier(part, step), y + bezier(part, &step[1..]))));
+            }
+            let corner = (x + step[step.len() - 2], y + step[step.len() - 1]);
+            corners.push(corner);
+            points.push(corner);
+        }
+    }
+    (corners.split_off(1), points)
+}
+
+/// A coordinate at a part of a cubic Bézier curve that begins at zero, from those of its other three points; between each
+/// two stands one of the other direction.
+fn bezier(part: f64, others: &[f64]) -> f64 {
+    let rest = 1.0 - part;
+    3.0 * part * rest * rest * others[0] + 3.0 * part * part * rest * others[2] + part.powi(3) * others[4]
 }
 
 impl Curve {
@@ -113,7 +139,7 @@ impl Curve {
         self.points.windows(2).map(from).fold(f64::INFINITY, f64::min)
     }
 
-    /// Its corners as values.
+    /// Its points as values.
     fn values(&self) -> Vec<(f64, f64)> {
         self.points.iter().map(|&(x, y)| self.axes.values(at(x, y))).collect()
     }

@@ -27,6 +27,7 @@
 mod axis;
 mod clip;
 mod drawing;
+mod fit;
 mod flaw;
 mod ink;
 pub mod kit;

@@ -2,8 +2,9 @@
 
 use crate::point::Point;
 
-/// How far a thinned polyline may lie from the one it came from, px.
-pub const TOLERANCE: f64 = 0.06;
+/// How far a thinned polyline may lie from the one it came from, px: a third of what the curves that are written in its
+/// place may miss.
+pub const TOLERANCE: f64 = 0.02;
 
 /// A polyline of fewer points that nowhere lies further than `tolerance` (px) from the given one.
 ///

@@ -194,8 +194,10 @@ fn write_item<const IS_PAGE: bool>(out: &mut String, id: &str, shades: &mut u32,
     let element = match &item.shape {
         Shape::Label(label) => return write_label::<IS_PAGE>(out, &name, item.role, label),
         Shape::Circle { centre, radius } => {
-            let [x, y, r] = [centre.x, centre.y, *radius].map(number);
-            format!("<circle{name} class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>")
+            // Two halves: a circle that moves changes one attribute, where the centre of a <circle> is two.
+            let [x, y, r, whole] = [centre.x + radius, centre.y, *radius, 2.0 * radius].map(number);
+            let half = format!("{r} {r} 0 1 1");
+            format!("<path{name} class=\"{class}\" d=\"M{x} {y}a{half}-{whole} 0 {half} {whole} 0z\"/>")
         }
         Shape::Polyline(points) => format!("<path{name} class=\"{class}\" d=\"{}\"/>", trace::lines(points)),
         Shape::Polygon(points) => format!("<path{name} class=\"{class}\" d=\"{}Z\"/>", trace::lines(points)),
@@ -280,7 +282,10 @@ fn write_label<const IS_PAGE: bool>(out: &mut String, name: &str, role: Role, la
 fn write_piece(out: &mut String, name: &str, class: &str, piece: &Piece) {
     let _ = match piece {
         Piece::Outline(segments) => {
-            write!(out, "<path{name} class=\"{class}\" d=\"{}\"/>", trace::outline(segments))
+            // A letter that moves stays the same letter, and is not read anew.
+            let (start, data) = trace::outline(segments);
+            let [x, y] = [start.x, start.y].map(number);
+            write!(out, "<path{name} class=\"{class}\" transform=\"translate({x} {y})\" d=\"{data}\"/>")
         }
         Piece::Words { text, start, width, size } => {
             let [x, y, width, size] = [start.x, start.y, *width, *size].map(number);

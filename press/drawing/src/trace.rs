@@ -1,5 +1,6 @@
 //! The data of an SVG path, in few characters.
 
+use crate::fit::{Step, fit};
 use crate::label::Segment;
 use crate::point::Point;
 use crate::shape::Shape;
@@ -8,7 +9,7 @@ use arrayvec::ArrayVec;
 /// Hundredths of a pixel, which cannot be seen.
 const FINENESS: f64 = 100.0;
 
-/// Lines through `points`.
+/// A polyline.
 pub(crate) fn lines(points: &[Point]) -> String {
     let mut trace = Trace::default();
     trace.line(points);
@@ -37,16 +38,17 @@ pub(crate) fn all<'a>(shapes: impl Iterator<Item = &'a Shape>) -> String {
     trace.finished()
 }
 
-/// The outline of letters.
-pub(crate) fn outline(segments: &[Segment]) -> String {
-    let mut trace = Trace::default();
+/// Where the outline of letters begins, and how it goes on from there: a letter that moves stays the same.
+pub(crate) fn outline(segments: &[Segment]) -> (Point, String) {
+    let start = segments.first().and_then(|segment| segment.points.first()).copied().unwrap_or_default();
+    let mut trace = Trace { origin: Some(start), ..Trace::default() };
     for segment in segments {
         match segment.letter {
             'z' => trace.close(),
             letter => trace.draw(letter as u8, &segment.points),
         }
     }
-    trace.finished()
+    (start, trace.finished())
 }
 
 /// Every place is rounded as a step from where the path began, and written as a step from the place before: errors do
@@ -66,10 +68,16 @@ struct Trace {
 }
 
 impl Trace {
-    /// Draws straight lines through points.
+    /// Draws a polyline, with curves where they stand for many of its lines.
     fn line(&mut self, points: &[Point]) {
-        for (index, &point) in points.iter().enumerate() {
-            self.draw(if index == 0 { b'm' } else { b'l' }, &[point]);
+        if let Some(&start) = points.first() {
+            self.draw(b'm', &[start]);
+        }
+        for step in fit(points) {
+            match step {
+                Step::Line(to) => self.draw(b'l', &[to]),
+                Step::Curve(points) => self.draw(b'c', &points),
+            }
         }
     }
 
@@ -189,7 +197,7 @@ mod tests {
             lines(&[at(10.0, -0.5), at(10.004, 0.25), at(9.0, 0.25), at(9.0, 0.25)]),
             "M10-.5l0 .75-1 0 0 0"
         );
-        let third: Vec<Point> = (0..=300).map(|n| at(f64::from(n) / 3.0, 0.0)).collect();
+        let third: Vec<Point> = (0..=300).map(|n| at(f64::from(n) / 3.0, f64::from(n % 2))).collect();
         let data = lines(&third);
         let sum: f64 = data[1..]
             .replace(['l', '-'], " ")
@@ -225,8 +233,7 @@ mod tests {
             let place = |points: &[[f64; 2]]| points.iter().map(|[dx, dy]| at(x + dx, y + dy)).collect();
             outline(&steps.map(|(letter, points)| Segment { letter, points: place(points) }))
         };
-        let behind_start = |data: &str| data[data.find('c').unwrap()..].to_owned();
-        assert_eq!(behind_start(&letter(0.0, 0.0)), "c.33.2 1.28 2 2 2q1 1 2 2zm1 1l.5.5z");
-        assert_eq!(behind_start(&letter(7.126, 3.333)), behind_start(&letter(0.0, 0.0)));
+        assert_eq!(letter(0.0, 0.0), (at(0.0, 0.0), "m0 0c.33.2 1.28 2 2 2q1 1 2 2zm1 1l.5.5z".into()));
+        assert_eq!(letter(7.126, 3.333), (at(7.126, 3.333), letter(0.0, 0.0).1));
     }
 }

@@ -1341,7 +1341,7 @@ fn a_kick_adds_to_the_motion_as_it_is_and_a_slider_does_not_throw_the_body() {
         let mut shown = place.still(&mut browser, WIDE, "");
         shown.set(settings, 6.0);
         let corners = format!(
-            "[...seen({}).querySelectorAll('path.f-face, circle')].slice(0, 4).map((node) => {{ \
+            "[...seen({}).querySelectorAll('path.f-face')].slice(0, 4).map((node) => {{ \
              const box = node.getBBox(); return [box.x, box.y]; }}).flat()",
             place.figure
         );

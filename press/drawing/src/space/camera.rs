@@ -10,8 +10,9 @@ use std::f64::consts::FRAC_PI_2;
 
 /// A point must be further from the eye's plane than this part of the distance between eye and target.
 const NEAREST: f64 = 0.02;
-/// The radius of a circle that has all its chords, px: they stay 0.03 px inside, half of what polylines are thinned by.
-const LARGE: f64 = 200.0;
+/// The radius of a circle that has all its chords, px: they stay 0.05 px inside, and the curve that is written in their
+/// place lies nearer.
+const LARGE: f64 = 300.0;
 
 /// How a scene is looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]

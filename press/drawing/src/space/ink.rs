@@ -13,7 +13,6 @@ use crate::kit::{self, HEAD, Heads, size};
 use crate::point::Point;
 use crate::role::{Hue, Role, Stroke};
 use crate::shape::Shape;
-use crate::simplify::{TOLERANCE, simplify};
 
 /// A curve with its looks.
 #[derive(Debug, Clone, PartialEq)]
@@ -159,7 +158,7 @@ impl<'a> Ink<'a> {
 
     fn put(&mut self, pieces: Vec<Piece>, stroke: Stroke, hidden: Stroke, hue: Hue) {
         for piece in pieces {
-            let mut points = simplify(&piece.points, TOLERANCE);
+            let mut points = piece.points;
             let closed = points.len() > 3 && points.first() == points.last();
             let shape = if closed {
                 points.pop();

@@ -1,11 +1,10 @@
 //! What several solids share: circles about an axis and their images, arcs of rims, and boxes.
 
 use super::camera::Camera;
-use super::track::{CHORDS, Track};
+use super::track::{Track, turns};
 use super::vector::Vec3;
 use crate::point::{Point, at};
 use crate::shape::Shape;
-use crate::simplify::{TOLERANCE, simplify};
 use std::f64::consts::{PI, TAU};
 
 /// An axis and the circles about it. Heights are counted along the axis from its origin, angles from the first of two
@@ -30,7 +29,11 @@ impl Round {
 
     /// The point at an angle, on a radius, at a height.
     pub(super) fn point(&self, angle: f64, radius: f64, height: f64) -> Vec3 {
-        let (sin, cos) = angle.sin_cos();
+        self.turned(angle.sin_cos(), radius, height)
+    }
+
+    /// The point at an angle of which sine and cosine are known.
+    pub(super) fn turned(&self, (sin, cos): (f64, f64), radius: f64, height: f64) -> Vec3 {
         self.centre(height) + (self.across.0 * cos + self.across.1 * sin) * radius
     }
 
@@ -58,8 +61,14 @@ impl Round {
 
     /// An arc on the page, from an angle over an angle.
     pub(super) fn arc(&self, camera: &Camera, radius: f64, height: f64, arc: (f64, f64)) -> Vec<Point> {
-        let points = steps(arc).map(|angle| camera.land(self.point(angle, radius, height)));
-        simplify(&points.collect::<Vec<Point>>(), TOLERANCE)
+        let count = self.steps(camera, radius, arc.1);
+        turns(arc.0, arc.1, count).map(|turn| camera.land(self.turned(turn, radius, height))).collect()
+    }
+
+    /// In how many steps an arc is drawn, as close as the chords of its circle.
+    pub(super) fn steps(&self, camera: &Camera, radius: f64, sweep: f64) -> u32 {
+        let chords = camera.chords(self.origin, radius);
+        (f64::from(chords) * sweep.abs() / TAU).ceil().max(1.0) as u32
     }
 
     /// A polynomial in the point whose zeros are the cone that the eye spans with a circle (a cylinder for an eye
@@ -88,12 +97,6 @@ pub(super) fn box_corners(centre: Vec3, halves: [Vec3; 3]) -> Vec<Vec3> {
         corners = corners.iter().flat_map(|&corner| [corner - half, corner + half]).collect();
     }
     corners
-}
-
-/// Angles from one on over another, as close as the chords of a circle.
-pub(super) fn steps((from, sweep): (f64, f64)) -> impl Iterator<Item = f64> {
-    let count = (f64::from(CHORDS) * sweep.abs() / TAU).ceil().max(1.0);
-    (0..=count as u32).map(move |index| from + sweep * f64::from(index) / count)
 }
 
 /// What an arc has in common with a sector of less than half a turn: up to two arcs.

@@ -28,20 +28,16 @@ impl Track {
         let aside = axis.cross(start);
         // An even number of chords, so that the middle is one of the points.
         let half = (0.5 * f64::from(CHORDS) * sweep.abs() / TAU).ceil().max(4.0) as u32;
-        let points = (0..=2 * half).map(|index| {
-            let (sin, cos) = (sweep * (f64::from(index) / f64::from(2 * half))).sin_cos();
-            centre + start * cos + aside * sin
-        });
+        let points = turns(0.0, sweep, 2 * half).map(|(sin, cos)| centre + start * cos + aside * sin);
         Self { points: points.collect(), smooth: true }
     }
 
     /// A circle about a centre in so many chords; `first` and `second` are its radii in two perpendicular directions.
     pub(super) fn circle(centre: Vec3, [first, second]: [Vec3; 2], chords: u32) -> Self {
-        let points = (0..=chords).map(|index| {
-            let (sin, cos) = (TAU * f64::from(index % chords) / f64::from(chords)).sin_cos();
-            centre + first * cos + second * sin
-        });
-        Self { points: points.collect(), smooth: true }
+        let points = turns(0.0, TAU, chords).map(|(sin, cos)| centre + first * cos + second * sin);
+        let mut points: Vec<Vec3> = points.collect();
+        points[chords as usize] = points[0];
+        Self { points, smooth: true }
     }
 
     /// How many chords it has.
@@ -113,6 +109,18 @@ impl Track {
     }
 }
 
+/// Sine and cosine of the angles from one on over another in equal steps, each turned out of the one before: that costs a
+/// fraction of what sines cost a browser, and after two hundred steps it is right to a part in 10¹³.
+pub(super) fn turns(from: f64, sweep: f64, count: u32) -> impl Iterator<Item = (f64, f64)> {
+    let (step_sin, step_cos) = (sweep / f64::from(count)).sin_cos();
+    let mut now = from.sin_cos();
+    (0..=count).map(move |_| {
+        let (sin, cos) = now;
+        now = (sin * step_cos + cos * step_sin, cos * step_cos - sin * step_sin);
+        (sin, cos)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::{CHORDS, Track, Vec3};
@@ -131,7 +139,7 @@ mod tests {
             assert!(worst < 1e-7, "{worst}"); // the chords themselves stay 1.5e-4 inside
         }
         assert!(circle.closed() && !quarter.closed());
-        assert!((circle.at(90.0) + first).length() < 1e-15);
+        assert!((circle.at(90.0) + first).length() < 1e-14); // each point is turned out of the one before
         assert!((quarter.points[quarter.chords()] - second).length() < 1e-15);
         assert_eq!(Track::segment(first, second).at(0.25), first.towards(second, 0.25));
     }

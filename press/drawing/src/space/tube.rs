@@ -3,12 +3,11 @@
 use super::camera::Camera;
 use super::form::{Edge, Form, Part, Patch};
 use super::ray::{Ray, Spans, below_zero, slab};
-use super::rim::{Round, common_arcs, steps};
-use super::track::Track;
+use super::rim::{Round, common_arcs};
+use super::track::{Track, turns};
 use super::vector::Vec3;
 use crate::role::Fill;
 use crate::shape::Shape;
-use crate::simplify::{TOLERANCE, simplify};
 use std::f64::consts::TAU;
 
 /// Into how many sectors a ring is divided where it is threaded.
@@ -72,16 +71,16 @@ impl Tube {
     }
 
     /// A wall from an angle over an angle.
-    fn wall(&self, camera: &Camera, part: &Part, radius: f64, arc: (f64, f64)) -> Patch {
+    fn wall(&self, camera: &Camera, part: &Part, radius: f64, (from, sweep): (f64, f64)) -> Patch {
         let (mut lower, mut upper) = (Vec::new(), Vec::new());
-        for angle in steps(arc) {
-            let (low, high) = self.heights(part, angle);
-            lower.push(camera.land(self.round.point(angle, radius, low)));
-            upper.push(camera.land(self.round.point(angle, radius, high)));
+        let count = self.round.steps(camera, radius, sweep);
+        for (index, turn) in (0..).zip(turns(from, sweep, count)) {
+            let (low, high) = self.heights(part, from + sweep * f64::from(index) / f64::from(count));
+            lower.push(camera.land(self.round.turned(turn, radius, low)));
+            upper.push(camera.land(self.round.turned(turn, radius, high)));
         }
-        upper.reverse();
-        let outline = [simplify(&lower, TOLERANCE), simplify(&upper, TOLERANCE)].concat();
-        Patch { fill: Fill::Side, shape: Shape::Polygon(outline) }
+        lower.extend(upper.into_iter().rev());
+        Patch { fill: Fill::Side, shape: Shape::Polygon(lower) }
     }
 
     /// The face at a height: all of it, or a sector.

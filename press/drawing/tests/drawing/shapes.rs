@@ -277,8 +277,8 @@ fn a_tint_on_the_colour_of_the_page_with_its_edge_is_one_element_of_a_page_and_t
     drawing.circle(at(70.0, 70.0), 10.0, Role::Area(Fill::Face, Hue::Ink));
     let circles = |svg: &str| {
         let document = Document::parse(svg).expect("valid XML");
-        let circles = document.descendants().filter(|node| node.has_tag_name("circle"));
-        circles.map(|node| node.attribute("class").unwrap_or_default().to_owned()).collect::<Vec<_>>()
+        let paths = document.descendants().filter(|node| node.has_tag_name("path"));
+        paths.map(|node| node.attribute("class").unwrap_or_default().to_owned()).collect::<Vec<_>>()
     };
     let (page, file) = (drawing.to_svg(), drawing.to_standalone_svg());
     let apart = ["f-page f-ink", "f-face f-ink"];

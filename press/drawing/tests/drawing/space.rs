@@ -271,6 +271,10 @@ fn painted(drawing: &Drawing, page: Point) -> Option<Hue> {
     let covers = |item: &&Item| {
         let Role::Area(Fill::Face | Fill::Side | Fill::Round, _) = item.role else { return false };
         let points = item.shape.points();
+        // Two areas of one body meet along a curve, and each in chords of its own.
+        if distance(&points, page) < 0.1 {
+            return true;
+        }
         // Winding number, so that a hole that is cut the other way round is empty.
         let mut winding = 0;
         for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
