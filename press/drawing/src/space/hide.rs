@@ -22,7 +22,7 @@ const SHORTEST: f64 = 1.2;
 /// and does not cross it: its zeros are rounding's, and others on another machine.
 const ROUNDING: f64 = 1e-12;
 /// Chords from which a smooth curve bends away by less than this, px, are treated as one.
-const BEND: f64 = 0.6;
+const BEND: f64 = 0.9;
 /// How often the piece of a chord in which a boundary lies is halved: to a hundred-thousandth of a pixel.
 const HALVINGS: u32 = 20;
 

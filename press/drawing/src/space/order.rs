@@ -83,24 +83,30 @@ fn in_front(first: &Piece, second: &Piece, bodies: &[Body<'_>], camera: &Camera)
     let top = first.bounds.top.max(second.bounds.top);
     let width = first.bounds.right.min(second.bounds.right) - left;
     let height = first.bounds.bottom.min(second.bounds.bottom) - top;
+    // Of two parts the larger is the likelier to be missed by a line through their common rectangle: then the other is not asked.
+    let is_larger =
+        first.bounds.width() * first.bounds.height() > second.bounds.width() * second.bounds.height();
     for grid in GRIDS {
         let part = |index: u32| (f64::from(index) + 0.5) / f64::from(grid);
         sums = (0.0, 0.0);
-        let mut met = 0;
+        let mut agreed = 0;
         for row in 0..grid {
             for column in 0..grid {
                 let ray = camera.ray(at(left + width * part(column), top + height * part(row)));
                 let enters = |piece: &Piece| bodies[piece.body].form.enters(&ray, &piece.part);
-                if let Some(near) = enters(first)
-                    && let Some(far) = enters(second)
-                {
-                    met += 1;
+                let met = if is_larger {
+                    enters(first).and_then(|near| Some((near, enters(second)?)))
+                } else {
+                    enters(second).and_then(|far| Some((enters(first)?, far)))
+                };
+                if let Some((near, far)) = met {
+                    agreed += 1;
                     sums.0 += (far - near).max(0.0);
                     sums.1 += (near - far).max(0.0);
                 }
             }
         }
-        if met >= AGREED && (sums.0 == 0.0) != (sums.1 == 0.0) {
+        if agreed >= AGREED && (sums.0 == 0.0) != (sums.1 == 0.0) {
             break;
         }
     }
