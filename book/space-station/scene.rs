@@ -244,14 +244,20 @@ impl Nodding {
     /// Where the two waves are at a moment, and when the thrusters fire.
     fn draw_places(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let mut graph = waves(moment.room).over(drawing);
-        graph.upright(moment.time, Stroke::Outline, Hue::Muted);
+        // Up each wave, and not through its name.
+        let mark = |graph: &mut Graph<'_>, time: f64, stroke: Stroke, hue: Hue| {
+            for middle in MIDDLES {
+                graph.curve([(time, middle - 0.95), (time, middle + 0.95)], stroke, hue);
+            }
+        };
+        mark(&mut graph, moment.time, Stroke::Outline, Hue::Muted);
         let now = self.station.aside(moment.time)?;
         for (index, hue) in [(0, Hue::Blue), (1, Hue::Orange)] {
             graph.dot((moment.time, MIDDLES[index] + 0.85 * now[index] * self.scales[index]), 4.0, hue);
         }
         if self.blows.is_fired {
             for blow in self.blows.between.iter().chain([&self.blows.second]) {
-                graph.upright(blow.time, Stroke::Reference, Hue::Pink);
+                mark(&mut graph, blow.time, Stroke::Reference, Hue::Pink);
             }
             kit::grip(drawing, self.fire_place(moment.room), Hue::Pink);
         }

@@ -1,7 +1,7 @@
 //! The small scene of "Turned by an area": the normal of the coin goes once round a cap, and its arrow comes back turned.
 
+use super::loss::TOY;
 use live::prelude::*;
-use mechanics::rolling::{DiskParameters, MomentFactors};
 use mechanics::scenes::spinning_coin::SpinningCoin;
 use nalgebra::Vector3;
 
@@ -34,25 +34,21 @@ pub(crate) const SCENE: Scene = Scene {
 const ROUND: f64 = 6.0;
 
 fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
-    let toy = DiskParameters { mass: 0.4, radius: 0.0375, moments: MomentFactors::DISK, gravity: 9.81 };
-    let coin = SpinningCoin::new(toy, settings.of("tilt")?.to_radians())?;
+    let coin = SpinningCoin::new(TOY, settings.of("tilt")?.to_radians())?;
     let round = 360.0 * coin.figure_rate() / coin.turn_rate();
     Ok(Box::new(Small {
-        of: coin,
+        of: (coin, round),
         run: Run { duration: ROUND, pace: 1.0, repeats: false },
         words: format!(
             "After a round the arrow is turned by {round:.1}°. That is the area of the cap, {:.3}, in radians.",
             round.to_radians()
         ),
-        readings: |coin, time| {
-            let part = time / ROUND;
-            Ok(vec![part, 360.0 * part * coin.figure_rate() / coin.turn_rate()])
-        },
-        draw: |coin, moment, drawing| {
+        readings: |(_, round), time| Ok(vec![time / ROUND, time / ROUND * round]),
+        draw: |(coin, round), moment, drawing| {
             let part = moment.time / ROUND;
             let (centre, scale) = moment.room.of((at(160.0, 165.0), 132.0), (at(190.0, 150.0), 125.0));
-            let mut stage =
-                Stage::new(moment.seen_from(-FRAC_PI_2, 1.0).camera([0.0, 0.0, 0.2], 8.0, centre, scale)?);
+            let camera = moment.seen_from(-FRAC_PI_2, 1.0).camera([0.0, 0.0, 0.2], 8.0, centre, scale)?;
+            let mut stage = Stage::new(camera);
             stage.solid(Solid::sphere([0.0; 3], 1.0)?, Hue::Muted)?;
             let normal = |turns: f64| coin.attitude(turns) * Vector3::z();
             let edge: Vec<Vector3<f64>> = linear_steps(0.0, 1.0, 90).map(normal).collect();
@@ -77,8 +73,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             let done = Axis::linear(0.0, 1.0, 0.25).titled("part of the round");
             let turned = Axis::linear(0.0, 360.0, 90.0).titled("turned by, degrees");
             let mut graph = moment.graph(drawing, frames, done, turned)?;
-            let round = 360.0 * coin.figure_rate() / coin.turn_rate();
-            graph.curve([(0.0, 0.0), (1.0, round)], Stroke::Curve, Hue::Muted);
+            graph.curve([(0.0, 0.0), (1.0, *round)], Stroke::Curve, Hue::Muted);
             graph.dot((part, part * round), 5.0, Hue::Ink);
             Ok(())
         },

@@ -47,7 +47,8 @@ pub(crate) const SCENE: Scene = Scene {
     },
 };
 
-const TOY: DiskParameters =
+/// The steel disc of the toy shops.
+pub(super) const TOY: DiskParameters =
     DiskParameters { mass: 0.4, radius: 0.0375, moments: MomentFactors::DISK, gravity: 9.81 };
 /// How long the toy lives by its law from a tilt of 0.1, s.
 const LIFE: f64 = 100.0;

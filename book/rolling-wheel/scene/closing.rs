@@ -55,28 +55,18 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
         draw: |rolled, moment, drawing| {
             let state = rolled.at(moment.time)?;
             rolled.draw_stage(&moment.seen_from(-1.2, 0.5), &state, drawing)?;
-            let until = |part: fn(&Rolling) -> f64| {
-                let is_up = |(_, state): &&(f64, Rolling)| !is_flat(state);
-                rolled
-                    .states
-                    .iter()
-                    .take_while(is_up)
-                    .step_by(4)
-                    .map(move |(time, state)| (*time, part(state)))
-            };
-            let end = rolled.duration();
-            let time = Axis::linear(0.0, end, nice_step(end / 4.0));
-            let left = stage(moment.room).right + 40.0;
-            let frames = [[left, 40.0, 170.0, 130.0], [44.0, 340.0, 130.0, 130.0]];
+            let (end, left) = (rolled.duration(), stage(moment.room).right + 40.0);
+            let time = Axis::linear(0.0, end, nice_step(end / 4.0)).titled("time, s");
             let circle = Axis::linear(0.0, 5.0, 1.0).titled(r"circle $b/a$");
-            let mut graph = moment.graph(drawing, frames, time.titled("time, s"), circle)?;
-            graph.curve(until(|state| now(state).0), Stroke::Curve, Hue::Ink);
-            graph.dot((moment.time, now(&state).0), 4.0, Hue::Ink);
-            let frames = [[left, 260.0, 170.0, 130.0], [230.0, 340.0, 130.0, 130.0]];
             let speed = Axis::linear(0.0, 2.0, 1.0).titled("speed of the centre, m/s");
-            let mut graph = moment.graph(drawing, frames, time.titled("time, s"), speed)?;
-            graph.curve(until(|state| now(state).1), Stroke::Curve, Hue::Ink);
-            graph.dot((moment.time, now(&state).1), 4.0, Hue::Ink);
+            for (axis, [top, across], index) in [(circle, [40.0, 44.0], 0), (speed, [260.0, 230.0], 1)] {
+                let frames = [[left, top, 170.0, 130.0], [across, 340.0, 130.0, 130.0]];
+                let mut graph = moment.graph(drawing, frames, time, axis)?;
+                let value = |state: &Rolling| <[f64; 2]>::from(now(state))[index];
+                let up = rolled.states.iter().take_while(|(_, state)| !is_flat(state)).step_by(4);
+                graph.curve(up.map(|(time, state)| (*time, value(state))), Stroke::Curve, Hue::Ink);
+                graph.dot((moment.time, value(&state)), 4.0, Hue::Ink);
+            }
             Ok(())
         },
     }))
