@@ -252,8 +252,9 @@ class Tone {
   #source = this.#context.createOscillator();
 
   constructor() {
-    // Overtones, so that a few strokes a second are heard as strokes, and on small loudspeakers too.
-    const parts = Float32Array.from({ length: 24 }, (_, n) => (n > 0 ? 1 / n : 0));
+    // Overtones, so that a few strokes a second are heard as strokes, and on small loudspeakers too, which give nothing
+    // below some 200 Hz.
+    const parts = Float32Array.from({ length: 48 }, (_, n) => (n > 0 ? 1 / Math.sqrt(n) : 0));
     this.#source.setPeriodicWave(this.#context.createPeriodicWave(parts, parts.map(() => 0)));
     this.#loudness.gain.value = 0;
     this.#source.connect(this.#loudness).connect(this.#context.destination);
@@ -269,7 +270,7 @@ class Tone {
     this.#context.close();
   }
 }
-const MOST_LOUD = 0.08;
+const MOST_LOUD = 0.5;
 
 // 4 — A scene
 

@@ -256,7 +256,7 @@ fn scenes_weigh_little_and_no_page_waits_for_them() {
     for (path, module) in modules {
         let (module, name) = (packed(&module), path.file_name().unwrap().display());
         eprintln!("{name}: {module} bytes, and its script: {script} bytes, both as they travel");
-        assert!(module + script < 175_000, "{name}: {module} + {script} bytes");
+        assert!(module + script < 178_000, "{name}: {module} + {script} bytes");
     }
 }
 

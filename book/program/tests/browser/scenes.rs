@@ -1032,7 +1032,10 @@ fn a_scene_is_heard_when_it_is_asked_to_and_while_it_plays_in_sight() {
         }
         let mut shown = place.empty(&mut browser, WIDE);
         shown.before_all(
-            "window.tones = []; window.AudioContext = class extends AudioContext { constructor() { super(); tones.push(this); } }",
+            "window.tones = []; window.AudioContext = class extends AudioContext { \
+               constructor() { super(); tones.push(this); this.ear = this.createAnalyser(); this.ear.fftSize = 32768; \
+                 this.ear.smoothingTimeConstant = 0; this.ear.connect(super.destination); } \
+               get destination() { return this.ear; } }",
         );
         place.wake(&mut shown, &place.address);
         let sound = shown.part(".sound");
@@ -1048,6 +1051,14 @@ fn a_scene_is_heard_when_it_is_asked_to_and_while_it_plays_in_sight() {
         let [heard_now, time] = [0, 1].map(|k| both[k].as_f64().expect("a number"));
         let own = player.sound(time).expect("a sound").frequency;
         assert!((heard_now / own - 1.0).abs() < 1e-9, "{}: {heard_now} and {own} Hz", place.scene.name);
+        // What a small loudspeaker gives of it, dB as the analyser counts.
+        shown.wait("tones[0].currentTime > 1.5");
+        let level = shown.number(
+            "(() => { const { ear, sampleRate } = tones[0], bins = new Float32Array(ear.frequencyBinCount); \
+               ear.getFloatFrequencyData(bins); const first = Math.ceil(200 / sampleRate * ear.fftSize); \
+               return 10 * Math.log10(bins.slice(first).reduce((sum, bin) => sum + 10 ** (bin / 10), 0)); })()",
+        );
+        assert!((-55.0..-25.0).contains(&level), "{}: {level} dB above 200 Hz", place.scene.name);
         shown.click(".play");
         assert_eq!(shown.number(&heard), 0.0, "{}: it is heard though it stands", place.scene.name);
         shown.click(".play");
