@@ -19,7 +19,10 @@ pub const SCENE: Scene = Scene {
     ],
     readings: &[reading("period", Form::Fixed(2), "s"), reading(r"angle $\theta$", Form::Fixed(0), "°")],
     symbols: formulas!["l"],
-    start: |settings| Ok(Box::new(Swing::new(settings)?)),
+    start: |settings| {
+        let pendulum = Pendulum { length: 1.0, gravity: 9.81 };
+        Ok(Box::new(Swing { pendulum, amplitude: settings.of("amplitude")?.to_radians() }))
+    },
 };
 
 /// Where the rod hangs, and its length, px.
@@ -32,11 +35,6 @@ struct Swing {
 }
 
 impl Swing {
-    fn new(settings: &Settings<'_>) -> Result<Self, Cause> {
-        let pendulum = Pendulum { length: 1.0, gravity: 9.81 };
-        Ok(Self { pendulum, amplitude: settings.of("amplitude")?.to_radians() })
-    }
-
     fn mass(&self, time: f64) -> Point {
         PIVOT + Point::polar(ROD, self.pendulum.angle(self.amplitude, time) - FRAC_PI_2)
     }
