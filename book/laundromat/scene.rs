@@ -246,7 +246,7 @@ impl Washer {
     }
 
     /// The numbers of the moment, and what the marks mean.
-    fn draw_names(&self, room: Room, state: &State, drawing: &mut Drawing) -> Result<(), Cause> {
+    fn draw_names(&self, state: &State, drawing: &mut Drawing) -> Result<(), Cause> {
         let force = self.course.force(state).norm();
         let lead = state.lead().to_degrees().round() + 0.0;
         let numbers = [
@@ -266,6 +266,11 @@ impl Washer {
             drawing.label(place + at(0.0, 2.0), Side::Right, "seen on", Hue::Muted)?;
             drawing.label(place + at(0.0, 20.0), Side::Right, "the drum", Hue::Muted)?;
         }
+        Ok(())
+    }
+
+    /// What the marks of the picture mean.
+    fn draw_key(room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
         let bottom = room.of(at(10.0, 424.0), at(10.0, 324.0));
         let mass = bottom + at(66.0, 0.0);
         kit::marker(drawing, bottom, Marker::Ring, Hue::Ink);
@@ -279,8 +284,8 @@ impl Washer {
     }
 
     /// The plots: force and lead over the spin, and the swing over the time.
-    fn draw_plots(&self, moment: &Moment, state: &State, drawing: &mut Drawing) -> Result<(), Cause> {
-        let (course, [force, lead, swing]) = (&self.course, self.plots(moment.room));
+    fn draw_plots(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
+        let (course, [force, lead, swing]) = (&self.course, self.plots(room));
         let natural = course.machine.natural_frequency();
         let mut plot = force.on(drawing)?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
@@ -299,12 +304,10 @@ impl Washer {
                 if spin < 40.0 { (spin - 2.5, Side::Right) } else { (spin + 2.5, Side::Left) };
             plot.label((place, 185.0), side, "quietest", Hue::Muted)?;
         }
-        plot.dot((state.spin, course.force(state).norm()), 4.5, Hue::Purple);
         for &steady in self.steady.iter().filter(|_| course.driven.is_some()) {
             let ring = plot.at(steady);
             plot.drawing().circle(ring, 5.0, Role::Line(Stroke::Outline, Hue::Purple));
         }
-        plot.grip(self.handle(), if course.driven.is_some() { Hue::Orange } else { Hue::Purple });
 
         let mut plot = lead.on(drawing)?;
         plot.upright(natural, Stroke::Dotted, Hue::Muted);
@@ -312,7 +315,6 @@ impl Washer {
             plot.curve(self.leads.iter().copied(), Stroke::Curve, Hue::Blue);
             Ok(())
         })?;
-        plot.dot((state.spin, state.lead().to_degrees()), 4.5, Hue::Blue);
 
         let mut plot = swing.on(drawing)?;
         if let Some((kept, _)) = &self.kept {
@@ -324,17 +326,32 @@ impl Washer {
         for (kick, _) in course.kicks.iter().filter(|kick| kick.0 < course.end) {
             plot.upright(*kick, Stroke::Outline, Hue::Pink);
         }
+        Ok(())
+    }
+
+    /// Where the motion is on the plots, and what can be held there.
+    fn draw_places(&self, moment: &Moment, state: &State, drawing: &mut Drawing) {
+        let (course, [force, lead, swing]) = (&self.course, self.plots(moment.room));
+        let mut plot = force.over(drawing);
+        plot.dot((state.spin, course.force(state).norm()), 4.5, Hue::Purple);
+        plot.grip(self.handle(), if course.driven.is_some() { Hue::Orange } else { Hue::Purple });
+        lead.over(drawing).dot((state.spin, state.lead().to_degrees()), 4.5, Hue::Blue);
+        let mut plot = swing.over(drawing);
         if let Some((kick, _)) = course.kicks.last().filter(|kick| kick.0 < course.end) {
             plot.grip((*kick, 0.0), Hue::Pink);
         }
         plot.dot((moment.time, 100.0 * state.shaft.position.norm()), 4.5, Hue::Blue);
-        Ok(())
     }
 }
 
 impl Motion for Washer {
     fn run(&self) -> Run {
         Run { duration: self.course.end, pace: if self.course.speeds_up { 1.0 } else { 0.15 }, repeats: true }
+    }
+
+    fn draw_behind(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
+        Self::draw_key(room, drawing)?;
+        self.draw_plots(room, drawing)
     }
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
@@ -344,8 +361,9 @@ impl Motion for Washer {
         if let Some((kept, _)) = &self.kept {
             drum.draw_kept(&kept.at(moment.time)?, drawing);
         }
-        self.draw_names(moment.room, &state, drawing)?;
-        self.draw_plots(moment, &state, drawing)
+        self.draw_names(&state, drawing)?;
+        self.draw_places(moment, &state, drawing);
+        Ok(())
     }
 
     /// The spin on the plot of forces, and the kick on that of swings.

@@ -240,9 +240,9 @@ impl Rolled {
         Ok(())
     }
 
-    /// The map of circles and leans, with the tongue, this motion's way and where it is now.
-    fn draw_map(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
-        let mut map = map(moment.room).on(drawing)?;
+    /// The map of circles and leans, with the tongue.
+    fn draw_map(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut map = map(room).on(drawing)?;
         map.answer(|map| {
             let below = [(0.0, 0.0)].into_iter().chain(self.tongue.iter().copied()).chain([(4.0, 0.0)]);
             map.area(below, Fill::Face, Hue::Orange);
@@ -256,6 +256,12 @@ impl Rolled {
         let none = [(-0.5, 60.0), (-0.5, 0.0)].into_iter().chain(border.iter().copied());
         map.area(none, Fill::Ground, Hue::Ink);
         map.curve(border, Stroke::Border, Hue::Muted);
+        Ok(())
+    }
+
+    /// This motion's way on the map, and where it is now.
+    fn draw_way(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
+        let mut map = map(moment.room).over(drawing);
         let past = self.states[..self.count_to(moment.time)].iter().map(|(_, state)| state);
         let (mut way, mut before) = (Vec::new(), now.omega_2);
         for state in past.chain([now]) {
@@ -309,11 +315,21 @@ impl Motion for Rolled {
         Run { duration: self.duration(), pace: 1.0, repeats: matches!(self.course, Course::Steady) }
     }
 
+    fn draw_behind(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
+        self.draw_map(room, drawing)?;
+        let mut well = self.well(room).on(drawing)?;
+        let kick = self.energy_of_rate(self.push);
+        well.level(kick, Stroke::Reference, Hue::Muted);
+        let end = well.at((self.well(room).x.scale.to, kick));
+        Ok(well.drawing().label(end + at(-6.0, 4.0), Side::BelowLeft, r"$E$", Hue::Muted)?)
+    }
+
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let now = self.at(moment.time)?;
         self.draw_stage(moment, &now, drawing)?;
-        self.draw_map(moment, &now, drawing)?;
-        self.draw_well(moment, &now, drawing)
+        self.draw_way(moment, &now, drawing)?;
+        self.draw_well(moment, &now, drawing);
+        Ok(())
     }
 
     fn readings(&self, time: f64) -> Result<Vec<f64>, Cause> {
@@ -507,8 +523,8 @@ impl Rolled {
         Plot { frame, x: leans, y }
     }
 
-    /// The potential of the lean as it is now, the level of the energy, and the lean that rolls in it.
-    fn draw_well(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) -> Result<(), Cause> {
+    /// The potential of the lean as it is now, and the lean that rolls in it.
+    fn draw_well(&self, moment: &Moment, now: &Rolling, drawing: &mut Drawing) {
         let plot = self.well(moment.room);
         let leans = plot.x.scale;
         let unit = MASS * GRAVITY * RADIUS;
@@ -521,16 +537,12 @@ impl Rolled {
         let height = |lean: f64| self.wheel.potential(&constants, FRAC_PI_2 - lean) / unit - zero;
         let values = linear_steps(leans.from, leans.to, 90)
             .map(|degrees| (degrees, height(degrees.to_radians().clamp(-1.57, 1.57))));
-        let mut well = plot.on(drawing)?;
-        well.level(kick, Stroke::Reference, Hue::Muted);
+        let mut well = plot.over(drawing);
         well.curve(values, Stroke::Curve, Hue::Blue);
         let here = (now.lean().to_degrees(), height(now.lean()));
         well.curve([here, (here.0, level)], Stroke::Outline, Hue::Muted);
         well.dot(here, 5.0, Hue::Blue);
-        let end = well.at((leans.to, kick));
-        well.drawing().label(end + at(-6.0, 4.0), Side::BelowLeft, r"$E$", Hue::Muted)?;
         well.grip((leans.to, kick), Hue::Ink);
-        Ok(())
     }
 }
 
