@@ -140,9 +140,7 @@ fn what_stands_behind_is_the_same_in_every_picture() {
         let alike = |player: &mut Player, part: f64, room: Room| {
             let moment = Moment { time: part * player.run().duration, azimuth, elevation, room };
             let whole = player.draw(moment).expect("a picture").to_elements().expect("no flaw");
-            // What bears a name has that of its layer in it.
-            let behind =
-                player.behind(room).expect("what stands behind").replace("-behind-answer", "-answer");
+            let behind = player.behind(room).expect("what stands behind");
             let elements = behind + &player.elements(moment).expect("a picture");
             assert_eq!(elements, whole, "{} at {moment:?}", scene.name);
         };

@@ -129,7 +129,7 @@ impl Player {
 
     /// The picture of a moment.
     pub fn draw(&mut self, moment: Moment) -> Result<Drawing, Cause> {
-        let mut drawing = self.sheet(moment.room, "");
+        let mut drawing = self.sheet(moment.room);
         self.draw_behind(moment.room, &mut drawing)?;
         self.draw_front(moment, &mut drawing)?;
         Ok(drawing)
@@ -137,22 +137,22 @@ impl Player {
 
     /// The elements of what stands behind the picture at every moment, one a line.
     pub fn behind(&self, room: Room) -> Result<String, Cause> {
-        let mut behind = self.sheet(room, "-behind");
+        let mut behind = self.sheet(room);
         self.draw_behind(room, &mut behind)?;
         Ok(behind.to_elements()?)
     }
 
     /// The elements of the picture of a moment, one a line, without what is [`behind`](Self::behind) it.
     pub fn elements(&mut self, moment: Moment) -> Result<String, Cause> {
-        let mut front = self.sheet(moment.room, "");
+        let mut front = self.sheet(moment.room);
         self.draw_front(moment, &mut front)?;
         Ok(front.to_elements()?)
     }
 
-    /// An empty drawing in the size of the scene. The name of a layer is a part of its ids, so that layers share none.
-    fn sheet(&self, room: Room, layer: &str) -> Drawing {
+    /// An empty drawing in the size of the scene.
+    fn sheet(&self, room: Room) -> Drawing {
         let [width, height] = room.of(self.scene.size[0], self.scene.size[1]);
-        let id = format!("scene-{}{}{layer}", self.scene.name, room.of("", "-narrow"));
+        let id = format!("scene-{}{}", self.scene.name, room.of("", "-narrow"));
         Drawing::new(&id, width, height).framed()
     }
 
