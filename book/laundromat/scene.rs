@@ -245,7 +245,7 @@ impl Washer {
         if self.course.driven.is_some() { (self.course.machine.spin(), 0.0) } else { self.steady[0] }
     }
 
-    /// The numbers of the moment, and what the marks mean.
+    /// The numbers of the moment.
     fn draw_names(&self, state: &State, drawing: &mut Drawing) -> Result<(), Cause> {
         let force = self.course.force(state).norm();
         let lead = state.lead().to_degrees().round() + 0.0;

@@ -317,10 +317,10 @@ impl Motion for Rolled {
 
     fn draw_behind(&self, room: Room, drawing: &mut Drawing) -> Result<(), Cause> {
         self.draw_map(room, drawing)?;
-        let mut well = self.well(room).on(drawing)?;
-        let kick = self.energy_of_rate(self.push);
+        let (plot, kick) = (self.well(room), self.energy_of_rate(self.push));
+        let mut well = plot.on(drawing)?;
         well.level(kick, Stroke::Reference, Hue::Muted);
-        let end = well.at((self.well(room).x.scale.to, kick));
+        let end = well.at((plot.x.scale.to, kick));
         Ok(well.drawing().label(end + at(-6.0, 4.0), Side::BelowLeft, r"$E$", Hue::Muted)?)
     }
 

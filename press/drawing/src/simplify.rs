@@ -2,7 +2,7 @@
 
 use crate::point::Point;
 
-/// How far a thinned polyline may lie from the one it came from, px: a third of what the curves that are written in its
+/// How far a thinned polyline may lie from the one it came from, px: a quarter of what the curves that are written in its
 /// place may miss.
 pub const TOLERANCE: f64 = 0.02;
 
