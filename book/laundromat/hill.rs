@@ -46,11 +46,6 @@ const REACH: f64 = 0.06;
 const LASTS: f64 = 4.0;
 const STEP: f64 = 0.01;
 
-/// Which place of a way belongs to a time, s.
-fn at_time(time: f64, way: &[(Complex<f64>, f64)]) -> usize {
-    ((time / STEP).round() as usize).min(way.len() - 1)
-}
-
 fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
     let (spin, damper) = (settings.of("spin")?, settings.choice("damper")?);
     let damped = machine(0.15)?.with_spin(spin)?;
@@ -60,12 +55,12 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
     let velocity = place * Complex::new(0.0, spin);
     let rest = free.jacobi_integral(0.0, &Shaft { position: place, velocity });
     let mut state = Shaft { position: place, velocity: velocity + Complex::new(0.0, KICK) }.to_array();
-    // What the rider sees: the way from the steady place, m, and J above it, J/kg.
-    let mut way: Vec<(Complex<f64>, f64)> = Vec::new();
-    while way.len() <= (LASTS / STEP) as usize && way.last().is_none_or(|(s, _)| s.norm() < REACH) {
+    // What the rider sees: the way from the steady place, x and y, m, and J above it, J/kg.
+    let mut way: Vec<[f64; 3]> = Vec::new();
+    while way.len() <= (LASTS / STEP) as usize && way.last().is_none_or(|[x, y, _]| x.hypot(*y) < REACH) {
         let (time, shaft) = (STEP * way.len() as f64, Shaft::from_array(state));
         let seen = shaft.position * Complex::cis(-spin * time) - place;
-        way.push((seen, free.jacobi_integral(time, &shaft) - rest));
+        way.push([seen.re, seen.im, free.jacobi_integral(time, &shaft) - rest]);
         let rates = |time: f64, state: &[f64; 4]| match damper {
             0 => damped.radial_damping_rates(time, state),
             1 => damped.cartesian_rates(time, state),
@@ -86,23 +81,24 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
         of: (way, slope),
         words: format!("The steady place is the {ground}. The shaft {fate}."),
         readings: |(way, _), time| {
-            let (seen, excess) = way[at_time(time, way)];
-            Ok(vec![1e3 * seen.norm(), 1e3 * excess])
+            let [x, y, excess] = interpolated(way, time / STEP);
+            Ok(vec![1e3 * x.hypot(y), 1e3 * excess])
         },
         draw: |(way, slope), moment, drawing| {
-            let way = &way[..=at_time(moment.time, way)];
-            let (seen, excess) = way[way.len() - 1];
+            let now = interpolated(way, moment.time / STEP);
+            let [x, y, excess] = now;
             let (centre, scale) = (moment.room.of(at(140.0, 140.0), at(190.0, 140.0)), 124.0 / REACH);
-            let on_page = |place: &Complex<f64>| centre + at(place.re, -place.im) * scale;
+            let on_page = |[x, y, _]: &[f64; 3]| centre + at(*x, -y) * scale;
             for ring in 1..=6 {
                 drawing.circle(centre, 124.0 / 6.0 * f64::from(ring), Role::Line(Stroke::Grid, Hue::Ink));
             }
-            let way = &way[way.len().saturating_sub(120)..];
-            let trail: Vec<Point> = way.iter().map(|(place, _)| on_page(place)).collect();
+            let reached = (moment.time / STEP) as usize;
+            let way = &way[reached.saturating_sub(120)..=reached];
+            let trail: Vec<Point> = way.iter().chain([&now]).map(on_page).collect();
             drawing.polyline(&trail, Stroke::Outline, Hue::Muted);
             drawing.polyline(&trail[trail.len().saturating_sub(40)..], Stroke::Curve, Hue::Ink);
             drawing.dot(centre, 2.6, Hue::Muted);
-            drawing.dot(on_page(&seen), 5.0, Hue::Ink);
+            drawing.dot(on_page(&now), 5.0, Hue::Ink);
             drawing.label(centre + at(0.0, 146.0), Side::Over, "seen by the rider, from above", Hue::Ink)?;
             let edge = 1e3 * slope * REACH * REACH;
             let step = nice_step(0.25 * (edge.abs() + 60.0));
@@ -114,7 +110,7 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             let height = |far: f64| 1e3 * slope * far * far;
             let ground = linear_steps(0.0, REACH, 60).map(|far| (1e3 * far, height(far)));
             graph.curve(ground, Stroke::Heavy, Hue::Muted);
-            let (far, level) = (1e3 * seen.norm().min(REACH), 1e3 * excess);
+            let (far, level) = (1e3 * x.hypot(y).min(REACH), 1e3 * excess);
             graph.level(level, Stroke::Reference, Hue::Ink);
             graph.label((1e3 * REACH, level), Side::AboveLeft, "$J$", Hue::Ink)?;
             graph.dot((far, height(1e-3 * far)), 5.0, Hue::Ink);

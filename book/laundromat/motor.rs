@@ -34,6 +34,11 @@ pub(crate) const SCENE: Scene = Scene {
 /// The spin at which the motor gives nothing, rad/s.
 const IDLE: f64 = 40.0;
 
+/// The knob, N·m, which leaps when it is turned, and the spin, rad/s, at a time of a way, s.
+fn reached(way: &[[f64; 2]], time: f64) -> [f64; 2] {
+    [way[(10.0 * time) as usize][0], interpolated(way, 10.0 * time)[1]]
+}
+
 fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
     let motor = Motor { stall_torque: 1.0, idle_spin: IDLE, drum_inertia: DRUM_INERTIA };
     let (drive, mut state) = (machine(0.15)?.driven(motor)?, DrivenState::AT_REST.to_array());
@@ -44,10 +49,10 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
     for time in linear_steps(0.0, 100.0, 1000) {
         let knob = turns.iter().rev().find(|turn| turn[0] <= time).map_or(first, |turn| turn[1]);
         let drive = drive.with_stall_torque(knob)?;
-        way.push((knob, state[4]));
+        way.push([knob, state[4]]);
         state = rk4(|_, state: &[f64; 5]| drive.rates(0.0, state), 0.0, state, 0.1, 10)?;
     }
-    let (knob, spin) = way[1000];
+    let [knob, spin] = way[1000];
     let speeds = match drive.with_stall_torque(knob)?.steady_spins()[..] {
         [slow, _, fast] => format!("{slow:.1} or {fast:.1} rad/s. By this way it comes to {spin:.1}"),
         ref spins => format!("{:.1} rad/s only, by any way", spins.first().unwrap_or(&spin)),
@@ -56,10 +61,11 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
         of: (steady, way),
         run: Run { duration: 100.0, pace: 5.0, repeats: false },
         words: format!("With the knob at {knob:.1} N·m the drum can stay at {speeds}."),
-        readings: |(_, way), time| Ok(<[f64; 2]>::from(way[(10.0 * time) as usize]).to_vec()),
+        readings: |(_, way), time| Ok(reached(way, time).to_vec()),
         draw: |(steady, way), moment, drawing| {
-            let way = &way[..=(10.0 * moment.time) as usize];
-            let (knob, spin) = way[way.len() - 1];
+            let now = reached(way, moment.time);
+            let [knob, spin] = now;
+            let way = way[..=(10.0 * moment.time) as usize].iter().chain([&now]);
             let torques = Axis::linear(0.0, 9.0, 3.0);
             let spins = Axis::linear(0.0, IDLE, 10.0).titled("spin, rad/s");
             let frames = [[44.0, 34.0, 250.0, 200.0], [44.0, 34.0, 320.0, 200.0]];
@@ -74,8 +80,8 @@ fn start(settings: &Settings<'_>) -> Result<Box<dyn Motion>, Cause> {
             let frames = [[366.0, 34.0, 250.0, 200.0], [44.0, 318.0, 320.0, 200.0]];
             let mut graph = moment.graph(drawing, frames, torques.titled("knob, N·m"), spins)?;
             graph.curve(steady.iter().copied(), Stroke::Outline, Hue::Purple);
-            graph.curve(way.iter().copied(), Stroke::Curve, Hue::Ink);
-            graph.dot((knob, spin), 5.0, Hue::Ink);
+            graph.curve(way.map(|&point| point.into()), Stroke::Curve, Hue::Ink);
+            graph.dot(now.into(), 5.0, Hue::Ink);
             Ok(())
         },
     }))

@@ -31,7 +31,7 @@ pub(crate) const SCENE: Scene = Scene {
     symbols: formulas![r"N", r"g"],
     start: |settings| {
         let of = Ending::new(settings)?;
-        let least = of.sunk.iter().map(|there| there.support).fold(f64::INFINITY, f64::min);
+        let least = of.sunk.iter().map(|[.., support]| *support).fold(f64::INFINITY, f64::min);
         let words = format!(
             "By its law the table would let go at a tilt of {}, {} before the end. The disc leans on the table with \
              {least:.2} of its weight at least, and then it creeps.",
@@ -72,7 +72,8 @@ struct Ending {
     /// Where its law demands a fall with g, rad, and how long before its end, s.
     falls: f64,
     left: f64,
-    sunk: Vec<Sunk>,
+    /// Time, logarithm of the tilt, round and support of [`Sunk`], at equal steps of the film.
+    sunk: Vec<[f64; 4]>,
 }
 
 impl Ending {
@@ -99,7 +100,7 @@ impl Ending {
         for there in &reached {
             round += 0.5 * (rate(&before.state) + rate(&there.state)) * (there.time - before.time);
             let support = disk.support(&there.state).z / (TOY.mass * TOY.gravity);
-            sunk.push(Sunk { time: there.time - reached[0].time, tilt: there.state.tilt, round, support });
+            sunk.push([there.time - reached[0].time, there.state.tilt.ln(), round, support]);
             before = *there;
         }
         Ok(Self { power, falls, left, sunk })
@@ -107,22 +108,14 @@ impl Ending {
 
     /// At a moment of the film, between two of its pictures.
     fn at(&self, time: f64) -> Sunk {
-        let place = (time / FILM).clamp(0.0, 1.0) * f64::from(STEPS);
-        let (index, part) = (place as usize, place.fract());
-        let (one, other) = (self.sunk[index], self.sunk[(index + 1).min(STEPS as usize)]);
-        let between = |one: f64, other: f64| one + (other - one) * part;
-        Sunk {
-            time: between(one.time, other.time),
-            tilt: one.tilt * (other.tilt / one.tilt).powf(part),
-            round: between(one.round, other.round),
-            support: between(one.support, other.support),
-        }
+        let [time, log_tilt, round, support] = interpolated(&self.sunk, time / FILM * f64::from(STEPS));
+        Sunk { time, tilt: log_tilt.exp(), round, support }
     }
 
     fn draw(&self, moment: &Moment, drawing: &mut Drawing) -> Result<(), Cause> {
         let (room, now) = (moment.room, self.at(moment.time));
         // Heights are magnified, the more the lower it stands, so that it can be seen to lean until the end.
-        let shown = 0.3 * (now.tilt / self.sunk[0].tilt).powf(0.35);
+        let shown = 0.3 * (now.tilt / self.at(0.0).tilt).powf(0.35);
         let (centre, scale) = room.of((at(320.0, 130.0), 120.0), (at(190.0, 120.0), 100.0));
         let eye = moment.seen_from(-1.1, 0.3);
         let mut stage = Stage::new(eye.camera([0.0, 0.0, 0.3], 9.0, centre, scale)?);
@@ -143,9 +136,10 @@ impl Ending {
         let law = log_steps(1.0, 10.0, 60).map(|part| (part, 1.0 - part.powf(-2.0 * self.power - 1.0)));
         graph.curve(law, Stroke::DashedCurve, Hue::Ink);
         graph.level(1.0, Stroke::Reference, Hue::Muted);
-        let point = |there: &Sunk| (there.tilt / self.falls, there.support);
-        graph.curve(self.sunk.iter().map(point), Stroke::Curve, Hue::Purple);
-        graph.dot(point(&now), 5.0, Hue::Purple);
+        let point = |tilt: f64, support: f64| (tilt / self.falls, support);
+        let all = self.sunk.iter().map(|&[_, log_tilt, _, support]| point(log_tilt.exp(), support));
+        graph.curve(all, Stroke::Curve, Hue::Purple);
+        graph.dot(point(now.tilt, now.support), 5.0, Hue::Purple);
         graph.label((1.3, 0.3), Side::Right, "the law", Hue::Ink)?;
         Ok(())
     }

@@ -76,7 +76,7 @@ struct Spinning {
     /// The law by which it goes down, its place in [`POWERS`], and the time left at which it asks for free fall, s.
     down: Option<(SpinDown, usize, f64)>,
     /// On the way down: the angle by which the head has turned, rad, at equal steps of the film.
-    head: Vec<f64>,
+    head: Vec<[f64; 1]>,
 }
 
 /// What is seen at a time of the film.
@@ -121,9 +121,9 @@ impl Spinning {
     }
 
     /// The integral of the head's rate over the way down, by Simpson's rule over equal steps of the film.
-    fn head_on_the_way(&self) -> Result<Vec<f64>, InvalidQuantity> {
+    fn head_on_the_way(&self) -> Result<Vec<[f64; 1]>, InvalidQuantity> {
         let Some((down, _, end)) = &self.down else { return Ok(Vec::new()) };
-        let (count, mut turned) = (500, vec![0.0]);
+        let (count, mut turned) = (500, vec![[0.0]]);
         let step = self.run().duration / f64::from(count);
         // Of the time that is left the film takes so much in a second.
         let rate = |time: f64| {
@@ -134,7 +134,7 @@ impl Spinning {
         for k in 0..count {
             let from = f64::from(k) * step;
             let (middle, after) = (rate(from + 0.5 * step)?, rate(from + step)?);
-            turned.push(turned[turned.len() - 1] + step * (before + 4.0 * middle + after) / 6.0);
+            turned.push([turned[turned.len() - 1][0] + step * (before + 4.0 * middle + after) / 6.0]);
             before = after;
         }
         Ok(turned)
@@ -149,10 +149,7 @@ impl Spinning {
             return Ok(Now { coin, rounds, head, gone, left: f64::NAN });
         };
         let left = Self::left(down, *end, time);
-        let place = (time / self.run().duration).clamp(0.0, 1.0) * (self.head.len() - 1) as f64;
-        let before = (place as usize).min(self.head.len() - 2);
-        let part = place - before as f64;
-        let head = self.head[before] * (1.0 - part) + self.head[before + 1] * part;
+        let [head] = interpolated(&self.head, time / self.run().duration * (self.head.len() - 1) as f64);
         let rounds = down.gone_round(left)? / TAU;
         Ok(Now { coin: down.with_time_left(left)?, rounds, head, gone: down.life() - left, left })
     }

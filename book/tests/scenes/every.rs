@@ -3,7 +3,7 @@
 use crate::hand::{labels, words};
 use drawing::{Drawing, Point, Rect, at};
 use fastrand::Rng;
-use live::{Kind, Moment, Player, Room, Scene};
+use live::{Form, Kind, Moment, Player, Room, Scene};
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -295,6 +295,49 @@ fn no_settings_break_a_scene() {
         }
         assert!(answered > TRIALS / 2, "{}: {answered} of {TRIALS} settings have an answer", scene.name);
     }
+}
+
+/// The readings that jump: a knob is turned, a kick is given, and methods go on by steps.
+const JUMPING: [[&str; 2]; 5] = [
+    ["knob", "knob"],
+    ["laundromat", "force on the floor"],
+    ["methods", "by Euler’s method"],
+    ["methods", "by RK4"],
+    ["methods", "by Strang’s splitting"],
+];
+
+#[test]
+fn a_reading_is_the_same_a_moment_later() {
+    let mut seen = BTreeSet::new();
+    let mut random = Rng::with_seed(23);
+    for scene in all() {
+        let start = Player::new(scene).expect("it begins");
+        let presets = scene.presets.iter().map(|preset| start.changed(preset.settings));
+        let mut tried: Vec<_> = presets.collect::<Result<_, _>>().expect("answers");
+        tried.extend((0..8).filter_map(|_| Player::with(scene, settings(scene, &mut random)).ok()));
+        for player in tried {
+            let duration = player.run().duration;
+            // Where tables have their moments: whole parts of the run, and of a second.
+            let parts = (1..400).map(|k| duration * f64::from(k) / 400.0);
+            let seconds: Vec<_> =
+                (0..400).map(|_| (1200.0 * duration * random.f64()).round() / 1200.0).collect();
+            for time in parts.chain(seconds).filter(|time| *time < duration) {
+                let [before, after] = [-1e-9, 1e-9].map(|later| player.numbers(time * (1.0 + later)));
+                let (before, after) = (before.expect("readings"), after.expect("readings"));
+                for ((before, after), reading) in before.iter().zip(after).zip(scene.readings) {
+                    let last = match reading.form {
+                        Form::Fixed(digits) => 10_f64.powi(-(digits as i32)),
+                        Form::Digits(digits) => 10_f64.powi(1 - digits as i32) * after.abs() + 1e-12,
+                        Form::Power(_) => continue, // of rounding
+                    };
+                    if (before - after).abs() > last {
+                        seen.insert([scene.name, reading.words]);
+                    }
+                }
+            }
+        }
+    }
+    assert_eq!(seen, BTreeSet::from(JUMPING));
 }
 
 #[test]

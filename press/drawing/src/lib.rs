@@ -56,6 +56,6 @@ pub use layout::{GAP, NARROW, PANEL, Room};
 pub use look::Look;
 pub use point::{Point, Rect, at};
 pub use role::{Fill, Hue, Role, Stroke};
-pub use sample::{linear_steps, log_steps};
+pub use sample::{interpolated, linear_steps, log_steps};
 pub use shape::{Item, Shape};
 pub use simplify::{TOLERANCE, simplify};

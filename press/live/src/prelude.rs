@@ -7,7 +7,7 @@ pub use crate::{
 pub use drawing::kit::{self, Heads, Marker};
 pub use drawing::space::{Camera, Curve, Finish, Hiding, Solid, Stage};
 pub use drawing::{
-    Drawing, Fill, Flaw, Hue, Item, Look, Point, Rect, Role, Room, Shape, Side, Stroke, at, linear_steps,
-    log_steps,
+    Drawing, Fill, Flaw, Hue, Item, Look, Point, Rect, Role, Room, Shape, Side, Stroke, at, interpolated,
+    linear_steps, log_steps,
 };
 pub use std::f64::consts::{FRAC_PI_2, PI, TAU};
