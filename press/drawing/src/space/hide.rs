@@ -21,7 +21,8 @@ const SHORTEST: f64 = 1.2;
 /// A chord on which a boundary's polynomial is nowhere larger, in least thicknesses of the solid, lies on that boundary
 /// and does not cross it: its zeros are rounding's, and others on another machine.
 const ROUNDING: f64 = 1e-12;
-/// Chords from which a smooth curve bends away by less than this, px, are treated as one.
+/// Chords from which a smooth curve bends away by less than this, px, are treated as one. What goes less than a fourth of it
+/// past a straight outline may be missed: then neither the ends of the chords lie there nor their middle.
 const BEND: f64 = 0.9;
 /// How often the piece of a chord in which a boundary lies is halved: to a hundred-thousandth of a pixel.
 const HALVINGS: u32 = 20;

@@ -149,6 +149,35 @@ fn what_is_hidden_is_what_a_walk_to_the_eye_finds_hidden() -> Done {
 }
 
 #[test]
+fn a_curve_that_goes_a_fourth_of_a_pixel_past_an_outline_is_cut_there() -> Done {
+    let view = View { azimuth: -FRAC_PI_2, elevation: FRAC_PI_2, distance: f64::INFINITY, ..usual_view() };
+    let (mut chance, past) = (Chance(6), 0.0025); // a unit has 100 px
+    for index in 0..2000 {
+        // A circle below a rod of radius one along x, that comes out from behind it, or goes in from outside.
+        let comes_out = index % 2 == 0;
+        let (radius, count) = (chance.number(0.3, 0.9), chance.number(24.0, 60.0).floor());
+        let middle = if comes_out { 1.0 + past - radius } else { 1.0 - past + radius };
+        // It begins far from there, so that its piece is not cut in two.
+        let begun = chance.number(-1.0, 1.0) + if comes_out { -FRAC_PI_2 } else { FRAC_PI_2 };
+        let point = |turn: i32| {
+            let (sin, cos) = (begun + TAU * f64::from(turn) / count).sin_cos();
+            [radius * cos, middle + radius * sin, -2.0]
+        };
+        let mut stage = Stage::new(Eye::new(view).camera());
+        stage.solid(Solid::rod([-5.0, 0.0, 0.0], [5.0, 0.0, 0.0], 1.0)?, Hue::Blue)?;
+        stage.curve(Curve::smooth((0..=count as i32).map(point))?, Stroke::Curve, Hue::Pink)?;
+        let found = lines(&drawn(&stage), if comes_out { CURVE } else { HIDDEN });
+        let of = format!("{count} points of a circle of {radius} from {begun}, {comes_out}");
+        let [line] = &found[..] else { panic!("{of}: {} pieces", found.len()) };
+        for end in [line[0], line[line.len() - 1]] {
+            let far = view.centre.y - end.y;
+            assert!((far - 100.0).abs() < 0.01, "{of}: it ends {far} px from the rod's axis");
+        }
+    }
+    Ok(())
+}
+
+#[test]
 fn the_outline_of_an_ellipsoid_is_where_lines_of_sight_touch_it() -> Done {
     let mut chance = Chance(4);
     for _ in 0..20 {
