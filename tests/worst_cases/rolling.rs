@@ -177,9 +177,10 @@ impl Disc {
         Some(samples.iter().map(|sample| own(sample)).collect())
     }
 
-    /// The numbers at a time, and by how much each changes if the first four of the start, and the time, change by
-    /// [`change`] for this tolerance: by such a part of their own, or with a looser tolerance than rounding, or if all are
-    /// `in_units`, of one in the units a, √(g/a) and rad where that is larger. Nothing if the judge gives up.
+    /// The numbers at a time, and by how much each changes if the first four of the start, or of the motion a third or two
+    /// thirds of the way there, and the time change by [`change`] for this tolerance: by such a part of their own, or with a
+    /// looser tolerance than rounding, or if all are `in_units`, of one in the units a, √(g/a) and rad where that is larger.
+    /// Nothing if the judge gives up.
     pub(crate) fn with_conditioning(
         &self,
         start: &Numbers,
@@ -188,12 +189,14 @@ impl Disc {
         in_units: bool,
     ) -> Option<(Numbers, [f64; 8])> {
         let (part, is_loose) = (change(tolerance), tolerance > f64::EPSILON);
-        let truth = self.motion(start, &[long(time)])?.remove(0);
+        let [third, time] = [3.0, 1.0].map(|parts| long(time) / parts);
+        let [second, third_state, truth] =
+            self.motion(start, &[third, third * 2.0, time])?.try_into().ok()?;
         // All that is passed from a little before the time to a little after it: a disc may whirl round in between.
-        let largest = |start: &Numbers, part: f64| -> Option<[f64; 8]> {
-            let [early, late] = [-part, part].map(|part| long(time) * (long(1.0) + part));
+        let largest = |begin: &Numbers, gone: Long, part: f64| -> Option<[f64; 8]> {
+            let [early, late] = [-part, part].map(|part| time * (long(1.0) + part) - gone);
             let mut passed = Vec::new();
-            let ends = self.follow(start, &[early, late], |now, numbers| {
+            let ends = self.follow(begin, &[early, late], |now, numbers| {
                 if now.abs() > early.abs() {
                     passed.push(numbers);
                 }
@@ -202,23 +205,31 @@ impl Disc {
             let by = |i: usize| passed.iter().map(move |other| (other[i] - truth[i]).abs().rounded());
             Some(std::array::from_fn(|i| by(i).fold(0.0, worse)))
         };
-        let mut changed = largest(start, part)?;
+        let later = largest(start, long(0.0), part)?;
         let rate = self.gravity_over_radius.sqrt().rounded();
         let least = if in_units || is_loose { [1.0, rate, rate, rate] } else { [0.0; 4] };
         // Two draws of signs, so that no two changes cancel twice. What is no small change is not in proportion to it either,
         // so it is tried both ways, and at all these times.
         let (sides, around) = if is_loose { (&[part, -part][..], part) } else { (&[part][..], 0.0) };
-        for signs in [[1.0, 1.0, 1.0, 1.0], [1.0, -1.0, 1.0, -1.0]] {
-            for side in sides {
-                let mut moved = *start;
-                for i in 0..4 {
-                    moved[i] = moved[i] + side * signs[i] * least[i].max(start[i].rounded().abs());
-                }
-                for (sum, own) in changed.iter_mut().zip(largest(&moved, around)?) {
-                    *sum += own;
+        let mut moved = [0.0; 8];
+        for (state, gone) in [(*start, long(0.0)), (second, third), (third_state, third * 2.0)] {
+            for signs in [[1.0, 1.0, 1.0, 1.0], [1.0, -1.0, 1.0, -1.0]] {
+                for side in sides {
+                    let mut begin = state;
+                    for i in 0..4 {
+                        begin[i] = begin[i] + side * signs[i] * least[i].max(state[i].rounded().abs());
+                    }
+                    let Some(own) = largest(&begin, gone, around) else {
+                        if gone.rounded() == 0.0 {
+                            return None;
+                        } else {
+                            continue;
+                        };
+                    };
+                    moved = std::array::from_fn(|i| worse(moved[i], own[i]));
                 }
             }
         }
-        Some((truth, changed))
+        Some((truth, std::array::from_fn(|i| later[i] + moved[i])))
     }
 }
