@@ -1,6 +1,6 @@
 //! Euler's disk on its film of air.
 
-use crate::rolling::{Disc, numbers, parameters, placed, worst_part};
+use crate::rolling::{Disc, parameters, placed};
 use crate::search::{Case, Draw, keeps_its_promise};
 use mechanics::integrate::Taylor;
 use mechanics::rolling::{DiskParameters, MomentFactors, Rolling};
@@ -73,12 +73,11 @@ fn a_sinking_disk_is_as_good_as_its_start_its_time_and_its_tolerance() {
         }
         // There the tolerance counts, which is that of numbers of size one.
         let disc = Disc::new(&parameters, film);
-        let judged = disc.with_conditioning(&numbers(&start, parameters.radius), time, tolerance, time < 0.0);
+        let judged = disc.worst_part(&parameters, [&start, &ours], time, tolerance, time < 0.0);
         if judged.is_none() && (time < 0.0 || tolerance > f64::EPSILON) {
             return None;
         }
-        let judged = judged.expect("the judge follows what sinks");
-        let (ratio, number) = worst_part(&parameters, [&start, &ours], &judged, tolerance);
+        let (ratio, number) = judged.expect("the judge follows what sinks");
         Some(Case { ratio, way, said: format!("{said}: {ours:?}, number {number}") })
     });
 }
@@ -88,9 +87,9 @@ fn kept(disk: &EulersDisk, start: &Rolling, time: f64, tolerance: f64) {
     let parameters = disk.parameters();
     let sinking = disk.sinking(*start, &Taylor::new(tolerance).expect("a tolerance")).expect("a motion");
     let ours = sinking.at(time).expect("a state");
-    let numbers = numbers(start, parameters.radius);
-    let judged = Disc::new(&parameters, 0.0).with_conditioning(&numbers, time, tolerance, time < 0.0);
-    let (ratio, number) = worst_part(&parameters, [start, &ours], &judged.expect("a motion"), tolerance);
+    let disc = Disc::new(&parameters, 0.0);
+    let judged = disc.worst_part(&parameters, [start, &ours], time, tolerance, time < 0.0);
+    let (ratio, number) = judged.expect("a motion");
     assert!(ratio < 1.0, "{tolerance:e}: {ratio} of the promise in number {number}: {ours:?}");
 }
 

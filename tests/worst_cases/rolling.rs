@@ -72,12 +72,13 @@ pub(crate) fn rolling(n: &Numbers) -> [Long; 8] {
     [n[0], -n[1], n[2], -n[3], n[4] - PI, -n[5], n[6] - s * cos, n[7] + c * cos]
 }
 
-/// The largest error of a state in parts of what is promised for this tolerance: what a [`change`] of start and time makes,
-/// and such a part of the numbers and of one in the units a, √(g/a) and rad, with that of the heading's way for the place.
-pub(crate) fn worst_part(
+/// The largest error of a state in parts of what is promised for this tolerance: by how much the numbers have `changed`, and
+/// a [`change`] of them and of one in the units a, √(g/a) and rad, with that of the heading's way for the place.
+fn worst_part(
     parameters: &DiskParameters,
     [given, found]: [&Rolling; 2],
-    (truth, changed): &(Numbers, [f64; 8]),
+    truth: &Numbers,
+    changed: &[f64; 8],
     tolerance: f64,
 ) -> (f64, usize) {
     let (radius, rate) = (parameters.radius, (parameters.gravity / parameters.radius).sqrt());
@@ -177,21 +178,22 @@ impl Disc {
         Some(samples.iter().map(|sample| own(sample)).collect())
     }
 
-    /// The numbers at a time, and by how much each changes if the first four of the start, or of the motion a third or two
-    /// thirds of the way there, and the time change by [`change`] for this tolerance: by such a part of their own, or with a
-    /// looser tolerance than rounding, or if all are `in_units`, of one in the units a, √(g/a) and rad where that is larger.
-    /// Nothing if the judge gives up.
-    pub(crate) fn with_conditioning(
+    /// The largest error of a state that was found in parts of what is promised for this tolerance; nothing if the judge
+    /// gives up. Changes are by a part of the numbers' own, or with a looser tolerance than rounding, or if all are `in_units`,
+    /// of one in the units a, √(g/a) and rad where that is larger.
+    pub(crate) fn worst_part(
         &self,
-        start: &Numbers,
+        parameters: &DiskParameters,
+        [given, found]: [&Rolling; 2],
         time: f64,
         tolerance: f64,
         in_units: bool,
-    ) -> Option<(Numbers, [f64; 8])> {
+    ) -> Option<(f64, usize)> {
         let (part, is_loose) = (change(tolerance), tolerance > f64::EPSILON);
-        let [third, time] = [3.0, 1.0].map(|parts| long(time) / parts);
-        let [second, third_state, truth] =
-            self.motion(start, &[third, third * 2.0, time])?.try_into().ok()?;
+        let (start, time) = (numbers(given, parameters.radius), long(time));
+        let thirds = [time * (1.0 / 3.0), time * (2.0 / 3.0)];
+        let [first, second, truth] =
+            self.motion(&start, &[thirds[0], thirds[1], time])?.try_into().expect("three");
         // All that is passed from a little before the time to a little after it: a disc may whirl round in between.
         let largest = |begin: &Numbers, gone: Long, part: f64| -> Option<[f64; 8]> {
             let [early, late] = [-part, part].map(|part| time * (long(1.0) + part) - gone);
@@ -205,31 +207,38 @@ impl Disc {
             let by = |i: usize| passed.iter().map(move |other| (other[i] - truth[i]).abs().rounded());
             Some(std::array::from_fn(|i| by(i).fold(0.0, worse)))
         };
-        let later = largest(start, long(0.0), part)?;
         let rate = self.gravity_over_radius.sqrt().rounded();
         let least = if in_units || is_loose { [1.0, rate, rate, rate] } else { [0.0; 4] };
         // Two draws of signs, so that no two changes cancel twice. What is no small change is not in proportion to it either,
         // so it is tried both ways, and at all these times.
-        let (sides, around) = if is_loose { (&[part, -part][..], part) } else { (&[part][..], 0.0) };
-        let mut moved = [0.0; 8];
-        for (state, gone) in [(*start, long(0.0)), (second, third), (third_state, third * 2.0)] {
+        let moved = |state: &Numbers, gone: Long, part: f64| -> Option<[f64; 8]> {
+            let (sides, around) = if is_loose { (&[part, -part][..], part) } else { (&[part][..], 0.0) };
+            let mut all = [0.0; 8];
             for signs in [[1.0, 1.0, 1.0, 1.0], [1.0, -1.0, 1.0, -1.0]] {
                 for side in sides {
-                    let mut begin = state;
+                    let mut begin = *state;
                     for i in 0..4 {
                         begin[i] = begin[i] + side * signs[i] * least[i].max(state[i].rounded().abs());
                     }
-                    let Some(own) = largest(&begin, gone, around) else {
-                        if gone.rounded() == 0.0 {
-                            return None;
-                        } else {
-                            continue;
-                        };
-                    };
-                    moved = std::array::from_fn(|i| worse(moved[i], own[i]));
+                    all = added(&all, &largest(&begin, gone, around)?);
                 }
             }
+            Some(all)
+        };
+        let now = long(0.0);
+        let changed = added(&largest(&start, now, part)?, &moved(&start, now, part)?);
+        let of_start = worst_part(parameters, [given, found], &truth, &changed, tolerance);
+        if of_start.0 < 1.0 {
+            return Some(of_start);
         }
-        Some((truth, std::array::from_fn(|i| later[i] + moved[i])))
+        // It comes from the way: where a disc gets up again, a change of the start has nearly gone, and one on the way has not.
+        let of_way = [(first, thirds[0]), (second, thirds[1])];
+        let of_way = of_way.into_iter().filter_map(|(state, gone)| moved(&state, gone, 0.1 * part));
+        let changed = of_way.fold(changed, |all, own| added(&all, &own));
+        Some(worst_part(parameters, [given, found], &truth, &changed, tolerance))
     }
+}
+
+fn added(one: &[f64; 8], other: &[f64; 8]) -> [f64; 8] {
+    std::array::from_fn(|i| one[i] + other[i])
 }

@@ -1,7 +1,7 @@
 //! The rolling wheel at any time, from half a wobble.
 
 use crate::long::long;
-use crate::rolling::{Disc, numbers, parameters, placed, rolling, worst_part};
+use crate::rolling::{Disc, numbers, parameters, placed, rolling};
 use crate::search::{Case, Draw, keeps_its_promise};
 use mechanics::integrate::Taylor;
 use mechanics::nalgebra::Complex;
@@ -102,13 +102,12 @@ fn a_wobble_is_as_good_as_its_start_and_its_time() {
         };
         let time = part * period;
         let disc = Disc::new(&parameters, 0.0);
-        let judged = disc.with_conditioning(&numbers(&start, parameters.radius), time, tolerance, false);
+        let ours = wobble.at(time).ok()?;
+        let judged = disc.worst_part(&parameters, [&start, &ours], time, tolerance, false);
         if judged.is_none() && tolerance > f64::EPSILON {
             return None; // with another start it falls flat
         }
-        let judged = judged.expect("the judge follows it");
-        let ours = wobble.at(time).ok()?;
-        let (ratio, number) = worst_part(&parameters, [&start, &ours], &judged, tolerance);
+        let (ratio, number) = judged.expect("the judge follows it");
         let said = format!(
             "tolerance {tolerance:?}, {parameters:?}, {start:?}, t {time:?} of {period:?}: {ours:?}, number {number}"
         );
@@ -136,9 +135,8 @@ fn a_loose_tolerance_is_kept_where_a_wheel_is_about_to_get_up_again() {
             let time = part * wobble.period();
             let ours = wobble.at(time).unwrap();
             let disc = Disc::new(&parameters, 0.0);
-            let judged = disc.with_conditioning(&numbers(&start, 1.0), time, tolerance, false);
-            let judged = judged.expect("a motion");
-            let (ratio, number) = worst_part(&parameters, [&start, &ours], &judged, tolerance);
+            let judged = disc.worst_part(&parameters, [&start, &ours], time, tolerance, false);
+            let (ratio, number) = judged.expect("a motion");
             assert!(
                 ratio < 1.0,
                 "{tolerance:e}, {part}: {ratio} of the promise in number {number}: {ours:?}"

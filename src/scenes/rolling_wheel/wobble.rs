@@ -119,14 +119,14 @@ impl Wobble {
 
     /// The state at `time`, s, of either sign. At zero it is the start, to rounding.
     ///
-    /// Within a few wobbles an error is at most what a change by a part 30 ε makes, of the start or of the state
-    /// anywhere on the way, and of the time; and 30 ε of the numbers themselves and of one in the units a, √(g/a) and
+    /// Within a few wobbles an error is at most what a change of the start and of the time by a part 30 ε makes, and of
+    /// the state anywhere on the way by 3 ε; and 30 ε of the numbers themselves and of one in the units a, √(g/a) and
     /// rad, where ε is the tolerance or 2.2e-16, whichever is larger. The place has in addition 30 ε radii for each
-    /// radian by which the heading has gone on. With a looser tolerance than rounding a number of the state that is
-    /// smaller than one changes by 30 ε of those units. Later errors grow in proportion to the time. What a change makes
-    /// may be large: a wheel that comes near an unstable motion on its way leaves it as its last digits say. Of heading
-    /// and roll angle the larger counts for both: near flat they whirl round together, and one that has whirled round
-    /// and back has the rounding of all that way.
+    /// radian by which the heading has gone on. With a looser tolerance than rounding a number of a state that is
+    /// smaller than one changes by such a part of those units. Later errors grow in proportion to the time. What a
+    /// change makes may be large: a wheel that comes near an unstable motion on its way leaves it as its last digits
+    /// say. Of heading and roll angle the larger counts for both: near flat they whirl round together, and one that has
+    /// whirled round and back has the rounding of all that way.
     ///
     /// # Errors
     /// [`InvalidQuantity`] if the time is not finite, or so far away that it cannot be said where in a wobble it falls.

@@ -66,12 +66,12 @@ impl Sinking {
 
     /// The disk at `times`, s, in any order and of either sign.
     ///
-    /// An error is at most what a change by a part 30 ε makes, of the start or of the state anywhere on the way, and of
-    /// the time; and 30 ε of the numbers themselves and of one in the units a, √(g/a) and rad, where ε is the tolerance
-    /// or 2.2e-16, whichever is larger. The place has in addition 30 ε radii for each radian by which the heading has
-    /// gone on. Of heading and roll angle the larger counts for both. Back in time, where a film drives the disk, and
-    /// with a looser tolerance than rounding, a number of the state that is smaller than one changes by 30 ε of those
-    /// units.
+    /// An error is at most what a change of the start and of the time by a part 30 ε makes, and of the state anywhere on
+    /// the way by 3 ε; and 30 ε of the numbers themselves and of one in the units a, √(g/a) and rad, where ε is the
+    /// tolerance or 2.2e-16, whichever is larger. The place has in addition 30 ε radii for each radian by which the
+    /// heading has gone on. Of heading and roll angle the larger counts for both. Back in time, where a film drives the
+    /// disk, and with a looser tolerance than rounding, a number of a state that is smaller than one changes by such a
+    /// part of those units.
     ///
     /// # Errors
     /// [`Error::Quantity`] for a time that is not finite, or after the end of the motion, which the message tells;
