@@ -74,7 +74,7 @@ pub(crate) fn rolling(n: &Numbers) -> [Long; 8] {
 
 /// The largest error of a state in parts of what is promised for this tolerance: by how much the numbers have `changed`, and
 /// a [`change`] of them and of one in the units a, √(g/a) and rad, with that of the heading's way for the place.
-fn worst_part(
+fn part_of_allowed(
     parameters: &DiskParameters,
     [given, found]: [&Rolling; 2],
     truth: &Numbers,
@@ -227,15 +227,16 @@ impl Disc {
         };
         let now = long(0.0);
         let changed = added(&largest(&start, now, part)?, &moved(&start, now, part)?);
-        let of_start = worst_part(parameters, [given, found], &truth, &changed, tolerance);
+        let of_start = part_of_allowed(parameters, [given, found], &truth, &changed, tolerance);
         if of_start.0 < 1.0 {
             return Some(of_start);
         }
-        // It comes from the way: where a disc gets up again, a change of the start has nearly gone, and one on the way has not.
+        // What the start does not explain may come from the way: where a disc gets up again, a change of the start has nearly
+        // gone, and one on the way has not.
         let of_way = [(first, thirds[0]), (second, thirds[1])];
         let of_way = of_way.into_iter().filter_map(|(state, gone)| moved(&state, gone, 0.1 * part));
         let changed = of_way.fold(changed, |all, own| added(&all, &own));
-        Some(worst_part(parameters, [given, found], &truth, &changed, tolerance))
+        Some(part_of_allowed(parameters, [given, found], &truth, &changed, tolerance))
     }
 }
 
